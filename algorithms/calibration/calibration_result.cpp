@@ -1,0 +1,17 @@
+#include "algorithms/calibration/calibration_result.h"
+
+namespace remount {
+namespace {
+constexpr std::array<std::string_view, 7> kStatusNames{"ok",           "degenerate",   "too_few_pairs", "not_converged",
+                                                       "out_of_range", "inconsistent", "cancelled"};
+}
+
+std::string_view to_string(Status status) { return kStatusNames.at(static_cast<std::size_t>(status)); }
+
+std::optional<Status> status_from_string(std::string_view text) {
+  for (std::size_t i = 0; i < kStatusNames.size(); ++i)
+    if (kStatusNames[i] == text) return static_cast<Status>(i);
+  return std::nullopt;
+}
+
+}  // namespace remount

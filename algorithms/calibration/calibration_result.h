@@ -1,0 +1,81 @@
+// The result of a calibration: values only, the same for every method.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/trajectory/pair.h"
+
+namespace remount {
+
+enum class Status {
+  Ok,            ///< every component is observed
+  Degenerate,    ///< solved, but some components are not observed (named in `observed` and `advice`)
+  TooFewPairs,   ///< not enough accepted pairs for any usable answer
+  NotConverged,
+  OutOfRange,    ///< no candidate lies within the search range
+  Inconsistent,  ///< the pairs contradict each other more than their errors allow
+  Cancelled,
+};
+
+/// "ok", "degenerate", "too_few_pairs", "not_converged", "out_of_range", "inconsistent", "cancelled".
+std::string_view to_string(Status status);
+std::optional<Status> status_from_string(std::string_view text);
+
+/// The six parameters in the order of every array below: x, y, z (m), yaw, pitch, roll (rad).
+inline constexpr std::array<std::string_view, 6> kParameterNames{"x", "y", "z", "yaw", "pitch", "roll"};
+
+struct Candidate {
+  std::string source;  ///< how it was found: "pair 12", "pairs 3 + 17", "all pairs: Park-Martin", "refined", "joint clouds"
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  double frobenius_sum = 0.0;  ///< E(X) = sum over accepted pairs of ||P X - X Q||_F, translation over characteristic length
+  bool in_range = true;
+  std::string out_of_range;  ///< which parameters, in words; empty where in_range
+};
+
+/// One direction of the six-dimensional parameter space, from the eigen-decomposition of the information.
+struct ObservabilityDirection {
+  Vector6d direction = Vector6d::Zero();  ///< unit length after scaling; translation first, rotation about INS axes
+  double sigma = 0.0;                     ///< along it, m-equivalent; infinite where nothing is known
+  bool observed = true;
+  std::string words;  ///< "height z: not observable, flat driving"
+};
+
+struct TimeOffset {
+  double offset_s = std::numeric_limits<double>::quiet_NaN();  ///< t_ins = t_lidar + offset; NaN where not estimated
+  double sigma_s = std::numeric_limits<double>::quiet_NaN();
+  bool applied = false;
+};
+
+struct CalibrationResult {
+  Status status = Status::TooFewPairs;
+  std::string message;              ///< one sentence for the user: what happened and why
+  std::vector<std::string> advice;  ///< what to drive or to add, one sentence each
+
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  std::array<bool, 6> observed{};   ///< order of kParameterNames
+  /// Covariance of (x, y, z, yaw, pitch, roll) in m and rad; rows and columns of unobserved parameters are NaN.
+  Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// 1-sigma from the bootstrap over blocks of time, same order; NaN where not observed or not computed.
+  std::array<double, 6> bootstrap_sigma{};
+  std::vector<ObservabilityDirection> directions;
+
+  int pairs_proposed = 0, pairs_accepted = 0, pairs_rejected = 0;
+  double frobenius_sum = 0.0;
+  double rotation_rms_rad = 0.0;
+  double translation_rms_m = 0.0;
+  TimeOffset time_offset;
+  std::vector<Candidate> candidates;  ///< best first; those out of range last
+
+  /// 1-sigma of parameter i (order of kParameterNames), or nothing where it is not observed.
+  std::optional<double> sigma(std::size_t i) const {
+    if (!observed[i]) return std::nullopt;
+    return std::sqrt(covariance(static_cast<int>(i), static_cast<int>(i)));
+  }
+};
+
+}  // namespace remount

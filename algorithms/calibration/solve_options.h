@@ -1,0 +1,77 @@
+// Options of the solution of P X = X Q: search range, ranking, noise, what counts as observed.
+#pragma once
+
+#include <array>
+
+#include "algorithms/core/options.h"
+
+namespace remount {
+
+/// Search range of the six parameters of X = ins_from_lidar, in the navigation (INS) frame.
+struct SearchRange {
+  double x_min_m = -5.0, x_max_m = 5.0;
+  double y_min_m = -5.0, y_max_m = 5.0;
+  double z_min_m = -5.0, z_max_m = 5.0;
+  double yaw_min_rad = -3.15, yaw_max_rad = 3.15;
+  double pitch_min_rad = -3.15, pitch_max_rad = 3.15;
+  double roll_min_rad = -3.15, roll_max_rad = 3.15;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor({"x_min_m", "m", "Search range of x, forward in the INS frame.", -1000.0, 1000.0}, self.x_min_m);
+    visitor({"x_max_m", "m", "Search range of x, forward in the INS frame.", -1000.0, 1000.0}, self.x_max_m);
+    visitor({"y_min_m", "m", "Search range of y, left in the INS frame.", -1000.0, 1000.0}, self.y_min_m);
+    visitor({"y_max_m", "m", "Search range of y, left in the INS frame.", -1000.0, 1000.0}, self.y_max_m);
+    visitor({"z_min_m", "m", "Search range of z, up in the INS frame.", -1000.0, 1000.0}, self.z_min_m);
+    visitor({"z_max_m", "m", "Search range of z, up in the INS frame.", -1000.0, 1000.0}, self.z_max_m);
+    visitor({"yaw_min_rad", "rad", "Search range of yaw.", -3.15, 3.15}, self.yaw_min_rad);
+    visitor({"yaw_max_rad", "rad", "Search range of yaw.", -3.15, 3.15}, self.yaw_max_rad);
+    visitor({"pitch_min_rad", "rad", "Search range of pitch.", -3.15, 3.15}, self.pitch_min_rad);
+    visitor({"pitch_max_rad", "rad", "Search range of pitch.", -3.15, 3.15}, self.pitch_max_rad);
+    visitor({"roll_min_rad", "rad", "Search range of roll.", -3.15, 3.15}, self.roll_min_rad);
+    visitor({"roll_max_rad", "rad", "Search range of roll.", -3.15, 3.15}, self.roll_max_rad);
+  }
+};
+
+struct SolveOptions {
+  double characteristic_length_m = 1.0;
+  double ins_position_sigma_m = 0.01;
+  double ins_attitude_sigma_deg = 0.03;
+  double ins_attitude_bias_sigma_deg = 0.05;
+  double max_translation_sigma_m = 0.30;
+  double max_rotation_sigma_deg = 1.0;
+  double outlier_threshold = 4.0;
+  int max_listed_candidates = 200;
+  int bootstrap_samples = 100;
+  double bootstrap_block_s = 5.0;
+  int seed = 1;
+  bool joint_clouds = true;
+  bool apply_time_offset = false;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor({"characteristic_length_m", "m", "Scales the translation block in the ranking error; 1 m is the plain Frobenius norm.",
+             0.01, 1000.0}, self.characteristic_length_m);
+    visitor({"ins_position_sigma_m", "m", "INS position noise from sample to sample, where the log does not state it.", 1e-6, 10.0},
+            self.ins_position_sigma_m);
+    visitor({"ins_attitude_sigma_deg", "deg", "INS attitude noise from sample to sample, where the log does not state it.", 1e-6,
+             10.0}, self.ins_attitude_sigma_deg);
+    visitor({"ins_attitude_bias_sigma_deg", "deg", "INS attitude error that stays the same over a drive, where the log does not "
+             "state it.", 0.0, 10.0}, self.ins_attitude_bias_sigma_deg);
+    visitor({"max_translation_sigma_m", "m", "A translation with a larger sigma counts as not observed.", 0.001, 10.0},
+            self.max_translation_sigma_m);
+    visitor({"max_rotation_sigma_deg", "deg", "A rotation with a larger sigma counts as not observed.", 0.001, 45.0},
+            self.max_rotation_sigma_deg);
+    visitor({"outlier_threshold", "sigma", "Pairs whose residual exceeds this many sigma are rejected.", 2.0, 100.0},
+            self.outlier_threshold);
+    visitor({"max_listed_candidates", "", "Candidates kept in the result, best first.", 1, 100000}, self.max_listed_candidates);
+    visitor({"bootstrap_samples", "", "Resamplings for the bootstrap sigma; 0 for none.", 0, 10000}, self.bootstrap_samples);
+    visitor({"bootstrap_block_s", "s", "Length of the blocks of time that are resampled together.", 0.1, 600.0},
+            self.bootstrap_block_s);
+    visitor({"seed", "", "Seed of the bootstrap.", 0, 2147483647}, self.seed);
+    visitor({"joint_clouds", "", "Align the clouds of all accepted pairs together as the last step."}, self.joint_clouds);
+    visitor({"apply_time_offset", "", "Apply the estimated clock offset between lidar and INS."}, self.apply_time_offset);
+  }
+};
+
+}  // namespace remount

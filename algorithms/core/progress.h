@@ -1,0 +1,42 @@
+// Progress reports and cancellation, passed to every long call.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <string_view>
+#include <utility>
+
+namespace remount {
+
+struct ProgressUpdate {
+  std::string_view stage;  ///< what is being done, in the user's words ("registering pairs")
+  std::size_t done = 0;
+  std::size_t total = 0;  ///< 0 where the amount is not known
+};
+
+/// A stop token and a callback. Safe to use from several workers: the callback is called under a lock.
+class Progress {
+ public:
+  using Callback = std::function<void(const ProgressUpdate&)>;
+
+  Progress() = default;
+  explicit Progress(std::stop_token stop, Callback callback = {})
+      : stop_(std::move(stop)), callback_(std::move(callback)) {}
+
+  bool cancelled() const { return stop_.stop_requested(); }
+
+  void report(std::string_view stage, std::size_t done, std::size_t total) {
+    if (!callback_) return;
+    const std::scoped_lock lock(mutex_);
+    callback_({stage, done, total});
+  }
+
+ private:
+  std::stop_token stop_;
+  Callback callback_;
+  std::mutex mutex_;
+};
+
+}  // namespace remount

@@ -1,0 +1,31 @@
+// Step 1: which scans become keyframes.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/core/options.h"
+#include "algorithms/trajectory/pair.h"
+
+namespace remount {
+
+enum class KeyframeMode { Distance, Time };
+
+struct KeyframeOptions {
+  KeyframeMode mode = KeyframeMode::Distance;
+  double distance_m = 1.0;
+  double rotation_deg = 5.0;
+  double interval_s = 0.5;
+  int maximum = 2000;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor.choice({"mode", "", "Take a keyframe after a travelled distance or after a time."}, self.mode, {"distance", "time"});
+    visitor({"distance_m", "m", "Travelled distance between keyframes (mode distance).", 0.01, 1000.0}, self.distance_m);
+    visitor({"rotation_deg", "deg", "Turn after which a keyframe is taken even without distance (mode distance).", 0.1, 180.0},
+            self.rotation_deg);
+    visitor({"interval_s", "s", "Time between keyframes (mode time).", 0.01, 1000.0}, self.interval_s);
+    visitor({"maximum", "", "At most this many keyframes a session; beyond it they are spread evenly.", 2, 100000}, self.maximum);
+  }
+};
+
+}  // namespace remount

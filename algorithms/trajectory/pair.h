@@ -1,0 +1,65 @@
+// Keyframes, pairs of keyframes, and what is known about each pair.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "algorithms/geometry/rigid_transform.h"
+
+namespace remount {
+
+/// A scan chosen for calibration.
+struct Keyframe {
+  int session = 0;      ///< index of the session
+  int scan = 0;         ///< index of the scan in its session
+  std::int64_t stamp_ns = 0;  ///< of the scan, on the lidar clock
+  double travelled_m = 0.0;   ///< along the trajectory since the session's start
+};
+
+/// How a registration went.
+struct RegistrationQuality {
+  bool attempted = false;
+  bool converged = false;
+  int iterations = 0;
+  double rmse_m = 0.0;       ///< of the inlier residuals along the normals
+  double overlap = 0.0;      ///< share of source points with an inlier neighbour, 0..1
+  /// Information (inverse covariance) of lidar_b_from_lidar_a under `perturbed` (translation first, axes of lidar b).
+  Matrix6d information = Matrix6d::Zero();
+  std::string failure;  ///< empty, or why there is no usable transform, in words
+};
+
+/// Screw invariants of P X = X Q that hold for every X.
+struct ScrewTest {
+  double rotation_difference_rad = 0.0;   ///< theta_P - theta_Q
+  double translation_difference_m = 0.0;  ///< a_P . t_P - a_Q . t_Q; 0 where the rotation is too small for an axis
+  double score = 0.0;                     ///< the larger of the two over its own sigma (dimensionless)
+  bool passed = true;
+};
+
+enum class PairState { Proposed, Accepted, Rejected };
+enum class DecidedBy { Nobody, Program, User };
+
+/// Two keyframes a and b that see the same objects. The motion equation is P X = X Q with
+/// P = ins_b_from_ins_a, Q = lidar_b_from_lidar_a and X = ins_from_lidar.
+struct Pair {
+  int keyframe_a = 0;  ///< index into the list of keyframes
+  int keyframe_b = 0;
+  double gap_s = 0.0;
+  double baseline_m = 0.0;
+  double rotation_rad = 0.0;  ///< angle of P
+  int shared_objects = 0;
+  int moving_objects = 0;
+  RigidTransform ins_b_from_ins_a = RigidTransform::Identity();
+  RigidTransform lidar_b_from_lidar_a = RigidTransform::Identity();
+  RegistrationQuality registration;
+  ScrewTest screw;
+  double residual_rotation_rad = 0.0;   ///< of P X = X Q under the result
+  double residual_translation_m = 0.0;  ///< likewise
+  double weight = 0.0;                  ///< robust weight in the solution, 0..1
+  PairState state = PairState::Proposed;
+  DecidedBy decided_by = DecidedBy::Nobody;
+  std::string reason;  ///< why it was rejected (or by whom accepted), in words
+};
+
+}  // namespace remount

@@ -1,0 +1,39 @@
+// Step 2: which two keyframes make a pair, judged by motion; shared objects are judged in cloud/objects.h.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/core/options.h"
+#include "algorithms/trajectory/pair.h"
+
+namespace remount {
+
+enum class PairLimit { Time, Distance, Either };
+
+struct PairingOptions {
+  PairLimit limit = PairLimit::Either;
+  double max_gap_s = 1.5;
+  double max_distance_m = 10.0;
+  double min_distance_m = 0.3;
+  double min_rotation_deg = 1.0;
+  int max_partners = 4;
+  int min_shared_objects = 3;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor.choice({"limit", "", "Pair keyframes that are close in time, in distance, or in either."}, self.limit,
+                   {"time", "distance", "either"});
+    visitor({"max_gap_s", "s", "Longest time between the two scans of a pair (limit time).", 0.01, 3600.0}, self.max_gap_s);
+    visitor({"max_distance_m", "m", "Longest distance between the two scans of a pair (limit distance).", 0.1, 1000.0},
+            self.max_distance_m);
+    visitor({"min_distance_m", "m", "A pair must have moved at least this far, or turned (min_rotation_deg).", 0.0, 100.0},
+            self.min_distance_m);
+    visitor({"min_rotation_deg", "deg", "A pair must have turned at least this much, or moved (min_distance_m).", 0.0, 90.0},
+            self.min_rotation_deg);
+    visitor({"max_partners", "", "At most this many later partners for each keyframe, spread over the allowed gaps.", 1, 100},
+            self.max_partners);
+    visitor({"min_shared_objects", "", "Static objects that both scans must contain.", 0, 1000}, self.min_shared_objects);
+  }
+};
+
+}  // namespace remount

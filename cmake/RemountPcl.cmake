@@ -1,0 +1,18 @@
+# Imported targets for the parts of PCL in use. find_package(PCL) cannot be used together with Qt 6 on Debian 12:
+# it always pulls VTK's Qt 5 module. None of these libraries needs VTK; pcl_io, which does, is not used.
+find_path(REMOUNT_PCL_INCLUDE_DIR pcl/point_types.h PATH_SUFFIXES pcl-1.13 pcl-1.14 pcl-1.12 pcl-1.15 REQUIRED)
+add_library(remount_pcl INTERFACE)
+target_include_directories(remount_pcl SYSTEM INTERFACE ${REMOUNT_PCL_INCLUDE_DIR})
+foreach(part common kdtree octree search sample_consensus filters features registration)
+  find_library(REMOUNT_PCL_${part} pcl_${part} REQUIRED)
+  target_link_libraries(remount_pcl INTERFACE ${REMOUNT_PCL_${part}})
+endforeach()
+find_package(Boost REQUIRED)
+find_package(PkgConfig QUIET)
+target_link_libraries(remount_pcl INTERFACE Boost::boost Eigen3::Eigen)
+find_path(REMOUNT_FLANN_INCLUDE_DIR flann/flann.h REQUIRED)
+target_include_directories(remount_pcl SYSTEM INTERFACE ${REMOUNT_FLANN_INCLUDE_DIR})
+find_library(REMOUNT_LZ4 lz4)
+if(REMOUNT_LZ4)
+  target_link_libraries(remount_pcl INTERFACE ${REMOUNT_LZ4})
+endif()

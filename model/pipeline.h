@@ -1,0 +1,59 @@
+// The only place that knows the order of the stages; window and command line both call it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/calibration/calibration_result.h"
+#include "algorithms/cloud/objects.h"
+#include "algorithms/core/progress.h"
+#include "model/session.h"
+#include "model/settings.h"
+
+namespace remount {
+
+/// What a calibration starts from.
+struct PipelineInput {
+  std::vector<std::shared_ptr<const Session>> sessions;  ///< of one vehicle
+  Settings settings;
+  std::optional<RigidTransform> nominal_ins_from_lidar;  ///< nothing: unknown mounting
+  int threads = 0;                                       ///< 0: one per core; the result does not depend on it
+};
+
+/// What a calibration leaves behind: pairs for review, and the result.
+struct PipelineOutput {
+  std::vector<Keyframe> keyframes;
+  std::vector<Pair> pairs;
+  CalibrationResult result;
+  std::vector<Finding> findings;  ///< of every stage, the readers' included
+  /// The X under which scans were deskewed and predictions made: the nominal, or the coarse X found without one.
+  RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
+  bool nominal_known = false;
+};
+
+/// load -> keyframes -> pairs -> objects -> register -> motions -> candidates -> rank -> refine -> joint clouds -> report.
+/// Scans that cannot be read are skipped and become findings. Throws Error only for a broken contract
+/// (no sessions, settings out of range, no INS motion at all).
+PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress);
+
+/// Solves again from pairs that are already registered, with their present states and the present search range:
+/// what the window does after a decision. Pairs decided by the user keep their state; residuals, weights and the
+/// program's own decisions are updated in `output`. No scan is read; joint alignment of clouds is left out.
+void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress);
+
+/// Clouds of one pair for the 3-D view, deskewed as for registration, each in its own lidar frame, with objects.
+struct PairClouds {
+  PointCloud cloud_a, cloud_b;
+  std::vector<SceneObject> objects_a, objects_b;
+  std::vector<ObjectMatch> matches;
+};
+PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair);
+
+/// Solves P X = X Q from motion pairs alone (no scans): the `solve` verb. `pairs` carry P and Q; where
+/// `registration.information` is zero all pairs weigh alike.
+CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& settings,
+                                     const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress);
+
+}  // namespace remount

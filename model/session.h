@@ -1,0 +1,73 @@
+// A recorded drive: immutable once opened; scans are read when asked for.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/cloud/point_cloud.h"
+#include "algorithms/trajectory/ins_sample.h"
+
+namespace remount {
+
+enum class Severity { Note, Warning, Problem };
+
+/// Something the engineer should know about the data: what, where, and what to do about it.
+struct Finding {
+  Severity severity = Severity::Note;
+  std::string code;         ///< stable identifier, "ins-gap"
+  std::string where;        ///< file, stamp or stream
+  std::string explanation;  ///< in words, with what to do
+};
+
+/// How the points of a scan relate to the time of its stamp.
+enum class ScanTiming {
+  Instant,       ///< already compensated, or taken at once
+  PerPoint,      ///< time_from_stamp_s is filled
+  SweepAzimuth,  ///< one clockwise turn; time follows from the azimuth (see SweepModel)
+};
+
+/// A spinning sensor's turn: time_from_stamp = clockwise turn since `stamp_azimuth_rad` / 2 pi * period, in (-period/2, period/2].
+struct SweepModel {
+  double period_s = 0.1;
+  double stamp_azimuth_rad = 0.0;  ///< azimuth (atan2(y, x)) that the sensor faces at the stamp
+  bool clockwise = true;           ///< seen from above
+  bool certain = true;             ///< false: the format does not say whether scans are already compensated
+};
+
+/// The scans of a session. load() is thread-safe and throws Error where a scan cannot be read.
+class ScanSource {
+ public:
+  virtual ~ScanSource() = default;
+  virtual std::size_t size() const = 0;
+  virtual std::int64_t stamp_ns(std::size_t scan) const = 0;  ///< Unix time on the lidar clock; ascending
+  virtual std::string name(std::size_t scan) const = 0;       ///< file name, for messages
+  virtual PointCloud load(std::size_t scan) const = 0;
+};
+
+/// One drive. Motion of the INS is either geodetic samples (`ins`) or poses in a metric world (`world_from_ins`);
+/// motion of the lidar comes either from scans or from poses of somebody's odometry (`odometry_from_lidar`).
+struct Session {
+  std::string name;             ///< for lists: the folder or file name
+  std::filesystem::path path;   ///< what was opened
+  std::string format;           ///< id of the reader, "kitti-raw"
+  std::vector<InsSample> ins;   ///< ascending stamps; empty where world_from_ins is given
+  std::vector<StampedPose> world_from_ins;
+  std::vector<StampedPose> odometry_from_lidar;
+  std::shared_ptr<const ScanSource> scans;  ///< null where odometry_from_lidar is given
+  ScanTiming scan_timing = ScanTiming::Instant;
+  SweepModel sweep;
+  /// Errors of the INS as the data declare them; NaN where they do not. White: independent from sample to sample.
+  double ins_position_white_sigma_m = std::numeric_limits<double>::quiet_NaN();
+  double ins_attitude_white_sigma_rad = std::numeric_limits<double>::quiet_NaN();
+  /// Constant over the drive (misalignment, slow heading error); NaN where the data do not declare it.
+  double ins_attitude_bias_sigma_rad = std::numeric_limits<double>::quiet_NaN();
+  std::optional<RigidTransform> nominal_ins_from_lidar;
+  std::vector<Finding> findings;             ///< of the reader: skipped lines, clock trouble, gaps
+  std::vector<std::filesystem::path> files;  ///< what was read, for provenance hashes
+};
+
+}  // namespace remount

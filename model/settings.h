@@ -1,0 +1,56 @@
+// Everything a user can set, in one value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/calibration/solve_options.h"
+#include "algorithms/cloud/objects.h"
+#include "algorithms/registration/registration_options.h"
+#include "algorithms/trajectory/keyframes.h"
+#include "algorithms/trajectory/pairing.h"
+
+namespace remount {
+
+enum class DeskewMode { Auto, On, Off };
+
+struct RunOptions {
+  DeskewMode deskew = DeskewMode::Auto;
+  int cache_mb = 1024;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor.choice({"deskew", "", "Compensate motion within a scan: where the data call for it (auto), always, never."}, self.deskew,
+                   {"auto", "on", "off"});
+    visitor({"cache_mb", "MB", "Memory for scans and what is prepared from them; independent of the length of a drive.", 64, 1000000},
+            self.cache_mb);
+  }
+};
+
+struct Settings {
+  RunOptions run;
+  KeyframeOptions keyframes;
+  PairingOptions pairing;
+  ObjectOptions objects;
+  RegistrationOptions registration;
+  SearchRange range;
+  SolveOptions solve;
+
+  /// visitor(section name, option struct) for each section; the names are the sections of a configuration file.
+  template <class Self, class Visitor>
+  static void visit_sections(Self& self, Visitor&& visitor) {
+    visitor("run", self.run);
+    visitor("keyframes", self.keyframes);
+    visitor("pairing", self.pairing);
+    visitor("objects", self.objects);
+    visitor("registration", self.registration);
+    visitor("range", self.range);
+    visitor("solve", self.solve);
+  }
+
+  /// Every problem, prefixed by its section ("range.x_min_m ..."); includes ranges whose minimum exceeds the maximum.
+  std::vector<std::string> check() const;
+};
+
+}  // namespace remount
