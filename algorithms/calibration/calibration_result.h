@@ -13,9 +13,9 @@
 namespace remount {
 
 enum class Status {
-  Ok,            ///< every component is observed
-  Degenerate,    ///< solved, but some components are not observed (named in `observed` and `advice`)
-  TooFewPairs,   ///< not enough accepted pairs for any usable answer
+  Ok,           ///< every component is observed
+  Degenerate,   ///< solved, but some components are not observed (named in `observed` and `advice`)
+  TooFewPairs,  ///< not enough accepted pairs for any usable answer
   NotConverged,
   OutOfRange,    ///< no candidate lies within the search range
   Inconsistent,  ///< the pairs contradict each other more than their errors allow
@@ -30,9 +30,11 @@ std::optional<Status> status_from_string(std::string_view text);
 inline constexpr std::array<std::string_view, 6> kParameterNames{"x", "y", "z", "yaw", "pitch", "roll"};
 
 struct Candidate {
-  std::string source;  ///< how it was found: "pair 12", "pairs 3 + 17", "all pairs: Park-Martin", "refined", "joint clouds"
+  std::string
+      source;  ///< how it was found: "pair 12", "pairs 3 + 17", "all pairs: Park-Martin", "refined", "joint clouds"
   RigidTransform ins_from_lidar = RigidTransform::Identity();
-  double frobenius_sum = 0.0;  ///< E(X) = sum over accepted pairs of ||P X - X Q||_F, translation over characteristic length
+  double frobenius_sum =
+      0.0;  ///< E(X) = sum over accepted pairs of ||P X - X Q||_F, translation over characteristic length
   bool in_range = true;
   std::string out_of_range;  ///< which parameters, in words; empty where in_range
 };
@@ -57,7 +59,7 @@ struct CalibrationResult {
   std::vector<std::string> advice;  ///< what to drive or to add, one sentence each
 
   RigidTransform ins_from_lidar = RigidTransform::Identity();
-  std::array<bool, 6> observed{};   ///< order of kParameterNames
+  std::array<bool, 6> observed{};  ///< order of kParameterNames
   /// Covariance of (x, y, z, yaw, pitch, roll) in m and rad; rows and columns of unobserved parameters are NaN.
   Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
   /// 1-sigma from the bootstrap over blocks of time, same order; NaN where not observed or not computed.

@@ -50,27 +50,37 @@ struct SolveOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"characteristic_length_m", "m", "Scales the translation block in the ranking error; 1 m is the plain Frobenius norm.",
-             0.01, 1000.0}, self.characteristic_length_m);
-    visitor({"ins_position_sigma_m", "m", "INS position noise from sample to sample, where the log does not state it.", 1e-6, 10.0},
+    visitor({"characteristic_length_m", "m",
+             "Scales the translation block in the ranking error; 1 m is the plain Frobenius norm.", 0.01, 1000.0},
+            self.characteristic_length_m);
+    visitor({"ins_position_sigma_m", "m", "INS position noise from sample to sample, where the log does not state it.",
+             1e-6, 10.0},
             self.ins_position_sigma_m);
-    visitor({"ins_attitude_sigma_deg", "deg", "INS attitude noise from sample to sample, where the log does not state it.", 1e-6,
-             10.0}, self.ins_attitude_sigma_deg);
-    visitor({"ins_attitude_bias_sigma_deg", "deg", "INS attitude error that stays the same over a drive, where the log does not "
-             "state it.", 0.0, 10.0}, self.ins_attitude_bias_sigma_deg);
+    visitor({"ins_attitude_sigma_deg", "deg",
+             "INS attitude noise from sample to sample, where the log does not state it.", 1e-6, 10.0},
+            self.ins_attitude_sigma_deg);
+    visitor({"ins_attitude_bias_sigma_deg", "deg",
+             "INS attitude error that stays the same over a drive, where the log does not "
+             "state it.",
+             0.0, 10.0},
+            self.ins_attitude_bias_sigma_deg);
     visitor({"max_translation_sigma_m", "m", "A translation with a larger sigma counts as not observed.", 0.001, 10.0},
             self.max_translation_sigma_m);
     visitor({"max_rotation_sigma_deg", "deg", "A rotation with a larger sigma counts as not observed.", 0.001, 45.0},
             self.max_rotation_sigma_deg);
     visitor({"outlier_threshold", "sigma", "Pairs whose residual exceeds this many sigma are rejected.", 2.0, 100.0},
             self.outlier_threshold);
-    visitor({"max_listed_candidates", "", "Candidates kept in the result, best first.", 1, 100000}, self.max_listed_candidates);
-    visitor({"bootstrap_samples", "", "Resamplings for the bootstrap sigma; 0 for none.", 0, 10000}, self.bootstrap_samples);
+    visitor({"max_listed_candidates", "", "Candidates kept in the result, best first.", 1, 100000},
+            self.max_listed_candidates);
+    visitor({"bootstrap_samples", "", "Resamplings for the bootstrap sigma; 0 for none.", 0, 10000},
+            self.bootstrap_samples);
     visitor({"bootstrap_block_s", "s", "Length of the blocks of time that are resampled together.", 0.1, 600.0},
             self.bootstrap_block_s);
     visitor({"seed", "", "Seed of the bootstrap.", 0, 2147483647}, self.seed);
-    visitor({"joint_clouds", "", "Align the clouds of all accepted pairs together as the last step."}, self.joint_clouds);
-    visitor({"apply_time_offset", "", "Apply the estimated clock offset between lidar and INS."}, self.apply_time_offset);
+    visitor({"joint_clouds", "", "Align the clouds of all accepted pairs together as the last step."},
+            self.joint_clouds);
+    visitor({"apply_time_offset", "", "Apply the estimated clock offset between lidar and INS."},
+            self.apply_time_offset);
   }
 };
 

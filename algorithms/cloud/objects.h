@@ -24,15 +24,20 @@ struct ObjectOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"ground_cell_m", "m", "Edge of the cells in which the ground's height is found.", 0.2, 10.0}, self.ground_cell_m);
-    visitor({"ground_height_m", "m", "Points within this height above the ground belong to it.", 0.05, 2.0}, self.ground_height_m);
-    visitor({"cluster_distance_m", "m", "Points closer than this belong to one object.", 0.05, 5.0}, self.cluster_distance_m);
+    visitor({"ground_cell_m", "m", "Edge of the cells in which the ground's height is found.", 0.2, 10.0},
+            self.ground_cell_m);
+    visitor({"ground_height_m", "m", "Points within this height above the ground belong to it.", 0.05, 2.0},
+            self.ground_height_m);
+    visitor({"cluster_distance_m", "m", "Points closer than this belong to one object.", 0.05, 5.0},
+            self.cluster_distance_m);
     visitor({"min_points", "", "Smaller clusters are not objects.", 3, 10000}, self.min_points);
     visitor({"max_points", "", "Larger clusters are cut into pieces of cell size.", 100, 10000000}, self.max_points);
     visitor({"max_range_m", "m", "Objects farther than this are not used.", 5.0, 500.0}, self.max_range_m);
-    visitor({"association_distance_m", "m", "Farthest an object may be from where it is predicted in the other scan.", 0.1, 20.0},
+    visitor({"association_distance_m", "m", "Farthest an object may be from where it is predicted in the other scan.",
+             0.1, 20.0},
             self.association_distance_m);
-    visitor({"moving_distance_m", "m", "An object displaced by more than this against the rest of the pair is moving.", 0.05, 10.0},
+    visitor({"moving_distance_m", "m", "An object displaced by more than this against the rest of the pair is moving.",
+             0.05, 10.0},
             self.moving_distance_m);
   }
 };
@@ -61,19 +66,21 @@ std::vector<SceneObject> find_objects(const PointCloud& cloud_in_lidar, const Ei
 Eigen::Vector3f estimate_up(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& hint);
 
 /// True for each point on the ground.
-std::vector<bool> ground_mask(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& up_in_lidar, const ObjectOptions& options);
+std::vector<bool> ground_mask(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& up_in_lidar,
+                              const ObjectOptions& options);
 
 struct ObjectMatch {
   int object_a = 0;
   int object_b = 0;
-  bool moving = false;           ///< displaced against the rest of the pair
-  double displacement_m = 0.0;   ///< against the rest of the pair
+  bool moving = false;          ///< displaced against the rest of the pair
+  double displacement_m = 0.0;  ///< against the rest of the pair
 };
 
 /// One-to-one association of the objects of scan a with those of scan b, each where it is predicted by
 /// `lidar_b_from_lidar_a` (from INS motion and the mounting) and alike in size and shape. The rest of the pair's
 /// common displacement (median) is taken out before an object is called moving.
-std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a, const std::vector<SceneObject>& objects_b,
+std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a,
+                                       const std::vector<SceneObject>& objects_b,
                                        const RigidTransform& lidar_b_from_lidar_a, const ObjectOptions& options);
 
 }  // namespace remount

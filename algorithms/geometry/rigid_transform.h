@@ -22,7 +22,8 @@ struct SixParameters {
 };
 
 inline RigidTransform rigid_from_six(const SixParameters& six) {
-  return make_rigid(rotation_from_yaw_pitch_roll({six.yaw_rad, six.pitch_rad, six.roll_rad}), {six.x_m, six.y_m, six.z_m});
+  return make_rigid(rotation_from_yaw_pitch_roll({six.yaw_rad, six.pitch_rad, six.roll_rad}),
+                    {six.x_m, six.y_m, six.z_m});
 }
 
 inline SixParameters six_from_rigid(const RigidTransform& a_from_b) {

@@ -54,7 +54,8 @@ Matrix3d so3_left_jacobian_inverse(const Vector3d& phi_rad) {
 }
 
 Matrix3d rotation_from_yaw_pitch_roll(const YawPitchRoll& angles) {
-  return (Eigen::AngleAxisd(angles.yaw_rad, Vector3d::UnitZ()) * Eigen::AngleAxisd(angles.pitch_rad, Vector3d::UnitY()) *
+  return (Eigen::AngleAxisd(angles.yaw_rad, Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(angles.pitch_rad, Vector3d::UnitY()) *
           Eigen::AngleAxisd(angles.roll_rad, Vector3d::UnitX()))
       .toRotationMatrix();
 }

@@ -22,13 +22,16 @@ struct RegistrationOptions {
     visitor.choice({"algorithm", "", "How two scans are aligned: own plane-to-plane engine, or PCL's."}, self.algorithm,
                    {"plane-to-plane", "pcl-icp", "pcl-gicp", "pcl-ndt"});
     visitor({"voxel_m", "m", "Edge of the voxels that thin a scan before alignment.", 0.02, 5.0}, self.voxel_m);
-    visitor({"max_range_m", "m", "Points farther than this from the sensor are left out.", 1.0, 1000.0}, self.max_range_m);
+    visitor({"max_range_m", "m", "Points farther than this from the sensor are left out.", 1.0, 1000.0},
+            self.max_range_m);
     visitor({"min_range_m", "m", "Points nearer than this to the sensor (the vehicle itself) are left out.", 0.0, 50.0},
             self.min_range_m);
-    visitor({"max_correspondence_m", "m", "Neighbours farther apart than this do not count in the last iterations.", 0.05, 20.0},
+    visitor({"max_correspondence_m", "m", "Neighbours farther apart than this do not count in the last iterations.",
+             0.05, 20.0},
             self.max_correspondence_m);
     visitor({"max_iterations", "", "Iterations before an alignment is given up.", 1, 1000}, self.max_iterations);
-    visitor({"min_overlap", "", "An alignment with a smaller share of inliers is rejected.", 0.0, 1.0}, self.min_overlap);
+    visitor({"min_overlap", "", "An alignment with a smaller share of inliers is rejected.", 0.0, 1.0},
+            self.min_overlap);
     visitor({"max_rmse_m", "m", "An alignment with larger inlier residuals is rejected.", 0.0, 10.0}, self.max_rmse_m);
   }
 };

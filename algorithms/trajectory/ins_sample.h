@@ -9,7 +9,8 @@
 
 namespace remount {
 
-/// 1-sigma as the log states it; NaN where it does not. Attitude errors are about the INS axes x (roll), y (pitch), z (yaw).
+/// 1-sigma as the log states it; NaN where it does not. Attitude errors are about the INS axes x (roll), y (pitch), z
+/// (yaw).
 struct InsSigma {
   Eigen::Vector3d position_enu_m = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
   Eigen::Vector3d attitude_rad = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());

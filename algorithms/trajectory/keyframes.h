@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/core/options.h"
+#include "algorithms/trajectory/motion_track.h"
 #include "algorithms/trajectory/pair.h"
 
 namespace remount {
@@ -19,13 +20,23 @@ struct KeyframeOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"mode", "", "Take a keyframe after a travelled distance or after a time."}, self.mode, {"distance", "time"});
-    visitor({"distance_m", "m", "Travelled distance between keyframes (mode distance).", 0.01, 1000.0}, self.distance_m);
-    visitor({"rotation_deg", "deg", "Turn after which a keyframe is taken even without distance (mode distance).", 0.1, 180.0},
+    visitor.choice({"mode", "", "Take a keyframe after a travelled distance or after a time."}, self.mode,
+                   {"distance", "time"});
+    visitor({"distance_m", "m", "Travelled distance between keyframes (mode distance).", 0.01, 1000.0},
+            self.distance_m);
+    visitor({"rotation_deg", "deg", "Turn after which a keyframe is taken even without distance (mode distance).", 0.1,
+             180.0},
             self.rotation_deg);
     visitor({"interval_s", "s", "Time between keyframes (mode time).", 0.01, 1000.0}, self.interval_s);
-    visitor({"maximum", "", "At most this many keyframes a session; beyond it they are spread evenly.", 2, 100000}, self.maximum);
+    visitor({"maximum", "", "At most this many keyframes a session; beyond it they are spread evenly.", 2, 100000},
+            self.maximum);
   }
 };
+
+/// Chooses keyframes among the scans of one session. Scans whose time the trajectory does not cover are left out.
+/// @param scan_stamps_ns ascending, lidar clock
+/// @param offset_s t_ins = t_lidar + offset
+std::vector<Keyframe> select_keyframes(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+                                       const MotionTrack& track, double offset_s, const KeyframeOptions& options);
 
 }  // namespace remount

@@ -11,8 +11,8 @@ namespace remount {
 
 /// A scan chosen for calibration.
 struct Keyframe {
-  int session = 0;      ///< index of the session
-  int scan = 0;         ///< index of the scan in its session
+  int session = 0;            ///< index of the session
+  int scan = 0;               ///< index of the scan in its session
   std::int64_t stamp_ns = 0;  ///< of the scan, on the lidar clock
   double travelled_m = 0.0;   ///< along the trajectory since the session's start
 };
@@ -22,8 +22,8 @@ struct RegistrationQuality {
   bool attempted = false;
   bool converged = false;
   int iterations = 0;
-  double rmse_m = 0.0;       ///< of the inlier residuals along the normals
-  double overlap = 0.0;      ///< share of source points with an inlier neighbour, 0..1
+  double rmse_m = 0.0;   ///< of the inlier residuals along the normals
+  double overlap = 0.0;  ///< share of source points with an inlier neighbour, 0..1
   /// Information (inverse covariance) of lidar_b_from_lidar_a under `perturbed` (translation first, axes of lidar b).
   Matrix6d information = Matrix6d::Zero();
   std::string failure;  ///< empty, or why there is no usable transform, in words

@@ -1,0 +1,42 @@
+// From geodetic INS samples to a metric frame, through UTM with meridian convergence and point scale.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/trajectory/ins_sample.h"
+
+namespace remount {
+
+/// A position on the UTM grid. Grid distances are `point_scale` times true distances on the ellipsoid; grid north lies
+/// `convergence_rad` clockwise from true north.
+struct GridFix {
+  double easting_m = 0.0;
+  double northing_m = 0.0;
+  double point_scale = 1.0;
+  double convergence_rad = 0.0;
+};
+
+/// UTM in one fixed zone: a drive that crosses a zone boundary stays in the zone of its first fix, so that its
+/// trajectory has no jump. Latitudes beyond UTM's use the polar stereographic grid (UPS).
+class UtmGrid {
+ public:
+  /// Zone of this fix. Throws Error(Contract) where the coordinates are not on the globe.
+  UtmGrid(double latitude_rad, double longitude_rad);
+  GridFix project(double latitude_rad, double longitude_rad) const;
+  int zone() const { return zone_; }
+
+ private:
+  int zone_ = 0;
+  bool north_ = true;
+};
+
+/// local_from_ins for each sample: axes of the UTM grid, origin at the first sample. Attitude is turned from true to
+/// grid north by the convergence; each step of the trajectory is divided by the grid's point scale and carried from the
+/// ellipsoid to the vehicle's height, so that differences of positions are true metres.
+/// Source: seeds' claim 4 completed; projection by GeographicLib (Karney 2011).
+std::vector<StampedPose> local_from_ins(std::span<const InsSample> samples);
+
+}  // namespace remount

@@ -1,0 +1,37 @@
+#include "algorithms/trajectory/keyframes.h"
+
+#include <cmath>
+
+namespace remount {
+
+std::vector<Keyframe> select_keyframes(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+                                       const MotionTrack& track, double offset_s, const KeyframeOptions& options) {
+  const auto offset_ns = static_cast<std::int64_t>(std::llround(offset_s * 1e9));
+  std::vector<Keyframe> chosen;
+  std::optional<RigidTransform> previous_scan, last_chosen;
+  double travelled_m = 0.0;
+  for (std::size_t scan = 0; scan < scan_stamps_ns.size(); ++scan) {
+    const auto pose = track.at(scan_stamps_ns[scan] + offset_ns);
+    if (!pose) continue;
+    if (previous_scan) travelled_m += (pose->translation() - previous_scan->translation()).norm();
+    previous_scan = pose;
+    bool take = chosen.empty();
+    if (!take && options.mode == KeyframeMode::Time) {
+      // Half a millisecond of tolerance: stamps of a steady sensor jitter around the interval.
+      take = static_cast<double>(scan_stamps_ns[scan] - chosen.back().stamp_ns) * 1e-9 >= options.interval_s - 5e-4;
+    } else if (!take) {
+      take = travelled_m - chosen.back().travelled_m >= options.distance_m ||
+             rotation_angle_between_rad(*last_chosen, *pose) >= degrees_to_radians(options.rotation_deg);
+    }
+    if (!take) continue;
+    chosen.push_back({session, static_cast<int>(scan), scan_stamps_ns[scan], travelled_m});
+    last_chosen = pose;
+  }
+  const auto maximum = static_cast<std::size_t>(options.maximum);
+  if (chosen.size() <= maximum) return chosen;
+  std::vector<Keyframe> spread;
+  for (std::size_t i = 0; i < maximum; ++i) spread.push_back(chosen[i * (chosen.size() - 1) / (maximum - 1)]);
+  return spread;
+}
+
+}  // namespace remount
