@@ -1,0 +1,61 @@
+// Step 3: lidar_b_from_lidar_a by scan registration. One function type, and the list of algorithms.
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "algorithms/registration/prepared_cloud.h"
+#include "algorithms/trajectory/pair.h"
+
+namespace remount {
+
+struct RegistrationResult {
+  RigidTransform target_from_source = RigidTransform::Identity();
+  RegistrationQuality quality;
+};
+
+/// Aligns `source` to `target` from a start value. A failure is part of the result (quality.failure), never an
+/// exception.
+using AlignFunction = RegistrationResult (*)(const PreparedCloud& source, const PreparedCloud& target,
+                                             const RigidTransform& target_from_source_start,
+                                             const RegistrationOptions& options, const Progress& progress);
+
+struct RegistrationMethod {
+  std::string_view id;  ///< as in RegistrationOptions' choice
+  AlignFunction align;
+};
+
+/// In the order of RegistrationAlgorithm. Adding one: a file in this folder, its name in the enumeration and a line in
+/// registration.cpp.
+const std::vector<RegistrationMethod>& registration_methods();
+
+/// Aligns with the chosen algorithm, judges the outcome (overlap, residual) and fills the quality.
+RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud& target,
+                               const RigidTransform& target_from_source_start, const RegistrationOptions& options,
+                               const Progress& progress);
+
+/// Normal equations of the residuals between two scans at a given transform, under `perturbed` (translation first, axes
+/// of the target): the cost near it is 1/2 d' H d + g' d, in units of variance. Used for the information of a
+/// registration and for joint alignment.
+struct AlignmentEquations {
+  Matrix6d hessian = Matrix6d::Zero();
+  Vector6d gradient = Vector6d::Zero();
+  double rmse_m = 0.0;   ///< of inlier residuals along the normals
+  double overlap = 0.0;  ///< share of source points with an inlier neighbour
+};
+AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
+                                       const RigidTransform& target_from_source, double max_correspondence_m);
+
+// The algorithms (one file each).
+RegistrationResult align_plane_to_plane(const PreparedCloud&, const PreparedCloud&, const RigidTransform&,
+                                        const RegistrationOptions&, const Progress&);
+RegistrationResult align_pcl_icp(const PreparedCloud&, const PreparedCloud&, const RigidTransform&,
+                                 const RegistrationOptions&, const Progress&);
+RegistrationResult align_pcl_gicp(const PreparedCloud&, const PreparedCloud&, const RigidTransform&,
+                                  const RegistrationOptions&, const Progress&);
+RegistrationResult align_pcl_ndt(const PreparedCloud&, const PreparedCloud&, const RigidTransform&,
+                                 const RegistrationOptions&, const Progress&);
+
+}  // namespace remount
