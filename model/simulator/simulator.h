@@ -41,7 +41,8 @@ struct SimulationOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"scenario", "", "The road that is driven."}, self.scenario, {"street", "flat", "straight", "figure-eight", "parking-ramp"});
+    visitor.choice({"scenario", "", "The road that is driven."}, self.scenario,
+                   {"street", "flat", "straight", "figure-eight", "parking-ramp"});
     visitor({"duration_s", "s", "Length of the drive.", 0.5, 100000.0}, self.duration_s);
     visitor({"speed_mps", "m/s", "Speed along the road.", 0.1, 60.0}, self.speed_mps);
     visitor({"scan_rate_hz", "Hz", "Turns of the LiDAR per second.", 0.1, 100.0}, self.scan_rate_hz);
@@ -50,29 +51,33 @@ struct SimulationOptions {
     visitor({"range_noise_m", "m", "1-sigma of the measured range.", 0.0, 1.0}, self.range_noise_m);
     visitor({"max_range_m", "m", "Longest measured range.", 1.0, 500.0}, self.max_range_m);
     visitor({"dropout", "", "Share of returns that are lost.", 0.0, 0.99}, self.dropout);
-    visitor({"motion_distortion", "", "Points are measured while the vehicle moves; off: each scan at one time."}, self.motion_distortion);
+    visitor({"motion_distortion", "", "Points are measured while the vehicle moves; off: each scan at one time."},
+            self.motion_distortion);
     visitor({"per_point_time", "", "Write the time of every point."}, self.per_point_time);
     visitor({"moving_objects", "", "Cars that move through the scene.", 0, 100}, self.moving_objects);
     visitor({"ins_rate_hz", "Hz", "Samples of the INS per second.", 1.0, 1000.0}, self.ins_rate_hz);
     visitor({"ins_position_noise_m", "m", "1-sigma of each position sample.", 0.0, 10.0}, self.ins_position_noise_m);
-    visitor({"ins_attitude_noise_deg", "deg", "1-sigma of each attitude sample, each axis.", 0.0, 10.0}, self.ins_attitude_noise_deg);
-    visitor({"ins_attitude_bias_deg", "deg", "1-sigma of an attitude error constant over the drive, each axis.", 0.0, 10.0},
-            self.ins_attitude_bias_deg);
+    visitor({"ins_attitude_noise_deg", "deg", "1-sigma of each attitude sample, each axis.", 0.0, 10.0},
+            self.ins_attitude_noise_deg);
+    visitor(
+        {"ins_attitude_bias_deg", "deg", "1-sigma of an attitude error constant over the drive, each axis.", 0.0, 10.0},
+        self.ins_attitude_bias_deg);
     visitor({"lidar_clock_offset_s", "s", "t_ins = t_lidar + this: the lidar's stamps are early by it.", -10.0, 10.0},
             self.lidar_clock_offset_s);
     visitor({"latitude_deg", "deg", "Start of the drive.", -79.0, 83.0}, self.latitude_deg);
     visitor({"longitude_deg", "deg", "Start of the drive.", -180.0, 180.0}, self.longitude_deg);
     visitor({"height_m", "m", "Start of the drive, above the ellipsoid.", -500.0, 9000.0}, self.height_m);
-    visitor({"heading_deg", "deg", "First direction of travel, from east counter-clockwise.", -360.0, 360.0}, self.heading_deg);
+    visitor({"heading_deg", "deg", "First direction of travel, from east counter-clockwise.", -360.0, 360.0},
+            self.heading_deg);
     visitor({"seed", "", "Seed of every random number.", 0, 2147483647}, self.seed);
   }
 };
 
 /// A simulated drive. The session's scans are ray-cast when they are loaded, so a long drive needs no memory.
 struct SimulatedDrive {
-  Session session;                            ///< as a reader would deliver it; declares its INS noise
-  RigidTransform ins_from_lidar;              ///< the truth
-  std::vector<StampedPose> enu_from_ins;      ///< true poses at the scans' stamps, on the INS clock
+  Session session;                        ///< as a reader would deliver it; declares its INS noise
+  RigidTransform ins_from_lidar;          ///< the truth
+  std::vector<StampedPose> enu_from_ins;  ///< true poses at the scans' stamps, on the INS clock
 };
 
 /// Throws Error(Contract) where an option is out of range.
@@ -80,7 +85,7 @@ SimulatedDrive simulate_drive(const SimulationOptions& options);
 
 /// Writes the drive as a session folder: `format` is "native" or "kitti-raw". Also writes truth.yaml.
 /// Deterministic for any number of threads. The folder is made; an existing one that is not empty is an Error.
-void write_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format, int threads,
-                 Progress& progress);
+void write_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
+                 int threads, Progress& progress);
 
 }  // namespace remount

@@ -1,0 +1,15 @@
+// What the simulated vehicle's GNSS/INS reports.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/trajectory/ins_sample.h"
+#include "model/simulator/scene.h"
+
+namespace remount {
+
+/// Samples from half a second before the drive to half a second after it, with the noise and the bias of the options.
+/// Attitude is relative to the local level where the vehicle is, not where it started.
+std::vector<InsSample> simulate_ins(const Scene& scene);
+
+}  // namespace remount

@@ -1,0 +1,43 @@
+// Everything of a simulated drive that its scans and its INS samples are taken from.
+#pragma once
+
+#include "model/simulator/road.h"
+#include "model/simulator/scenery.h"
+#include "model/simulator/simulator.h"
+#include "model/simulator/world.h"
+
+namespace remount {
+
+/// Time 0 of the drive on the INS clock, Unix time.
+inline constexpr std::int64_t kDriveStart_ns = 1'700'000'000'000'000'000;
+
+/// World, road and traffic of one set of options. Immutable; safe to use from several threads. The road frame has its
+/// origin and first direction at the start of the drive; the ENU frame about the start is turned by the heading.
+class Scene {
+ public:
+  explicit Scene(const SimulationOptions& options);
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  const SimulationOptions& options() const { return options_; }
+  const World& world() const { return world_; }
+  const Traffic& traffic() const { return traffic_; }
+  RigidTransform road_from_ins(double time_s) const;
+  RigidTransform enu_from_road() const { return enu_from_road_; }
+  RigidTransform enu_from_ins(double time_s) const { return enu_from_road_ * road_from_ins(time_s); }
+
+ private:
+  SimulationOptions options_;
+  Road road_;
+  Ground ground_;
+  World world_;
+  Traffic traffic_;
+  RigidTransform enu_from_road_;
+};
+
+/// Number of scans in the drive; scan k is a turn of the sensor in [k, k + 1] / scan_rate_hz, stamped in its middle.
+std::size_t scan_count(const SimulationOptions& options);
+/// Time of the stamp since the start, on the INS clock, s.
+double scan_time_s(const SimulationOptions& options, std::size_t scan);
+
+}  // namespace remount

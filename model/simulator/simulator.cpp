@@ -1,0 +1,59 @@
+#include "model/simulator/simulator.h"
+
+#include <memory>
+
+#include "algorithms/core/error.h"
+#include "model/simulator/ins_model.h"
+#include "model/simulator/lidar_model.h"
+
+namespace remount {
+
+namespace {
+
+constexpr double kLongestDrive_m = 200'000.0;
+constexpr double kMostSamples = 2e7;
+
+void check(const SimulationOptions& options) {
+  std::vector<std::string> problems = option_problems(options);
+  if (options.duration_s * options.speed_mps > kLongestDrive_m) problems.push_back("the drive is longer than 200 km");
+  if (options.duration_s * options.ins_rate_hz > kMostSamples)
+    problems.push_back("the drive has more than 20 million INS samples");
+  if (!options.ins_from_lidar.matrix().allFinite()) problems.push_back("ins_from_lidar is not finite");
+  if (problems.empty()) return;
+  std::string text;
+  for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
+  throw Error(ErrorCode::Contract, "simulation options", text);
+}
+
+std::string scenario_name(ScenarioKind scenario) {
+  constexpr const char* names[] = {"street", "flat", "straight", "figure-eight", "parking-ramp"};
+  return names[static_cast<int>(scenario)];
+}
+
+}  // namespace
+
+SimulatedDrive simulate_drive(const SimulationOptions& options) {
+  check(options);
+  const auto scene = std::make_shared<const Scene>(options);
+  SimulatedDrive drive;
+  drive.ins_from_lidar = options.ins_from_lidar;
+  for (std::size_t scan = 0; scan < scan_count(options); ++scan) {
+    const double time_s = scan_time_s(options, scan);
+    drive.enu_from_ins.push_back({kDriveStart_ns + std::llround(time_s * 1e9), scene->enu_from_ins(time_s)});
+  }
+  Session& session = drive.session;
+  session.name = "simulated-" + scenario_name(options.scenario) + "-" + std::to_string(options.seed);
+  session.format = "simulated";
+  session.ins = simulate_ins(*scene);
+  session.scans = std::make_shared<const SimulatedScanSource>(scene);
+  session.scan_timing = !options.motion_distortion ? ScanTiming::Instant
+                        : options.per_point_time   ? ScanTiming::PerPoint
+                                                   : ScanTiming::SweepAzimuth;
+  session.sweep = {1.0 / options.scan_rate_hz, 0.0, true, true};
+  session.ins_position_white_sigma_m = options.ins_position_noise_m;
+  session.ins_attitude_white_sigma_rad = degrees_to_radians(options.ins_attitude_noise_deg);
+  session.ins_attitude_bias_sigma_rad = degrees_to_radians(options.ins_attitude_bias_deg);
+  return drive;
+}
+
+}  // namespace remount
