@@ -1,0 +1,287 @@
+#include "algorithms/calibration/joint_solver.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
+#include <cmath>
+
+#include "algorithms/calibration/pair_equation.h"
+
+namespace remount {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+// The normal equations at one point, with the keyframes' block kept apart: [A B; B' C] [e; g] = [p; q].
+struct NormalEquations {
+  Sparse keyframes;          // A
+  Eigen::MatrixXd coupling;  // B
+  Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets
+  Eigen::VectorXd keyframe_side, shared_side;
+  double cost = 0.0;             // sum of squared residuals and priors
+  double log_information = 0.0;  // sum of log |information| of all terms and priors
+};
+
+// Where the shared unknowns lie.
+struct Layout {
+  int sessions = 0;
+  bool bias = false, clock = false;
+  int size() const { return 6 + (bias ? 3 * sessions : 0) + (clock ? sessions : 0); }
+  int bias_at(int session) const { return 6 + 3 * session; }
+  int clock_at(int session) const { return 6 + (bias ? 3 * sessions : 0) + session; }
+};
+
+Layout layout_of(const JointProblem& problem) {
+  Layout layout;
+  layout.sessions = static_cast<int>(problem.session_attitude_bias_sigma_rad.size());
+  for (const double sigma : problem.session_attitude_bias_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
+  layout.clock = problem.estimate_time_offset;
+  return layout;
+}
+
+struct State {
+  RigidTransform ins_from_lidar;
+  std::vector<Vector6d> errors;  // of each node
+  Eigen::VectorXd shared;        // biases and offsets; the first six are not used
+};
+
+RigidTransform corrected(const JointNode& node, std::size_t index, const State& state, const Layout& layout) {
+  Vector6d step = state.errors[index];
+  if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
+  if (layout.clock) step += node.body_velocity * state.shared[layout.clock_at(node.session)];
+  return moved_in_body(node.local_from_ins, step);
+}
+
+double log_determinant(const Matrix6d& matrix) {
+  const Eigen::LDLT<Matrix6d> factors(matrix);
+  return factors.vectorD().array().max(1e-300).log().sum();
+}
+
+// Jacobian of one term with respect to the shared unknowns.
+Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a, const JointNode& b,
+                                const Layout& layout) {
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, layout.size());
+  jacobian.leftCols<6>() = equation.d_x;
+  if (layout.bias) {
+    jacobian.middleCols<3>(layout.bias_at(a.session)) += equation.d_a.rightCols<3>();
+    jacobian.middleCols<3>(layout.bias_at(b.session)) += equation.d_b.rightCols<3>();
+  }
+  if (layout.clock) {
+    jacobian.col(layout.clock_at(a.session)) += equation.d_a * a.body_velocity;
+    jacobian.col(layout.clock_at(b.session)) += equation.d_b * b.body_velocity;
+  }
+  return jacobian;
+}
+
+void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
+                NormalEquations& equations, std::vector<Eigen::Triplet<double>>& entries) {
+  const Vector6d ins_information = noise.ins_covariance().diagonal().cwiseInverse();
+  const double ins_log = ins_information.array().log().sum();
+  for (std::size_t k = 0; k < state.errors.size(); ++k) {
+    const auto at = static_cast<int>(6 * k);
+    for (int i = 0; i < 6; ++i) entries.emplace_back(at + i, at + i, ins_information[i]);
+    equations.keyframe_side.segment<6>(at) -= ins_information.cwiseProduct(state.errors[k]);
+    equations.cost += state.errors[k].dot(ins_information.cwiseProduct(state.errors[k]));
+    equations.log_information += ins_log;
+  }
+  const auto prior = [&](int at, double sigma, double value) {
+    const double information = 1.0 / (sigma * sigma);
+    equations.shared(at, at) += information;
+    equations.shared_side[at] -= information * value;
+    equations.cost += information * value * value;
+  };
+  constexpr double kHeldSigma_rad = 1e-9;  // a session without a bias beside one with: its columns stay regular
+  for (int s = 0; s < layout.sessions; ++s) {
+    if (layout.bias) {
+      const double sigma =
+          std::max(kHeldSigma_rad, problem.session_attitude_bias_sigma_rad[static_cast<std::size_t>(s)]);
+      for (int i = 0; i < 3; ++i) prior(layout.bias_at(s) + i, sigma, state.shared[layout.bias_at(s) + i]);
+    }
+    if (layout.clock) prior(layout.clock_at(s), problem.time_offset_prior_sigma_s, state.shared[layout.clock_at(s)]);
+  }
+  const Vector6d from_prior = difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
+  for (int i = 0; i < 6; ++i)
+    prior(i, i < 3 ? problem.prior_translation_sigma_m : problem.prior_rotation_sigma_rad, from_prior[i]);
+}
+
+NormalEquations build(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout) {
+  const auto unknowns = static_cast<int>(6 * problem.nodes.size());
+  NormalEquations equations;
+  equations.coupling = Eigen::MatrixXd::Zero(unknowns, layout.size());
+  equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
+  equations.keyframe_side = Eigen::VectorXd::Zero(unknowns);
+  equations.shared_side = Eigen::VectorXd::Zero(layout.size());
+  std::vector<RigidTransform> poses;
+  for (std::size_t k = 0; k < problem.nodes.size(); ++k) poses.push_back(corrected(problem.nodes[k], k, state, layout));
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(problem.terms.size() * 108 + poses.size() * 6);
+  const auto add_block = [&](int row, int column, const Matrix6d& block) {
+    for (int c = 0; c < 6; ++c)
+      for (int r = 0; r < 6; ++r) entries.emplace_back(row + r, column + c, block(r, c));
+  };
+  for (const JointTerm& term : problem.terms) {
+    if (!(term.weight > 0.0)) continue;
+    const auto a = static_cast<std::size_t>(term.node_a), b = static_cast<std::size_t>(term.node_b);
+    const PairEquation pair =
+        linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
+    const Matrix6d information = term.weight * noise.registration_information(term.information);
+    const Matrix6d a_side = pair.d_a.transpose() * information, b_side = pair.d_b.transpose() * information;
+    const Eigen::MatrixXd shared = shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout);
+    const int at_a = 6 * term.node_a, at_b = 6 * term.node_b;
+    add_block(at_a, at_a, a_side * pair.d_a);
+    add_block(at_b, at_b, b_side * pair.d_b);
+    if (at_a > at_b)
+      add_block(at_a, at_b, a_side * pair.d_b);
+    else
+      add_block(at_b, at_a, b_side * pair.d_a);
+    equations.coupling.middleRows<6>(at_a) += a_side * shared;
+    equations.coupling.middleRows<6>(at_b) += b_side * shared;
+    equations.shared += shared.transpose() * information * shared;
+    equations.keyframe_side.segment<6>(at_a) -= a_side * pair.residual;
+    equations.keyframe_side.segment<6>(at_b) -= b_side * pair.residual;
+    equations.shared_side -= shared.transpose() * (information * pair.residual);
+    equations.cost += pair.residual.dot(information * pair.residual);
+    equations.log_information += log_determinant(information);
+  }
+  add_priors(problem, noise, state, layout, equations, entries);
+  equations.keyframes.resize(unknowns, unknowns);
+  equations.keyframes.setFromTriplets(entries.begin(),
+                                      entries.end());  // the lower half is what the factorisation reads
+  return equations;
+}
+
+struct Eliminated {
+  bool valid = false;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factors;
+  Eigen::MatrixXd reduced;  // of the shared unknowns
+  Eigen::VectorXd keyframe_step, shared_step;
+  double minus_two_log_likelihood = 0.0;
+};
+
+void eliminate(const NormalEquations& equations, Eliminated& out) {
+  out.factors.compute(equations.keyframes);
+  out.valid = out.factors.info() == Eigen::Success;
+  if (!out.valid) return;
+  const Eigen::MatrixXd solved = out.factors.solve(equations.coupling);
+  out.reduced = equations.shared - equations.coupling.transpose() * solved;
+  out.reduced = 0.5 * (out.reduced + out.reduced.transpose().eval());
+  const Eigen::VectorXd solved_side = out.factors.solve(equations.keyframe_side);
+  const Eigen::LDLT<Eigen::MatrixXd> small(out.reduced);
+  out.shared_step = small.solve(equations.shared_side - equations.coupling.transpose() * solved_side);
+  out.keyframe_step = solved_side - solved * out.shared_step;
+  out.valid = out.shared_step.allFinite() && out.keyframe_step.allFinite();
+  // At this linearisation the minimum of the cost is known without taking the step.
+  const double least_cost =
+      equations.cost - equations.shared_side.dot(out.shared_step) - equations.keyframe_side.dot(out.keyframe_step);
+  out.minus_two_log_likelihood = least_cost - equations.log_information +
+                                 out.factors.vectorD().array().max(1e-300).log().sum() +
+                                 small.vectorD().array().abs().max(1e-300).log().sum();
+}
+
+State start_state(const JointProblem& problem, const Layout& layout, const RigidTransform& start) {
+  return {start, std::vector<Vector6d>(problem.nodes.size(), Vector6d::Zero()), Eigen::VectorXd::Zero(layout.size())};
+}
+
+void take_step(const Eliminated& step, State& state) {
+  state.ins_from_lidar = perturbed(state.ins_from_lidar, step.shared_step.head<6>());
+  state.shared.tail(state.shared.size() - 6) += step.shared_step.tail(state.shared.size() - 6);
+  for (std::size_t k = 0; k < state.errors.size(); ++k)
+    state.errors[k] += step.keyframe_step.segment<6>(static_cast<int>(6 * k));
+}
+
+void describe(const JointProblem& problem, const Layout& layout, const State& state, const Eliminated& last,
+              JointSolution& solution) {
+  solution.ins_from_lidar = state.ins_from_lidar;
+  solution.ins_from_lidar.linear() = nearest_rotation(state.ins_from_lidar.linear());
+  const Eigen::MatrixXd covariance = last.reduced.ldlt().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
+  solution.covariance = covariance.topLeftCorner<6, 6>();
+  // Marginal information of X without its weak prior: the Schur complement over the sessions' unknowns, minus the
+  // prior.
+  Eigen::MatrixXd without_prior = last.reduced;
+  for (int i = 0; i < 6; ++i) {
+    const double sigma = i < 3 ? problem.prior_translation_sigma_m : problem.prior_rotation_sigma_rad;
+    without_prior(i, i) -= 1.0 / (sigma * sigma);
+  }
+  const int rest = layout.size() - 6;
+  solution.information = without_prior.topLeftCorner<6, 6>();
+  if (rest > 0)
+    solution.information -=
+        without_prior.topRightCorner(6, rest) *
+        without_prior.bottomRightCorner(rest, rest).ldlt().solve(without_prior.bottomLeftCorner(rest, 6));
+  solution.node_errors = state.errors;
+  solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
+  for (int s = 0; s < layout.sessions; ++s) {
+    if (layout.bias) solution.attitude_bias_rad.push_back(state.shared.segment<3>(layout.bias_at(s)));
+    if (!layout.clock) continue;
+    const int at = layout.clock_at(s);
+    solution.time_offset_s.push_back(state.shared[at]);
+    solution.time_offset_sigma_s.push_back(std::sqrt(std::max(0.0, covariance(at, at))));
+  }
+}
+
+}  // namespace
+
+JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, const RigidTransform& start,
+                          int max_iterations, const Progress& progress) {
+  const Layout layout = layout_of(problem);
+  State state = start_state(problem, layout, start);
+  JointSolution solution;
+  solution.ins_from_lidar = start;
+  Eliminated step;
+  for (int iteration = 0; iteration < max_iterations && !progress.cancelled(); ++iteration) {
+    eliminate(build(problem, noise, state, layout), step);
+    if (!step.valid) return solution;
+    take_step(step, state);
+    if (step.shared_step.head<3>().norm() < 1e-8 && step.shared_step.segment<3>(3).norm() < 1e-9) {
+      solution.converged = true;
+      break;
+    }
+  }
+  if (step.valid) describe(problem, layout, state, step, solution);
+  return solution;
+}
+
+NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expected,
+                          const std::array<double, 5>& log_spread, const RigidTransform& ins_from_lidar,
+                          const Progress& progress) {
+  const Layout layout = layout_of(problem);
+  const State state = start_state(problem, layout, ins_from_lidar);
+  const auto with = [&](const std::array<double, 5>& logs) {
+    return NoiseModel{
+        expected.ins_position_sigma_m * std::exp(logs[0]), expected.ins_attitude_sigma_rad * std::exp(logs[1]),
+        expected.registration_scale * std::exp(logs[2]), expected.registration_floor_m * std::exp(logs[3]),
+        expected.registration_floor_rad * std::exp(logs[4])};
+  };
+  const auto objective = [&](const std::array<double, 5>& logs) {
+    double value = 0.0;
+    for (std::size_t i = 0; i < 5; ++i)
+      if (log_spread[i] > 0.0) value += logs[i] * logs[i] / (log_spread[i] * log_spread[i]);
+    Eliminated solved;
+    eliminate(build(problem, with(logs), state, layout), solved);
+    return solved.valid ? value + solved.minus_two_log_likelihood : std::numeric_limits<double>::infinity();
+  };
+  // Coordinate search with shrinking steps: five smooth, weakly coupled logarithms do not need more.
+  std::array<double, 5> best{};
+  double least = objective(best);
+  for (double step = 0.8; step > 0.04; step *= 0.5) {
+    bool moved = true;
+    for (int round = 0; moved && round < 6 && !progress.cancelled(); ++round) {
+      moved = false;
+      for (std::size_t i = 0; i < 5; ++i) {
+        if (!(log_spread[i] > 0.0)) continue;
+        for (const double direction : {step, -step}) {
+          std::array<double, 5> trial = best;
+          trial[i] += direction;
+          const double value = objective(trial);
+          if (value >= least) continue;
+          least = value;
+          best = trial;
+          moved = true;
+          break;
+        }
+      }
+    }
+  }
+  return with(best);
+}
+
+}  // namespace remount

@@ -1,0 +1,69 @@
+// The joint solution of all pairs: X, the corrections of every INS pose, and what is shared by a drive.
+//
+// A generalized least-squares problem. Unknowns: X (6), for each keyframe the error of its INS pose (6), for each
+// session a constant attitude error (3) and, on request, the clock offset (1). Every pair couples X and its two
+// keyframes, so that the error of one fix that enters many pairs is counted once. The keyframes' block is sparse and
+// eliminated; what is left is the small system of X and the sessions.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "algorithms/calibration/noise_model.h"
+#include "algorithms/core/progress.h"
+#include "algorithms/geometry/rigid_transform.h"
+
+namespace remount {
+
+/// A keyframe's INS pose.
+struct JointNode {
+  int session = 0;
+  RigidTransform local_from_ins = RigidTransform::Identity();
+  Vector6d body_velocity = Vector6d::Zero();  ///< m/s, rad/s in INS axes; for the clock offset
+};
+
+/// A registered pair with its own weight.
+struct JointTerm {
+  int node_a = 0, node_b = 0;
+  RigidTransform lidar_b_from_lidar_a = RigidTransform::Identity();
+  Matrix6d information = Matrix6d::Zero();  ///< of the registration, before the noise model's scale and floor
+  double weight = 1.0;                      ///< 0 leaves it out
+};
+
+struct JointProblem {
+  std::vector<JointNode> nodes;
+  std::vector<JointTerm> terms;
+  std::vector<double> session_attitude_bias_sigma_rad;  ///< 0: none
+  bool estimate_time_offset = false;
+  double time_offset_prior_sigma_s = 1.0;
+  /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.
+  RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
+  double prior_translation_sigma_m = 3.0;
+  double prior_rotation_sigma_rad = 1.0;
+};
+
+struct JointSolution {
+  bool converged = false;
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  /// Covariance of X under `perturbed`, everything else marginalised, the weak prior included.
+  Matrix6d covariance = Matrix6d::Identity();
+  /// Information of X from the data alone (without the prior), everything else marginalised.
+  Matrix6d information = Matrix6d::Zero();
+  std::vector<Vector6d> node_errors;                       ///< estimated error of each INS pose, body axes
+  std::vector<Eigen::Vector3d> attitude_bias_rad;          ///< per session, INS axes
+  std::vector<double> time_offset_s, time_offset_sigma_s;  ///< per session; empty where not estimated
+  /// Twice the negative restricted log-likelihood, up to a constant: compares noise models.
+  double minus_two_log_likelihood = 0.0;
+};
+
+/// Gauss-Newton from `start`. Cancelled calls return converged = false.
+JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, const RigidTransform& start,
+                          int max_iterations, const Progress& progress);
+
+/// Restricted maximum likelihood of the noise model (variance components): starts from and is drawn towards `expected`,
+/// with `log_spread` the 1-sigma of the logarithm of each component in the order of NoiseModel's members; 0 holds it.
+NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expected,
+                          const std::array<double, 5>& log_spread, const RigidTransform& ins_from_lidar,
+                          const Progress& progress);
+
+}  // namespace remount

@@ -1,0 +1,29 @@
+#include "algorithms/calibration/noise_model.h"
+
+#include <Eigen/Cholesky>
+
+namespace remount {
+
+Matrix6d NoiseModel::ins_covariance() const {
+  Vector6d variances;
+  variances << Eigen::Vector3d::Constant(ins_position_sigma_m * ins_position_sigma_m),
+      Eigen::Vector3d::Constant(ins_attitude_sigma_rad * ins_attitude_sigma_rad);
+  return variances.asDiagonal();
+}
+
+Matrix6d NoiseModel::registration_information(const Matrix6d& information) const {
+  // (s^2 L^-1 + F)^-1 = F^-1 - F^-1 (F^-1 + L / s^2)^-1 F^-1 needs no inverse of L.
+  Vector6d floor_information;
+  floor_information << Eigen::Vector3d::Constant(1.0 / (registration_floor_m * registration_floor_m)),
+      Eigen::Vector3d::Constant(1.0 / (registration_floor_rad * registration_floor_rad));
+  Matrix6d sum = information / (registration_scale * registration_scale);
+  sum.diagonal() += floor_information;
+  // Symmetric scaling keeps the difference of large numbers accurate.
+  const Vector6d root = floor_information.cwiseSqrt();
+  const Matrix6d scaled = root.cwiseInverse().asDiagonal() * sum * root.cwiseInverse().asDiagonal();
+  Matrix6d inner = Matrix6d::Identity() - scaled.ldlt().solve(Matrix6d::Identity());
+  inner = 0.5 * (inner + inner.transpose().eval());
+  return root.asDiagonal() * inner * root.asDiagonal();
+}
+
+}  // namespace remount

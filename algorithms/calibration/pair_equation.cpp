@@ -1,0 +1,45 @@
+#include "algorithms/calibration/pair_equation.h"
+
+namespace remount {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+RigidTransform predicted_lidar_motion(const RigidTransform& ins_b_from_ins_a, const RigidTransform& ins_from_lidar) {
+  return ins_from_lidar.inverse() * ins_b_from_ins_a * ins_from_lidar;
+}
+
+PairEquation linearise_pair(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
+                            const RigidTransform& ins_from_lidar) {
+  const Matrix3d r_p = ins_b_from_ins_a.linear();
+  const Vector3d t_p = ins_b_from_ins_a.translation(), t_x = ins_from_lidar.translation();
+  const Matrix3d lidar_from_ins = ins_from_lidar.linear().transpose();
+  const Vector3d arm = r_p * t_x;    // lever arm of a, in the axes of INS b
+  const Vector3d reach = arm + t_p;  // lidar a's origin, seen from INS b
+  const Matrix3d turn = r_p - Matrix3d::Identity();
+
+  PairEquation equation;
+  equation.residual = difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
+  // The rotation part is Log(R_predicted R_measured'): a left perturbation passes through the inverse left Jacobian.
+  const Matrix3d log_jacobian = so3_left_jacobian_inverse(equation.residual.tail<3>());
+
+  equation.d_x.topLeftCorner<3, 3>() = lidar_from_ins * turn;
+  equation.d_x.topRightCorner<3, 3>() = lidar_from_ins * skew(reach - t_x);
+  equation.d_x.bottomRightCorner<3, 3>() = log_jacobian * lidar_from_ins * turn;
+
+  equation.d_a.topLeftCorner<3, 3>() = lidar_from_ins * r_p;
+  equation.d_a.topRightCorner<3, 3>() = -lidar_from_ins * skew(arm) * r_p;
+  equation.d_a.bottomRightCorner<3, 3>() = log_jacobian * lidar_from_ins * r_p;
+
+  equation.d_b.topLeftCorner<3, 3>() = -lidar_from_ins;
+  equation.d_b.topRightCorner<3, 3>() = lidar_from_ins * skew(reach);
+  equation.d_b.bottomRightCorner<3, 3>() = -log_jacobian * lidar_from_ins;
+  return equation;
+}
+
+RigidTransform moved_in_body(const RigidTransform& world_from_body, const Vector6d& body_step) {
+  return make_rigid(world_from_body.linear() * so3_exp(body_step.tail<3>()),
+                    world_from_body.translation() + world_from_body.linear() * body_step.head<3>());
+}
+
+}  // namespace remount

@@ -1,0 +1,47 @@
+// Step 5: candidate X from one pair, from two, and from all.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/calibration/calibration_result.h"
+#include "algorithms/calibration/solve_options.h"
+#include "algorithms/search/scoring.h"
+
+namespace remount {
+
+/// The X nearest to the nominal that satisfies one pair. One pair leaves a two-parameter family (rotation about the
+/// screw axis, translation along it); a rotation smaller than `min_rotation_rad` has no usable axis, then the direction
+/// of travel takes its place and the translation stays nominal.
+RigidTransform single_pair_candidate(const MotionPair& pair, const RigidTransform& nominal, double min_rotation_rad);
+
+/// X from two pairs whose screw axes differ by more than `min_axis_angle_rad`; nothing otherwise.
+std::optional<RigidTransform> two_pair_candidate(const MotionPair& first, const MotionPair& second,
+                                                 const RigidTransform& nominal, double min_rotation_rad,
+                                                 double min_axis_angle_rad);
+
+/// Park and Martin 1994: rotation from the logarithms of all rotations, then translation. Nothing where all axes are
+/// parallel.
+std::optional<RigidTransform> park_martin(const std::vector<MotionPair>& pairs, const RigidTransform& nominal);
+
+/// Daniilidis 1999: dual quaternions. Nothing where the null space has not the two dimensions that it must have.
+std::optional<RigidTransform> dual_quaternion(const std::vector<MotionPair>& pairs);
+
+/// The global minimum of the quadratic form: rotation and translation together, from a net of starts over all
+/// rotations. Solving jointly is what keeps planar driving well-posed. Translation that is not determined stays at
+/// `near_m`.
+RigidTransform joint_quadratic(const QuadraticForm& form, const Eigen::Vector3d& near_m);
+
+/// Parameters of X outside the range, in words ("x 6.20 m above 5.00 m"); empty where inside.
+std::string outside_range(const RigidTransform& ins_from_lidar, const SearchRange& range);
+
+/// All candidates of the accepted pairs, ranked: in range before out of range, then by the Frobenius sum.
+std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<int>& pair_names,
+                                       const RigidTransform& nominal, const SearchRange& range,
+                                       const SolveOptions& options);
+
+/// Judges range and error of each candidate and sorts: in range before out of range, then by the Frobenius sum.
+void rank_candidates(std::vector<Candidate>& candidates, const std::vector<MotionPair>& pairs, const SearchRange& range,
+                     const SolveOptions& options);
+
+}  // namespace remount

@@ -1,0 +1,52 @@
+// Step 7: how well a candidate X explains the pairs.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "algorithms/geometry/rigid_transform.h"
+
+namespace remount {
+
+/// P and Q of one pair, with a weight.
+struct MotionPair {
+  RigidTransform ins_b_from_ins_a = RigidTransform::Identity();
+  RigidTransform lidar_b_from_lidar_a = RigidTransform::Identity();
+  double weight = 1.0;
+};
+
+/// E(X) = sum_i ||P_i X - X Q_i||_F, the translation block divided by the characteristic length (m). The source's
+/// ranking error; dimensionless. Weights are not used: every accepted pair counts once.
+double frobenius_sum(const std::vector<MotionPair>& pairs, const RigidTransform& ins_from_lidar,
+                     double characteristic_length_m);
+
+/// E2(X) = sum_i w_i ||P_i X - X Q_i||_F^2 as one quadratic form in the twelve entries of (R, t): accumulated once,
+/// then O(1) for each candidate whatever the number of pairs.
+class QuadraticForm {
+ public:
+  QuadraticForm(const std::vector<MotionPair>& pairs, double characteristic_length_m);
+  double value(const RigidTransform& ins_from_lidar) const;
+
+  /// The translation that minimises E2 for a rotation, pulled to `near_m` where the pairs do not determine it
+  /// (directions whose curvature is below `relative_floor` of the largest).
+  Eigen::Vector3d best_translation_m(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& near_m,
+                                     double relative_floor = 1e-6) const;
+
+  /// E2 minimised over translation, and its gradient and Gauss-Newton curvature for R <- Exp(phi) R.
+  struct Reduced {
+    double value = 0.0;
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d curvature = Eigen::Matrix3d::Zero();
+  };
+  Reduced reduced(const Eigen::Matrix3d& rotation) const;
+
+ private:
+  using Vector13d = Eigen::Matrix<double, 13, 1>;
+  Eigen::Matrix<double, 13, 13> form_ = Eigen::Matrix<double, 13, 13>::Zero();  // of [vec R; t; 1], column-major R
+  Eigen::Matrix3d translation_inverse_ = Eigen::Matrix3d::Zero();               // pseudo-inverse of the t block
+  Eigen::Matrix<double, 9, 9> reduced_quadratic_ = Eigen::Matrix<double, 9, 9>::Zero();
+  Eigen::Matrix<double, 9, 1> reduced_linear_ = Eigen::Matrix<double, 9, 1>::Zero();
+  double reduced_constant_ = 0.0;
+};
+
+}  // namespace remount
