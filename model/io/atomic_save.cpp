@@ -1,0 +1,99 @@
+#include "model/io/atomic_save.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <system_error>
+
+#include "algorithms/core/error.h"
+#include "model/io/regular_file.h"
+
+namespace remount {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const std::string& action, int number) {
+  throw Error(ErrorCode::Io, path.string(), action + ": " + std::strerror(number) + "; nothing was replaced");
+}
+
+/// Removes the temporary file unless it was renamed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::filesystem::path& beside) : pattern_(beside.string() + ".XXXXXX") {
+    file_ = FileDescriptor(::mkostemp(pattern_.data(), O_CLOEXEC));
+    if (file_.get() < 0) fail(beside, "cannot be saved, no temporary file can be made beside it", errno);
+  }
+  ~TemporaryFile() {
+    if (!pattern_.empty()) ::unlink(pattern_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  FileDescriptor& file() { return file_; }
+  const char* name() const { return pattern_.c_str(); }
+  void renamed() { pattern_.clear(); }
+
+ private:
+  std::string pattern_;
+  FileDescriptor file_;
+};
+
+void write_in_full(int descriptor, std::string_view bytes, const std::filesystem::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, "cannot be saved", errno);
+    if (count == 0) fail(path, "cannot be saved", ENOSPC);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+/// The rename itself is only on the disk when the folder is.
+void flush_folder(const std::filesystem::path& folder) {
+  const FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  // Some file systems cannot flush a folder; the file is complete and in place all the same.
+  if (descriptor.get() >= 0) ::fsync(descriptor.get());
+}
+
+std::filesystem::path resolved(const std::filesystem::path& path) {
+  std::error_code problem;
+  if (!std::filesystem::is_symlink(path, problem)) return path;
+  const std::filesystem::path target = std::filesystem::weakly_canonical(path, problem);
+  if (problem)
+    throw Error(ErrorCode::Io, path.string(), "cannot be saved, the link leads nowhere: " + problem.message());
+  return target;
+}
+
+}  // namespace
+
+void save_atomically(const std::filesystem::path& path, std::string_view bytes) {
+  if (path.empty() || !path.has_filename())
+    throw Error(ErrorCode::Io, path.string(), "is no name of a file to save to");
+  const std::filesystem::path target = resolved(path);
+  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+
+  struct stat existing {};
+  const bool exists = ::stat(target.c_str(), &existing) == 0;
+  if (exists && !S_ISREG(existing.st_mode))
+    throw Error(
+        ErrorCode::Io, path.string(),
+        S_ISDIR(existing.st_mode) ? "cannot be saved, it is a folder" : "cannot be saved, it is no regular file");
+  if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, "cannot be saved", errno);
+
+  TemporaryFile temporary(target);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  const mode_t mode = exists ? existing.st_mode & 07777 : 0666 & ~mask;
+  if (::fchmod(temporary.file().get(), mode) != 0) fail(path, "cannot be saved, its permissions cannot be set", errno);
+  write_in_full(temporary.file().get(), bytes, path);
+  if (::fsync(temporary.file().get()) != 0) fail(path, "cannot be saved", errno);
+  if (temporary.file().close() != 0) fail(path, "cannot be saved", errno);
+  if (::rename(temporary.name(), target.c_str()) != 0) fail(path, "cannot be saved", errno);
+  temporary.renamed();
+  flush_folder(folder);
+}
+
+}  // namespace remount

@@ -1,0 +1,15 @@
+// Saving that leaves either the old file or the whole new one, never a part.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace remount {
+
+/// Replaces or creates `path` by `bytes`: a temporary file in the same folder is written in full, flushed to the disk
+/// and renamed. Where `path` is a symbolic link, its target is replaced. An existing file keeps its permissions.
+/// Throws Error(Io) that names the path and the reason; the old file is then untouched. Refuses to replace anything
+/// that is not a regular file.
+void save_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace remount
