@@ -78,21 +78,23 @@ class Roadside {
   }
 
   double building(double s) {
-    const double width_m = random_.uniform(7.0, 14.0), depth_m = random_.uniform(6.0, 9.0),
-                 setback_m = random_.uniform(6.0, 8.5);
-    const double top_m = random_.uniform(4.0, 11.0);
+    const double width_m = random_.uniform(7.0, 14.0), depth_m = random_.uniform(6.0, 9.0);
+    const double setback_m = random_.uniform(6.0, 8.5), height_m = random_.uniform(4.0, 11.0);
     const double middle = s + 0.5 * width_m;
     Box house;
     house.yaw_rad = road_.yaw_rad(middle);
     house.half = {0.5 * width_m, 0.5 * depth_m};
-    house.centre = road_.point_in_road(middle, across(setback_m) + side_ * house.half.y());
-    const double ground_m = ground_.height_m(house.centre.x(), house.centre.y());
-    house.bottom_m = ground_m - kBury_m;
-    house.top_m = ground_m + top_m;
     house.albedo = static_cast<float>(random_.uniform(0.3, 0.8));
-    if (lanes_.clear(house, 5.0)) {
+    // Inside a bend the first place may lie on the road: stand back farther there.
+    for (const double farther_m : {0.0, 4.0, 9.0, 16.0}) {
+      house.centre = road_.point_in_road(middle, across(setback_m + farther_m) + side_ * house.half.y());
+      if (!lanes_.clear(house, 5.0)) continue;
+      const double ground_m = ground_.height_m(house.centre.x(), house.centre.y());
+      house.bottom_m = ground_m - kBury_m;
+      house.top_m = ground_m + height_m;
       boxes.push_back(house);
       front(house, ground_m);
+      break;
     }
     return width_m + random_.uniform(1.0, 4.0);
   }
@@ -199,9 +201,26 @@ Traffic::Traffic(const Road& road, const Ground& ground, int cars, double own_sp
   const int oncoming = cars - (one_ahead ? 1 : 0);
   const double their_speed_mps = random.uniform(0.7, 1.2) * std::min(own_speed_mps, 12.0);
   for (int i = 0; i < oncoming; ++i) {
-    const double meeting_s = duration_s * (i + random.uniform(0.35, 0.65)) / oncoming;
-    cars_.push_back({(own_speed_mps + their_speed_mps) * meeting_s, -their_speed_mps, kOtherLane_m, 0.0});
+    Car car{0.0, -their_speed_mps, kOtherLane_m, 0.0};
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      const double meeting_s = duration_s * (i + random.uniform(0.35, 0.65)) / oncoming;
+      car.start_m = (own_speed_mps + their_speed_mps) * meeting_s;
+      if (!road.closed() || !meets_at_crossing(car, own_speed_mps, duration_s)) {
+        cars_.push_back(car);
+        break;
+      }
+    }
   }
+}
+
+bool Traffic::meets_at_crossing(const Car& car, double own_speed_mps, double duration_s) const {
+  constexpr double kStep_s = 0.05;
+  for (double t = -0.5; t < duration_s + 0.5; t += kStep_s) {
+    const Vector2d theirs = road_.point_in_road(along_m(car, t), car.left_m);
+    const Vector2d own = road_.point_in_road(own_speed_mps * t + 1.0);
+    if ((theirs - own).norm() < kOtherLane_m - 0.1) return true;
+  }
+  return false;
 }
 
 double Traffic::along_m(const Car& car, double time_s) const {

@@ -33,6 +33,8 @@ class Traffic {
     double sway_m = 0.0;  ///< how far it falls back and closes up
   };
   double along_m(const Car& car, double time_s) const;
+  /// Whether the car comes closer to the own vehicle than cars in two lanes do.
+  bool meets_at_crossing(const Car& car, double own_speed_mps, double duration_s) const;
 
   const Road& road_;
   const Ground& ground_;
