@@ -1,5 +1,6 @@
 #include "algorithms/geometry/rotation.h"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <cmath>
 

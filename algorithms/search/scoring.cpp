@@ -1,5 +1,6 @@
 #include "algorithms/search/scoring.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 

@@ -1,0 +1,112 @@
+#include "algorithms/calibration/observability.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <cstdio>
+
+namespace remount {
+namespace {
+
+constexpr std::array<const char*, 6> kDirectionWords{
+    "x (forward)",           "y (left)", "z (height)", "rotation about x (roll)", "rotation about y (pitch)",
+    "rotation about z (yaw)"};
+
+std::string direction_words(const Vector6d& direction, bool observed, double sigma_of_limit,
+                            const MotionSummary& motion) {
+  std::string names;
+  for (int i = 0; i < 6; ++i) {
+    if (std::abs(direction[i]) < 0.4) continue;
+    names += (names.empty() ? "" : " with ") + std::string(kDirectionWords[static_cast<std::size_t>(i)]);
+  }
+  char text[240];
+  if (observed) {
+    std::snprintf(text, sizeof text, "%s: observed", names.c_str());
+  } else {
+    const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
+    const bool flat = motion.largest_tilt_rad < degrees_to_radians(1.0);
+    std::snprintf(text, sizeof text, "%s: not observable, %s", names.c_str(),
+                  straight ? "the drive hardly turned"
+                  : flat   ? "flat driving"
+                           : "too little motion for it");
+  }
+  (void)sigma_of_limit;
+  return text;
+}
+
+void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion, CalibrationResult& result) {
+  const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
+  if (!observed[0] || !observed[1])
+    result.advice.push_back(straight
+                                ? "x and y need turns: drive a figure of eight or two tight turns in each direction."
+                                : "x and y need more rotation: drive tighter turns, in both directions.");
+  if (!observed[2])
+    result.advice.push_back(
+        "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
+        "then z stays "
+        "at the nominal value; measure it by tape where it matters.");
+  if (!observed[4] || !observed[5])
+    result.advice.push_back("Yaw and pitch need travel: drive at least a few tens of metres with good INS quality.");
+  if (!observed[3]) result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
+}
+
+}  // namespace
+
+MotionSummary summarise_motion(const std::vector<Pair>& pairs) {
+  MotionSummary summary;
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const Pair& pair : pairs) {
+    if (pair.state != PairState::Accepted) continue;
+    const Eigen::Vector3d phi = so3_log(pair.ins_b_from_ins_a.linear());
+    summary.largest_rotation_rad = std::max(summary.largest_rotation_rad, phi.norm());
+    scatter += phi * phi.transpose();
+  }
+  const Eigen::Vector3d main_axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
+  for (const Pair& pair : pairs) {
+    if (pair.state != PairState::Accepted) continue;
+    const Eigen::Vector3d phi = so3_log(pair.ins_b_from_ins_a.linear());
+    summary.largest_tilt_rad = std::max(summary.largest_tilt_rad, (phi - main_axis * main_axis.dot(phi)).norm());
+  }
+  return summary;
+}
+
+Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix6d& perturbation_covariance) {
+  Matrix6d jacobian = Matrix6d::Identity();
+  jacobian.bottomRightCorner<3, 3>() = yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(ins_from_lidar.linear()));
+  return jacobian * perturbation_covariance * jacobian.transpose();
+}
+
+void describe_observability(const Matrix6d& information, const Matrix6d& covariance, const MotionSummary& motion,
+                            const SolveOptions& options, CalibrationResult& result) {
+  const double limit_rad = degrees_to_radians(options.max_rotation_sigma_deg);
+  Vector6d limits;
+  limits << Eigen::Vector3d::Constant(options.max_translation_sigma_m), Eigen::Vector3d::Constant(limit_rad);
+  // In units of the limits one number separates what is observed: an eigenvalue of one means a sigma at the limit.
+  const Matrix6d scaled = limits.asDiagonal() * information * limits.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(0.5 * (scaled + scaled.transpose()));
+  for (int i = 0; i < 6; ++i) {
+    ObservabilityDirection direction;
+    direction.direction = eigen.eigenvectors().col(i);
+    const double value = eigen.eigenvalues()[i];
+    direction.sigma = value > 0.0 ? 1.0 / std::sqrt(value) : std::numeric_limits<double>::infinity();
+    direction.observed = direction.sigma < 1.0;
+    direction.words = direction_words(direction.direction, direction.observed, direction.sigma, motion);
+    result.directions.push_back(direction);
+  }
+  result.covariance = parameter_covariance(result.ins_from_lidar, covariance);
+  for (int i = 0; i < 6; ++i) {
+    const double variance = result.covariance(i, i);
+    const double limit = i < 3 ? options.max_translation_sigma_m : limit_rad;
+    result.observed[static_cast<std::size_t>(i)] = std::isfinite(variance) && variance < limit * limit;
+  }
+  for (int i = 0; i < 6; ++i)
+    if (!result.observed[static_cast<std::size_t>(i)]) {
+      result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+      result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+  const std::array<bool, 6> by_axis{result.observed[0], result.observed[1], result.observed[2],
+                                    result.observed[5], result.observed[4], result.observed[3]};
+  add_advice(by_axis, motion, result);
+}
+
+}  // namespace remount

@@ -1,0 +1,356 @@
+#include "algorithms/calibration/pairwise.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/calibration/bootstrap.h"
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/robust_start.h"
+#include "algorithms/search/candidates.h"
+#include "algorithms/trajectory/screw.h"
+
+namespace remount {
+namespace {
+
+constexpr int kFewestPairs = 3;
+constexpr double kPriorTranslation_m = 3.0;
+constexpr double kPriorRotation_rad = 1.0;
+
+double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
+
+struct NoisePrior {
+  NoiseModel expected;
+  std::array<double, 5> log_spread{};
+};
+
+// Declared sigmas are believed within some 30%, assumed ones within a factor of three to five.
+NoisePrior noise_prior(const PairwiseInput& input) {
+  NoisePrior prior;
+  double position = 0.0, attitude = 0.0;
+  bool declared = true;
+  for (const SessionNoise& session : input.sessions) {
+    declared =
+        declared && std::isfinite(session.position_white_sigma_m) && std::isfinite(session.attitude_white_sigma_rad);
+    position += known_or(session.position_white_sigma_m, input.options.ins_position_sigma_m);
+    attitude += known_or(session.attitude_white_sigma_rad, degrees_to_radians(input.options.ins_attitude_sigma_deg));
+  }
+  const double sessions = std::max<double>(1.0, static_cast<double>(input.sessions.size()));
+  prior.expected.ins_position_sigma_m = position / sessions;
+  prior.expected.ins_attitude_sigma_rad = attitude / sessions;
+  const double ins_spread = declared ? 0.3 : 1.5;
+  prior.log_spread = {ins_spread, ins_spread, 1.0, 1.0, 1.0};
+  return prior;
+}
+
+NoiseModel scaled(NoiseModel noise, double factor) {
+  noise.ins_position_sigma_m *= factor;
+  noise.ins_attitude_sigma_rad *= factor;
+  noise.registration_scale *= factor;
+  noise.registration_floor_m *= factor;
+  noise.registration_floor_rad *= factor;
+  return noise;
+}
+
+std::vector<int> usable_pairs(const std::vector<Pair>& pairs) {
+  std::vector<int> usable;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Pair& pair = pairs[i];
+    if (pair.state == PairState::Rejected && pair.decided_by == DecidedBy::User) continue;
+    if (!pair.registration.attempted || !pair.registration.failure.empty()) continue;
+    usable.push_back(static_cast<int>(i));
+  }
+  return usable;
+}
+
+// Sigma of the two screw invariants from the noise of P and Q.
+void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold) {
+  const double rotation_sigma = std::hypot(std::sqrt(2.0) * noise.ins_attitude_sigma_rad, noise.registration_floor_rad);
+  const double translation_sigma = std::hypot(std::sqrt(2.0) * noise.ins_position_sigma_m, noise.registration_floor_m);
+  for (const int i : usable) {
+    Pair& pair = pairs[static_cast<std::size_t>(i)];
+    pair.screw =
+        screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, rotation_sigma, translation_sigma, threshold);
+  }
+}
+
+// Normal score of a chi-square distance of six degrees of freedom (Fisher).
+double sigma_equivalent(double distance2) { return std::sqrt(2.0 * distance2) - std::sqrt(11.0); }
+
+std::string outlier_reason(const Pair& pair, double score) {
+  char text[200];
+  std::snprintf(text, sizeof text, "contradicts the INS motion by %.3f m, %.3f deg (%.1f sigma)%s",
+                pair.residual_translation_m, radians_to_degrees(pair.residual_rotation_rad), score,
+                pair.screw.passed ? "" : "; screw test failed");
+  return text;
+}
+
+// Residuals, weights and, unless the user decided, states of all usable pairs under X. Returns how many states changed.
+int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& x,
+                const NoiseModel& noise, double threshold) {
+  int changed = 0;
+  for (const int i : usable) {
+    Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
+    pair.residual_translation_m = residual.head<3>().norm();
+    pair.residual_rotation_rad = residual.tail<3>().norm();
+    const double score = sigma_equivalent(pair_distance2(pair, x, noise));
+    pair.weight = pair.decided_by == DecidedBy::User ? 1.0 : score <= threshold ? 1.0 : 0.0;
+    if (pair.decided_by == DecidedBy::User) continue;
+    const PairState state = pair.weight > 0.0 ? PairState::Accepted : PairState::Rejected;
+    changed += state != pair.state ? 1 : 0;
+    pair.state = state;
+    pair.decided_by = DecidedBy::Program;
+    pair.reason = state == PairState::Accepted ? "" : outlier_reason(pair, score);
+  }
+  return changed;
+}
+
+JointProblem make_problem(const PairwiseInput& input, const std::vector<Pair>& pairs, const std::vector<int>& usable,
+                          const RigidTransform& prior_x) {
+  JointProblem problem;
+  problem.nodes = input.nodes;
+  for (const int i : usable) {
+    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+    if (pair.weight > 0.0)
+      problem.terms.push_back(
+          {pair.keyframe_a, pair.keyframe_b, pair.lidar_b_from_lidar_a, pair.registration.information, pair.weight});
+  }
+  for (const SessionNoise& session : input.sessions)
+    problem.session_attitude_bias_sigma_rad.push_back(
+        known_or(session.attitude_bias_sigma_rad, degrees_to_radians(input.options.ins_attitude_bias_sigma_deg)));
+  problem.prior_ins_from_lidar = prior_x;
+  problem.prior_translation_sigma_m = kPriorTranslation_m;
+  problem.prior_rotation_sigma_rad = kPriorRotation_rad;
+  return problem;
+}
+
+void estimate_clock_offset(const JointProblem& problem, const PairwiseInput& input, const PairwiseDetails& details,
+                           const Progress& progress, CalibrationResult& result) {
+  JointProblem with_clock = problem;
+  with_clock.estimate_time_offset = true;
+  const JointSolution solution = solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, 10, progress);
+  if (solution.time_offset_s.empty()) return;
+  double information = 0.0, sum = 0.0;
+  for (std::size_t s = 0; s < solution.time_offset_s.size(); ++s) {
+    const double weight = 1.0 / (solution.time_offset_sigma_s[s] * solution.time_offset_sigma_s[s]);
+    information += weight;
+    sum += weight * solution.time_offset_s[s];
+  }
+  result.time_offset.offset_s = sum / information;
+  result.time_offset.sigma_s = 1.0 / std::sqrt(information);
+  result.time_offset.applied = input.options.apply_time_offset;
+}
+
+std::vector<PairInfluence> influences(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                                      const RigidTransform& x, const NoiseModel& noise) {
+  std::vector<PairInfluence> out;
+  for (const Pair& pair : pairs) {
+    if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
+    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
+    const Matrix6d ins = noise.ins_covariance();
+    const Matrix6d from_ins =
+        equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins * equation.d_b.transpose();
+    const Matrix6d ins_information = from_ins.ldlt().solve(Matrix6d::Identity());
+    const Matrix6d sum = ins_information + noise.registration_information(pair.registration.information);
+    const Matrix6d information = ins_information - ins_information * sum.ldlt().solve(ins_information);
+    const auto node = static_cast<std::size_t>(pair.keyframe_a);
+    const int block = input.nodes[node].session * 1'000'000 +
+                      static_cast<int>(input.node_times_s[node] / input.options.bootstrap_block_s);
+    out.push_back({equation.d_x.transpose() * information * equation.d_x,
+                   -equation.d_x.transpose() * information * equation.residual, block});
+  }
+  return out;
+}
+
+void add_bootstrap(const PairwiseInput& input, const std::vector<Pair>& pairs, const PairwiseDetails& details,
+                   const Progress& progress, CalibrationResult& result) {
+  Matrix6d prior = Matrix6d::Zero();
+  prior.diagonal() << Eigen::Vector3d::Constant(1.0 / (kPriorTranslation_m * kPriorTranslation_m)),
+      Eigen::Vector3d::Constant(1.0 / (kPriorRotation_rad * kPriorRotation_rad));
+  const Matrix6d covariance =
+      bootstrap_covariance(influences(input, pairs, details.joint.ins_from_lidar, details.noise), prior,
+                           input.options.bootstrap_samples, input.options.seed, progress);
+  const Matrix6d parameters = parameter_covariance(result.ins_from_lidar, covariance);
+  for (int i = 0; i < 6; ++i)
+    result.bootstrap_sigma[static_cast<std::size_t>(i)] =
+        result.observed[static_cast<std::size_t>(i)] && parameters(i, i) > 0.0
+            ? std::sqrt(parameters(i, i))
+            : std::numeric_limits<double>::quiet_NaN();
+}
+
+// Undetermined parameters go back to the nominal (zero translation where there is none).
+RigidTransform with_nominal_where_unobserved(const RigidTransform& solved, const std::array<bool, 6>& observed,
+                                             const std::optional<RigidTransform>& nominal) {
+  if (!nominal) return solved;
+  SixParameters six = six_from_rigid(solved);
+  const SixParameters kept = six_from_rigid(*nominal);
+  if (!observed[0]) six.x_m = kept.x_m;
+  if (!observed[1]) six.y_m = kept.y_m;
+  if (!observed[2]) six.z_m = kept.z_m;
+  if (!observed[3]) six.yaw_rad = kept.yaw_rad;
+  if (!observed[4]) six.pitch_rad = kept.pitch_rad;
+  if (!observed[5]) six.roll_rad = kept.roll_rad;
+  return rigid_from_six(six);
+}
+
+void count_pairs(const std::vector<Pair>& pairs, CalibrationResult& result) {
+  result.pairs_proposed = static_cast<int>(pairs.size());
+  result.pairs_accepted = result.pairs_rejected = 0;
+  for (const Pair& pair : pairs) {
+    result.pairs_accepted += pair.state == PairState::Accepted ? 1 : 0;
+    result.pairs_rejected += pair.state == PairState::Rejected ? 1 : 0;
+  }
+}
+
+void summarise_errors(const std::vector<Pair>& pairs, const SolveOptions& options, CalibrationResult& result) {
+  std::vector<MotionPair> accepted;
+  double rotation2 = 0.0, translation2 = 0.0;
+  for (const Pair& pair : pairs) {
+    if (pair.state != PairState::Accepted) continue;
+    accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
+    const Vector6d residual =
+        difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, result.ins_from_lidar));
+    translation2 += residual.head<3>().squaredNorm();
+    rotation2 += residual.tail<3>().squaredNorm();
+  }
+  const double count = std::max<double>(1.0, static_cast<double>(accepted.size()));
+  result.frobenius_sum = frobenius_sum(accepted, result.ins_from_lidar, options.characteristic_length_m);
+  result.rotation_rms_rad = std::sqrt(rotation2 / count);
+  result.translation_rms_m = std::sqrt(translation2 / count);
+}
+
+void list_candidates(const PairwiseInput& input, const std::vector<Pair>& pairs, const RigidTransform& nominal,
+                     CalibrationResult& result) {
+  std::vector<MotionPair> accepted;
+  std::vector<int> names;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (pairs[i].state == PairState::Accepted) {
+      accepted.push_back({pairs[i].ins_b_from_ins_a, pairs[i].lidar_b_from_lidar_a, 1.0});
+      names.push_back(static_cast<int>(i));
+    }
+  result.candidates = find_candidates(accepted, names, nominal, input.range, input.options);
+  Candidate refined;
+  refined.source = "refined";
+  refined.ins_from_lidar = result.ins_from_lidar;
+  result.candidates.push_back(refined);
+  rank_candidates(result.candidates, accepted, input.range, input.options);
+}
+
+void trim_candidates(int limit, CalibrationResult& result) {
+  // The refined X is what is exported: it stays in the list wherever it ranks.
+  const auto most = static_cast<std::size_t>(limit);
+  if (result.candidates.size() <= most) return;
+  const auto refined = std::find_if(result.candidates.begin(), result.candidates.end(),
+                                    [](const Candidate& candidate) { return candidate.source == "refined"; });
+  if (static_cast<std::size_t>(refined - result.candidates.begin()) >= most) result.candidates[most - 1] = *refined;
+  result.candidates.resize(most);
+}
+
+void set_status(const SearchRange& range, CalibrationResult& result) {
+  const auto observed = static_cast<int>(std::count(result.observed.begin(), result.observed.end(), true));
+  const std::string outside = outside_range(result.ins_from_lidar, range);
+  if (observed == 0) {
+    result.status = Status::Degenerate;
+    result.message = "Nothing is observed: the motion of this drive does not determine any component of X.";
+  } else if (!outside.empty()) {
+    result.status = Status::OutOfRange;
+    result.message = "The solution lies outside the search range: " + outside + ".";
+  } else if (observed < 6) {
+    result.status = Status::Degenerate;
+    result.message = "Solved, but not everything is observed:";
+    for (std::size_t i = 0; i < 6; ++i)
+      if (!result.observed[i]) result.message += " " + std::string(kParameterNames[i]);
+    result.message += ".";
+  } else {
+    result.status = Status::Ok;
+    result.message = "Solved; all six parameters are observed.";
+  }
+}
+
+CalibrationResult too_few(std::vector<Pair>& pairs, std::size_t usable) {
+  CalibrationResult result;
+  count_pairs(pairs, result);
+  result.status = Status::TooFewPairs;
+  result.message =
+      "Only " + std::to_string(usable) + " usable pairs; at least " + std::to_string(kFewestPairs) + " are needed.";
+  result.advice.push_back(
+      "Drive longer, take keyframes closer together, or relax the limits of pairing and registration.");
+  return result;
+}
+
+}  // namespace
+
+double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise) {
+  const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, ins_from_lidar);
+  const Matrix6d ins = noise.ins_covariance();
+  const Matrix6d from_ins =
+      equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins * equation.d_b.transpose();
+  // (M + L^-1)^-1 without the inverse of L, which may be singular.
+  const Matrix6d ins_information = from_ins.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d sum = ins_information + noise.registration_information(pair.registration.information);
+  const Vector6d weighted = ins_information * equation.residual;
+  return std::max(0.0, equation.residual.dot(weighted) - weighted.dot(sum.ldlt().solve(weighted)));
+}
+
+CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
+                                 const Progress& progress) {
+  const std::vector<int> usable = usable_pairs(pairs);
+  if (usable.size() < kFewestPairs) return too_few(pairs, usable.size());
+  const NoisePrior prior = noise_prior(input);
+  details.noise = prior.expected;
+  test_screws(pairs, usable, prior.expected, input.options.outlier_threshold + 1.0);
+  const Eigen::Vector3d near_m = input.nominal_ins_from_lidar
+                                     ? Eigen::Vector3d(input.nominal_ins_from_lidar->translation())
+                                     : Eigen::Vector3d::Zero();
+  const RobustStart start = robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, near_m);
+  RigidTransform prior_x = start.ins_from_lidar;
+  prior_x.translation() = near_m;
+  judge_pairs(pairs, usable, start.ins_from_lidar, scaled(prior.expected, start.noise_scale),
+              input.options.outlier_threshold);
+
+  RigidTransform x = start.ins_from_lidar;
+  JointProblem problem;
+  for (int round = 0; round < 4 && !progress.cancelled(); ++round) {
+    problem = make_problem(input, pairs, usable, prior_x);
+    if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
+    details.noise = estimate_noise(problem, prior.expected, prior.log_spread, x, progress);
+    details.joint = solve_joint(problem, details.noise, x, 10, progress);
+    x = details.joint.ins_from_lidar;
+    const int changed = judge_pairs(pairs, usable, x, details.noise, input.options.outlier_threshold);
+    if (changed == 0) break;
+  }
+
+  CalibrationResult result;
+  result.ins_from_lidar = x;
+  if (progress.cancelled()) {
+    count_pairs(pairs, result);
+    result.status = Status::Cancelled;
+    result.message = "Cancelled.";
+    return result;
+  }
+  describe_observability(details.joint.information, details.joint.covariance, summarise_motion(pairs), input.options,
+                         result);
+  result.ins_from_lidar = with_nominal_where_unobserved(x, result.observed, input.nominal_ins_from_lidar);
+  estimate_clock_offset(problem, input, details, progress, result);
+  add_bootstrap(input, pairs, details, progress, result);
+  list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(x), result);
+  trim_candidates(input.options.max_listed_candidates, result);
+  count_pairs(pairs, result);
+  summarise_errors(pairs, input.options, result);
+  set_status(input.range, result);
+  if (!details.joint.converged && result.status != Status::OutOfRange) {
+    result.status = Status::NotConverged;
+    result.message = "The joint solution did not converge.";
+  }
+  return result;
+}
+
+CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, const Progress& progress) {
+  PairwiseDetails details;
+  return solve_pairwise(input, pairs, details, progress);
+}
+
+}  // namespace remount

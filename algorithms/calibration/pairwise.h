@@ -1,0 +1,46 @@
+// Steps 5 to 9 of pairwise calibration: from registered pairs to X with its uncertainty.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/calibration/calibration_result.h"
+#include "algorithms/calibration/joint_solver.h"
+#include "algorithms/calibration/solve_options.h"
+#include "algorithms/core/progress.h"
+
+namespace remount {
+
+/// What is known of the INS errors of a session; NaN where the data do not say (then the options' values are used).
+struct SessionNoise {
+  double position_white_sigma_m = std::numeric_limits<double>::quiet_NaN();
+  double attitude_white_sigma_rad = std::numeric_limits<double>::quiet_NaN();
+  double attitude_bias_sigma_rad = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct PairwiseInput {
+  std::vector<JointNode> nodes;      ///< one for each keyframe, same indices as in the pairs
+  std::vector<double> node_times_s;  ///< since the start of its session; for blocks of the bootstrap
+  std::vector<SessionNoise> sessions;
+  std::optional<RigidTransform> nominal_ins_from_lidar;
+  SearchRange range;
+  SolveOptions options;
+};
+
+/// Solves from the pairs' P, Q and registration quality. Sets of each pair: screw test, residuals, weight, and, unless
+/// the user decided, state and reason.
+CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, const Progress& progress);
+
+/// What solve_pairwise found out on the way, for the next stage (joint alignment of the clouds).
+struct PairwiseDetails {
+  NoiseModel noise;
+  JointSolution joint;
+};
+CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
+                                 const Progress& progress);
+
+/// Squared Mahalanobis distance of a pair's residual under X, with the errors of both INS poses and of the
+/// registration.
+double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise);
+
+}  // namespace remount

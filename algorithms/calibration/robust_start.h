@@ -1,0 +1,25 @@
+// A first X that gross outliers cannot pull.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/calibration/noise_model.h"
+#include "algorithms/search/candidates.h"
+#include "algorithms/trajectory/pair.h"
+
+namespace remount {
+
+struct RobustStart {
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  /// Typical size of the residuals against the noise model: 1 where the model holds, larger where it is too optimistic.
+  double noise_scale = 1.0;
+};
+
+/// Tries the nominal (where known), the global minimum of the quadratic form over screw-consistent pairs and its
+/// reweighted successors; keeps the X with the least truncated cost, then refines it with a redescending kernel whose
+/// width follows the residuals.
+RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise,
+                         const std::optional<RigidTransform>& nominal, const Eigen::Vector3d& near_m);
+
+}  // namespace remount
