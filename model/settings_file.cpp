@@ -1,0 +1,195 @@
+#include "model/settings_file.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "algorithms/core/error.h"
+#include "model/io/safe_yaml.h"
+
+namespace remount {
+namespace {
+
+/// Writes an option struct into a map.
+struct OptionWriter {
+  DocumentNode& section;
+  bool comments;
+
+  template <class T>
+  void operator()(const OptionInfo& info, const T& value) {
+    std::string range;
+    DocumentNode node;
+    if constexpr (std::is_same_v<T, bool>) {
+      node = DocumentNode::boolean(value);
+      range = "true or false";
+    } else if constexpr (std::is_integral_v<T>) {
+      node = DocumentNode::integer(value);
+      range = shortest(info.minimum) + " to " + shortest(info.maximum);
+    } else if constexpr (std::is_floating_point_v<T>) {
+      node = DocumentNode::number(value);
+      range = shortest(info.minimum) + " to " + shortest(info.maximum);
+    } else {
+      node = DocumentNode::string(value);
+    }
+    add(info, std::move(node), range);
+  }
+
+  template <class T>
+  void choice(const OptionInfo& info, const T& value, const std::vector<std::string_view>& names) {
+    std::string list;
+    for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+    add(info, DocumentNode::string(names.at(static_cast<std::size_t>(value))), list);
+  }
+
+  void add(const OptionInfo& info, DocumentNode node, const std::string& range) {
+    if (comments) {
+      node.comment = info.help;
+      if (!range.empty()) node.comment += " [" + range + (info.unit.empty() ? "" : " " + std::string(info.unit)) + "]";
+    }
+    section.add(std::string(info.name), std::move(node));
+  }
+};
+
+/// Reads those members of an option struct that a map mentions.
+struct OptionReader {
+  DocumentView section;
+  std::vector<std::string>& problems;
+  std::vector<std::string_view> known{};
+
+  template <class T>
+  void operator()(const OptionInfo& info, T& value) {
+    read(info, [&](const DocumentView& view) {
+      if constexpr (std::is_same_v<T, bool>) {
+        value = view.boolean();
+      } else if constexpr (std::is_integral_v<T>) {
+        value = static_cast<T>(
+            view.integer(static_cast<std::int64_t>(info.minimum), static_cast<std::int64_t>(info.maximum)));
+      } else if constexpr (std::is_floating_point_v<T>) {
+        const double number = view.number();
+        if (number < info.minimum || number > info.maximum)
+          view.fail(shortest(number) + " is outside " + shortest(info.minimum) + " to " + shortest(info.maximum) +
+                    (info.unit.empty() ? "" : " " + std::string(info.unit)));
+        value = number;
+      } else {
+        value = view.string();
+      }
+    });
+  }
+
+  template <class T>
+  void choice(const OptionInfo& info, T& value, const std::vector<std::string_view>& names) {
+    read(info, [&](const DocumentView& view) { value = static_cast<T>(view.choice(names)); });
+  }
+
+  template <class Assign>
+  void read(const OptionInfo& info, Assign&& assign) {
+    known.push_back(info.name);
+    if (!section.has(info.name)) return;
+    try {
+      assign(section.at(info.name));
+    } catch (const Error& error) {
+      problems.push_back(error.what());
+    }
+  }
+
+  void report_unknown_keys() {
+    std::string list;
+    for (const std::string_view name : known) list += (list.empty() ? "" : ", ") + std::string(name);
+    for (const auto& [key, view] : section.entries()) {
+      if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      try {
+        view.fail("is not a setting; known here are " + list);
+      } catch (const Error& error) {
+        problems.push_back(error.what());
+      }
+    }
+  }
+};
+
+[[noreturn]] void throw_problems(const std::vector<std::string>& problems) {
+  std::string text;
+  for (const std::string& problem : problems) text += (text.empty() ? "" : "\n") + problem;
+  throw Error(ErrorCode::Format, "", text);
+}
+
+}  // namespace
+
+DocumentNode settings_document(const Settings& settings, bool comments) {
+  DocumentNode document = DocumentNode::map();
+  Settings::visit_sections(settings, [&](std::string_view name, const auto& options) {
+    DocumentNode section = DocumentNode::map();
+    std::decay_t<decltype(options)>::visit(options, OptionWriter{section, comments});
+    document.add(std::string(name), std::move(section));
+  });
+  return document;
+}
+
+Settings settings_from_document(const DocumentView& document, const Settings& base) {
+  Settings settings = base;
+  std::vector<std::string> problems;
+  std::vector<std::string> sections;
+  if (!document.is_null()) {
+    const auto entries = document.entries();
+    Settings::visit_sections(settings, [&](std::string_view name, auto& options) {
+      sections.emplace_back(name);
+      const auto found =
+          std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == name; });
+      if (found == entries.end() || found->second.is_null()) return;
+      try {
+        OptionReader reader{found->second, problems};
+        std::decay_t<decltype(options)>::visit(options, reader);
+        reader.report_unknown_keys();
+      } catch (const Error& error) {
+        problems.push_back(error.what());
+      }
+    });
+    std::string list;
+    for (const std::string& name : sections) list += (list.empty() ? "" : ", ") + name;
+    for (const auto& [key, view] : entries) {
+      if (std::find(sections.begin(), sections.end(), key) != sections.end()) continue;
+      try {
+        view.fail("is not a section of settings; known are " + list);
+      } catch (const Error& error) {
+        problems.push_back(error.what());
+      }
+    }
+  }
+  if (!problems.empty()) throw_problems(problems);
+  const std::vector<std::string> contradictions = settings.check();
+  if (!contradictions.empty()) {
+    std::string text;
+    for (const std::string& problem : contradictions) text += (text.empty() ? "" : "; ") + problem;
+    document.fail(text);
+  }
+  return settings;
+}
+
+Settings load_settings(const std::filesystem::path& path, const Settings& base) {
+  const DocumentNode document = read_document(path);
+  return settings_from_document(DocumentView(document, path.string()), base);
+}
+
+std::string settings_text(const Settings& settings, bool comments) {
+  DocumentNode document = settings_document(settings, comments);
+  if (comments) document.comment = "Settings of Remount. What is left out keeps its default.";
+  return to_yaml(document);
+}
+
+void apply_setting(Settings& settings, std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::size_t dot = assignment.substr(0, equals).find('.');
+  if (equals == std::string_view::npos || dot == std::string_view::npos)
+    throw Error(ErrorCode::Contract, std::string(assignment), "expected section.key=value");
+  // The value passes through the reader of files, so that both accept the same.
+  DocumentNode value = parse_yaml(assignment.substr(equals + 1), std::string(assignment));
+  value.line = 0;
+  DocumentNode document = DocumentNode::map();
+  document.add(std::string(assignment.substr(0, dot)), DocumentNode::map())
+      .add(std::string(assignment.substr(dot + 1, equals - dot - 1)), std::move(value));
+  try {
+    settings = settings_from_document(DocumentView(document, assignment), settings);
+  } catch (const Error& error) {
+    throw Error(ErrorCode::Contract, error.where(), error.what_happened());
+  }
+}
+
+}  // namespace remount

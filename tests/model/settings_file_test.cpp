@@ -1,0 +1,96 @@
+#include "model/settings_file.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/core/error.h"
+#include "model/io/safe_yaml.h"
+
+namespace remount {
+namespace {
+
+Settings from_text(const std::string& text) {
+  const DocumentNode document = parse_yaml(text, "c.yaml");
+  return settings_from_document(DocumentView(document, "c.yaml"));
+}
+
+std::string error_of(const std::string& text) {
+  try {
+    from_text(text);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(settings_file, written_settings_read_back_the_same) {
+  Settings settings;
+  settings.run.deskew = DeskewMode::Off;
+  settings.pairing.max_gap_s = 0.1 + 0.2;
+  settings.registration.algorithm = RegistrationAlgorithm::PclNdt;
+  settings.solve.joint_clouds = false;
+  settings.solve.seed = 77;
+  settings.range.x_min_m = -1.25;
+  for (const bool comments : {false, true}) {
+    const Settings back = from_text(settings_text(settings, comments));
+    EXPECT_EQ(settings_text(back), settings_text(settings));
+    EXPECT_EQ(back.run.deskew, DeskewMode::Off);
+    EXPECT_EQ(back.pairing.max_gap_s, 0.1 + 0.2);
+    EXPECT_EQ(back.registration.algorithm, RegistrationAlgorithm::PclNdt);
+    EXPECT_FALSE(back.solve.joint_clouds);
+    EXPECT_EQ(back.solve.seed, 77);
+  }
+}
+
+TEST(settings_file, defaults_are_valid_and_every_setting_is_explained) {
+  EXPECT_TRUE(Settings{}.check().empty());
+  const std::string text = settings_text(Settings{});
+  Settings settings;
+  Settings::visit_sections(settings, [&](std::string_view name, auto&) {
+    EXPECT_NE(text.find(std::string(name) + ":\n"), std::string::npos) << name;
+  });
+  EXPECT_NE(text.find("# Longest time between the two scans of a pair (limit time). [0.01 to 3600 s]"),
+            std::string::npos)
+      << text;
+}
+
+TEST(settings_file, what_is_left_out_keeps_its_value) {
+  const Settings settings = from_text("pairing:\n  max_gap_s: 2.5\nrange:\n");
+  EXPECT_EQ(settings.pairing.max_gap_s, 2.5);
+  EXPECT_EQ(settings.pairing.max_distance_m, PairingOptions{}.max_distance_m);
+}
+
+TEST(settings_file, every_problem_is_listed_with_its_line) {
+  const std::string error = error_of(
+      "pairing:\n  max_gap_s: 1e9\n  max_gap: 3\n  limit: often\nrun:\n  cache_mb: 1.5\nsolve:\n  joint_clouds: "
+      "1\nplanes: 3\n");
+  for (const char* expected :
+       {"c.yaml:2: pairing.max_gap_s: 1e+09 is outside 0.01 to 3600 s", "c.yaml:3: pairing.max_gap: is not a setting",
+        "c.yaml:4: pairing.limit: expected one of time, distance, either",
+        "c.yaml:6: run.cache_mb: expected a whole number", "c.yaml:8: solve.joint_clouds: expected true or false",
+        "c.yaml:9: planes: is not a section"})
+    EXPECT_NE(error.find(expected), std::string::npos) << expected << "\nin\n" << error;
+}
+
+TEST(settings_file, a_minimum_above_its_maximum_is_refused) {
+  EXPECT_NE(error_of("range: {x_min_m: 2, x_max_m: 1}").find("range.x: the minimum exceeds the maximum"),
+            std::string::npos);
+  EXPECT_NE(error_of("[1, 2]").find("expected a map"), std::string::npos);
+  EXPECT_NE(error_of("pairing: 3").find("c.yaml:1: pairing: expected a map"), std::string::npos)
+      << error_of("pairing: 3");
+}
+
+TEST(settings_file, one_setting_from_an_assignment) {
+  Settings settings;
+  apply_setting(settings, "registration.algorithm=pcl-gicp");
+  apply_setting(settings, "solve.joint_clouds=false");
+  apply_setting(settings, "range.x_min_m=-2");
+  EXPECT_EQ(settings.registration.algorithm, RegistrationAlgorithm::PclGicp);
+  EXPECT_FALSE(settings.solve.joint_clouds);
+  EXPECT_EQ(settings.range.x_min_m, -2.0);
+  for (const char* wrong :
+       {"solve", "solve.joint_clouds", "joint_clouds=true", "solve.nothing=1", "solve.seed=x", "a.b=[", "x.y="})
+    EXPECT_THROW(apply_setting(settings, wrong), Error) << wrong;
+}
+
+}  // namespace
+}  // namespace remount
