@@ -1,0 +1,79 @@
+// The file "remount-result/1": what a calibration found, how sure it is, and what it came from.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/calibration/calibration_result.h"
+#include "algorithms/core/progress.h"
+#include "model/io/document.h"
+#include "model/session.h"
+#include "model/settings.h"
+
+namespace remount {
+
+/// A pair as it is listed in a result or a project: named by its session and its scans' stamps, which stay the same
+/// when keyframes change.
+struct PairRecord {
+  int session = 0;  ///< index of the session
+  std::int64_t stamp_a_ns = 0, stamp_b_ns = 0;
+  PairState state = PairState::Proposed;
+  DecidedBy decided_by = DecidedBy::Nobody;
+  std::string reason;
+  double rotation_rad = 0.0;
+  double baseline_m = 0.0;
+  double rmse_m = 0.0;
+  double overlap = 0.0;
+  double screw_score = 0.0;
+  double residual_rotation_rad = 0.0;
+  double residual_translation_m = 0.0;
+  double weight = 0.0;
+  int shared_objects = 0;
+};
+std::vector<PairRecord> pair_records(const std::vector<Keyframe>& keyframes, const std::vector<Pair>& pairs);
+std::string_view to_string(PairState state);
+std::string_view to_string(DecidedBy decided_by);
+
+/// One input, named relative to its session so that a result does not depend on where the data lie.
+struct InputFile {
+  std::string session;
+  std::string file;
+  std::uint64_t bytes = 0;
+  std::string sha256;  ///< empty where the file could not be read any more
+};
+/// Hashes the files of all sessions; the order is theirs, whatever the number of threads.
+std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Session>>& sessions, int threads,
+                                   Progress& progress);
+/// One plain file as an input.
+InputFile hash_input(const std::filesystem::path& path);
+
+struct ResultFile {
+  CalibrationResult result;
+  std::optional<RigidTransform> nominal_ins_from_lidar;  ///< what the search started from
+  std::vector<PairRecord> pairs;
+  std::vector<std::string> findings;  ///< warnings and problems met on the way, one sentence each
+  std::string version;                ///< of the program that wrote it
+  Settings settings;
+  std::vector<InputFile> inputs;
+};
+
+/// Whether X may be used at all: the status is ok or degenerate and something is observed.
+bool is_usable(const CalibrationResult& result);
+/// "x, y, yaw" of the parameters that are (`observed`) or are not observed; empty for none.
+std::string parameter_list(const CalibrationResult& result, bool observed);
+
+DocumentNode result_document(const ResultFile& file);
+/// Throws Error(Format) where the schema is not kept, a number is not finite, the rotation is not orthonormal, or
+/// the parts of the transform contradict each other.
+ResultFile result_from_document(const DocumentView& view);
+
+/// JSON where the name ends in ".json", YAML otherwise. Saved atomically; throws Error(Io).
+void save_result(const ResultFile& file, const std::filesystem::path& path);
+/// Throws Error(Io) where it cannot be read, Error(Format) as above.
+ResultFile load_result(const std::filesystem::path& path);
+
+}  // namespace remount

@@ -1,0 +1,162 @@
+// Reading of "remount-result/1", with every check that keeps a damaged file from becoming an extrinsic.
+#include <cmath>
+#include <limits>
+
+#include "model/io/safe_yaml.h"
+#include "model/io/transform_document.h"
+#include "model/result_file.h"
+#include "model/settings_file.h"
+
+namespace remount {
+namespace {
+
+constexpr int kMaxCount = std::numeric_limits<int>::max();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+double number_or(const DocumentView& view, double otherwise) { return view.is_null() ? otherwise : view.number(); }
+
+int count_of(const DocumentView& view) { return static_cast<int>(view.integer(0, kMaxCount)); }
+
+std::vector<std::string> strings_of(const DocumentView& root, std::string_view key) {
+  std::vector<std::string> strings;
+  if (!root.has(key)) return strings;
+  for (const DocumentView& item : root.at(key).items()) strings.push_back(item.string());
+  return strings;
+}
+
+/// The six sigmas in the order of kParameterNames, NaN for null.
+std::array<double, 6> sigma_of(const DocumentView& view) {
+  const auto translation = view.at("translation_m").items(), rotation = view.at("rotation_deg").items();
+  if (translation.size() != 3) view.at("translation_m").fail("expected three entries: x, y, z");
+  if (rotation.size() != 3) view.at("rotation_deg").fail("expected three entries: roll, pitch, yaw");
+  std::array<double, 6> sigma{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    sigma[i] = number_or(translation[i], kNan);
+    sigma[5 - i] = degrees_to_radians(number_or(rotation[i], kNan));
+  }
+  for (const double value : sigma)
+    if (value < 0.0) view.fail("a sigma is negative");
+  return sigma;
+}
+
+Matrix6d covariance_of(const DocumentView& view) {
+  const std::vector<DocumentView> rows = view.at("matrix").items();
+  if (rows.size() != 6) view.at("matrix").fail("expected six rows");
+  Matrix6d covariance;
+  for (std::size_t row = 0; row < 6; ++row) {
+    const std::vector<DocumentView> entries = rows[row].items();
+    if (entries.size() != 6) rows[row].fail("expected six entries");
+    for (std::size_t column = 0; column < 6; ++column)
+      covariance(static_cast<int>(row), static_cast<int>(column)) = number_or(entries[column], kNan);
+  }
+  return covariance;
+}
+
+void read_uncertainty(const DocumentView& root, CalibrationResult& result) {
+  for (std::size_t i = 0; i < 6; ++i) result.observed[i] = root.at("observed").at(kParameterNames[i]).boolean();
+  const std::array<double, 6> sigma = sigma_of(root.at("sigma"));
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (std::isfinite(sigma[i]) && !result.observed[i])
+      root.at("sigma").fail("gives a number for " + std::string(kParameterNames[i]) + ", which is not observed");
+    if (result.observed[i]) result.covariance(static_cast<int>(i), static_cast<int>(i)) = sigma[i] * sigma[i];
+  }
+  if (root.has("covariance")) result.covariance = covariance_of(root.at("covariance"));
+  result.bootstrap_sigma.fill(kNan);
+  if (root.has("bootstrap_sigma")) result.bootstrap_sigma = sigma_of(root.at("bootstrap_sigma"));
+  if (!root.has("directions")) return;
+  for (const DocumentView& item : root.at("directions").items()) {
+    ObservabilityDirection direction;
+    direction.direction = Eigen::Map<const Vector6d>(item.at("direction").numbers(6).data());
+    direction.sigma = number_or(item.at("sigma"), std::numeric_limits<double>::infinity());
+    direction.observed = item.at("observed").boolean();
+    direction.words = item.at("words").string();
+    result.directions.push_back(direction);
+  }
+}
+
+void read_candidates(const DocumentView& root, CalibrationResult& result) {
+  for (const DocumentView& item : root.at("candidates").items()) {
+    Candidate candidate;
+    candidate.source = item.at("source").string();
+    candidate.frobenius_sum = number_or(item.at("frobenius_sum"), kNan);
+    candidate.in_range = item.at("in_range").boolean();
+    if (item.has("out_of_range")) candidate.out_of_range = item.at("out_of_range").string();
+    candidate.ins_from_lidar = transform_from_document(item);
+    result.candidates.push_back(candidate);
+  }
+}
+
+PairRecord pair_of(const DocumentView& item) {
+  const std::int64_t longest = std::numeric_limits<std::int64_t>::max();
+  PairRecord pair;
+  pair.session = count_of(item.at("session"));
+  pair.stamp_a_ns = item.at("stamp_a_ns").integer(-longest, longest);
+  pair.stamp_b_ns = item.at("stamp_b_ns").integer(-longest, longest);
+  pair.state = static_cast<PairState>(item.at("state").choice({"proposed", "accepted", "rejected"}));
+  pair.decided_by = static_cast<DecidedBy>(item.at("decided_by").choice({"nobody", "program", "user"}));
+  pair.reason = item.at("reason").string();
+  pair.rotation_rad = degrees_to_radians(number_or(item.at("rotation_deg"), kNan));
+  pair.baseline_m = number_or(item.at("baseline_m"), kNan);
+  pair.rmse_m = number_or(item.at("rmse_m"), kNan);
+  pair.overlap = number_or(item.at("overlap"), kNan);
+  pair.screw_score = number_or(item.at("screw_score"), kNan);
+  pair.residual_rotation_rad = degrees_to_radians(number_or(item.at("residual_rotation_deg"), kNan));
+  pair.residual_translation_m = number_or(item.at("residual_translation_m"), kNan);
+  pair.weight = number_or(item.at("weight"), kNan);
+  pair.shared_objects = count_of(item.at("shared_objects"));
+  return pair;
+}
+
+void read_provenance(const DocumentView& view, ResultFile& file) {
+  file.version = view.at("version").string();
+  file.settings = settings_from_document(view.at("settings"));
+  for (const DocumentView& item : view.at("inputs").items()) {
+    InputFile input;
+    input.session = item.at("session").string();
+    input.file = item.at("file").string();
+    input.bytes = static_cast<std::uint64_t>(item.at("bytes").integer(0, std::numeric_limits<std::int64_t>::max()));
+    if (!item.at("sha256").is_null()) input.sha256 = item.at("sha256").string();
+    file.inputs.push_back(input);
+  }
+}
+
+}  // namespace
+
+ResultFile result_from_document(const DocumentView& root) {
+  if (root.at("format").string() != "remount-result/1")
+    root.at("format").fail("expected \"remount-result/1\", found \"" + root.at("format").string() + "\"");
+  ResultFile file;
+  CalibrationResult& result = file.result;
+  const auto status = status_from_string(root.at("status").string());
+  if (!status) root.at("status").fail("\"" + root.at("status").string() + "\" is not a status that is known here");
+  result.status = *status;
+  if (root.has("message")) result.message = root.at("message").string();
+  result.advice = strings_of(root, "advice");
+  result.ins_from_lidar = transform_from_document(root.at("ins_from_lidar"));
+  read_uncertainty(root, result);
+  result.pairs_proposed = count_of(root.at("pairs").at("proposed"));
+  result.pairs_accepted = count_of(root.at("pairs").at("accepted"));
+  result.pairs_rejected = count_of(root.at("pairs").at("rejected"));
+  result.frobenius_sum = number_or(root.at("error").at("frobenius_sum"), kNan);
+  result.rotation_rms_rad = degrees_to_radians(number_or(root.at("error").at("rotation_rms_deg"), kNan));
+  result.translation_rms_m = number_or(root.at("error").at("translation_rms_m"), kNan);
+  result.time_offset.offset_s = number_or(root.at("time_offset_s"), kNan);
+  if (root.has("time_offset_sigma_s")) result.time_offset.sigma_s = number_or(root.at("time_offset_sigma_s"), kNan);
+  if (root.has("time_offset_applied")) result.time_offset.applied = root.at("time_offset_applied").boolean();
+  read_candidates(root, result);
+  if (root.has("nominal_ins_from_lidar") && !root.at("nominal_ins_from_lidar").is_null())
+    file.nominal_ins_from_lidar = transform_from_document(root.at("nominal_ins_from_lidar"));
+  file.findings = strings_of(root, "findings");
+  read_provenance(root.at("provenance"), file);
+  if (root.has("pair_list"))
+    for (const DocumentView& item : root.at("pair_list").items()) file.pairs.push_back(pair_of(item));
+  return file;
+}
+
+ResultFile load_result(const std::filesystem::path& path) {
+  const DocumentLimits limits{64U << 20U, 1000000, 16};
+  const DocumentNode document = read_document(path, limits);
+  return result_from_document(DocumentView(document, path.string()));
+}
+
+}  // namespace remount
