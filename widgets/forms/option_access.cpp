@@ -1,0 +1,103 @@
+#include "widgets/forms/option_access.h"
+
+#include <type_traits>
+
+namespace remount {
+namespace {
+
+QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
+
+/// Visits every option with one function: edit(section, OptionField without value, reference to the member).
+template <class Edit>
+struct FieldVisitor {
+  QString section;
+  Edit& edit;
+
+  OptionField describe(const OptionInfo& info) const {
+    OptionField field;
+    field.section = section;
+    field.name = text(info.name);
+    field.unit = text(info.unit);
+    field.help = text(info.help);
+    field.minimum = info.minimum;
+    field.maximum = info.maximum;
+    return field;
+  }
+
+  template <class T>
+  void operator()(const OptionInfo& info, T& member) const {
+    using Value = std::remove_const_t<T>;
+    OptionField field = describe(info);
+    if constexpr (std::is_same_v<Value, bool>) {
+      field.kind = OptionKind::Switch;
+      field.value = member;
+      edit(field, [&member](const QVariant& v) {
+        if constexpr (!std::is_const_v<T>) member = v.toBool();
+      });
+    } else if constexpr (std::is_integral_v<Value>) {
+      field.kind = OptionKind::Integer;
+      field.value = static_cast<int>(member);
+      edit(field, [&member](const QVariant& v) {
+        if constexpr (!std::is_const_v<T>) member = static_cast<Value>(v.toInt());
+      });
+    } else if constexpr (std::is_floating_point_v<Value>) {
+      field.value = static_cast<double>(member);
+      edit(field, [&member](const QVariant& v) {
+        if constexpr (!std::is_const_v<T>) member = static_cast<Value>(v.toDouble());
+      });
+    } else {
+      field.kind = OptionKind::Text;
+      field.value = QString::fromStdString(member);
+      edit(field, [&member](const QVariant& v) {
+        if constexpr (!std::is_const_v<T>) member = v.toString().toStdString();
+      });
+    }
+  }
+
+  template <class T>
+  void choice(const OptionInfo& info, T& member, const std::vector<std::string_view>& names) const {
+    OptionField field = describe(info);
+    field.kind = OptionKind::Choice;
+    for (std::string_view name : names) field.choices << text(name);
+    field.value = static_cast<int>(member);
+    edit(field, [&member](const QVariant& v) {
+      if constexpr (!std::is_const_v<T>) member = static_cast<std::remove_const_t<T>>(v.toInt());
+    });
+  }
+};
+
+template <class S, class Edit>
+void visit_fields(S& settings, Edit edit) {
+  Settings::visit_sections(settings, [&](std::string_view section, auto& options) {
+    std::remove_cvref_t<decltype(options)>::visit(options, FieldVisitor<Edit>{text(section), edit});
+  });
+}
+
+}  // namespace
+
+std::vector<OptionField> option_fields(const Settings& settings) {
+  std::vector<OptionField> fields;
+  visit_fields(settings, [&](const OptionField& field, auto&&) { fields.push_back(field); });
+  return fields;
+}
+
+bool set_option(Settings& settings, const QString& section, const QString& name, const QVariant& value) {
+  bool found = false;
+  visit_fields(settings, [&](const OptionField& field, auto&& assign) {
+    if (field.section != section || field.name != name) return;
+    assign(value);
+    found = true;
+  });
+  return found;
+}
+
+QString option_label(const OptionField& field) {
+  QString label = field.name;
+  if (!field.unit.isEmpty() && label.endsWith('_' + field.unit)) label.chop(field.unit.size() + 1);
+  label.replace('_', ' ');
+  if (label.startsWith("ins ")) label.replace(0, 3, "INS");
+  if (!label.isEmpty()) label[0] = label[0].toUpper();
+  return label;
+}
+
+}  // namespace remount

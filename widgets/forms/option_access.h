@@ -1,0 +1,34 @@
+// Settings as a list of named values: what forms are generated from.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <QVariant>
+#include <vector>
+
+#include "model/settings.h"
+
+namespace remount {
+
+enum class OptionKind { Switch, Integer, Real, Text, Choice };
+
+struct OptionField {
+  QString section;  ///< "range"
+  QString name;     ///< "x_min_m"
+  QString unit, help;
+  OptionKind kind = OptionKind::Real;
+  double minimum = 0.0, maximum = 0.0;
+  QStringList choices;
+  QVariant value;  ///< bool, int, double, QString, or the index of a choice
+};
+
+/// Every option with its present value, in the order of the sections.
+std::vector<OptionField> option_fields(const Settings& settings);
+
+/// Sets one option; false where there is none of that name.
+bool set_option(Settings& settings, const QString& section, const QString& name, const QVariant& value);
+
+/// "max_gap_s" -> "Max gap".
+QString option_label(const OptionField& field);
+
+}  // namespace remount

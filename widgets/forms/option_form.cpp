@@ -1,0 +1,95 @@
+#include "widgets/forms/option_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLineEdit>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <algorithm>
+#include <cmath>
+
+namespace remount {
+
+int decimals_for(const OptionField& field) {
+  const double smallest = field.minimum > 0.0 ? field.minimum : 0.001;
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(smallest))), 2, 6);
+}
+
+void show_in_editor(QWidget& editor, const OptionField& field) {
+  const QSignalBlocker quiet(&editor);
+  if (auto* box = qobject_cast<QCheckBox*>(&editor)) box->setChecked(field.value.toBool());
+  if (auto* spin = qobject_cast<QSpinBox*>(&editor)) spin->setValue(field.value.toInt());
+  if (auto* spin = qobject_cast<QDoubleSpinBox*>(&editor)) spin->setValue(field.value.toDouble());
+  if (auto* line = qobject_cast<QLineEdit*>(&editor)) line->setText(field.value.toString());
+  if (auto* combo = qobject_cast<QComboBox*>(&editor)) combo->setCurrentIndex(field.value.toInt());
+}
+
+OptionForm::OptionForm(const QString& section, const Settings& settings, QWidget* parent)
+    : QWidget(parent), section_(section) {
+  auto* layout = new QFormLayout(this);
+  for (const OptionField& field : option_fields(settings)) {
+    if (field.section != section_) continue;
+    QWidget* editor = make_editor(field);
+    editor->setToolTip(field.help);
+    editor->setAccessibleName(option_label(field));
+    editor->setAccessibleDescription(field.help);
+    editor->setObjectName(section_ + '.' + field.name);
+    show_in_editor(*editor, field);
+    layout->addRow(field.kind == OptionKind::Switch ? QString() : option_label(field), editor);
+    if (QWidget* label = layout->labelForField(editor)) label->setToolTip(field.help);
+    editors_[field.name] = editor;
+  }
+}
+
+void OptionForm::show_settings(const Settings& settings) {
+  for (const OptionField& field : option_fields(settings)) {
+    if (field.section != section_) continue;
+    const auto editor = editors_.find(field.name);
+    if (editor != editors_.end()) show_in_editor(*editor->second, field);
+  }
+}
+
+QWidget* OptionForm::make_editor(const OptionField& field) {
+  const auto send = [this, name = field.name](const QVariant& value) { emit edited(section_, name, value); };
+  const QString suffix = field.unit.isEmpty() ? QString() : ' ' + field.unit;
+  switch (field.kind) {
+    case OptionKind::Switch: {
+      auto* box = new QCheckBox(option_label(field), this);
+      connect(box, &QCheckBox::toggled, this, send);
+      return box;
+    }
+    case OptionKind::Integer: {
+      auto* spin = new QSpinBox(this);
+      spin->setRange(static_cast<int>(field.minimum), static_cast<int>(field.maximum));
+      spin->setSuffix(suffix);
+      spin->setKeyboardTracking(false);
+      connect(spin, &QSpinBox::valueChanged, this, send);
+      return spin;
+    }
+    case OptionKind::Real: {
+      auto* spin = new QDoubleSpinBox(this);
+      spin->setDecimals(decimals_for(field));
+      spin->setRange(field.minimum, field.maximum);
+      spin->setSingleStep(std::max(std::pow(10.0, -spin->decimals()), 0.1 * std::abs(field.value.toDouble())));
+      spin->setSuffix(suffix);
+      spin->setKeyboardTracking(false);
+      connect(spin, &QDoubleSpinBox::valueChanged, this, send);
+      return spin;
+    }
+    case OptionKind::Choice: {
+      auto* combo = new QComboBox(this);
+      combo->addItems(field.choices);
+      connect(combo, &QComboBox::currentIndexChanged, this, send);
+      return combo;
+    }
+    case OptionKind::Text:
+      break;
+  }
+  auto* line = new QLineEdit(this);
+  connect(line, &QLineEdit::editingFinished, this, [line, send] { send(line->text()); });
+  return line;
+}
+
+}  // namespace remount

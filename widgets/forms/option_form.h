@@ -1,0 +1,33 @@
+// A form for one section of the settings, generated from its description.
+#pragma once
+
+#include <QWidget>
+#include <map>
+
+#include "widgets/forms/option_access.h"
+
+namespace remount {
+
+/// Shows values, emits what the user wants changed; the values themselves change only by show_settings.
+class OptionForm : public QWidget {
+  Q_OBJECT
+ public:
+  OptionForm(const QString& section, const Settings& settings, QWidget* parent = nullptr);
+  void show_settings(const Settings& settings);
+
+ signals:
+  void edited(const QString& section, const QString& name, const QVariant& value);
+
+ private:
+  QWidget* make_editor(const OptionField& field);
+  QString section_;
+  std::map<QString, QWidget*> editors_;
+};
+
+/// Shows an option's value in the editor made for it, without a signal.
+void show_in_editor(QWidget& editor, const OptionField& field);
+
+/// Decimals that show `value` and steps that suit it.
+int decimals_for(const OptionField& field);
+
+}  // namespace remount

@@ -1,0 +1,41 @@
+#include "widgets/gl_support.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QSurfaceFormat>
+
+namespace remount {
+
+void prepare_gl() {
+  QSurfaceFormat format = QVTKOpenGLNativeWidget::defaultFormat();
+  format.setSamples(0);
+  QSurfaceFormat::setDefaultFormat(format);
+  QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+}
+
+QString missing_gl_reason() {
+  const auto text = [](const char* words) { return QCoreApplication::translate("remount::gl_support", words); };
+  const QString platform = QGuiApplication::platformName();
+  if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal"))
+    return text("the display platform \"%1\" has no OpenGL").arg(platform);
+  QOpenGLContext context;
+  if (!context.create())
+    return text("no OpenGL context could be made; over a remote connection, allow GLX or use a local display");
+  QOffscreenSurface surface;
+  surface.setFormat(context.format());
+  surface.create();
+  if (!surface.isValid() || !context.makeCurrent(&surface)) return text("the OpenGL context cannot be used");
+  const QSurfaceFormat format = context.format();
+  context.doneCurrent();
+  if (format.version() < qMakePair(3, 2))
+    return text("OpenGL 3.2 is needed, this display offers %1.%2")
+        .arg(format.majorVersion())
+        .arg(format.minorVersion());
+  return {};
+}
+
+}  // namespace remount

@@ -1,0 +1,89 @@
+#include "widgets/itemmodels/candidate_table_model.h"
+
+#include <QBrush>
+#include <array>
+
+namespace remount {
+namespace {
+
+double parameter(const Candidate& candidate, int column) {
+  const SixParameters six = six_from_rigid(candidate.ins_from_lidar);
+  switch (column) {
+    case CandidateTableModel::X:
+      return six.x_m;
+    case CandidateTableModel::Y:
+      return six.y_m;
+    case CandidateTableModel::Z:
+      return six.z_m;
+    case CandidateTableModel::Yaw:
+      return radians_to_degrees(six.yaw_rad);
+    case CandidateTableModel::Pitch:
+      return radians_to_degrees(six.pitch_rad);
+    case CandidateTableModel::Roll:
+      return radians_to_degrees(six.roll_rad);
+    default:
+      return candidate.frobenius_sum;
+  }
+}
+
+}  // namespace
+
+void CandidateTableModel::show_output(std::shared_ptr<const PipelineOutput> output) {
+  beginResetModel();
+  output_ = std::move(output);
+  endResetModel();
+}
+
+void CandidateTableModel::set_palette(const QPalette& palette) {
+  palette_ = palette;
+  if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {Qt::ForegroundRole});
+}
+
+int CandidateTableModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() || !output_ ? 0 : static_cast<int>(output_->result.candidates.size());
+}
+
+int CandidateTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : ColumnCount; }
+
+QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const Candidate& candidate = output_->result.candidates[static_cast<std::size_t>(index.row())];
+  const int column = index.column();
+  const bool words = column == Source || column == InRange;
+  if (role == Qt::TextAlignmentRole)
+    return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (words ? Qt::AlignLeft : Qt::AlignRight)));
+  if (role == Qt::ForegroundRole && !candidate.in_range)
+    return QBrush(palette_.color(QPalette::Disabled, QPalette::Text));
+  if (role == Qt::ToolTipRole && !candidate.in_range) return QString::fromStdString(candidate.out_of_range);
+  if (role != Qt::DisplayRole && role != SortRole) return {};
+  switch (column) {
+    case Rank:
+      if (role == SortRole) return index.row();
+      return candidate.in_range ? QString::number(index.row() + 1) : QStringLiteral("–");
+    case Source:
+      return QString::fromStdString(candidate.source);
+    case InRange:
+      if (role == SortRole) return candidate.in_range ? 0 : 1;
+      return candidate.in_range ? tr("in range")
+                                : tr("out of range: %1").arg(QString::fromStdString(candidate.out_of_range));
+    default:
+      break;
+  }
+  const double value = parameter(candidate, column);
+  return role == SortRole ? QVariant(value) : QVariant(QString::number(value, 'f', column == ErrorSum ? 4 : 3));
+}
+
+QVariant CandidateTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) return {};
+  const std::array<QString, ColumnCount> titles{tr("Rank"),  tr("Source"),      tr("x [m]"),     tr("y [m]"),
+                                                tr("z [m]"), tr("yaw [°]"),     tr("pitch [°]"), tr("roll [°]"),
+                                                tr("E"),     tr("Search range")};
+  if (role == Qt::DisplayRole) return titles[static_cast<std::size_t>(section)];
+  if (role == Qt::ToolTipRole && section == ErrorSum)
+    return tr(
+        "E(X): sum over the accepted pairs of ‖P X − X Q‖ (Frobenius norm, translation over the characteristic "
+        "length)");
+  return {};
+}
+
+}  // namespace remount

@@ -1,0 +1,101 @@
+#include "widgets/itemmodels/session_list_model.h"
+
+#include <QBrush>
+#include <algorithm>
+
+#include "widgets/theme.h"
+
+namespace remount {
+namespace {
+
+constexpr quintptr kTop = 0;  // internalId of a session; a finding carries its session's row + 1
+
+double duration_s(const Session& session) {
+  if (session.scans && session.scans->size() > 1)
+    return 1e-9 * static_cast<double>(session.scans->stamp_ns(session.scans->size() - 1) - session.scans->stamp_ns(0));
+  const auto& poses = session.odometry_from_lidar;
+  return poses.size() > 1 ? 1e-9 * static_cast<double>(poses.back().stamp_ns - poses.front().stamp_ns) : 0.0;
+}
+
+Severity worst(const Session& session) {
+  Severity severity = Severity::Note;
+  for (const Finding& finding : session.findings) severity = std::max(severity, finding.severity);
+  return severity;
+}
+
+}  // namespace
+
+QString session_summary(const Session& session) {
+  QStringList parts{QString::fromStdString(session.format)};
+  if (session.scans) parts << SessionListModel::tr("%1 scans").arg(session.scans->size());
+  if (!session.odometry_from_lidar.empty())
+    parts << SessionListModel::tr("%1 LiDAR poses, no scans").arg(session.odometry_from_lidar.size());
+  parts << SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
+  if (!session.ins.empty()) parts << SessionListModel::tr("%1 INS samples").arg(session.ins.size());
+  if (!session.world_from_ins.empty()) parts << SessionListModel::tr("%1 INS poses").arg(session.world_from_ins.size());
+  return parts.join(QStringLiteral(" · "));
+}
+
+void SessionListModel::show_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
+  beginResetModel();
+  sessions_ = std::move(sessions);
+  endResetModel();
+}
+
+void SessionListModel::set_palette(const QPalette& palette) { palette_ = palette; }
+
+int SessionListModel::session_of(const QModelIndex& index) const {
+  if (!index.isValid()) return -1;
+  return index.internalId() == kTop ? index.row() : static_cast<int>(index.internalId()) - 1;
+}
+
+QModelIndex SessionListModel::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row() + 1) : kTop);
+}
+
+QModelIndex SessionListModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == kTop) return {};
+  return createIndex(static_cast<int>(child.internalId()) - 1, 0, kTop);
+}
+
+int SessionListModel::rowCount(const QModelIndex& parent) const {
+  if (!parent.isValid()) return static_cast<int>(sessions_.size());
+  if (parent.internalId() != kTop || parent.column() != 0) return 0;
+  return static_cast<int>(sessions_[static_cast<std::size_t>(parent.row())]->findings.size());
+}
+
+int SessionListModel::columnCount(const QModelIndex&) const { return ColumnCount; }
+
+QVariant SessionListModel::data(const QModelIndex& index, int role) const {
+  const int row = session_of(index);
+  if (row < 0) return {};
+  const Session& session = *sessions_[static_cast<std::size_t>(row)];
+  const bool is_session = index.internalId() == kTop;
+  if (is_session) {
+    const Severity severity = worst(session);
+    if (role == Qt::DisplayRole && index.column() == Name)
+      return severity == Severity::Note ? QString::fromStdString(session.name)
+                                        : severity_sign(severity) + ' ' + QString::fromStdString(session.name);
+    if (role == Qt::DisplayRole) return session_summary(session);
+    if (role == Qt::ToolTipRole) return QString::fromStdString(session.path.string()) + '\n' + session_summary(session);
+    if (role == Qt::ForegroundRole && index.column() == Name && severity != Severity::Note)
+      return QBrush(severity_color(severity, palette_));
+    return {};
+  }
+  const Finding& finding = session.findings[static_cast<std::size_t>(index.row())];
+  const QString explanation = QString::fromStdString(finding.explanation);
+  if (role == Qt::DisplayRole && index.column() == Name)
+    return severity_sign(finding.severity) + ' ' + QString::fromStdString(finding.where);
+  if (role == Qt::DisplayRole) return explanation;
+  if (role == Qt::ToolTipRole) return QString::fromStdString(finding.where) + '\n' + explanation;
+  if (role == Qt::ForegroundRole) return QBrush(severity_color(finding.severity, palette_));
+  return {};
+}
+
+QVariant SessionListModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  return section == Name ? tr("Session") : tr("Content");
+}
+
+}  // namespace remount

@@ -1,0 +1,81 @@
+#include "widgets/panels/export_dialog.h"
+
+#include <QClipboard>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFontDatabase>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+namespace remount {
+
+ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent)
+    : QDialog(parent),
+      formats_(std::move(formats)),
+      text_of_(std::move(text_of)),
+      list_(new QListWidget(this)),
+      preview_(new QPlainTextEdit(this)),
+      direction_(new QLabel(this)) {
+  setWindowTitle(tr("Export the result"));
+  list_->setAccessibleName(tr("Format"));
+  list_->setMaximumWidth(240);
+  for (const ExportFormat& format : formats_) list_->addItem(format.title);
+  preview_->setReadOnly(true);
+  preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  preview_->setAccessibleName(tr("Preview"));
+  direction_->setWordWrap(true);
+  direction_->setAccessibleName(tr("Direction of the transform"));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  QPushButton* copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
+  QPushButton* save = buttons->addButton(tr("Save…"), QDialogButtonBox::ActionRole);
+  save->setDefault(true);
+  connect(copy, &QPushButton::clicked, this, [this] {
+    QGuiApplication::clipboard()->setText(current_text());
+    emit copied(current_id());
+  });
+  connect(save, &QPushButton::clicked, this, &ExportDialog::ask_where);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(list_, &QListWidget::currentRowChanged, this, &ExportDialog::show_current);
+  auto* grid = new QGridLayout(this);
+  grid->addWidget(list_, 0, 0, 2, 1);
+  grid->addWidget(direction_, 0, 1);
+  grid->addWidget(preview_, 1, 1);
+  grid->addWidget(buttons, 2, 0, 1, 2);
+  grid->setColumnStretch(1, 1);
+  grid->setRowStretch(1, 1);
+  resize(760, 460);
+  list_->setCurrentRow(0);
+}
+
+QString ExportDialog::current_id() const {
+  const int row = list_->currentRow();
+  return row < 0 ? QString() : formats_[static_cast<std::size_t>(row)].id;
+}
+
+QString ExportDialog::current_text() const { return preview_->toPlainText(); }
+
+void ExportDialog::choose(const QString& id) {
+  for (std::size_t i = 0; i < formats_.size(); ++i)
+    if (formats_[i].id == id) list_->setCurrentRow(static_cast<int>(i));
+}
+
+void ExportDialog::show_current() {
+  if (list_->currentRow() < 0) return;
+  const ExportFormat& format = formats_[static_cast<std::size_t>(list_->currentRow())];
+  direction_->setText("<b>" + tr("Direction:").toHtmlEscaped() + "</b> " + format.direction.toHtmlEscaped());
+  preview_->setPlainText(text_of_(format.id));
+}
+
+void ExportDialog::ask_where() {
+  if (list_->currentRow() < 0) return;
+  const ExportFormat& format = formats_[static_cast<std::size_t>(list_->currentRow())];
+  const QString path = QFileDialog::getSaveFileName(this, tr("Save %1").arg(format.title), format.file_name);
+  if (!path.isEmpty()) emit save_requested(format.id, path, current_text());
+}
+
+}  // namespace remount

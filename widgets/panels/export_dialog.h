@@ -1,0 +1,44 @@
+// Choose a format, see the text and its direction, copy or save it.
+#pragma once
+
+#include <QDialog>
+#include <functional>
+#include <vector>
+
+class QLabel;
+class QListWidget;
+class QPlainTextEdit;
+
+namespace remount {
+
+struct ExportFormat {
+  QString id, title;
+  QString direction;  ///< "LiDAR -> INS", in words
+  QString file_name;  ///< suggested
+};
+
+class ExportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  using TextOf = std::function<QString(const QString& id)>;
+  ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent = nullptr);
+  QString current_id() const;
+  QString current_text() const;
+  void choose(const QString& id);
+
+ signals:
+  void copied(const QString& id);
+  void save_requested(const QString& id, const QString& path, const QString& text);
+
+ private:
+  void show_current();
+  void ask_where();
+
+  std::vector<ExportFormat> formats_;
+  TextOf text_of_;
+  QListWidget* list_;
+  QPlainTextEdit* preview_;
+  QLabel* direction_;
+};
+
+}  // namespace remount

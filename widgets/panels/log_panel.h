@@ -1,0 +1,17 @@
+// What happened, line by line.
+#pragma once
+
+#include <QPlainTextEdit>
+
+#include "model/session.h"
+
+namespace remount {
+
+class LogPanel : public QPlainTextEdit {
+  Q_OBJECT
+ public:
+  explicit LogPanel(QWidget* parent = nullptr);
+  void add(Severity severity, const QString& where, const QString& what);
+};
+
+}  // namespace remount

@@ -1,0 +1,22 @@
+// A line across the window that says what went wrong, where, and what to try; it waits to be read.
+#pragma once
+
+#include <QFrame>
+
+#include "model/session.h"
+
+class QLabel;
+
+namespace remount {
+
+class MessageBanner : public QFrame {
+  Q_OBJECT
+ public:
+  explicit MessageBanner(QWidget* parent = nullptr);
+  void show_message(Severity severity, const QString& where, const QString& what);
+
+ private:
+  QLabel* text_;
+};
+
+}  // namespace remount

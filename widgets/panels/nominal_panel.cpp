@@ -1,0 +1,85 @@
+#include "widgets/panels/nominal_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QSignalBlocker>
+
+#include "algorithms/calibration/calibration_result.h"
+
+namespace remount {
+
+NominalPanel::NominalPanel(QWidget* parent)
+    : QWidget(parent),
+      unknown_(new QRadioButton(tr("Unknown"), this)),
+      known_(new QRadioButton(tr("About here:"), this)) {
+  unknown_->setToolTip(tr("The mounting is found from nothing, however the sensor is turned"));
+  known_->setToolTip(
+      tr("Pose of the LiDAR in the INS frame (x forward, y left, z up); R = Rz(yaw) Ry(pitch) Rx(roll)"));
+  unknown_->setChecked(true);
+  auto* file = new QPushButton(tr("From file…"), this);
+  file->setToolTip(tr("A result of an earlier calibration, or any format that can be exported"));
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->addWidget(unknown_, 0, 0, 1, 2);
+  grid->addWidget(known_, 1, 0, 1, 2);
+  grid->addWidget(file, 1, 2, 1, 2);
+  for (int i = 0; i < 6; ++i) {
+    const bool angle = i >= 3;
+    const auto name = kParameterNames[static_cast<std::size_t>(i)];
+    const QString text = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    auto* spin = new QDoubleSpinBox(this);
+    spin->setDecimals(3);
+    spin->setRange(angle ? -360.0 : -1000.0, angle ? 360.0 : 1000.0);
+    spin->setSingleStep(angle ? 1.0 : 0.1);
+    spin->setSuffix(angle ? QStringLiteral("°") : QStringLiteral(" m"));
+    spin->setKeyboardTracking(false);
+    spin->setAccessibleName(tr("Nominal %1").arg(text));
+    spin->setObjectName("nominal." + text);
+    spin->setEnabled(false);
+    connect(spin, &QDoubleSpinBox::valueChanged, this, &NominalPanel::send);
+    auto* label = new QLabel(text, this);
+    label->setBuddy(spin);
+    grid->addWidget(label, 2 + i % 3, angle ? 2 : 0);
+    grid->addWidget(spin, 2 + i % 3, angle ? 3 : 1);
+    values_[static_cast<std::size_t>(i)] = spin;
+  }
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(3, 1);
+  connect(known_, &QRadioButton::toggled, this, [this](bool on) {
+    for (QDoubleSpinBox* spin : values_) spin->setEnabled(on);
+    send();
+  });
+  connect(file, &QPushButton::clicked, this, &NominalPanel::file_requested);
+}
+
+void NominalPanel::send() {
+  if (!known_->isChecked()) {
+    emit nominal_edited(std::nullopt);
+    return;
+  }
+  const auto radians = [this](std::size_t i) { return degrees_to_radians(values_[i]->value()); };
+  emit nominal_edited(rigid_from_six(
+      {values_[0]->value(), values_[1]->value(), values_[2]->value(), radians(3), radians(4), radians(5)}));
+}
+
+void NominalPanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
+  const QSignalBlocker quiet_known(known_), quiet_unknown(unknown_);
+  (ins_from_lidar ? known_ : unknown_)->setChecked(true);
+  const SixParameters six = six_from_rigid(ins_from_lidar.value_or(RigidTransform::Identity()));
+  const std::array<double, 6> shown{six.x_m,
+                                    six.y_m,
+                                    six.z_m,
+                                    radians_to_degrees(six.yaw_rad),
+                                    radians_to_degrees(six.pitch_rad),
+                                    radians_to_degrees(six.roll_rad)};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const QSignalBlocker quiet(values_[i]);
+    values_[i]->setEnabled(ins_from_lidar.has_value());
+    if (ins_from_lidar) values_[i]->setValue(shown[i]);
+  }
+}
+
+}  // namespace remount

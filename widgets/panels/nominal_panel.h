@@ -1,0 +1,32 @@
+// Where the LiDAR is believed to sit: unknown, six numbers, or from a file.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <optional>
+
+#include "algorithms/geometry/rigid_transform.h"
+
+class QDoubleSpinBox;
+class QRadioButton;
+
+namespace remount {
+
+class NominalPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit NominalPanel(QWidget* parent = nullptr);
+  void show_nominal(const std::optional<RigidTransform>& ins_from_lidar);
+
+ signals:
+  void nominal_edited(const std::optional<remount::RigidTransform>& ins_from_lidar);
+  void file_requested();
+
+ private:
+  void send();
+  QRadioButton* unknown_;
+  QRadioButton* known_;
+  std::array<QDoubleSpinBox*, 6> values_{};  // order of kParameterNames; degrees
+};
+
+}  // namespace remount

@@ -1,0 +1,29 @@
+// All options, section by section, generated from their descriptions.
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "widgets/forms/option_form.h"
+
+class QLabel;
+
+namespace remount {
+
+/// Stays open beside the window; every edit is sent at once and can be undone there.
+class OptionsDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit OptionsDialog(const Settings& settings, QWidget* parent = nullptr);
+  void show_settings(const Settings& settings);
+
+ signals:
+  void edited(const QString& section, const QString& name, const QVariant& value);
+  void defaults_requested();
+
+ private:
+  std::vector<OptionForm*> forms_;
+  QLabel* problems_;
+};
+
+}  // namespace remount

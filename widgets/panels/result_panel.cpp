@@ -1,0 +1,223 @@
+#include "widgets/panels/result_panel.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <cmath>
+
+#include "widgets/theme.h"
+
+namespace remount {
+namespace {
+
+QString parameter_name(std::size_t i) {
+  return QString::fromUtf8(kParameterNames[i].data(), static_cast<qsizetype>(kParameterNames[i].size()));
+}
+
+bool is_angle(std::size_t i) { return i >= 3; }
+QString unit(std::size_t i) { return is_angle(i) ? QStringLiteral("°") : QStringLiteral(" m"); }
+double on_screen(std::size_t i, double value) { return is_angle(i) ? radians_to_degrees(value) : value; }
+
+QString html_list(const QString& title, const QStringList& items) {
+  if (items.isEmpty()) return {};
+  QString html = "<p><b>" + title.toHtmlEscaped() + "</b></p><ul style='margin-left:-22px; margin-top:0'>";
+  for (const QString& item : items) html += "<li>" + item.toHtmlEscaped() + "</li>";
+  return html + "</ul>";
+}
+
+QColor status_color(Status status, const QPalette& palette) {
+  if (status == Status::Ok) return good_color(palette);
+  return status == Status::Degenerate || status == Status::Inconsistent ? warning_color(palette) : bad_color(palette);
+}
+
+}  // namespace
+
+QString status_title(Status status) {
+  switch (status) {
+    case Status::Ok:
+      return ResultPanel::tr("Solved");
+    case Status::Degenerate:
+      return ResultPanel::tr("Solved, but not every direction");
+    case Status::TooFewPairs:
+      return ResultPanel::tr("Not solved: too few pairs");
+    case Status::NotConverged:
+      return ResultPanel::tr("Not solved: did not converge");
+    case Status::OutOfRange:
+      return ResultPanel::tr("Not solved: nothing in the search range");
+    case Status::Inconsistent:
+      return ResultPanel::tr("Do not trust: the pairs contradict each other");
+    case Status::Cancelled:
+      return ResultPanel::tr("Cancelled");
+  }
+  return {};
+}
+
+bool has_numbers(Status status) {
+  return status == Status::Ok || status == Status::Degenerate || status == Status::Inconsistent;
+}
+
+std::array<double, 6> six_on_screen(const RigidTransform& ins_from_lidar) {
+  const SixParameters six = six_from_rigid(ins_from_lidar);
+  return {six.x_m,
+          six.y_m,
+          six.z_m,
+          radians_to_degrees(six.yaw_rad),
+          radians_to_degrees(six.pitch_rad),
+          radians_to_degrees(six.roll_rad)};
+}
+
+QString result_as_text(const CalibrationResult& result) {
+  QStringList lines{status_title(result.status),
+                    ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)")};
+  const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
+  for (std::size_t i = 0; i < values.size() && has_numbers(result.status); ++i) {
+    const std::optional<double> sigma = result.sigma(i);
+    lines << QStringLiteral("%1 = %2%3 %4")
+                 .arg(parameter_name(i))
+                 .arg(values[i], 0, 'f', 4)
+                 .arg(unit(i), sigma ? QStringLiteral("± %1%2").arg(on_screen(i, *sigma), 0, 'f', 4).arg(unit(i))
+                                     : ResultPanel::tr("(not observed: nominal kept)"));
+  }
+  return lines.join('\n');
+}
+
+ResultPanel::ResultPanel(QWidget* parent)
+    : QScrollArea(parent),
+      status_(new QLabel),
+      note_(new QLabel),
+      words_(new QLabel),
+      copy_(new QPushButton(tr("Copy"))),
+      export_(new QPushButton(tr("Export…"))) {
+  auto* content = new QWidget;
+  auto* grid = new QGridLayout(content);
+  grid->setContentsMargins(8, 8, 8, 8);
+  for (QLabel* label : {status_, note_, words_}) {
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  }
+  status_->setAccessibleName(tr("Status of the result"));
+  words_->setAccessibleName(tr("Explanation of the result"));
+  words_->setAlignment(Qt::AlignTop);
+  grid->addWidget(status_, 0, 0, 1, 4);
+  grid->addWidget(note_, 1, 0, 1, 4);
+  const std::array<QString, 4> titles{QString(), tr("LiDAR in INS"), tr("1 sigma"), tr("moved")};
+  for (int column = 0; column < 4; ++column) {
+    auto* title = new QLabel(titles[static_cast<std::size_t>(column)]);
+    title->setAlignment(Qt::AlignRight);
+    title->setEnabled(false);
+    grid->addWidget(title, 2, column);
+  }
+  QFont digits = font();
+  digits.setStyleHint(QFont::Monospace);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const int row = 3 + static_cast<int>(i);
+    grid->addWidget(new QLabel(parameter_name(i)), row, 0);
+    rows_[i] = {new QLabel, new QLabel, new QLabel};
+    int column = 1;
+    for (QLabel* label : {rows_[i].value, rows_[i].sigma, rows_[i].moved}) {
+      label->setAlignment(Qt::AlignRight);
+      label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+      grid->addWidget(label, row, column++);
+    }
+    rows_[i].value->setAccessibleName(tr("Value of %1").arg(parameter_name(i)));
+    rows_[i].sigma->setAccessibleName(tr("Sigma of %1").arg(parameter_name(i)));
+    rows_[i].moved->setToolTip(tr("Change since the result before the last decision"));
+  }
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(copy_);
+  buttons->addWidget(export_);
+  buttons->addStretch();
+  grid->addLayout(buttons, 9, 0, 1, 4);
+  grid->addWidget(words_, 10, 0, 1, 4);
+  grid->setRowStretch(10, 1);
+  grid->setColumnStretch(1, 1);
+  connect(copy_, &QPushButton::clicked, this, &ResultPanel::copy_requested);
+  connect(export_, &QPushButton::clicked, this, &ResultPanel::export_requested);
+  setWidget(content);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  show_note({});
+  show_output(nullptr, nullptr);
+}
+
+void ResultPanel::show_note(const QString& note) {
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+  note_->setStyleSheet("color: " + warning_color(palette()).name());
+}
+
+void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
+                              std::shared_ptr<const PipelineOutput> before) {
+  const bool numbers = output && has_numbers(output->result.status);
+  copy_->setEnabled(numbers);
+  export_->setEnabled(numbers);
+  if (!output) {
+    status_->setText(tr("No result yet"));
+    status_->setStyleSheet({});
+    words_->setText(tr("Open sessions and calibrate (F5)."));
+    for (Row& row : rows_)
+      for (QLabel* label : {row.value, row.sigma, row.moved})
+        label->setText(label == row.value ? QStringLiteral("–") : QString());
+    return;
+  }
+  const QColor color = status_color(output->result.status, palette());
+  status_->setText(status_title(output->result.status));
+  status_->setStyleSheet(QStringLiteral("font-weight: bold; padding: 5px; border-left: 4px solid %1; background: %2")
+                             .arg(color.name(), tinted(color, palette()).name()));
+  show_parameters(output->result, before && has_numbers(before->result.status) ? &before->result : nullptr);
+  show_words(*output);
+}
+
+void ResultPanel::show_parameters(const CalibrationResult& result, const CalibrationResult* before) {
+  const bool numbers = has_numbers(result.status);
+  const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
+  const std::array<double, 6> old = before ? six_on_screen(before->ins_from_lidar) : values;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const std::optional<double> sigma = result.sigma(i);
+    Row& row = rows_[i];
+    row.value->setText(numbers ? QString::number(values[i], 'f', 4) + unit(i) : QStringLiteral("–"));
+    row.value->setEnabled(numbers && sigma.has_value());
+    const double spread = sigma ? on_screen(i, *sigma) : 0.0;
+    row.sigma->setText(!numbers ? QString()
+                       : sigma  ? QStringLiteral("± %1").arg(spread, 0, 'f', 4)
+                                : tr("not observed"));
+    row.sigma->setStyleSheet(sigma || !numbers ? QString() : "color: " + warning_color(palette()).name());
+    row.sigma->setToolTip(sigma || !numbers
+                              ? tr("From the joint solution and the bootstrap over pairs")
+                              : tr("This drive says nothing about it; the value shown is the one assumed before"));
+    double change = values[i] - old[i];
+    if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
+    const bool visible = numbers && before && std::abs(change) >= 5e-5;
+    row.moved->setText(visible ? QStringLiteral("%1%2").arg(change > 0 ? "+" : "").arg(change, 0, 'f', 4) : QString());
+  }
+}
+
+void ResultPanel::show_words(const PipelineOutput& output) {
+  const CalibrationResult& result = output.result;
+  QString html = "<p>" + QString::fromStdString(result.message).toHtmlEscaped() + "</p>";
+  QStringList advice, blind, figures;
+  for (const std::string& sentence : result.advice) advice << QString::fromStdString(sentence);
+  for (const ObservabilityDirection& direction : result.directions)
+    if (!direction.observed && !direction.words.empty()) blind << QString::fromStdString(direction.words);
+  figures << tr("%1 pairs: %2 accepted, %3 rejected")
+                 .arg(result.pairs_proposed)
+                 .arg(result.pairs_accepted)
+                 .arg(result.pairs_rejected);
+  if (has_numbers(result.status)) {
+    figures << tr("residuals: %1 cm, %2° (rms)")
+                   .arg(100.0 * result.translation_rms_m, 0, 'f', 2)
+                   .arg(radians_to_degrees(result.rotation_rms_rad), 0, 'f', 3);
+    figures << tr("E = %1 (Frobenius sum)").arg(result.frobenius_sum, 0, 'f', 4);
+  }
+  if (std::isfinite(result.time_offset.offset_s))
+    figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
+                   .arg(1e3 * result.time_offset.offset_s, 0, 'f', 1)
+                   .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 1)
+                   .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
+  html +=
+      html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
+  words_->setText(html);
+}
+
+}  // namespace remount

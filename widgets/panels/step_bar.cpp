@@ -1,0 +1,76 @@
+#include "widgets/panels/step_bar.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+#include "widgets/theme.h"
+
+namespace remount {
+
+StepBar::StepBar(QWidget* parent) : QWidget(parent) {
+  const std::array<QString, kStepCount> help{
+      tr("Open the recorded sessions of one vehicle"), tr("Choose scans and pair those that see the same objects"),
+      tr("Align the two scans of every pair"),         tr("Look at the pairs and decide on doubtful ones"),
+      tr("The mounting that explains the pairs"),      tr("Write the result for other software")};
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(6, 4, 6, 4);
+  layout->setSpacing(4);
+  for (std::size_t i = 0; i < kStepCount; ++i) {
+    buttons_[i] = new QToolButton(this);
+    buttons_[i]->setToolTip(help[i]);
+    buttons_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(buttons_[i], &QToolButton::clicked, this, [this, i] { emit step_clicked(static_cast<Step>(i)); });
+    layout->addWidget(buttons_[i], 1);
+  }
+  show_steps({});
+}
+
+void StepBar::show_steps(const std::array<StepInfo, kStepCount>& steps) {
+  steps_ = steps;
+  restyle();
+}
+
+void StepBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) restyle();
+  QWidget::changeEvent(event);
+}
+
+void StepBar::restyle() {
+  const std::array<QString, kStepCount> titles{tr("Load"),   tr("Pairs"), tr("Align"),
+                                               tr("Review"), tr("Solve"), tr("Export")};
+  for (std::size_t i = 0; i < kStepCount; ++i) {
+    const StepInfo& step = steps_[i];
+    QColor color = palette().color(QPalette::Disabled, QPalette::WindowText);
+    QString sign = QString::number(i + 1), state = tr("waiting");
+    switch (step.state) {
+      case StepState::Waiting:
+        break;
+      case StepState::Next:
+        color = palette().color(QPalette::Highlight), state = tr("next");
+        break;
+      case StepState::Running:
+        color = palette().color(QPalette::Highlight), sign = QStringLiteral("…"), state = tr("running");
+        break;
+      case StepState::Done:
+        color = good_color(palette()), sign = QStringLiteral("✓"), state = tr("done");
+        break;
+      case StepState::Attention:
+        color = warning_color(palette()), sign = QStringLiteral("▲"), state = tr("needs attention");
+        break;
+    }
+    const QString detail = step.detail.isEmpty() ? state : step.detail;
+    buttons_[i]->setText(sign + QStringLiteral("  ") + titles[i] + '\n' + detail);
+    buttons_[i]->setAccessibleName(tr("Step %1: %2, %3").arg(titles[i], state, detail));
+    const bool plain = step.state == StepState::Waiting;
+    buttons_[i]->setStyleSheet(
+        QStringLiteral(
+            "QToolButton { border: none; border-bottom: 3px solid %1; padding: 4px 6px; background: %2; color: %3; }"
+            "QToolButton:hover, QToolButton:focus { background: %4; }")
+            .arg(color.name(), plain ? QStringLiteral("transparent") : tinted(color, palette()).name(),
+                 (plain ? color : palette().color(QPalette::WindowText)).name(),
+                 palette().color(QPalette::Button).darker(is_dark(palette()) ? 80 : 106).name()));
+  }
+}
+
+}  // namespace remount

@@ -1,0 +1,38 @@
+// The way of a calibration, at the top of the window: what is done, what is next.
+#pragma once
+
+#include <QWidget>
+#include <array>
+
+class QToolButton;
+
+namespace remount {
+
+enum class Step { Load, Pairs, Align, Review, Solve, Export };
+enum class StepState { Waiting, Next, Running, Done, Attention };
+
+struct StepInfo {
+  StepState state = StepState::Waiting;
+  QString detail;  ///< "2 sessions"
+};
+inline constexpr std::size_t kStepCount = 6;
+
+class StepBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StepBar(QWidget* parent = nullptr);
+  void show_steps(const std::array<StepInfo, kStepCount>& steps);
+
+ signals:
+  void step_clicked(remount::Step step);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void restyle();
+  std::array<StepInfo, kStepCount> steps_;
+  std::array<QToolButton*, kStepCount> buttons_{};
+};
+
+}  // namespace remount

@@ -1,0 +1,96 @@
+#include "widgets/scene/scene_polydata.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFloatArray.h>
+#include <vtkPoints.h>
+#include <vtkUnsignedCharArray.h>
+
+namespace remount {
+namespace {
+
+struct LineBuilder {
+  vtkSmartPointer<vtkPoints> points = vtkSmartPointer<vtkPoints>::New();
+  vtkSmartPointer<vtkCellArray> lines = vtkSmartPointer<vtkCellArray>::New();
+  vtkSmartPointer<vtkUnsignedCharArray> colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+
+  LineBuilder() { colors->SetNumberOfComponents(3); }
+
+  void line(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const SceneColor& color) {
+    const vtkIdType ends[2] = {points->InsertNextPoint(from.data()), points->InsertNextPoint(to.data())};
+    lines->InsertNextCell(2, ends);
+    colors->InsertNextTypedTuple(color.data());
+  }
+
+  vtkSmartPointer<vtkPolyData> build() const {
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetLines(lines);
+    data->GetCellData()->SetScalars(colors);
+    return data;
+  }
+};
+
+Eigen::Vector3d corner(const SceneObject& object, int index) {
+  const auto pick = [&](int axis) {
+    return static_cast<double>((index >> axis) & 1 ? object.box_max_in_lidar[axis] : object.box_min_in_lidar[axis]);
+  };
+  return {pick(0), pick(1), pick(2)};
+}
+
+void add_box(LineBuilder& builder, const ObjectBox& box, const SceneColor& color) {
+  for (int from = 0; from < 8; ++from) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const int to = from | (1 << axis);
+      if (to != from) builder.line(corner(*box.object, from), corner(*box.object, to), color);
+    }
+  }
+  if (!box.moving) return;
+  for (int from = 0; from < 4; ++from) builder.line(corner(*box.object, from), corner(*box.object, 7 - from), color);
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> polydata_from_cloud(const PointCloud& cloud) {
+  auto coordinates = vtkSmartPointer<vtkFloatArray>::New();
+  coordinates->SetNumberOfComponents(3);
+  coordinates->Allocate(static_cast<vtkIdType>(3 * cloud.size()));
+  for (const Eigen::Vector3f& point : cloud.points)
+    if (point.allFinite()) coordinates->InsertNextTypedTuple(point.data());
+  const vtkIdType count = coordinates->GetNumberOfTuples();
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(coordinates);
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  if (count > 0) {
+    vertices->InsertNextCell(static_cast<int>(count));
+    for (vtkIdType i = 0; i < count; ++i) vertices->InsertCellPoint(i);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetVerts(vertices);
+  return data;
+}
+
+vtkSmartPointer<vtkPolyData> polydata_from_boxes(const std::vector<ObjectBox>& boxes, SceneColor still,
+                                                 SceneColor moving) {
+  LineBuilder builder;
+  for (const ObjectBox& box : boxes) add_box(builder, box, box.moving ? moving : still);
+  return builder.build();
+}
+
+vtkSmartPointer<vtkPolyData> polydata_from_links(const std::vector<SceneObject>& objects_a,
+                                                 const std::vector<SceneObject>& objects_b,
+                                                 const std::vector<ObjectMatch>& matches,
+                                                 const RigidTransform& lidar_b_from_lidar_a, SceneColor still,
+                                                 SceneColor moving) {
+  LineBuilder builder;
+  for (const ObjectMatch& match : matches) {
+    const Eigen::Vector3d from =
+        lidar_b_from_lidar_a * objects_a.at(static_cast<std::size_t>(match.object_a)).centroid_in_lidar.cast<double>();
+    const Eigen::Vector3d to = objects_b.at(static_cast<std::size_t>(match.object_b)).centroid_in_lidar.cast<double>();
+    builder.line(from, to, match.moving ? moving : still);
+  }
+  return builder.build();
+}
+
+}  // namespace remount

@@ -1,0 +1,36 @@
+// VTK geometry from clouds and objects.
+#pragma once
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <vector>
+
+#include "algorithms/cloud/objects.h"
+
+namespace remount {
+
+using SceneColor = std::array<unsigned char, 3>;
+
+/// Points as one vertex cell; those that are not finite are left out.
+vtkSmartPointer<vtkPolyData> polydata_from_cloud(const PointCloud& cloud);
+
+/// One object to be drawn as a box; moving ones are crossed out.
+struct ObjectBox {
+  const SceneObject* object = nullptr;
+  bool moving = false;
+};
+
+/// Edges of the boxes in the lidar frame, coloured by `still` or `moving`.
+vtkSmartPointer<vtkPolyData> polydata_from_boxes(const std::vector<ObjectBox>& boxes, SceneColor still,
+                                                 SceneColor moving);
+
+/// Lines between matched centroids, in the frame of lidar b.
+vtkSmartPointer<vtkPolyData> polydata_from_links(const std::vector<SceneObject>& objects_a,
+                                                 const std::vector<SceneObject>& objects_b,
+                                                 const std::vector<ObjectMatch>& matches,
+                                                 const RigidTransform& lidar_b_from_lidar_a, SceneColor still,
+                                                 SceneColor moving);
+
+}  // namespace remount
