@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/io/safe_yaml.h"
+#include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
 #include "model/result_file.h"
 #include "model/settings_file.h"

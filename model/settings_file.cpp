@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "algorithms/core/error.h"
-#include "model/io/safe_yaml.h"
+#include "model/io/parse_document.h"
 
 namespace remount {
 namespace {

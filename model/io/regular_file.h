@@ -1,15 +1,9 @@
-// Reads whole small files, and nothing but regular files.
+// Opens regular files and nothing else, for reading in pieces.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <string>
 
 namespace remount {
-
-/// The bytes of a regular file of at most `max_bytes`. Throws Error(Io) for what is missing, cannot be read, or is no
-/// regular file (a directory, a FIFO or a device would hang or never end), Error(Format) for what is larger.
-std::string read_regular_file(const std::filesystem::path& path, std::size_t max_bytes);
 
 /// Closes a file descriptor when it goes out of scope.
 class FileDescriptor {
@@ -29,7 +23,7 @@ class FileDescriptor {
   int descriptor_ = -1;
 };
 
-/// Opens a regular file for reading; errors as read_regular_file. `size` receives its length in bytes.
-FileDescriptor open_regular_file(const std::filesystem::path& path, std::size_t& size);
+/// Opens a regular file for reading. Throws Error(Io) for what is missing, cannot be read, or is no regular file.
+FileDescriptor open_regular_file(const std::filesystem::path& path);
 
 }  // namespace remount

@@ -76,8 +76,7 @@ std::string Sha256::finish() {
 }
 
 std::string sha256_of_file(const std::filesystem::path& path) {
-  std::size_t size = 0;
-  const FileDescriptor file = open_regular_file(path, size);
+  const FileDescriptor file = open_regular_file(path);
   Sha256 hash;
   std::vector<char> buffer(1 << 16);
   for (;;) {

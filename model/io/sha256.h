@@ -27,7 +27,7 @@ class Sha256 {
   std::uint64_t length_ = 0;
 };
 
-/// Of a regular file, in bounded memory. Throws Error(Io) as read_regular_file does.
+/// Of a regular file, in bounded memory. Throws Error(Io).
 std::string sha256_of_file(const std::filesystem::path& path);
 
 }  // namespace remount

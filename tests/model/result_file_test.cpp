@@ -7,7 +7,7 @@
 #include <random>
 
 #include "algorithms/core/error.h"
-#include "model/io/safe_yaml.h"
+#include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
 #include "model/settings_file.h"
 

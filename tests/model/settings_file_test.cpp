@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/core/error.h"
-#include "model/io/safe_yaml.h"
+#include "model/io/parse_document.h"
 
 namespace remount {
 namespace {

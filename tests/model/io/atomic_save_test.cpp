@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "algorithms/core/error.h"
-#include "model/io/regular_file.h"
+#include "model/io/input_file.h"
 #include "model/io/sha256.h"
 
 namespace remount {

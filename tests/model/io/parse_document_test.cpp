@@ -1,4 +1,4 @@
-#include "model/io/safe_yaml.h"
+#include "model/io/parse_document.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 #include <random>
 
 #include "algorithms/core/error.h"
-#include "model/io/regular_file.h"
+#include "model/io/input_file.h"
 
 namespace remount {
 namespace {
@@ -29,7 +29,7 @@ std::string yaml_error(const std::string& text, const DocumentLimits& limits = {
   return error_of([&] { parse_yaml(text, "in.yaml", limits); });
 }
 
-TEST(safe_yaml, reads_maps_lists_scalars_and_lines) {
+TEST(parse_document, reads_maps_lists_scalars_and_lines) {
   const DocumentNode root = parse_yaml("a: 1.5\nb: [1, 2, 3]\nc:\n  d: \"7\"\n  e: true\nf: ~\n", "in.yaml");
   const DocumentView view(root, "in.yaml");
   EXPECT_DOUBLE_EQ(view.at("a").number(), 1.5);
@@ -40,7 +40,7 @@ TEST(safe_yaml, reads_maps_lists_scalars_and_lines) {
   EXPECT_TRUE(view.at("f").is_null());
 }
 
-TEST(safe_yaml, refuses_what_can_grow_or_hide) {
+TEST(parse_document, refuses_what_can_grow_or_hide) {
   EXPECT_NE(yaml_error("a: &x 1\nb: 2\n").find("in.yaml:1: anchors"), std::string::npos) << yaml_error("a: &x 1\n");
   EXPECT_NE(yaml_error("a: &x [1]\nb: *x\n").find("anchors"), std::string::npos);
   EXPECT_NE(yaml_error("&a [*a]").find("anchors"), std::string::npos);
@@ -53,7 +53,7 @@ TEST(safe_yaml, refuses_what_can_grow_or_hide) {
   EXPECT_NE(yaml_error("a: [1, 2\n").find("in.yaml:"), std::string::npos);
 }
 
-TEST(safe_yaml, keeps_its_limits_quickly) {
+TEST(parse_document, keeps_its_limits_quickly) {
   const auto start = std::chrono::steady_clock::now();
   EXPECT_NE(yaml_error(std::string(400000, '[')), "");
   EXPECT_NE(yaml_error(std::string((1 << 20) + 1, ' ')).find("bytes long"), std::string::npos);
@@ -69,7 +69,7 @@ TEST(safe_yaml, keeps_its_limits_quickly) {
   RecordProperty("seconds", std::to_string(seconds));
 }
 
-TEST(safe_yaml, survives_mutated_documents) {
+TEST(parse_document, survives_mutated_documents) {
   const std::string good = "format: x/1\nlist: [1, 2, {a: b}]\nmap:\n  k: \"v\\n\"\n  l: |\n    text\n  m: 'q'\n";
   std::mt19937 random(7);
   int accepted = 0;
@@ -84,7 +84,7 @@ TEST(safe_yaml, survives_mutated_documents) {
   RecordProperty("accepted", accepted);
 }
 
-TEST(safe_yaml, json_has_the_same_refusals) {
+TEST(parse_document, json_has_the_same_refusals) {
   EXPECT_NE(error_of([] { parse_json("{\"a\": 1, \"a\": 2}", "in.json"); }).find("appears twice"), std::string::npos);
   EXPECT_NE(error_of([] { parse_json("{\n\"a\": 1,\n}", "in.json"); }).find("in.json:3"), std::string::npos)
       << error_of([] { parse_json("{\n\"a\": 1,\n}", "in.json"); });
@@ -151,15 +151,15 @@ TEST(document, numbers_are_checked) {
   EXPECT_NE(error_of([&] { view.allow_only({"a", "b"}); }).find("in.yaml:3: c: is not a key"), std::string::npos);
 }
 
-TEST(regular_file, refuses_folders_fifos_and_devices) {
+TEST(parse_document, file_must_be_regular) {
   const auto folder = std::filesystem::temp_directory_path() / ("remount_regular_" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
   const auto fifo = folder / "fifo";
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
-  EXPECT_NE(error_of([&] { read_regular_file(folder, 10); }).find("is a folder"), std::string::npos);
-  EXPECT_NE(error_of([&] { read_regular_file(fifo, 10); }).find("not a regular file"), std::string::npos);
-  EXPECT_NE(error_of([&] { read_regular_file("/dev/zero", 10); }).find("not a regular file"), std::string::npos);
-  EXPECT_NE(error_of([&] { read_regular_file(folder / "none", 10); }).find("cannot be opened"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_document(folder); }).find("is a directory"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_document(fifo); }).find("expected a regular file"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_document("/dev/zero"); }).find("expected a regular file"), std::string::npos);
+  EXPECT_NE(error_of([&] { read_document(folder / "none"); }).find("cannot be opened"), std::string::npos);
   std::filesystem::remove_all(folder);
 }
 
