@@ -48,8 +48,8 @@ std::string quoted(const std::string& text) {
 
 /// Whether YAML reads the text as a string without quotes. Only plain words: everything doubtful is quoted.
 bool is_bare_word(const std::string& text) {
-  static constexpr std::array<std::string_view, 12> kReserved{"true", "false", "null", "yes", "no",  "on",
-                                                              "off",  "y",     "n",    "nan", "inf", "infinity"};
+  static constexpr std::array<std::string_view, 10> kReserved{"true", "false", "null", "yes", "no",
+                                                              "on",   "off",   "nan",  "inf", "infinity"};
   if (text.empty() || text.size() > 60) return false;
   std::string lower;
   for (const char c : text) {

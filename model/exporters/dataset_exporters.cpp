@@ -1,0 +1,86 @@
+// Calibration files that go from the INS to the LiDAR: KITTI and OpenCalib. Both hold the inverse of X.
+#include "algorithms/core/error.h"
+#include "model/exporters/builtin.h"
+#include "model/exporters/export_text.h"
+#include "model/io/input_file.h"
+#include "model/io/parse_document.h"
+#include "model/io/transform_document.h"
+
+namespace remount {
+namespace {
+
+class KittiExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "kitti"; }
+  std::string_view description() const override { return "KITTI calib_imu_to_velo.txt"; }
+  std::string_view direction() const override {
+    return "ins to lidar, the inverse of X: point_in_lidar = R point_in_ins + T";
+  }
+  std::string_view file_name() const override { return "calib_imu_to_velo.txt"; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    const RigidTransform lidar_from_ins = result.result.ins_from_lidar.inverse();
+    const Eigen::Matrix3d r = lidar_from_ins.linear();
+    const Eigen::Vector3d t = lidar_from_ins.translation();
+    // The time stands in the first line of KITTI's files; without a clock the same result gives the same bytes.
+    return "calib_time: 01-Jan-1970 00:00:00\nR: " +
+           joined({r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)}) +
+           "\nT: " + joined({t.x(), t.y(), t.z()}) + "\n";
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    std::vector<double> r, t;
+    LineReader lines(text);
+    for (std::string_view line; lines.next(line);) {
+      if (line.starts_with("R:")) r = numbers_in(line.substr(2), where);
+      if (line.starts_with("T:")) t = numbers_in(line.substr(2), where);
+    }
+    if (r.size() != 9 || t.size() != 3)
+      throw Error(ErrorCode::Format, where, "expected a line \"R:\" with nine numbers and a line \"T:\" with three");
+    return rigid_from_rows({r[0], r[1], r[2], t[0], r[3], r[4], r[5], t[1], r[6], r[7], r[8], t[2]}, where).inverse();
+  }
+};
+
+class OpenCalibExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "opencalib"; }
+  std::string_view description() const override { return "OpenCalib extrinsic JSON"; }
+  std::string_view direction() const override {
+    return "ins to lidar, the inverse of X: point_in_lidar = matrix * point_in_ins";
+  }
+  std::string_view file_name() const override { return "gnss-to-lidar-extrinsic.json"; }
+  std::string write(const ResultFile& result, const ExportNames& names) const override {
+    const RigidTransform lidar_from_ins = result.result.ins_from_lidar.inverse();
+    const std::string ins = names.ins_frame.empty() ? "gnss" : names.ins_frame;
+    const std::string lidar = names.lidar_frame.empty() ? "lidar" : names.lidar_frame;
+    DocumentNode root = DocumentNode::map();
+    DocumentNode& entry = root.add(ins + "-to-" + lidar + "-extrinsic", DocumentNode::map());
+    entry.add("param_type", DocumentNode::string("extrinsic"));
+    entry.add("sensor_name", DocumentNode::string(ins));
+    entry.add("target_sensor_name", DocumentNode::string(lidar));
+    entry.add("device_type", DocumentNode::string("relational"));
+    DocumentNode& parameters = entry.add("param", DocumentNode::map());
+    DocumentNode& calibration = parameters.add("sensor_calib", DocumentNode::map());
+    DocumentNode& data = calibration.add("data", DocumentNode::sequence());
+    for (int row = 0; row < 4; ++row)
+      data.add(DocumentNode::numbers(
+          {lidar_from_ins(row, 0), lidar_from_ins(row, 1), lidar_from_ins(row, 2), lidar_from_ins(row, 3)}));
+    calibration.add("continuous", DocumentNode::boolean(true));
+    calibration.add("rows", DocumentNode::integer(4));
+    calibration.add("type", DocumentNode::integer(6));
+    calibration.add("cols", DocumentNode::integer(4));
+    parameters.add("time_lag", DocumentNode::integer(0));
+    return to_json(root);
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_json(text, where);
+    const auto entries = DocumentView(document, where).entries();
+    if (entries.empty()) throw Error(ErrorCode::Format, where, "expected an entry \"<a>-to-<b>-extrinsic\"");
+    return matrix_from_document(entries.front().second.at("param").at("sensor_calib").at("data")).inverse();
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Exporter> make_kitti_exporter() { return std::make_unique<KittiExporter>(); }
+std::unique_ptr<Exporter> make_opencalib_exporter() { return std::make_unique<OpenCalibExporter>(); }
+
+}  // namespace remount

@@ -1,0 +1,49 @@
+// What every export format offers, and the list of those that are built in.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/result_file.h"
+
+namespace remount {
+
+/// Names of the two frames, for formats that carry names; empty: the format's usual ones.
+struct ExportNames {
+  std::string ins_frame;
+  std::string lidar_frame;
+};
+
+class Exporter {
+ public:
+  virtual ~Exporter() = default;
+  virtual std::string_view id() const = 0;           ///< "apollo": what the command line and the window call it
+  virtual std::string_view description() const = 0;  ///< one line for help
+  /// Which way the numbers in the file go, in words ("lidar to ins: point_in_ins = R point_in_lidar + t").
+  virtual std::string_view direction() const = 0;
+  virtual std::string_view file_name() const = 0;  ///< the name under which the format's users look for it
+  /// The whole file. States its direction, and what of X is not observed, where the format allows comments.
+  virtual std::string write(const ResultFile& result, const ExportNames& names) const = 0;
+  /// ins_from_lidar of a text that write() made, or that other programs made in the same format. `where` is named in
+  /// errors. Throws Error(Format).
+  virtual RigidTransform read(std::string_view text, const std::string& where) const = 0;
+};
+
+/// The built-in exporters. Adding one: a file in this folder and a line in exporters.cpp.
+const std::vector<std::unique_ptr<Exporter>>& exporters();
+
+/// Throws Error(Contract) that lists the known ids where there is none of that name.
+const Exporter& exporter(std::string_view id);
+
+/// Sentences that a user must read before using an export: the status, and each parameter that is not observed and
+/// therefore holds the nominal value, not a measurement. Empty for a result that is observed in full.
+std::vector<std::string> export_warnings(const CalibrationResult& result);
+
+/// ins_from_lidar of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
+/// degrees), recognised by its content. Throws Error that says what was tried.
+RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path);
+
+}  // namespace remount

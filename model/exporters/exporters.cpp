@@ -1,0 +1,80 @@
+#include "algorithms/core/error.h"
+#include "model/exporters/builtin.h"
+#include "model/exporters/export_text.h"
+#include "model/exporters/exporter.h"
+#include "model/io/input_file.h"
+
+namespace remount {
+
+const std::vector<std::unique_ptr<Exporter>>& exporters() {
+  static const std::vector<std::unique_ptr<Exporter>> list = [] {
+    std::vector<std::unique_ptr<Exporter>> all;
+    all.push_back(make_yaml_exporter());
+    all.push_back(make_json_exporter());
+    all.push_back(make_matrix_exporter());
+    all.push_back(make_ros1_exporter());
+    all.push_back(make_ros2_exporter());
+    all.push_back(make_autoware_exporter());
+    all.push_back(make_apollo_exporter());
+    all.push_back(make_apollo_rfu_exporter());
+    all.push_back(make_kitti_exporter());
+    all.push_back(make_opencalib_exporter());
+    all.push_back(make_urdf_exporter());
+    return all;
+  }();
+  return list;
+}
+
+const Exporter& exporter(std::string_view id) {
+  std::string known;
+  for (const auto& candidate : exporters()) {
+    if (candidate->id() == id) return *candidate;
+    known += (known.empty() ? "" : ", ") + std::string(candidate->id());
+  }
+  throw Error(ErrorCode::Contract, "", "there is no export format \"" + std::string(id) + "\"; known are " + known);
+}
+
+std::vector<std::string> export_warnings(const CalibrationResult& result) {
+  std::vector<std::string> warnings;
+  if (!is_usable(result))
+    warnings.push_back("the calibration found no usable result (status " + std::string(to_string(result.status)) +
+                       "); do not use these numbers");
+  const std::string missing = parameter_list(result, false);
+  if (!missing.empty()) warnings.push_back("not observed, and therefore nominal and not measured: " + missing);
+  return warnings;
+}
+
+RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path) {
+  const std::string text = read_regular_file(path, std::uint64_t{64} << 20U);
+  const std::string where = path.string();
+  if (text.find("remount-result/") != std::string::npos) {
+    // A damaged or useless result must not pass as something else.
+    const ResultFile result = load_result(path);
+    if (!is_usable(result.result))
+      throw Error(
+          ErrorCode::Format, where,
+          "is a result without a usable transform (status " + std::string(to_string(result.result.status)) + ")");
+    return result.result.ins_from_lidar;
+  }
+  // Formats whose readers accept what others mean differently come after those that recognise themselves; the axes
+  // of Apollo's files cannot be recognised and are taken as the result's own.
+  std::string tried;
+  for (const char* id : {"opencalib", "ros2", "ros1", "urdf", "apollo", "kitti", "matrix", "autoware"}) {
+    try {
+      return exporter(id).read(text, where);
+    } catch (const Error& error) {
+      tried += "\n  " + std::string(id) + ": " + error.what();
+    }
+  }
+  try {
+    const std::vector<double> six = numbers_in(text, where);
+    if (six.size() == 6)
+      return rigid_from_six(
+          {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
+  } catch (const Error& error) {
+    tried += "\n  six numbers: " + std::string(error.what());
+  }
+  throw Error(ErrorCode::Format, where, "holds no transform in a format that is known here:" + tried);
+}
+
+}  // namespace remount

@@ -1,0 +1,66 @@
+// The result file itself in either notation, and the plain 4x4 matrix.
+#include "model/exporters/builtin.h"
+#include "model/exporters/export_text.h"
+#include "model/io/parse_document.h"
+
+namespace remount {
+namespace {
+
+constexpr DocumentLimits kResultLimits{64U << 20U, 1000000, 16};
+
+class YamlExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "yaml"; }
+  std::string_view description() const override { return "Remount result as YAML, with sigma, pairs and provenance"; }
+  std::string_view direction() const override { return "lidar to ins: point_in_ins = ins_from_lidar * point_in_lidar"; }
+  std::string_view file_name() const override { return "remount-result.yaml"; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    DocumentNode document = result_document(result);
+    for (const std::string& line : export_header(*this, result)) document.comment += line + "\n";
+    return to_yaml(document);
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_yaml(text, where, kResultLimits);
+    return result_from_document(DocumentView(document, where)).result.ins_from_lidar;
+  }
+};
+
+class JsonExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "json"; }
+  std::string_view description() const override { return "Remount result as JSON, with sigma, pairs and provenance"; }
+  std::string_view direction() const override { return "lidar to ins: point_in_ins = ins_from_lidar * point_in_lidar"; }
+  std::string_view file_name() const override { return "remount-result.json"; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    return to_json(result_document(result));
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_json(text, where, kResultLimits);
+    return result_from_document(DocumentView(document, where)).result.ins_from_lidar;
+  }
+};
+
+class MatrixExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "matrix"; }
+  std::string_view description() const override { return "4x4 matrix as text"; }
+  std::string_view direction() const override { return "lidar to ins: point_in_ins = matrix * point_in_lidar"; }
+  std::string_view file_name() const override { return "ins_from_lidar.txt"; }
+  std::string write(const ResultFile& result, const ExportNames&) const override {
+    std::string text = commented(export_header(*this, result), "# ");
+    const RigidTransform& x = result.result.ins_from_lidar;
+    for (int row = 0; row < 4; ++row) text += joined({x(row, 0), x(row, 1), x(row, 2), x(row, 3)}) + "\n";
+    return text;
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    return rigid_from_rows(numbers_in(text, where), where);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Exporter> make_yaml_exporter() { return std::make_unique<YamlExporter>(); }
+std::unique_ptr<Exporter> make_json_exporter() { return std::make_unique<JsonExporter>(); }
+std::unique_ptr<Exporter> make_matrix_exporter() { return std::make_unique<MatrixExporter>(); }
+
+}  // namespace remount

@@ -1,0 +1,124 @@
+// Calibration files of driving stacks: Autoware and Apollo.
+#include "algorithms/core/error.h"
+#include "model/exporters/builtin.h"
+#include "model/exporters/export_text.h"
+#include "model/io/parse_document.h"
+#include "model/io/transform_document.h"
+
+namespace remount {
+namespace {
+
+std::string with_header(DocumentNode document, const Exporter& exporter, const ResultFile& result,
+                        const std::vector<std::string>& more = {}) {
+  for (const std::string& line : export_header(exporter, result)) document.comment += line + "\n";
+  for (const std::string& line : more) document.comment += line + "\n";
+  return to_yaml(document);
+}
+
+class AutowareExporter final : public Exporter {
+ public:
+  std::string_view id() const override { return "autoware"; }
+  std::string_view description() const override {
+    return "Autoware sensor_kit_calibration.yaml (kit base = the INS frame)";
+  }
+  std::string_view direction() const override {
+    return "lidar to ins (pose of the lidar frame in the kit's base, in radians)";
+  }
+  std::string_view file_name() const override { return "sensor_kit_calibration.yaml"; }
+  std::string write(const ResultFile& result, const ExportNames& names) const override {
+    const Eigen::Vector3d t = result.result.ins_from_lidar.translation();
+    const YawPitchRoll angles = exact_angles(result.result.ins_from_lidar.linear());
+    DocumentNode root = DocumentNode::map();
+    DocumentNode& kit =
+        root.add(names.ins_frame.empty() ? "sensor_kit_base_link" : names.ins_frame, DocumentNode::map());
+    DocumentNode& lidar =
+        kit.add(names.lidar_frame.empty() ? "lidar_base_link" : names.lidar_frame, DocumentNode::map());
+    lidar.add("x", DocumentNode::number(t.x()));
+    lidar.add("y", DocumentNode::number(t.y()));
+    lidar.add("z", DocumentNode::number(t.z()));
+    lidar.add("roll", DocumentNode::number(angles.roll_rad));
+    lidar.add("pitch", DocumentNode::number(angles.pitch_rad));
+    lidar.add("yaw", DocumentNode::number(angles.yaw_rad));
+    return with_header(
+        root, *this, result,
+        {"The base link of the sensor kit is taken to be the INS frame: put sensor_kit_base_link there in",
+         "sensors_calibration.yaml, or chain its own pose before these numbers."});
+  }
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_yaml(text, where);
+    const auto kits = DocumentView(document, where).entries();
+    if (kits.size() != 1) throw Error(ErrorCode::Format, where, "expected one base link at the top");
+    const auto sensors = kits.front().second.entries();
+    if (sensors.size() != 1) throw Error(ErrorCode::Format, where, "expected one sensor under the base link");
+    const DocumentView& lidar = sensors.front().second;
+    return rigid_from_six({lidar.at("x").number(), lidar.at("y").number(), lidar.at("z").number(),
+                           lidar.at("yaw").number(), lidar.at("pitch").number(), lidar.at("roll").number()});
+  }
+};
+
+/// Apollo's transform file. Its own "novatel" frame has x right, y forward, z up; a result of Remount has x forward,
+/// y left, z up. So there are two of these exporters, and each says which axes it has.
+class ApolloExporter final : public Exporter {
+ public:
+  explicit ApolloExporter(bool right_forward_up) : right_forward_up_(right_forward_up) {
+    if (right_forward_up_) axes_from_ins_.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  }
+
+  std::string_view id() const override { return right_forward_up_ ? "apollo-rfu" : "apollo"; }
+  std::string_view description() const override {
+    return right_forward_up_ ? "Apollo *_novatel_extrinsics.yaml, INS axes right-forward-up as in Apollo's own files"
+                             : "Apollo *_novatel_extrinsics.yaml, INS axes forward-left-up as in the result";
+  }
+  std::string_view direction() const override {
+    return right_forward_up_ ? "lidar to ins, the INS axes here turned to x right, y forward, z up"
+                             : "lidar to ins (header.frame_id from child_frame_id)";
+  }
+  std::string_view file_name() const override { return "lidar_novatel_extrinsics.yaml"; }
+
+  std::string write(const ResultFile& result, const ExportNames& names) const override {
+    const RigidTransform x = axes_from_ins_ * result.result.ins_from_lidar;
+    const Eigen::Quaterniond q = canonical_quaternion(x.linear());
+    DocumentNode root = DocumentNode::map();
+    DocumentNode& header = root.add("header", DocumentNode::map());
+    header.add("seq", DocumentNode::integer(0));
+    DocumentNode& stamp = header.add("stamp", DocumentNode::map());
+    stamp.add("secs", DocumentNode::integer(0));
+    stamp.add("nsecs", DocumentNode::integer(0));
+    header.add("frame_id", DocumentNode::string(names.ins_frame.empty() ? "novatel" : names.ins_frame));
+    DocumentNode& transform = root.add("transform", DocumentNode::map());
+    add_vector(transform.add("translation", DocumentNode::map()), {"x", "y", "z"},
+               {x.translation().x(), x.translation().y(), x.translation().z()});
+    add_vector(transform.add("rotation", DocumentNode::map()), {"x", "y", "z", "w"}, {q.x(), q.y(), q.z(), q.w()});
+    root.add("child_frame_id", DocumentNode::string(names.lidar_frame.empty() ? "lidar" : names.lidar_frame));
+    return with_header(
+        root, *this, result,
+        {right_forward_up_ ? "The numbers below are in axes x right, y forward, z up."
+                           : "Apollo's own novatel frame has x right, y forward, z up; for it use apollo-rfu."});
+  }
+
+  RigidTransform read(std::string_view text, const std::string& where) const override {
+    const DocumentNode document = parse_yaml(text, where);
+    const DocumentView transform = DocumentView(document, where).at("transform");
+    const DocumentView t = transform.at("translation"), q = transform.at("rotation");
+    const RigidTransform x =
+        rigid_from_quaternion({t.at("x").number(), t.at("y").number(), t.at("z").number()},
+                              {q.at("x").number(), q.at("y").number(), q.at("z").number(), q.at("w").number()}, where);
+    return axes_from_ins_.inverse() * x;
+  }
+
+ private:
+  static void add_vector(DocumentNode& map, const std::vector<std::string>& keys, const std::vector<double>& values) {
+    for (std::size_t i = 0; i < keys.size(); ++i) map.add(keys[i], DocumentNode::number(values[i]));
+  }
+
+  bool right_forward_up_;
+  RigidTransform axes_from_ins_ = RigidTransform::Identity();
+};
+
+}  // namespace
+
+std::unique_ptr<Exporter> make_autoware_exporter() { return std::make_unique<AutowareExporter>(); }
+std::unique_ptr<Exporter> make_apollo_exporter() { return std::make_unique<ApolloExporter>(false); }
+std::unique_ptr<Exporter> make_apollo_rfu_exporter() { return std::make_unique<ApolloExporter>(true); }
+
+}  // namespace remount

@@ -1,0 +1,157 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <random>
+
+#include "algorithms/core/error.h"
+#include "model/exporters/exporter.h"
+
+namespace remount {
+namespace {
+
+ResultFile result_with(const RigidTransform& ins_from_lidar) {
+  ResultFile file;
+  file.result.status = Status::Ok;
+  file.result.observed.fill(true);
+  file.result.covariance = Matrix6d::Identity() * 1e-6;
+  file.result.ins_from_lidar = ins_from_lidar;
+  return file;
+}
+
+/// Random mountings, and those where Euler angles and quaternions are delicate.
+std::vector<RigidTransform> mountings() {
+  std::vector<RigidTransform> list{RigidTransform::Identity()};
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal;
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Quaterniond q(normal(random), normal(random), normal(random), normal(random));
+    list.push_back(
+        make_rigid(q.normalized().toRotationMatrix(), {normal(random), normal(random), 10 * normal(random)}));
+  }
+  for (const double yaw : {kPi, -kPi, kPi / 2, -kPi / 2, 3.0})
+    for (const double off : {0.0, 1e-15, 1e-12, 1e-10, 1e-9, 1e-8, 1e-5, 1e-2})
+      for (const double sign : {-1.0, 1.0})
+        for (const double roll : {0.0, kPi, 0.7})
+          list.push_back(rigid_from_six({1, -2, 3, yaw, sign * (kPi / 2 - off), roll}));
+  for (const double yaw : {kPi, -kPi, kPi / 2, kPi - 1e-9})
+    for (const double roll : {0.0, kPi, -kPi + 1e-12}) list.push_back(rigid_from_six({0.1, 0.2, 0.3, yaw, 0.0, roll}));
+  return list;
+}
+
+TEST(exporters, every_format_reads_back_what_it_wrote) {
+  for (const auto& format : exporters()) {
+    double worst = 0.0;
+    for (const RigidTransform& x : mountings()) {
+      const std::string text = format->write(result_with(x), {});
+      const RigidTransform back = format->read(text, "export");
+      worst = std::max(worst, (back.matrix() - x.matrix()).cwiseAbs().maxCoeff());
+      ASSERT_LE((back.matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << format->id() << "\n"
+                                                                           << text << x.matrix();
+    }
+    std::cout << format->id() << ": worst " << worst << "\n";
+  }
+}
+
+TEST(exporters, every_format_says_its_direction) {
+  ASSERT_GE(exporters().size(), 10U);
+  const RigidTransform x = rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3});
+  for (const auto& format : exporters()) {
+    EXPECT_FALSE(format->description().empty());
+    EXPECT_FALSE(format->file_name().empty());
+    EXPECT_EQ(&exporter(format->id()), format.get());
+    const bool inverse = format->direction().find("ins to lidar") != std::string_view::npos;
+    EXPECT_EQ(inverse, format->id() == "kitti" || format->id() == "opencalib") << format->id();
+    const bool has_comments = format->id() != "kitti" && format->id() != "opencalib" && format->id() != "json";
+    const std::string text = format->write(result_with(x), {});
+    EXPECT_EQ(text.find(format->direction()) != std::string::npos, has_comments) << text;
+  }
+  EXPECT_THROW(exporter("nothing"), Error);
+}
+
+TEST(exporters, what_is_not_observed_is_said_in_the_file) {
+  ResultFile file = result_with(RigidTransform::Identity());
+  file.result.status = Status::Degenerate;
+  file.result.observed[2] = false;
+  file.result.covariance.row(2).setConstant(std::nan(""));
+  ASSERT_EQ(export_warnings(file.result).size(), 1U);
+  EXPECT_NE(export_warnings(file.result)[0].find("z"), std::string::npos);
+  for (const char* id : {"yaml", "matrix", "ros1", "ros2", "autoware", "apollo", "apollo-rfu", "urdf"})
+    EXPECT_NE(exporter(id).write(file, {}).find("WARNING: not observed"), std::string::npos) << id;
+  file.result.status = Status::Inconsistent;
+  EXPECT_EQ(export_warnings(file.result).size(), 2U);
+  EXPECT_TRUE(export_warnings(result_with(RigidTransform::Identity()).result).empty());
+}
+
+TEST(exporters, kitti_and_opencalib_hold_the_inverse) {
+  const ResultFile file = result_with(rigid_from_six({1, 2, 3, 0, 0, 0}));
+  EXPECT_NE(exporter("kitti").write(file, {}).find("T: -1 -2 -3"), std::string::npos)
+      << exporter("kitti").write(file, {});
+  EXPECT_NE(exporter("opencalib").write(file, {}).find("[1, 0, 0, -1]"), std::string::npos);
+  EXPECT_NE(exporter("apollo").write(file, {}).find("x: 1\n"), std::string::npos) << exporter("apollo").write(file, {});
+}
+
+TEST(exporters, apollo_rfu_turns_forward_into_its_y) {
+  // A LiDAR 1 m ahead of the INS, looking ahead: in x right, y forward it is at y = 1, turned by +90 degrees.
+  const std::string text = exporter("apollo-rfu").write(result_with(rigid_from_six({1, 0, 0.5, 0, 0, 0})), {});
+  EXPECT_NE(text.find("    y: 1\n    z: 0.5"), std::string::npos) << text;
+  EXPECT_NE(text.find("    z: 0.7071067811865"), std::string::npos) << text;
+}
+
+TEST(exporters, published_calibrations_are_read) {
+  const std::filesystem::path file =
+      std::filesystem::path(REMOUNT_SOURCE_DIR) / "../shared/data/opencalib/gnss-to-top_center_lidar-extrinsic.json";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+  const RigidTransform x = read_any_ins_from_lidar(file);
+  EXPECT_NEAR((x.inverse().translation() - Eigen::Vector3d(-1, 0, -1.3)).norm(), 0.0, 1e-12);
+}
+
+TEST(exporters, names_are_used_and_escaped) {
+  const ResultFile file = result_with(RigidTransform::Identity());
+  EXPECT_NE(exporter("ros2").write(file, {"imu", "top"}).find("--frame-id imu --child-frame-id top"),
+            std::string::npos);
+  EXPECT_NE(exporter("apollo").write(file, {"novatel", "velodyne128"}).find("child_frame_id: velodyne128"),
+            std::string::npos);
+  EXPECT_EQ(exporter("urdf").write(file, {"a<b\"&", "c"}).find("a<b"), std::string::npos);
+}
+
+TEST(exporters, nominal_is_recognised_in_any_format) {
+  const auto folder = std::filesystem::temp_directory_path() / ("remount_export_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const RigidTransform x = rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015});
+  for (const auto& format : exporters()) {
+    if (format->id() == "apollo-rfu") continue;  // its axes cannot be told from the text
+    const auto path = folder / (std::string(format->id()) + "_" + std::string(format->file_name()));
+    std::ofstream(path) << format->write(result_with(x), {});
+    EXPECT_LE((read_any_ins_from_lidar(path).matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << format->id();
+  }
+  std::ofstream(folder / "six.txt") << "# x y z yaw pitch roll\n0.9, -0.25, 0.75, 90, 0, 0\n";
+  EXPECT_NEAR(six_from_rigid(read_any_ins_from_lidar(folder / "six.txt")).yaw_rad, kPi / 2, 1e-12);
+  std::ofstream(folder / "odd.txt") << "1 2 3\n";
+  EXPECT_THROW(read_any_ins_from_lidar(folder / "odd.txt"), Error);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(exporters, damaged_texts_are_errors) {
+  std::mt19937 random(2);
+  const ResultFile file = result_with(rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015}));
+  for (const auto& format : exporters()) {
+    const std::string good = format->write(file, {});
+    EXPECT_THROW(format->read("", "x"), Error) << format->id();
+    int refused = 0;
+    for (int i = 0; i < 60; ++i) {
+      std::string text = good.substr(0, random() % good.size());
+      try {
+        format->read(text, "x");
+      } catch (const Error&) {
+        ++refused;
+      }
+    }
+    EXPECT_GT(refused, 30) << format->id();
+  }
+}
+
+}  // namespace
+}  // namespace remount
