@@ -142,6 +142,7 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseInput& inp
   result.time_offset.offset_s = sum / information;
   result.time_offset.sigma_s = 1.0 / std::sqrt(information);
   result.time_offset.applied = input.options.apply_time_offset;
+  result.session_time_offset_s = solution.time_offset_s;
 }
 
 std::vector<PairInfluence> influences(const PairwiseInput& input, const std::vector<Pair>& pairs,

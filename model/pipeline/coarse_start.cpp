@@ -1,0 +1,157 @@
+#include "model/pipeline/coarse_start.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/calibration/robust_start.h"
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+#include "algorithms/registration/registration.h"
+#include "algorithms/trajectory/pairing.h"
+
+namespace remount {
+namespace {
+
+constexpr std::size_t kMostScans = 160;  // of each session
+
+// The stretch of consecutive scans with the most turning: turns are what shows X.
+std::pair<std::size_t, std::size_t> busiest_stretch(const DriveMotion& motion, int session,
+                                                    const std::vector<std::int64_t>& stamps) {
+  if (stamps.size() <= kMostScans) return {0, stamps.size()};
+  std::vector<double> turned_rad(stamps.size(), 0.0);
+  for (std::size_t i = 1; i < stamps.size(); ++i) {
+    const auto from = motion.ins_pose(session, stamps[i - 1]), to = motion.ins_pose(session, stamps[i]);
+    turned_rad[i] = turned_rad[i - 1] + (from && to ? rotation_angle_between_rad(*from, *to) : 0.0);
+  }
+  std::size_t best = 0;
+  for (std::size_t begin = 0; begin + kMostScans <= stamps.size(); ++begin)
+    if (turned_rad[begin + kMostScans - 1] - turned_rad[begin] > turned_rad[best + kMostScans - 1] - turned_rad[best])
+      best = begin;
+  return {best, best + kMostScans};
+}
+
+// Chained lidar poses of a stretch; a failed registration starts a new chain.
+struct Chain {
+  std::vector<Keyframe> keyframes;
+  std::vector<RigidTransform> first_from_lidar;
+};
+
+RegistrationOptions coarse_options(const RegistrationOptions& options) {
+  RegistrationOptions coarse = options;
+  coarse.algorithm = RegistrationAlgorithm::PlaneToPlane;
+  coarse.voxel_m = std::max(options.voxel_m, 0.4);
+  coarse.max_correspondence_m = 2.0;
+  coarse.max_iterations = 60;
+  return coarse;
+}
+
+std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, int session,
+                                 const RegistrationOptions& options, int& key, CoarseStart& out, int threads,
+                                 Progress& progress) {
+  const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
+  const auto [begin, end] = busiest_stretch(motion, session, stamps);
+  const int first_key = key;
+  key += static_cast<int>(end - begin);
+  std::vector<Chain> chains;
+  RigidTransform last_step = RigidTransform::Identity();
+  std::shared_ptr<const PreparedCloud> previous;
+  // Preparation is what takes time and needs no order: a few scans ahead on all workers.
+  constexpr std::size_t kAhead = 16;
+  for (std::size_t i = begin; i < end && !progress.cancelled(); ++i) {
+    const auto keyframe_of = [&](std::size_t scan) {
+      return Keyframe{session, static_cast<int>(scan), stamps[scan], 0.0};
+    };
+    if ((i - begin) % kAhead == 0)
+      parallel_for(std::min(kAhead, end - i), threads, [&](std::size_t k) {
+        try {
+          scans.prepared(first_key + static_cast<int>(i + k - begin), keyframe_of(i + k), {});
+        } catch (const Error&) {
+          // Asked for again below, where the failure is counted.
+        }
+      });
+    progress.report("finding the mounting", i - begin, end - begin);
+    std::shared_ptr<const PreparedCloud> current;
+    try {
+      current = scans.prepared(first_key + static_cast<int>(i - begin), keyframe_of(i), {});
+    } catch (const Error&) {
+      ++out.failures;
+      previous.reset();
+      continue;
+    }
+    if (!motion.ins_pose(session, stamps[i])) {
+      previous.reset();
+      continue;
+    }
+    bool linked = false;
+    if (previous) {
+      const RegistrationResult step = align_scans(*current, *previous, last_step, options, progress);
+      ++out.registrations;
+      linked = step.quality.failure.empty();
+      if (linked) {
+        last_step = step.target_from_source;
+        chains.back().first_from_lidar.push_back(chains.back().first_from_lidar.back() * last_step);
+        chains.back().keyframes.push_back(keyframe_of(i));
+      } else {
+        ++out.failures;
+        last_step = RigidTransform::Identity();
+      }
+    }
+    if (!linked) chains.push_back({{keyframe_of(i)}, {RigidTransform::Identity()}});
+    previous = std::move(current);
+  }
+  return chains;
+}
+
+std::vector<Pair> pairs_of_chain(const DriveMotion& motion, const Chain& chain, const PairingOptions& options) {
+  std::vector<RigidTransform> ins_poses;
+  for (const Keyframe& keyframe : chain.keyframes)
+    ins_poses.push_back(motion.ins_pose(keyframe.session, keyframe.stamp_ns).value_or(RigidTransform::Identity()));
+  std::vector<Pair> pairs = propose_pairs(chain.keyframes, ins_poses, options);
+  for (Pair& pair : pairs) {
+    pair.lidar_b_from_lidar_a = chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_b)].inverse() *
+                                chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_a)];
+    pair.registration.attempted = pair.registration.converged = true;
+    // Chained odometry: a few centimetres and a quarter of a degree are enough for a start.
+    pair.registration.information.diagonal() << Eigen::Vector3d::Constant(1.0 / (0.03 * 0.03)),
+        Eigen::Vector3d::Constant(1.0 / (0.004 * 0.004));
+  }
+  return pairs;
+}
+
+}  // namespace
+
+CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& settings, int threads, Progress& progress) {
+  CoarseStart out;
+  const RegistrationOptions options = coarse_options(settings.registration);
+  ScanStore scans(motion, options, static_cast<std::size_t>(settings.run.cache_mb) << 20);
+  PairingOptions pairing = settings.pairing;
+  pairing.limit = PairLimit::Either;
+  pairing.max_gap_s = 2.0;
+  pairing.max_distance_m = 15.0;
+  pairing.min_distance_m = 0.5;
+  pairing.max_partners = 4;
+  std::vector<Pair> pairs;
+  int key = -1'000'000;  // apart from the keyframes' keys
+  for (int session = 0; session < motion.session_count() && !progress.cancelled(); ++session) {
+    if (!motion.session(session).scans) continue;
+    for (const Chain& chain : chain_session(motion, scans, session, options, key, out, threads, progress)) {
+      const std::vector<Pair> more = pairs_of_chain(motion, chain, pairing);
+      pairs.insert(pairs.end(), more.begin(), more.end());
+    }
+  }
+  if (pairs.size() < 3) {
+    out.problem = "neighbouring scans could not be registered (" + std::to_string(out.failures) + " of " +
+                  std::to_string(out.registrations + out.failures) + " failed), or the vehicle hardly moved";
+    return out;
+  }
+  std::vector<int> usable(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) usable[i] = static_cast<int>(i);
+  NoiseModel noise;
+  noise.registration_scale = 1.0;
+  noise.registration_floor_m = 0.02;
+  noise.registration_floor_rad = 0.002;
+  out.ins_from_lidar = robust_start(pairs, usable, noise, std::nullopt, Eigen::Vector3d::Zero()).ins_from_lidar;
+  return out;
+}
+
+}  // namespace remount

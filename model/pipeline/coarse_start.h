@@ -1,0 +1,25 @@
+// A first X for an unknown mounting.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "model/pipeline/scan_store.h"
+#include "model/settings.h"
+
+namespace remount {
+
+struct CoarseStart {
+  std::optional<RigidTransform> ins_from_lidar;  ///< nothing where the drive does not show it
+  int registrations = 0;
+  int failures = 0;
+  std::string problem;  ///< why there is none, in words
+};
+
+/// Registers neighbouring scans, which lie so close that no start value is needed, chains them to a lidar trajectory
+/// and solves P X = X Q over longer stretches of it. Works for any orientation of the sensor.
+CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& settings, int threads, Progress& progress);
+
+}  // namespace remount

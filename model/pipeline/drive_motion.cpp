@@ -1,0 +1,68 @@
+#include "model/pipeline/drive_motion.h"
+
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "algorithms/geometry/geodesy.h"
+
+namespace remount {
+
+DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions) : sessions_(std::move(sessions)) {
+  for (const auto& session : sessions_) {
+    tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : local_from_ins(session->ins));
+    if (tracks_.back().empty())
+      throw Error(ErrorCode::Contract, session->path.string(),
+                  "the session has no INS poses: X needs the motion of the INS");
+    offsets_s_.push_back(0.0);
+  }
+}
+
+std::vector<std::int64_t> DriveMotion::lidar_stamps_ns(int index) const {
+  const Session& drive = session(index);
+  std::vector<std::int64_t> stamps;
+  if (drive.scans)
+    for (std::size_t i = 0; i < drive.scans->size(); ++i) stamps.push_back(drive.scans->stamp_ns(i));
+  else
+    for (const StampedPose& pose : drive.odometry_from_lidar) stamps.push_back(pose.stamp_ns);
+  return stamps;
+}
+
+std::optional<RigidTransform> DriveMotion::ins_pose(int index, std::int64_t lidar_stamp_ns, double later_s) const {
+  const auto shift_ns = static_cast<std::int64_t>(std::llround((offset_s(index) + later_s) * 1e9));
+  return track(index).at(lidar_stamp_ns + shift_ns);
+}
+
+std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes) const {
+  std::vector<JointNode> out;
+  for (const Keyframe& keyframe : keyframes) {
+    JointNode node;
+    node.session = keyframe.session;
+    const auto shift_ns = static_cast<std::int64_t>(std::llround(offset_s(keyframe.session) * 1e9));
+    if (const auto pose = track(keyframe.session).at(keyframe.stamp_ns + shift_ns))
+      node.local_from_ins = *pose;
+    else if (const auto unshifted = track(keyframe.session).at(keyframe.stamp_ns))
+      node.local_from_ins = *unshifted;
+    if (const auto velocity = track(keyframe.session).body_velocity(keyframe.stamp_ns + shift_ns))
+      node.body_velocity = *velocity;
+    out.push_back(node);
+  }
+  return out;
+}
+
+std::vector<double> DriveMotion::node_times_s(const std::vector<Keyframe>& keyframes) const {
+  std::vector<double> times_s;
+  for (const Keyframe& keyframe : keyframes)
+    times_s.push_back(static_cast<double>(keyframe.stamp_ns - track(keyframe.session).samples().front().stamp_ns) *
+                      1e-9);
+  return times_s;
+}
+
+std::vector<SessionNoise> DriveMotion::noise() const {
+  std::vector<SessionNoise> out;
+  for (const auto& session : sessions_)
+    out.push_back({session->ins_position_white_sigma_m, session->ins_attitude_white_sigma_rad,
+                   session->ins_attitude_bias_sigma_rad});
+  return out;
+}
+
+}  // namespace remount

@@ -1,0 +1,44 @@
+// Motion of the INS of every session, in metres, at the times of the scans.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "algorithms/calibration/pairwise.h"
+#include "algorithms/trajectory/motion_track.h"
+#include "algorithms/trajectory/pair.h"
+#include "model/session.h"
+
+namespace remount {
+
+/// INS trajectories of all sessions and the clock offset of each lidar (t_ins = t_lidar + offset).
+class DriveMotion {
+ public:
+  /// Throws Error(Contract) where a session has no INS motion at all.
+  explicit DriveMotion(std::vector<std::shared_ptr<const Session>> sessions);
+
+  const Session& session(int index) const { return *sessions_[static_cast<std::size_t>(index)]; }
+  int session_count() const { return static_cast<int>(sessions_.size()); }
+  const MotionTrack& track(int index) const { return tracks_[static_cast<std::size_t>(index)]; }
+  double offset_s(int index) const { return offsets_s_[static_cast<std::size_t>(index)]; }
+  void set_offset_s(int index, double offset_s) { offsets_s_[static_cast<std::size_t>(index)] = offset_s; }
+
+  /// Stamps of what the lidar delivers: scans, or poses of its odometry.
+  std::vector<std::int64_t> lidar_stamps_ns(int session) const;
+  /// local_from_ins at a lidar stamp, `later_s` seconds later; nothing outside the data or in a gap.
+  std::optional<RigidTransform> ins_pose(int session, std::int64_t lidar_stamp_ns, double later_s = 0.0) const;
+
+  /// The solver's nodes and times for keyframes; poses that the present clock offset moves out of the data keep
+  /// identity velocity and the pose without offset.
+  std::vector<JointNode> nodes(const std::vector<Keyframe>& keyframes) const;
+  std::vector<double> node_times_s(const std::vector<Keyframe>& keyframes) const;
+  std::vector<SessionNoise> noise() const;
+
+ private:
+  std::vector<std::shared_ptr<const Session>> sessions_;
+  std::vector<MotionTrack> tracks_;
+  std::vector<double> offsets_s_;
+};
+
+}  // namespace remount

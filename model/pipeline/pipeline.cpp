@@ -1,0 +1,354 @@
+#include "model/pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/pairwise.h"
+#include "algorithms/core/error.h"
+#include "algorithms/search/candidates.h"
+#include "model/pipeline/coarse_start.h"
+#include "model/pipeline/register_stage.h"
+
+namespace remount {
+namespace {
+
+void check_input(const PipelineInput& input) {
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
+  const std::vector<std::string> problems = input.settings.check();
+  if (problems.empty()) return;
+  std::string all;
+  for (const std::string& problem : problems) all += (all.empty() ? "" : "; ") + problem;
+  throw Error(ErrorCode::Contract, "settings", all);
+}
+
+std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOptions& options,
+                                    std::vector<Finding>& findings) {
+  std::vector<Keyframe> keyframes;
+  for (int s = 0; s < motion.session_count(); ++s) {
+    const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(s);
+    const auto outside = static_cast<std::size_t>(
+        std::count_if(stamps.begin(), stamps.end(), [&](std::int64_t stamp) { return !motion.ins_pose(s, stamp); }));
+    if (outside > 0)
+      findings.push_back({outside == stamps.size() ? Severity::Problem : Severity::Warning, "scan-without-ins",
+                          motion.session(s).name,
+                          std::to_string(outside) + " of " + std::to_string(stamps.size()) +
+                              " scans lie outside the INS data or in a gap of it and are not used."});
+    const std::vector<Keyframe> chosen = select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
+    keyframes.insert(keyframes.end(), chosen.begin(), chosen.end());
+  }
+  return keyframes;
+}
+
+std::vector<RigidTransform> poses_of(const std::vector<JointNode>& nodes) {
+  std::vector<RigidTransform> poses;
+  for (const JointNode& node : nodes) poses.push_back(node.local_from_ins);
+  return poses;
+}
+
+PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion,
+                           const std::vector<Keyframe>& keyframes) {
+  PairwiseInput out;
+  out.nodes = motion.nodes(keyframes);
+  out.node_times_s = motion.node_times_s(keyframes);
+  out.sessions = motion.noise();
+  out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
+  out.range = input.settings.range;
+  out.options = input.settings.solve;
+  return out;
+}
+
+void update_ins_motion(const std::vector<JointNode>& nodes, std::vector<Pair>& pairs) {
+  for (Pair& pair : pairs)
+    pair.ins_b_from_ins_a = nodes[static_cast<std::size_t>(pair.keyframe_b)].local_from_ins.inverse() *
+                            nodes[static_cast<std::size_t>(pair.keyframe_a)].local_from_ins;
+}
+
+// Sessions with poses of somebody's odometry instead of scans: Q is the motion between two of them.
+void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs) {
+  // No odometry states its errors: a centimetre and a twentieth of a degree, growing with the distance; the noise
+  // model's scale is estimated from the residuals.
+  constexpr double kTranslation_m = 0.01, kRotation_rad = 0.001, kDrift = 0.002;
+  for (Pair& pair : pairs) {
+    const Keyframe& a = keyframes[static_cast<std::size_t>(pair.keyframe_a)];
+    const Keyframe& b = keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+    const Session& session = motion.session(a.session);
+    if (session.scans) continue;
+    pair.lidar_b_from_lidar_a = session.odometry_from_lidar[static_cast<std::size_t>(b.scan)].pose.inverse() *
+                                session.odometry_from_lidar[static_cast<std::size_t>(a.scan)].pose;
+    const double translation_m = std::hypot(kTranslation_m, kDrift * pair.baseline_m);
+    const double rotation_rad = std::hypot(kRotation_rad, kDrift * 0.05 * pair.baseline_m);
+    pair.registration.attempted = pair.registration.converged = true;
+    pair.registration.overlap = 1.0;
+    pair.registration.information.diagonal() << Eigen::Vector3d::Constant(1.0 / (translation_m * translation_m)),
+        Eigen::Vector3d::Constant(1.0 / (rotation_rad * rotation_rad));
+  }
+}
+
+// Which sessions' scans are compensated by the sweep's azimuth.
+std::vector<bool> choose_compensation(const StageContext& context, const std::vector<Pair>& pairs,
+                                      std::vector<Finding>& findings, Progress& progress) {
+  std::vector<bool> uses_sweep;
+  for (int s = 0; s < context.motion.session_count(); ++s) {
+    const Session& session = context.motion.session(s);
+    bool use = session.scan_timing == ScanTiming::SweepAzimuth && context.settings.run.deskew != DeskewMode::Off;
+    if (use && !session.sweep.certain && context.settings.run.deskew == DeskewMode::Auto) {
+      double ratio = 1.0;
+      use = sweep_compensation_helps(context, s, pairs, ratio, progress);
+      char text[240];
+      std::snprintf(
+          text, sizeof text,
+          "The format does not say whether its scans are compensated for motion. Compensating them changes the "
+          "registration residual by %+.1f%%: scans are %s.",
+          100.0 * (ratio - 1.0), use ? "compensated" : "used as they are");
+      findings.push_back({Severity::Note, use ? "deskew-on" : "deskew-off", session.name, text});
+    }
+    uses_sweep.push_back(use);
+  }
+  return uses_sweep;
+}
+
+void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<KeyframeObjects>& objects,
+                      const DriveMotion& motion, std::vector<Finding>& findings) {
+  for (std::size_t k = 0; k < objects.size(); ++k)
+    if (!objects[k].failure.empty())
+      findings.push_back({Severity::Warning, "scan-unreadable", motion.session(keyframes[k].session).name,
+                          objects[k].failure + " The scan is skipped."});
+}
+
+// Solves; where the clock offset is to be applied, moves the INS poses by it and solves again until it is gone.
+CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion,
+                                   const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
+                                   PairwiseDetails& details, const Progress& progress) {
+  PairwiseInput solver = solver_input(input, motion, keyframes);
+  CalibrationResult result = solve_pairwise(solver, pairs, details, progress);
+  if (!input.settings.solve.apply_time_offset) return result;
+  for (int round = 0; round < 3 && result.session_time_offset_s.size() == input.sessions.size(); ++round) {
+    double largest_s = 0.0;
+    for (int s = 0; s < motion.session_count(); ++s) {
+      const double more_s = result.session_time_offset_s[static_cast<std::size_t>(s)];
+      motion.set_offset_s(s, motion.offset_s(s) + more_s);
+      largest_s = std::max(largest_s, std::abs(more_s));
+    }
+    solver = solver_input(input, motion, keyframes);
+    update_ins_motion(solver.nodes, pairs);
+    result = solve_pairwise(solver, pairs, details, progress);
+    if (largest_s < 2e-4) break;
+  }
+  // What was applied is the offset; what is left is noise of the estimate.
+  double mean_s = 0.0;
+  for (int s = 0; s < motion.session_count(); ++s) mean_s += motion.offset_s(s) / motion.session_count();
+  result.time_offset.offset_s = mean_s;
+  for (int s = 0; s < motion.session_count() && s < static_cast<int>(result.session_time_offset_s.size()); ++s)
+    result.session_time_offset_s[static_cast<std::size_t>(s)] = motion.offset_s(s);
+  return result;
+}
+
+void report_clock(const CalibrationResult& result, std::vector<Finding>& findings) {
+  const TimeOffset& clock = result.time_offset;
+  if (!std::isfinite(clock.offset_s) || clock.applied ||
+      std::abs(clock.offset_s) < std::max(4.0 * clock.sigma_s, 0.002))
+    return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "The lidar's stamps are %s by %.1f ms (sigma %.1f ms) against the INS. X is biased by it while the "
+                "vehicle turns: "
+                "set solve.apply_time_offset to correct it.",
+                clock.offset_s > 0.0 ? "early" : "late", std::abs(clock.offset_s) * 1e3, clock.sigma_s * 1e3);
+  findings.push_back({Severity::Warning, "clock-offset", "lidar and INS", text});
+}
+
+void align_all_clouds(const StageContext& context, const PipelineInput& input, DriveMotion& motion, ScanStore& scans,
+                      const std::vector<KeyframeObjects>& objects, PairwiseDetails& details, PipelineOutput& output,
+                      Progress& progress) {
+  const std::vector<JointNode> nodes = motion.nodes(output.keyframes);
+  std::vector<RigidTransform> predicted(output.pairs.size(), RigidTransform::Identity());
+  for (std::size_t i = 0; i < output.pairs.size(); ++i) {
+    const Pair& pair = output.pairs[i];
+    const auto a = static_cast<std::size_t>(pair.keyframe_a), b = static_cast<std::size_t>(pair.keyframe_b);
+    const auto corrected = [&](std::size_t k) {
+      return moved_in_body(nodes[k].local_from_ins, details.joint.node_errors[k]);
+    };
+    predicted[i] = predicted_lidar_motion(corrected(b).inverse() * corrected(a), details.joint.ins_from_lidar);
+  }
+  std::vector<Pair> relinearised = output.pairs;
+  relinearise_pairs(context, scans, objects, predicted, relinearised, progress);
+  if (progress.cancelled()) return;
+  const CalibrationResult before = output.result;
+  PairwiseInput solver = solver_input(input, motion, output.keyframes);
+  CalibrationResult joint = solve_pairwise(solver, relinearised, details, progress);
+  if (joint.status == Status::Cancelled || joint.status == Status::TooFewPairs) return;
+  joint.time_offset = before.time_offset;
+  joint.session_time_offset_s = before.session_time_offset_s;
+  for (Candidate& candidate : joint.candidates)
+    if (candidate.source == "refined") candidate.source = "joint clouds";
+  Candidate refined;
+  refined.source = "refined";
+  refined.ins_from_lidar = before.ins_from_lidar;
+  joint.candidates.push_back(refined);
+  std::vector<MotionPair> accepted;
+  for (const Pair& pair : relinearised)
+    if (pair.state == PairState::Accepted) accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
+  rank_candidates(joint.candidates, accepted, input.settings.range, input.settings.solve);
+  output.pairs = std::move(relinearised);
+  output.result = std::move(joint);
+}
+
+CalibrationResult without_pairs(const std::string& message) {
+  CalibrationResult result;
+  result.status = Status::TooFewPairs;
+  result.message = message;
+  result.advice.push_back(
+      "Drive turns within sight of buildings and poles, and check that scans and INS cover the same time.");
+  return result;
+}
+
+CalibrationResult cancelled_result() {
+  CalibrationResult result;
+  result.status = Status::Cancelled;
+  result.message = "Cancelled.";
+  return result;
+}
+
+bool any_scans(const PipelineInput& input) {
+  return std::any_of(input.sessions.begin(), input.sessions.end(),
+                     [](const auto& session) { return session->scans != nullptr; });
+}
+
+}  // namespace
+
+PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
+  check_input(input);
+  DriveMotion motion(input.sessions);
+  PipelineOutput output;
+  for (const auto& session : input.sessions)
+    output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+  output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
+  output.pairs = propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
+  output.nominal_known = input.nominal_ins_from_lidar.has_value();
+  if (input.nominal_ins_from_lidar) output.initial_ins_from_lidar = *input.nominal_ins_from_lidar;
+  if (output.pairs.empty()) {
+    output.result =
+        without_pairs("No two keyframes are close enough and moved: " + std::to_string(output.keyframes.size()) +
+                      " keyframes were found.");
+    return output;
+  }
+
+  PairwiseDetails details;
+  if (any_scans(input)) {
+    if (!input.nominal_ins_from_lidar) {
+      const CoarseStart coarse = find_coarse_start(motion, input.settings, input.threads, progress);
+      if (!coarse.ins_from_lidar) {
+        output.result = progress.cancelled()
+                            ? cancelled_result()
+                            : without_pairs("No first estimate of the mounting: " + coarse.problem + ".");
+        return output;
+      }
+      output.initial_ins_from_lidar = *coarse.ins_from_lidar;
+    }
+    const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
+    ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
+    if (input.settings.run.deskew != DeskewMode::Off)
+      scans.compensate_motion(output.initial_ins_from_lidar,
+                              choose_compensation(context, output.pairs, output.findings, progress));
+    std::vector<KeyframeObjects> objects = find_keyframe_objects(context, scans, output.pairs, progress);
+    report_bad_scans(output.keyframes, objects, motion, output.findings);
+    match_pairs(context, objects, output.pairs, progress);
+    register_pairs(context, scans, objects, output.pairs, progress);
+    use_odometry(motion, output.keyframes, output.pairs);
+    output.result = solve_with_clock(input, motion, output.keyframes, output.pairs, details, progress);
+    const bool solved = output.result.status == Status::Ok || output.result.status == Status::Degenerate;
+    if (solved && input.settings.solve.joint_clouds)
+      align_all_clouds(context, input, motion, scans, objects, details, output, progress);
+  } else {
+    use_odometry(motion, output.keyframes, output.pairs);
+    output.result = solve_with_clock(input, motion, output.keyframes, output.pairs, details, progress);
+  }
+  if (progress.cancelled()) output.result = cancelled_result();
+  report_clock(output.result, output.findings);
+  return output;
+}
+
+void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
+  const DriveMotion motion(input.sessions);
+  PairwiseDetails details;
+  PairwiseInput solver = solver_input(input, motion, output.keyframes);
+  // The pairs' own P may hold an applied clock offset: the nodes follow the sessions' offsets of the last result.
+  DriveMotion shifted(input.sessions);
+  if (output.result.time_offset.applied && output.result.session_time_offset_s.size() == input.sessions.size()) {
+    for (int s = 0; s < shifted.session_count(); ++s)
+      shifted.set_offset_s(s, output.result.session_time_offset_s[static_cast<std::size_t>(s)]);
+    solver = solver_input(input, shifted, output.keyframes);
+  }
+  const TimeOffset clock = output.result.time_offset;
+  const std::vector<double> clocks = output.result.session_time_offset_s;
+  CalibrationResult result = solve_pairwise(solver, output.pairs, details, progress);
+  if (result.status == Status::Cancelled) return;
+  if (clock.applied) {
+    result.time_offset = clock;
+    result.session_time_offset_s = clocks;
+  }
+  output.result = std::move(result);
+}
+
+PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair_index) {
+  const Pair& pair = output.pairs.at(static_cast<std::size_t>(pair_index));
+  const Keyframe& a = output.keyframes[static_cast<std::size_t>(pair.keyframe_a)];
+  const Keyframe& b = output.keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+  PairClouds clouds;
+  if (!input.sessions.at(static_cast<std::size_t>(a.session))->scans) return clouds;
+  const DriveMotion motion(input.sessions);
+  const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
+  ScanStore scans(motion, input.settings.registration, 0);
+  if (input.settings.run.deskew != DeskewMode::Off) {
+    std::vector<bool> uses_sweep;
+    for (const auto& session : input.sessions) {
+      const bool off = std::any_of(output.findings.begin(), output.findings.end(), [&](const Finding& finding) {
+        return finding.code == "deskew-off" && finding.where == session->name;
+      });
+      uses_sweep.push_back(!off);
+    }
+    scans.compensate_motion(output.initial_ins_from_lidar, uses_sweep);
+  }
+  clouds.cloud_a = scans.load(a);
+  clouds.cloud_b = scans.load(b);
+  clouds.objects_a = find_objects(clouds.cloud_a, up_in_lidar(context, a), input.settings.objects);
+  clouds.objects_b = find_objects(clouds.cloud_b, up_in_lidar(context, b), input.settings.objects);
+  clouds.matches = match_objects(clouds.objects_a, clouds.objects_b,
+                                 predicted_lidar_motion(pair.ins_b_from_ins_a, output.initial_ins_from_lidar),
+                                 input.settings.objects);
+  return clouds;
+}
+
+CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& settings,
+                                     const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress) {
+  PairwiseInput input;
+  input.nominal_ins_from_lidar = nominal_ins_from_lidar;
+  input.range = settings.range;
+  input.options = settings.solve;
+  // Nothing is known of which fixes the pairs share, nor of the INS: each pair has its own two poses, and an attitude
+  // error common to all cannot be told from X, so none is assumed.
+  input.sessions.push_back({});
+  input.sessions.back().attitude_bias_sigma_rad = 0.0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Pair& pair = pairs[i];
+    JointNode node;
+    input.nodes.push_back(node);
+    pair.keyframe_b = static_cast<int>(2 * i);
+    node.local_from_ins = pair.ins_b_from_ins_a;
+    input.nodes.push_back(node);
+    pair.keyframe_a = static_cast<int>(2 * i + 1);
+    input.node_times_s.insert(input.node_times_s.end(), 2, static_cast<double>(i));
+    pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();
+    pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
+    pair.registration.attempted = pair.registration.converged = true;
+    if (pair.registration.information.isZero(0.0)) pair.registration.information = Matrix6d::Identity() * 1e8;
+  }
+  CalibrationResult result = solve_pairwise(input, pairs, progress);
+  result.time_offset = {};  // motion pairs carry no time
+  result.session_time_offset_s.clear();
+  return result;
+}
+
+}  // namespace remount

@@ -1,0 +1,209 @@
+#include "model/pipeline/register_stage.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+#include "algorithms/registration/registration.h"
+
+namespace remount {
+namespace {
+
+constexpr float kMovingMargin_m = 0.3f;
+
+std::vector<LidarBox> moving_boxes(const KeyframeObjects& scan) {
+  std::vector<LidarBox> boxes;
+  for (std::size_t i = 0; i < scan.objects.size(); ++i)
+    if (scan.moving[i])
+      boxes.push_back({scan.objects[i].box_min_in_lidar.array() - kMovingMargin_m,
+                       scan.objects[i].box_max_in_lidar.array() + kMovingMargin_m});
+  return boxes;
+}
+
+void reject(Pair& pair, const std::string& reason) {
+  if (pair.decided_by == DecidedBy::User) return;
+  pair.state = PairState::Rejected;
+  pair.decided_by = DecidedBy::Program;
+  pair.reason = reason;
+}
+
+// Counts finished items across workers and reports them.
+class Counter {
+ public:
+  Counter(std::string_view stage, std::size_t total, Progress& progress)
+      : stage_(stage), total_(total), progress_(progress) {
+    progress_.report(stage_, 0, total_);
+  }
+  void finished() { progress_.report(stage_, ++done_, total_); }
+
+ private:
+  std::string_view stage_;
+  std::size_t total_;
+  Progress& progress_;
+  std::atomic<std::size_t> done_{0};
+};
+
+std::shared_ptr<const PreparedCloud> prepare(const StageContext& context, ScanStore& scans,
+                                             const std::vector<KeyframeObjects>& objects, int keyframe) {
+  const auto index = static_cast<std::size_t>(keyframe);
+  return scans.prepared(keyframe, context.keyframes[index], moving_boxes(objects[index]));
+}
+
+}  // namespace
+
+Eigen::Vector3f up_in_lidar(const StageContext& context, const Keyframe& keyframe) {
+  const auto pose = context.motion.ins_pose(keyframe.session, keyframe.stamp_ns);
+  const Eigen::Matrix3d lidar_from_local =
+      context.ins_from_lidar.linear().transpose() *
+      (pose ? Eigen::Matrix3d(pose->linear().transpose()) : Eigen::Matrix3d::Identity());
+  return (lidar_from_local * Eigen::Vector3d::UnitZ()).cast<float>();
+}
+
+std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, const ScanStore& scans,
+                                                   const std::vector<Pair>& pairs, Progress& progress) {
+  std::vector<bool> used(context.keyframes.size(), false);
+  for (const Pair& pair : pairs)
+    used[static_cast<std::size_t>(pair.keyframe_a)] = used[static_cast<std::size_t>(pair.keyframe_b)] = true;
+  std::vector<KeyframeObjects> out(context.keyframes.size());
+  Counter counter("finding objects", context.keyframes.size(), progress);
+  parallel_for(context.keyframes.size(), context.threads, [&](std::size_t k) {
+    if (used[k] && !progress.cancelled()) {
+      try {
+        out[k].objects = find_objects(scans.load(context.keyframes[k]), up_in_lidar(context, context.keyframes[k]),
+                                      context.settings.objects);
+      } catch (const Error& error) {
+        out[k].failure = error.what();
+      }
+      for (SceneObject& object : out[k].objects) std::vector<int>().swap(object.points);
+      out[k].moving.assign(out[k].objects.size(), false);
+    }
+    counter.finished();
+  });
+  return out;
+}
+
+void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& objects, std::vector<Pair>& pairs,
+                 Progress& progress) {
+  std::vector<std::vector<ObjectMatch>> matches(pairs.size());
+  parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
+    const Pair& pair = pairs[i];
+    if (progress.cancelled()) return;
+    matches[i] =
+        match_objects(objects[static_cast<std::size_t>(pair.keyframe_a)].objects,
+                      objects[static_cast<std::size_t>(pair.keyframe_b)].objects,
+                      predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar), context.settings.objects);
+  });
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Pair& pair = pairs[i];
+    KeyframeObjects& a = objects[static_cast<std::size_t>(pair.keyframe_a)];
+    KeyframeObjects& b = objects[static_cast<std::size_t>(pair.keyframe_b)];
+    pair.shared_objects = pair.moving_objects = 0;
+    for (const ObjectMatch& match : matches[i]) {
+      (match.moving ? pair.moving_objects : pair.shared_objects) += 1;
+      if (!match.moving) continue;
+      a.moving[static_cast<std::size_t>(match.object_a)] = true;
+      b.moving[static_cast<std::size_t>(match.object_b)] = true;
+    }
+    if (!a.failure.empty() || !b.failure.empty())
+      reject(pair, "scan cannot be read: " + (a.failure.empty() ? b.failure : a.failure));
+    else if (pair.shared_objects < context.settings.pairing.min_shared_objects)
+      reject(pair, "only " + std::to_string(pair.shared_objects) + " shared static objects, " +
+                       std::to_string(context.settings.pairing.min_shared_objects) + " needed");
+  }
+}
+
+void register_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
+                    std::vector<Pair>& pairs, Progress& progress) {
+  Counter counter("registering pairs", pairs.size(), progress);
+  parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
+    Pair& pair = pairs[i];
+    if (pair.state != PairState::Rejected && !progress.cancelled()) {
+      try {
+        const auto a = prepare(context, scans, objects, pair.keyframe_a),
+                   b = prepare(context, scans, objects, pair.keyframe_b);
+        const RigidTransform start = predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar);
+        const RegistrationResult result = align_scans(*a, *b, start, context.settings.registration, progress);
+        pair.lidar_b_from_lidar_a = result.target_from_source;
+        pair.registration = result.quality;
+      } catch (const Error& error) {
+        pair.registration.attempted = true;
+        pair.registration.failure = error.what();
+      }
+      if (!pair.registration.failure.empty()) reject(pair, pair.registration.failure);
+    }
+    counter.finished();
+  });
+}
+
+bool sweep_compensation_helps(const StageContext& context, int session, const std::vector<Pair>& pairs, double& ratio,
+                              Progress& progress) {
+  constexpr std::size_t kSample = 12;
+  std::vector<const Pair*> fastest;
+  for (const Pair& pair : pairs)
+    if (context.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session == session && pair.gap_s > 0.0)
+      fastest.push_back(&pair);
+  // Distortion grows with speed and turn rate; it cancels between scans of equal motion, so turning counts most.
+  const auto agitation = [](const Pair& pair) { return (pair.baseline_m / 10.0 + pair.rotation_rad) / pair.gap_s; };
+  std::stable_sort(fastest.begin(), fastest.end(),
+                   [&](const Pair* left, const Pair* right) { return agitation(*left) > agitation(*right); });
+  fastest.resize(std::min(fastest.size(), kSample));
+  ScanStore raw(context.motion, context.settings.registration, std::size_t{256} << 20);
+  ScanStore compensated(context.motion, context.settings.registration, std::size_t{256} << 20);
+  compensated.compensate_motion(context.ins_from_lidar,
+                                std::vector<bool>(static_cast<std::size_t>(context.motion.session_count()), true));
+  std::vector<double> log_ratios(fastest.size(), 0.0);
+  parallel_for(fastest.size(), context.threads, [&](std::size_t i) {
+    const Pair& pair = *fastest[i];
+    try {
+      const RigidTransform start = predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar);
+      double rmse_m[2];
+      for (ScanStore* store : {&raw, &compensated}) {
+        const auto a =
+            store->prepared(pair.keyframe_a, context.keyframes[static_cast<std::size_t>(pair.keyframe_a)], {});
+        const auto b =
+            store->prepared(pair.keyframe_b, context.keyframes[static_cast<std::size_t>(pair.keyframe_b)], {});
+        const RegistrationResult result = align_scans(*a, *b, start, context.settings.registration, progress);
+        if (!result.quality.failure.empty()) return;
+        rmse_m[store == &raw ? 0 : 1] = result.quality.rmse_m;
+      }
+      log_ratios[i] = std::log(rmse_m[1] / rmse_m[0]);
+    } catch (const Error&) {
+      // A scan that cannot be read is reported where all pairs are registered.
+    }
+  });
+  double sum = 0.0;
+  for (const double value : log_ratios) sum += value;
+  ratio = fastest.empty() ? 1.0 : std::exp(sum / static_cast<double>(fastest.size()));
+  return ratio < 1.0;
+}
+
+void relinearise_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
+                       const std::vector<RigidTransform>& predicted_lidar_b_from_lidar_a, std::vector<Pair>& pairs,
+                       Progress& progress) {
+  Counter counter("aligning all clouds", pairs.size(), progress);
+  parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
+    Pair& pair = pairs[i];
+    if (pair.state == PairState::Accepted && !progress.cancelled()) {
+      const auto a = prepare(context, scans, objects, pair.keyframe_a),
+                 b = prepare(context, scans, objects, pair.keyframe_b);
+      const RigidTransform& at = predicted_lidar_b_from_lidar_a[i];
+      const AlignmentEquations equations =
+          alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m);
+      // The weakest directions are damped by a spread of 0.1 m and 0.3 deg around the prediction.
+      Matrix6d damped = equations.hessian;
+      damped.diagonal().head<3>().array() += 1.0 / (0.1 * 0.1);
+      damped.diagonal().tail<3>().array() += 1.0 / (0.005 * 0.005);
+      pair.lidar_b_from_lidar_a = perturbed(at, damped.ldlt().solve(-equations.gradient));
+      pair.registration.information = equations.hessian;
+      pair.registration.rmse_m = equations.rmse_m;
+      pair.registration.overlap = equations.overlap;
+    }
+    counter.finished();
+  });
+}
+
+}  // namespace remount

@@ -1,0 +1,93 @@
+#include "model/pipeline/scan_store.h"
+
+#include <algorithm>
+
+#include "algorithms/cloud/deskew.h"
+
+namespace remount {
+
+void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep) {
+  compensation_ = ins_from_lidar;
+  session_uses_sweep_ = session_uses_sweep;
+}
+
+PointCloud ScanStore::load(const Keyframe& keyframe) const {
+  const Session& session = motion_.session(keyframe.session);
+  PointCloud cloud = session.scans->load(static_cast<std::size_t>(keyframe.scan));
+  if (!compensation_ || cloud.points.empty()) return cloud;
+  std::vector<float> times;
+  if (session.scan_timing == ScanTiming::PerPoint && cloud.time_from_stamp_s.size() == cloud.size())
+    times = cloud.time_from_stamp_s;
+  else if (session.scan_timing == ScanTiming::SweepAzimuth &&
+           session_uses_sweep_[static_cast<std::size_t>(keyframe.session)])
+    times = sweep_times(cloud, session.sweep.period_s, session.sweep.stamp_azimuth_rad, session.sweep.clockwise);
+  else
+    return cloud;
+  const auto at_stamp = motion_.ins_pose(keyframe.session, keyframe.stamp_ns);
+  if (!at_stamp) return cloud;
+  const RigidTransform lidar_at_stamp_from_world = (*at_stamp * *compensation_).inverse();
+  // Beyond the ends of the trajectory the last known motion is held: part of a sweep at most.
+  const auto motion = [&](double time_s) {
+    const auto pose = motion_.ins_pose(keyframe.session, keyframe.stamp_ns, time_s);
+    return pose ? RigidTransform(lidar_at_stamp_from_world * *pose * *compensation_) : RigidTransform::Identity();
+  };
+  return deskew(cloud, times, motion);
+}
+
+std::shared_ptr<const PreparedCloud> ScanStore::prepared(int key, const Keyframe& keyframe,
+                                                         const std::vector<LidarBox>& boxes) {
+  std::promise<std::shared_ptr<const PreparedCloud>> promise;
+  Future future;
+  bool mine = false;
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto found = ready_.find(key);
+    if (found != ready_.end()) {
+      future = found->second;
+      recently_used_.remove(key);
+    } else {
+      mine = true;
+      future = ready_[key] = promise.get_future().share();
+    }
+    recently_used_.push_front(key);
+  }
+  if (!mine) return future.get();
+  try {
+    const PointCloud cloud = load(keyframe);
+    std::vector<bool> left_out;
+    if (!boxes.empty()) {
+      left_out.assign(cloud.size(), false);
+      for (std::size_t i = 0; i < cloud.size(); ++i)
+        for (const LidarBox& box : boxes)
+          if ((cloud.points[i].array() >= box.minimum.array()).all() &&
+              (cloud.points[i].array() <= box.maximum.array()).all())
+            left_out[i] = true;
+    }
+    auto scan = std::make_shared<const PreparedCloud>(cloud, options_, left_out);
+    promise.set_value(scan);
+    const std::scoped_lock lock(mutex_);
+    bytes_[key] = scan->bytes();
+    total_bytes_ += scan->bytes();
+    forget_oldest(key);
+    return scan;
+  } catch (...) {
+    promise.set_exception(std::current_exception());  // other pairs of this scan fail with the same reason
+    throw;
+  }
+}
+
+void ScanStore::forget_oldest(int keep) {
+  while (total_bytes_ > bound_bytes_ && recently_used_.size() > 1) {
+    // A scan still being prepared has no size yet and stays.
+    auto oldest = std::find_if(recently_used_.rbegin(), recently_used_.rend(),
+                               [&](int key) { return key != keep && bytes_.contains(key); });
+    if (oldest == recently_used_.rend()) return;
+    const int key = *oldest;
+    total_bytes_ -= bytes_[key];
+    bytes_.erase(key);
+    ready_.erase(key);
+    recently_used_.remove(key);
+  }
+}
+
+}  // namespace remount

@@ -1,0 +1,56 @@
+// Scans of the keyframes: loaded, compensated for motion and prepared for registration, within a memory bound.
+#pragma once
+
+#include <future>
+#include <list>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "algorithms/cloud/objects.h"
+#include "algorithms/registration/prepared_cloud.h"
+#include "model/pipeline/drive_motion.h"
+
+namespace remount {
+
+/// Axis-aligned box in the lidar frame of a scan.
+struct LidarBox {
+  Eigen::Vector3f minimum, maximum;
+};
+
+/// Thread-safe. A scan is prepared once for all its pairs while the bound allows; the least recently used goes first.
+class ScanStore {
+ public:
+  ScanStore(const DriveMotion& motion, RegistrationOptions options, std::size_t bound_bytes)
+      : motion_(motion), options_(options), bound_bytes_(bound_bytes) {}
+
+  /// Motion within a scan is taken from the INS through this X; without a call scans are used as they are.
+  void compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep);
+
+  /// The scan, compensated, in the lidar frame at its stamp. Throws Error where it cannot be read.
+  PointCloud load(const Keyframe& keyframe) const;
+
+  /// Prepared for registration without the points in `boxes`. `key` names the keyframe; the same key must come with the
+  /// same arguments. Throws Error where the scan cannot be read.
+  std::shared_ptr<const PreparedCloud> prepared(int key, const Keyframe& keyframe, const std::vector<LidarBox>& boxes);
+
+ private:
+  using Future = std::shared_future<std::shared_ptr<const PreparedCloud>>;
+  void forget_oldest(int keep);
+
+  const DriveMotion& motion_;
+  RegistrationOptions options_;
+  std::size_t bound_bytes_;
+  std::optional<RigidTransform> compensation_;
+  std::vector<bool> session_uses_sweep_;
+
+  std::mutex mutex_;
+  std::map<int, Future> ready_;
+  std::list<int> recently_used_;  // newest first
+  std::map<int, std::size_t> bytes_;
+  std::size_t total_bytes_ = 0;
+};
+
+}  // namespace remount
