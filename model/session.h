@@ -60,6 +60,7 @@ struct Session {
   std::shared_ptr<const ScanSource> scans;  ///< null where odometry_from_lidar is given
   ScanTiming scan_timing = ScanTiming::Instant;
   SweepModel sweep;
+  std::string ins_axes = "x forward, y left, z up";  ///< of the INS frame in which X is expressed, for display
   /// Errors of the INS as the data declare them; NaN where they do not. White: independent from sample to sample.
   double ins_position_white_sigma_m = std::numeric_limits<double>::quiet_NaN();
   double ins_attitude_white_sigma_rad = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,26 @@
+// Columns of a CSV file by name.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace remount {
+
+/// The header line of a CSV. Names are compared exactly after trimming; a leading '.' (rostopic echo -p) is not part.
+class CsvHeader {
+ public:
+  CsvHeader() = default;
+  explicit CsvHeader(std::string_view line);
+  std::size_t size() const { return names_.size(); }
+  bool has(std::string_view name) const { return find(name) >= 0; }
+  int find(std::string_view name) const;  ///< -1 where there is none
+  /// Throws Error(Format) naming the file and the columns that are there.
+  std::size_t require(std::string_view name, const std::filesystem::path& path) const;
+
+ private:
+  std::vector<std::string> names_;
+};
+
+}  // namespace remount

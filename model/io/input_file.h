@@ -1,0 +1,73 @@
+// Reading files from outside: regular files of a bounded size only, and numbers that do not depend on the locale.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace remount {
+
+inline constexpr std::uint64_t kMaxDataFileBytes = std::uint64_t{4} << 30;
+inline constexpr std::uint64_t kMaxManifestBytes = std::uint64_t{1} << 20;
+
+/// The bytes of a regular file. Throws Error(Io) naming the path where it is missing, not readable or not a regular
+/// file (directories, FIFOs, devices and sockets are refused without blocking), and Error(Unsupported) where it is
+/// larger than `max_bytes`. Takes memory for what the file holds and no more.
+std::string read_regular_file(const std::filesystem::path& path, std::uint64_t max_bytes = kMaxDataFileBytes);
+
+/// The first bytes of a regular file, at most `bytes`; same errors.
+std::string read_file_head(const std::filesystem::path& path, std::size_t bytes);
+
+/// True where the path leads to a regular file. Never throws.
+bool is_file(const std::filesystem::path& path);
+/// True where the path leads to a directory. Never throws.
+bool is_folder(const std::filesystem::path& path);
+
+/// Regular files of a directory (not of its subdirectories) in the order of their names; empty where there is none.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& directory);
+/// Subdirectories in the order of their names.
+std::vector<std::filesystem::path> directories_in(const std::filesystem::path& directory);
+
+/// Walks the lines of a text without copying; strips "\r" at the end and a byte order mark at the beginning.
+class LineReader {
+ public:
+  explicit LineReader(std::string_view text);
+  /// False at the end. A last line without "\n" counts.
+  bool next(std::string_view& line);
+  std::size_t line_number() const { return line_number_; }  ///< of the line that next() gave, from 1
+  std::size_t offset() const { return offset_; }            ///< byte after that line
+
+ private:
+  std::string_view text_;
+  std::size_t offset_ = 0;
+  std::size_t line_number_ = 0;
+};
+
+std::string_view trimmed(std::string_view text);
+std::string lower_case(std::string_view text);
+/// Tokens between spaces and tabs. Reuses the memory of `tokens`.
+void split_blanks(std::string_view line, std::vector<std::string_view>& tokens);
+/// Fields of a CSV line, trimmed; commas within double quotes do not separate, the quotes are taken off.
+void split_csv(std::string_view line, std::vector<std::string_view>& fields, char separator = ',');
+
+/// The whole text as a number, or nothing. "nan" and "inf" are numbers only to parse_any_number.
+std::optional<double> parse_number(std::string_view text);
+std::optional<double> parse_any_number(std::string_view text);
+std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// A place in a text file, for messages: "path:line".
+std::string at_line(const std::filesystem::path& path, std::size_t line);
+
+/// As parse_number; throws Error(Format) "path:line: <what> is '<text>', expected a number".
+double require_number(std::string_view text, std::string_view what, const std::filesystem::path& path,
+                      std::size_t line);
+
+/// Seconds written in decimal, to nanoseconds without loss ("1636512749.922900677"); nothing where it is no number or
+/// beyond the range of int64.
+std::optional<std::int64_t> parse_seconds_ns(std::string_view text);
+
+}  // namespace remount

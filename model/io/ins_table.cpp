@@ -1,0 +1,175 @@
+#include "model/io/ins_table.h"
+
+#include <cmath>
+
+#include "model/io/csv_table.h"
+#include "model/io/input_file.h"
+#include "model/io/stream_tools.h"
+#include "model/io/time_stamp.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kQualityNames{"unknown", "good", "degraded", "invalid"};
+
+/// A number in units of `unit_ns` as nanoseconds, exactly for integers and for decimals of seconds.
+std::optional<std::int64_t> parse_time_ns(std::string_view text, std::int64_t unit_ns) {
+  if (unit_ns == 1'000'000'000) return parse_seconds_ns(text);
+  constexpr double kLimit = 9.2e18;
+  if (const auto whole = parse_integer(text)) {
+    if (std::abs(static_cast<double>(*whole)) * static_cast<double>(unit_ns) > kLimit) return std::nullopt;
+    return *whole * unit_ns;
+  }
+  const auto value = parse_number(text);
+  if (!value || std::abs(*value) * static_cast<double>(unit_ns) > kLimit) return std::nullopt;
+  return std::llround(*value * static_cast<double>(unit_ns));
+}
+
+class RowParser {
+ public:
+  RowParser(const fs::path& path, const InsTableLayout& layout, const CsvHeader& header)
+      : path_(path), layout_(layout), header_(header) {}
+
+  InsSample parse(std::string_view line, std::size_t line_number) {
+    line_ = line_number;
+    split_csv(line, fields_);
+    InsSample sample;
+    sample.stamp_ns = stamp_ns();
+    sample.latitude_rad = number(layout_.latitude) * layout_.position_unit_rad;
+    sample.longitude_rad = number(layout_.longitude) * layout_.position_unit_rad;
+    sample.height_m = number(layout_.height);
+    if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+      throw Error(ErrorCode::Format, at_line(path_, line_), "latitude, longitude or height is not possible");
+    sample.enu_from_ins =
+        layout_.quaternion ? quaternion() : enu_from_ins(angles(layout_.yaw_pitch_roll), layout_.attitude);
+    if (layout_.position_sigma_enu)
+      for (int axis = 0; axis < 3; ++axis)
+        sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[static_cast<std::size_t>(axis)]);
+    if (layout_.attitude_sigma_yaw_pitch_roll)
+      sample.sigma.attitude_rad = attitude_sigma(*layout_.attitude_sigma_yaw_pitch_roll);
+    if (layout_.quality) sample.quality = quality();
+    return sample;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorCode::Format, at_line(path_, line_), what); }
+
+  std::string_view field(const ColumnRef& column) const {
+    const std::size_t index = column.name.empty() ? column.index : static_cast<std::size_t>(header_.find(column.name));
+    if (index >= fields_.size())
+      fail("has " + std::to_string(fields_.size()) + " fields, column " + std::to_string(index + 1) + " is needed");
+    return fields_[index];
+  }
+  std::string label(const ColumnRef& column) const {
+    return column.name.empty() ? "column " + std::to_string(column.index) : column.name;
+  }
+  double number(const ColumnRef& column) const { return require_number(field(column), label(column), path_, line_); }
+  /// An empty field or nan: this line does not state it.
+  double sigma(const ColumnRef& column) const {
+    const auto value = parse_number(field(column));
+    return value && *value > 0.0 ? *value : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  std::int64_t stamp_ns() const {
+    const std::string_view text = field(layout_.time);
+    const auto time = parse_time_ns(text, layout_.time_unit_ns);
+    if (!time) fail(label(layout_.time) + " is '" + std::string(text.substr(0, 40)) + "', expected a time");
+    if (layout_.gps_week) {
+      const auto week = parse_integer(field(*layout_.gps_week));
+      const auto stamp = week ? unix_ns_from_gps_week(*week, *time) : std::nullopt;
+      if (!stamp) fail("GPS week and time of week are out of range");
+      return *stamp;
+    }
+    return layout_.time_scale == TimeScale::Gps ? unix_ns_from_gps_ns(*time) : *time;
+  }
+
+  AttitudeAngles angles(const std::array<ColumnRef, 3>& columns) const {
+    return {number(columns[0]) * layout_.attitude_unit_rad, number(columns[1]) * layout_.attitude_unit_rad,
+            number(columns[2]) * layout_.attitude_unit_rad};
+  }
+
+  Eigen::Vector3d attitude_sigma(const std::array<ColumnRef, 3>& columns) const {
+    const double unit = layout_.quaternion ? 1.0 : layout_.attitude_unit_rad;
+    return axis_sigma_rad({sigma(columns[0]) * unit, sigma(columns[1]) * unit, sigma(columns[2]) * unit},
+                          layout_.quaternion ? AttitudeConvention::EnuYaw : layout_.attitude);
+  }
+
+  Eigen::Quaterniond quaternion() const {
+    const Eigen::Quaterniond logged(number(layout_.quaternion_xyzw[3]), number(layout_.quaternion_xyzw[0]),
+                                    number(layout_.quaternion_xyzw[1]), number(layout_.quaternion_xyzw[2]));
+    if (std::abs(logged.norm() - 1.0) > 0.01)
+      fail("the quaternion has length " + std::to_string(logged.norm()) + ", expected 1");
+    return enu_from_ins(logged, *layout_.quaternion);
+  }
+
+  InsQuality quality() const {
+    const std::string_view text = field(*layout_.quality);
+    for (std::size_t i = 0; i < kQualityNames.size(); ++i)
+      if (kQualityNames[i] == text) return static_cast<InsQuality>(i);
+    fail(label(*layout_.quality) + " is '" + std::string(text.substr(0, 40)) +
+         "', expected unknown, good, degraded or invalid");
+  }
+
+  const fs::path& path_;
+  const InsTableLayout& layout_;
+  const CsvHeader& header_;
+  std::vector<std::string_view> fields_;
+  std::size_t line_ = 0;
+};
+
+std::vector<ColumnRef> columns_of(const InsTableLayout& layout) {
+  std::vector<ColumnRef> columns{layout.time, layout.latitude, layout.longitude, layout.height};
+  if (layout.gps_week) columns.push_back(*layout.gps_week);
+  if (layout.quality) columns.push_back(*layout.quality);
+  if (layout.quaternion)
+    columns.insert(columns.end(), layout.quaternion_xyzw.begin(), layout.quaternion_xyzw.end());
+  else
+    columns.insert(columns.end(), layout.yaw_pitch_roll.begin(), layout.yaw_pitch_roll.end());
+  for (const auto* sigma : {&layout.position_sigma_enu, &layout.attitude_sigma_yaw_pitch_roll})
+    if (*sigma) columns.insert(columns.end(), (*sigma)->begin(), (*sigma)->end());
+  return columns;
+}
+
+}  // namespace
+
+std::string_view to_string(InsQuality quality) { return kQualityNames[static_cast<std::size_t>(quality)]; }
+
+std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout& layout,
+                                      std::vector<Finding>& findings) {
+  const std::string text = read_regular_file(path);
+  LineReader lines(text);
+  std::string_view line;
+  const std::vector<ColumnRef> columns = columns_of(layout);
+  const bool by_name =
+      std::any_of(columns.begin(), columns.end(), [](const ColumnRef& column) { return !column.name.empty(); });
+  CsvHeader header;
+  if (by_name) {
+    if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");
+    header = CsvHeader(line);
+    for (const ColumnRef& column : columns)
+      if (!column.name.empty()) header.require(column.name, path);
+  }
+  RowParser parser(path, layout, header);
+  std::vector<InsSample> samples;
+  BadItems bad;
+  while (lines.next(line)) {
+    if (trimmed(line).empty() || line.starts_with('#')) continue;
+    try {
+      samples.push_back(parser.parse(line, lines.line_number()));
+    } catch (const Error& error) {
+      // Columns by number: a first line without numbers is a header.
+      if (by_name || lines.line_number() > 1) bad.add(error);
+    }
+  }
+  if (samples.empty())
+    throw Error(ErrorCode::Format, path.string(),
+                "holds no usable INS sample." + (bad.count() ? " First problem: " + bad.first() : ""));
+  bad.report(findings, "bad-ins", path.string(), "lines");
+  keep_ascending(samples, "ins", path.string(), findings);
+  return samples;
+}
+
+}  // namespace remount

@@ -1,0 +1,254 @@
+#include "model/io/kitti_raw_reader.h"
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "model/io/attitude_convention.h"
+#include "model/io/input_file.h"
+#include "model/io/stream_tools.h"
+#include "model/io/time_stamp.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kOxtsFields = 30;
+constexpr std::size_t kPositionAccuracy = 23;
+constexpr int kSearchDepth = 3;
+constexpr std::size_t kMaxFolders = 2000;
+constexpr std::size_t kMaxOxtsBytes = 64 * 1024;
+
+bool is_drive(const fs::path& folder) {
+  return is_file(folder / "oxts" / "timestamps.txt") && is_folder(folder / "oxts" / "data") &&
+         is_folder(folder / "velodyne_points" / "data");
+}
+
+std::vector<fs::path> find_drives(const fs::path& path) {
+  std::vector<fs::path> drives;
+  std::vector<std::pair<fs::path, int>> waiting{{path, 0}};
+  for (std::size_t i = 0; i < waiting.size() && i < kMaxFolders; ++i) {
+    const auto [folder, depth] = waiting[i];
+    if (is_drive(folder)) {
+      drives.push_back(folder);
+    } else if (depth < kSearchDepth) {
+      for (const fs::path& child : directories_in(folder)) waiting.emplace_back(child, depth + 1);
+    }
+  }
+  return drives;
+}
+
+/// Line i of a stamps file is for number i; an empty or unreadable line has no stamp.
+std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::vector<Finding>& findings) {
+  const std::string text = read_regular_file(path);
+  std::vector<std::optional<std::int64_t>> stamps;
+  BadItems bad;
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    stamps.push_back(parse_date_ns(trimmed(line)));
+    if (!stamps.back() && !trimmed(line).empty())
+      bad.add(at_line(path, lines.line_number()) + ": expected a time like 2011-09-26 13:02:25.964389445");
+  }
+  while (!stamps.empty() && !stamps.back()) stamps.pop_back();
+  bad.report(findings, "bad-stamps", path.string(), "time stamps");
+  return stamps;
+}
+
+fs::path numbered(const fs::path& folder, std::size_t number, const char* extension) {
+  char name[32];
+  std::snprintf(name, sizeof name, "%010zu%s", number, extension);
+  return folder / name;
+}
+
+InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns) {
+  const std::string text = read_regular_file(path, kMaxOxtsBytes);
+  std::vector<std::string_view> tokens;
+  LineReader lines(text);
+  std::string_view line;
+  lines.next(line);
+  split_blanks(line, tokens);
+  if (tokens.size() < kOxtsFields)
+    throw Error(ErrorCode::Format, at_line(path, 1),
+                "has " + std::to_string(tokens.size()) + " numbers, expected " + std::to_string(kOxtsFields));
+  const auto number = [&](std::size_t i) { return require_number(tokens[i], "field " + std::to_string(i), path, 1); };
+  InsSample sample;
+  sample.stamp_ns = stamp_ns;
+  sample.latitude_rad = degrees_to_radians(number(0));
+  sample.longitude_rad = degrees_to_radians(number(1));
+  sample.height_m = number(2);
+  if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+    throw Error(ErrorCode::Format, at_line(path, 1), "latitude, longitude or height is not possible");
+  sample.enu_from_ins = enu_from_ins({number(5), number(4), number(3)}, AttitudeConvention::EnuYaw);
+  const double accuracy_m = number(kPositionAccuracy);
+  if (accuracy_m > 0.0) sample.sigma.position_enu_m.setConstant(accuracy_m);
+  return sample;
+}
+
+void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::int64_t>>& stamps, Session& session,
+                   Progress& progress) {
+  BadItems bad;
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    if (i % 1000 == 0) progress.report("reading INS", i, stamps.size());
+    const fs::path file = numbered(drive / "oxts" / "data", i, ".txt");
+    try {
+      if (!stamps[i]) throw Error(ErrorCode::Format, file.string(), "has no time stamp");
+      session.ins.push_back(read_oxts(file, *stamps[i]));
+      session.files.push_back(file);
+    } catch (const Error& error) {
+      bad.add(error);
+    }
+  }
+  if (session.ins.empty())
+    throw Error(
+        ErrorCode::Format, (drive / "oxts").string(),
+        "holds no usable INS sample. First problem: " + (bad.count() ? bad.first() : std::string("no time stamps")));
+  bad.report(session.findings, "bad-ins", (drive / "oxts").string(), "INS files");
+  keep_ascending(session.ins, "ins", (drive / "oxts").string(), session.findings);
+}
+
+std::vector<ScanFile> list_scans(const fs::path& drive, const std::vector<std::optional<std::int64_t>>& stamps,
+                                 Session& session) {
+  const fs::path data = drive / "velodyne_points" / "data";
+  std::vector<ScanFile> scans;
+  BadItems bad;
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
+    fs::path file = numbered(data, i, ".bin");
+    if (!is_file(file)) file = numbered(data, i, ".txt");
+    if (!is_file(file))
+      bad.add(numbered(data, i, ".bin").string() + ": is missing");
+    else if (!stamps[i])
+      bad.add(file.string() + ": has no time stamp");
+    else
+      scans.push_back({file, *stamps[i]});
+  }
+  const std::size_t files = files_in(data).size();
+  if (files > stamps.size())
+    session.findings.push_back(
+        make_finding(Severity::Warning, "scans-without-stamp", data.string(),
+                     std::to_string(files - stamps.size()) + " files have no time stamp and are left out."));
+  bad.report(session.findings, "missing-scans", data.string(), "scans");
+  if (scans.empty()) throw Error(ErrorCode::Format, data.string(), "holds no scan with a time stamp");
+  keep_ascending(scans, "scan", data.string(), session.findings);
+  return scans;
+}
+
+/// The scans of `sync` take the OXTS stamps; how far their own differ is worth knowing.
+std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std::optional<std::int64_t>>& oxts,
+                                                          const std::vector<std::optional<std::int64_t>>& velodyne,
+                                                          Session& session) {
+  std::vector<std::optional<std::int64_t>> stamps = velodyne;
+  std::vector<double> differences_s;
+  for (std::size_t i = 0; i < std::min(stamps.size(), oxts.size()); ++i) {
+    if (!oxts[i]) continue;
+    if (velodyne[i]) differences_s.push_back(static_cast<double>(*velodyne[i] - *oxts[i]) * 1e-9);
+    stamps[i] = oxts[i];
+  }
+  if (differences_s.empty()) return stamps;
+  std::sort(differences_s.begin(), differences_s.end());
+  const double median = differences_s[differences_s.size() / 2];
+  if (std::abs(median) > 1e-3)
+    session.findings.push_back(
+        make_finding(Severity::Note, "stamps-by-number", "velodyne_points/timestamps.txt",
+                     "Scans and INS samples of one number are taken together; their own stamps differ by " +
+                         std::to_string(median * 1e3) + " ms (median)."));
+  return stamps;
+}
+
+double turn_period_s(const fs::path& drive, const std::vector<ScanFile>& scans, std::vector<Finding>& findings) {
+  const fs::path start = drive / "velodyne_points" / "timestamps_start.txt",
+                 end = drive / "velodyne_points" / "timestamps_end.txt";
+  std::vector<double> periods;
+  if (is_file(start) && is_file(end)) {
+    const auto starts = read_stamps(start, findings), ends = read_stamps(end, findings);
+    for (std::size_t i = 0; i < std::min(starts.size(), ends.size()); ++i)
+      if (starts[i] && ends[i] && *ends[i] > *starts[i])
+        periods.push_back(static_cast<double>(*ends[i] - *starts[i]) * 1e-9);
+  }
+  double period = median_period_s(scans);
+  if (!periods.empty()) {
+    std::nth_element(periods.begin(), periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2), periods.end());
+    period = periods[periods.size() / 2];
+  }
+  // The sensor turns 5 to 20 times a second; anything else is a gap or a broken file.
+  return period > 0.04 && period < 0.25 ? period : 0.1;
+}
+
+/// ins_from_lidar of calib_imu_to_velo.txt beside the drive, which holds velo_from_imu.
+void read_calibration(const fs::path& drive, Session& session) {
+  for (const fs::path& folder : {drive.parent_path(), drive.parent_path().parent_path()}) {
+    const fs::path file = folder / "calib_imu_to_velo.txt";
+    if (!is_file(file)) continue;
+    try {
+      const std::string text = read_regular_file(file, kMaxManifestBytes);
+      std::map<std::string, std::vector<double>> entries;
+      std::vector<std::string_view> tokens;
+      LineReader lines(text);
+      for (std::string_view line; lines.next(line);) {
+        split_blanks(line, tokens);
+        if (tokens.empty() || (tokens[0] != "R:" && tokens[0] != "T:")) continue;
+        auto& numbers = entries[std::string(tokens[0])];
+        for (std::size_t i = 1; i < tokens.size(); ++i)
+          numbers.push_back(require_number(tokens[i], "an entry", file, lines.line_number()));
+      }
+      const auto &r = entries["R:"], &t = entries["T:"];
+      if (r.size() != 9 || t.size() != 3)
+        throw Error(ErrorCode::Format, file.string(), "expected R: with 9 and T: with 3 numbers");
+      Eigen::Matrix3d rotation;
+      rotation << r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8];
+      double defect = 0.0;
+      rotation = checked_rotation(rotation, file.string(), defect);
+      session.nominal_ins_from_lidar = make_rigid(rotation, {t[0], t[1], t[2]}).inverse();
+      session.files.push_back(file);
+      session.findings.push_back(make_finding(Severity::Note, "nominal-found", file.string(),
+                                              "A mounting is given beside the drive; it serves as the nominal."));
+    } catch (const Error& error) {
+      session.findings.push_back(make_finding(Severity::Warning, "nominal-unreadable", file.string(), error.what()));
+    }
+    return;
+  }
+}
+
+}  // namespace
+
+int KittiRawReader::probe(const fs::path& path) const {
+  if (!is_folder(path)) return 0;
+  return find_drives(path).empty() ? 0 : 90;
+}
+
+Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
+  const std::vector<fs::path> drives = find_drives(path);
+  if (drives.empty())
+    throw Error(ErrorCode::Format, path.string(),
+                "holds no KITTI drive: a folder with oxts/timestamps.txt, oxts/data and velodyne_points/data");
+  if (drives.size() > 1) {
+    std::string list;
+    for (std::size_t i = 0; i < std::min<std::size_t>(drives.size(), 20); ++i) list += "\n  " + drives[i].string();
+    throw Error(ErrorCode::Unsupported, path.string(),
+                "holds " + std::to_string(drives.size()) + " drives; open them one by one:" + list);
+  }
+  const fs::path drive = drives.front();
+  fs::path named = drive.lexically_normal();
+  if (named.filename().empty() || named.filename() == ".") named = fs::absolute(drive).lexically_normal();
+  if (named.filename().empty()) named = named.parent_path();
+  Session session;
+  session.name = named.filename().string();
+  session.path = path;
+  session.format = id();
+  session.files = {drive / "oxts" / "timestamps.txt", drive / "velodyne_points" / "timestamps.txt"};
+  const auto oxts_stamps = read_stamps(session.files[0], session.findings);
+  auto scan_stamps = read_stamps(session.files[1], session.findings);
+  const bool extract = session.name.ends_with("_extract");
+  if (!extract) scan_stamps = stamps_by_number(oxts_stamps, scan_stamps, session);
+  read_all_oxts(drive, oxts_stamps, session, progress);
+  std::vector<ScanFile> scans = list_scans(drive, scan_stamps, session);
+  for (const ScanFile& scan : scans) session.files.push_back(scan.path);
+  session.scan_timing = ScanTiming::SweepAzimuth;
+  session.sweep = {turn_period_s(drive, scans, session.findings), 0.0, false, extract};
+  session.scans = std::make_shared<FileScanSource>(std::move(scans));
+  read_calibration(drive, session);
+  return session;
+}
+
+}  // namespace remount

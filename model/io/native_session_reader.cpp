@@ -1,0 +1,321 @@
+#include "model/io/native_session_reader.h"
+
+#include <cmath>
+#include <map>
+
+#include "model/io/csv_table.h"
+#include "model/io/input_file.h"
+#include "model/io/ins_table.h"
+#include "model/io/parse_document.h"
+#include "model/io/pose_file.h"
+#include "model/io/pose_pairing.h"
+#include "model/io/stream_tools.h"
+#include "model/io/time_stamp.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kFormat = "remount-session/1";
+
+std::optional<DocumentView> find(const DocumentView& node, std::string_view key) {
+  return node.has(key) ? std::optional<DocumentView>(node.at(key)) : std::nullopt;
+}
+
+fs::path manifest_of(const fs::path& path) { return is_folder(path) ? path / "session.yaml" : path; }
+
+/// The value of `node` among named choices.
+template <class Value>
+Value choice(const DocumentView& node, std::initializer_list<std::pair<std::string_view, Value>> choices) {
+  const std::string text = node.string();
+  std::string names;
+  for (const auto& [name, value] : choices) {
+    if (name == text) return value;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  node.fail("'" + text.substr(0, 60) + "' is not one of: " + names);
+}
+
+double angle_unit(const DocumentView& node) {
+  return choice<double>(node.at("unit"), {{"deg", kPi / 180.0}, {"rad", 1.0}});
+}
+
+double positive(const DocumentView& node) {
+  const double value = node.number();
+  if (value <= 0.0) node.fail("expected a number above 0");
+  return value;
+}
+
+/// A number is an index from 0, any other text a name.
+ColumnRef column(const DocumentView& node) {
+  const std::string text = node.string();
+  const auto index = parse_integer(text);
+  if (!index) return {text, 0};
+  if (*index < 0 || *index > 10'000) node.fail("a column's index must be 0 to 10000");
+  return {"", static_cast<std::size_t>(*index)};
+}
+
+ColumnRef named_column(const DocumentView& node) {
+  const auto name = find(node, "name");
+  const auto index = find(node, "index");
+  if (name.has_value() == index.has_value()) node.fail("expected either 'name' or 'index'");
+  return name ? ColumnRef{name->string(), 0} : column(*index);
+}
+
+void read_time_column(const DocumentView& node, InsTableLayout& layout) {
+  node.allow_only({"name", "index", "unit", "scale", "week"});
+  layout.time = named_column(node);
+  layout.time_unit_ns =
+      choice<std::int64_t>(node.at("unit"), {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}});
+  layout.time_scale = choice<TimeScale>(node.at("scale"), {{"unix", TimeScale::Unix}, {"gps", TimeScale::Gps}});
+  if (const auto week = find(node, "week")) {
+    if (layout.time_scale != TimeScale::Gps) week->fail("a week belongs to scale: gps");
+    layout.gps_week = column(*week);
+  }
+}
+
+void read_position_columns(const DocumentView& columns, InsTableLayout& layout) {
+  double units[2] = {0.0, 0.0};
+  int i = 0;
+  for (const char* key : {"latitude", "longitude"}) {
+    const DocumentView& node = columns.at(key);
+    node.allow_only({"name", "index", "unit"});
+    units[i] = angle_unit(node);
+    (i++ == 0 ? layout.latitude : layout.longitude) = named_column(node);
+  }
+  if (units[0] != units[1]) columns.fail("latitude and longitude must have the same unit");
+  layout.position_unit_rad = units[0];
+  const DocumentView& height = columns.at("height");
+  if (height.is_map()) {
+    height.allow_only({"name", "index", "unit"});
+    choice<int>(height.at("unit"), {{"m", 0}});
+  }
+  layout.height = height.is_map() ? named_column(height) : column(height);
+}
+
+void read_attitude_columns(const DocumentView& columns, InsTableLayout& layout) {
+  const DocumentView node = columns.at("attitude"), convention = node.at("convention");
+  layout.quaternion = quaternion_convention_from_string(convention.string());
+  if (layout.quaternion) {
+    node.allow_only({"convention", "x", "y", "z", "w"});
+    std::size_t i = 0;
+    for (const char* key : {"x", "y", "z", "w"}) layout.quaternion_xyzw[i++] = column(node.at(key));
+    return;
+  }
+  const auto angles = attitude_convention_from_string(convention.string());
+  if (!angles)
+    convention.fail("'" + convention.string().substr(0, 60) +
+                    "' is not one of: enu-yaw, heading, novatel, quaternion-enu, quaternion-ned");
+  node.allow_only({"convention", "unit", "yaw", "pitch", "roll"});
+  layout.attitude = *angles;
+  layout.attitude_unit_rad = angle_unit(node);
+  std::size_t i = 0;
+  for (const char* key : {"yaw", "pitch", "roll"}) layout.yaw_pitch_roll[i++] = column(node.at(key));
+}
+
+InsTableLayout read_layout(const DocumentView& columns) {
+  columns.allow_only(
+      {"time", "latitude", "longitude", "height", "attitude", "position_sigma_m", "attitude_sigma", "quality"});
+  InsTableLayout layout;
+  read_time_column(columns.at("time"), layout);
+  read_position_columns(columns, layout);
+  read_attitude_columns(columns, layout);
+  if (const auto sigma = find(columns, "position_sigma_m")) {
+    sigma->allow_only({"east", "north", "up"});
+    layout.position_sigma_enu = {column(sigma->at("east")), column(sigma->at("north")), column(sigma->at("up"))};
+  }
+  if (const auto sigma = find(columns, "attitude_sigma")) {
+    sigma->allow_only({"yaw", "pitch", "roll"});
+    layout.attitude_sigma_yaw_pitch_roll = {column(sigma->at("yaw")), column(sigma->at("pitch")),
+                                            column(sigma->at("roll"))};
+  }
+  if (const auto quality = find(columns, "quality")) layout.quality = column(*quality);
+  return layout;
+}
+
+/// "1317384506400000000" (ns), "1317384506.4" (s) or a date.
+std::optional<std::int64_t> stamp_from_name(std::string_view stem) {
+  if (stem.find('.') == std::string_view::npos && stem.size() > 15) return parse_integer(stem);
+  if (const auto date = parse_date_ns(stem)) return date;
+  return parse_seconds_ns(stem);
+}
+
+bool has_extension(const fs::path& file, CloudFormat format) {
+  const std::string extension = lower_case(file.extension().string());
+  return extension == (format == CloudFormat::Pcd ? ".pcd" : format == CloudFormat::Ply ? ".ply" : ".bin");
+}
+
+std::vector<ScanFile> scans_from_names(const fs::path& directory, CloudFormat format, std::vector<Finding>& findings) {
+  std::vector<ScanFile> scans;
+  BadItems bad;
+  for (const fs::path& file : files_in(directory)) {
+    if (!has_extension(file, format)) continue;
+    if (const auto stamp = stamp_from_name(file.stem().string()))
+      scans.push_back({file, *stamp});
+    else
+      bad.add(file.string() + ": the name is no time stamp (nanoseconds, seconds or 2021-10-26-16-21-29-468)");
+  }
+  bad.report(findings, "bad-scan-names", directory.string(), "files");
+  std::stable_sort(scans.begin(), scans.end(),
+                   [](const ScanFile& a, const ScanFile& b) { return a.stamp_ns < b.stamp_ns; });
+  return scans;
+}
+
+std::vector<ScanFile> scans_from_table(const fs::path& table, const fs::path& directory,
+                                       std::vector<Finding>& findings) {
+  const std::string text = read_regular_file(table);
+  LineReader lines(text);
+  std::string_view line;
+  lines.next(line);
+  const CsvHeader header(line);
+  const std::size_t file_column = header.require("file", table), stamp_column = header.require("stamp_ns", table);
+  std::vector<ScanFile> scans;
+  BadItems bad;
+  std::vector<std::string_view> fields;
+  while (lines.next(line)) {
+    if (trimmed(line).empty()) continue;
+    split_csv(line, fields);
+    const auto stamp = fields.size() == header.size() ? parse_integer(fields[stamp_column]) : std::nullopt;
+    const fs::path file = stamp ? directory / std::string(fields[file_column]) : fs::path();
+    if (!stamp)
+      bad.add(at_line(table, lines.line_number()) + ": expected a file's name and its stamp in nanoseconds");
+    else if (!is_file(file))
+      bad.add(file.string() + ": is missing or no regular file");
+    else
+      scans.push_back({file, *stamp});
+  }
+  bad.report(findings, "missing-scans", table.string(), "scans");
+  return scans;
+}
+
+void read_timing(const DocumentView& node, Session& session) {
+  session.scan_timing = choice<ScanTiming>(
+      node.at("timing"),
+      {{"instant", ScanTiming::Instant}, {"per-point", ScanTiming::PerPoint}, {"sweep", ScanTiming::SweepAzimuth}});
+  const auto sweep = find(node, "sweep");
+  if ((session.scan_timing == ScanTiming::SweepAzimuth) != sweep.has_value())
+    node.fail("'sweep' stands with timing: sweep and only there");
+  if (!sweep) return;
+  sweep->allow_only({"period_s", "stamp_azimuth_deg", "clockwise", "certain"});
+  session.sweep.period_s = positive(sweep->at("period_s"));
+  session.sweep.stamp_azimuth_rad = degrees_to_radians(sweep->at("stamp_azimuth_deg").number());
+  session.sweep.clockwise = sweep->at("clockwise").boolean();
+  if (const auto certain = find(*sweep, "certain")) session.sweep.certain = certain->boolean();
+}
+
+void read_scans(const DocumentView& node, const fs::path& folder, Session& session) {
+  node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
+  const auto format = choice<CloudFormat>(
+      node.at("type"), {{"pcd", CloudFormat::Pcd}, {"ply", CloudFormat::Ply}, {"kitti-bin", CloudFormat::KittiBin}});
+  const fs::path directory = folder / node.at("directory").string();
+  if (!is_folder(directory)) node.at("directory").fail("there is no folder " + directory.string());
+  const std::string stamps = node.at("stamps").string();
+  std::vector<ScanFile> scans;
+  if (stamps == "from-names") {
+    scans = scans_from_names(directory, format, session.findings);
+  } else {
+    session.files.push_back(folder / stamps);
+    scans = scans_from_table(folder / stamps, directory, session.findings);
+  }
+  if (scans.empty()) node.fail("no scan with a stamp is found in " + directory.string());
+  keep_ascending(scans, "scan", directory.string(), session.findings);
+  for (const ScanFile& scan : scans) session.files.push_back(scan.path);
+  session.scans = std::make_shared<FileScanSource>(std::move(scans), format);
+  read_timing(node, session);
+}
+
+std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& folder, Session& session) {
+  node.allow_only({"file", "format"});
+  const DocumentView& format = node.at("format");
+  const auto pose_format = pose_format_from_string(format.string());
+  if (!pose_format)
+    format.fail("'" + format.string().substr(0, 60) + "' is not one of: tum, eth-csv, aloam-csv, pose-lines");
+  session.files.push_back(folder / node.at("file").string());
+  return read_pose_file(session.files.back(), *pose_format, session.findings);
+}
+
+void read_ins(const DocumentView& node, const fs::path& folder, Session& session) {
+  node.allow_only({"file", "columns"});
+  const InsTableLayout layout = read_layout(node.at("columns"));
+  if (!layout.quaternion) session.ins_axes = to_string(axes_of(layout.attitude));
+  session.files.push_back(folder / node.at("file").string());
+  session.ins = read_ins_table(session.files.back(), layout, session.findings);
+}
+
+void read_noise(const DocumentView& node, Session& session) {
+  node.allow_only({"position_sigma_m", "attitude_sigma_deg", "attitude_bias_sigma_deg"});
+  const auto read = [&](const char* key, double unit, double& sigma) {
+    const auto value = find(node, key);
+    if (!value) return;
+    sigma = value->number() * unit;
+    if (sigma < 0.0) value->fail("a sigma is not negative");
+  };
+  read("position_sigma_m", 1.0, session.ins_position_white_sigma_m);
+  read("attitude_sigma_deg", kPi / 180.0, session.ins_attitude_white_sigma_rad);
+  read("attitude_bias_sigma_deg", kPi / 180.0, session.ins_attitude_bias_sigma_rad);
+}
+
+RigidTransform read_nominal(const DocumentView& node) {
+  node.allow_only({"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"});
+  const auto angle = [&](const char* key) { return degrees_to_radians(node.at(key).number()); };
+  return rigid_from_six({node.at("x_m").number(), node.at("y_m").number(), node.at("z_m").number(), angle("yaw_deg"),
+                         angle("pitch_deg"), angle("roll_deg")});
+}
+
+void require_one_of(const DocumentView& root, const char* first, const char* second) {
+  if (root.has(first) == root.has(second))
+    root.fail(std::string("expected either '") + first + "' or '" + second + "'");
+}
+
+}  // namespace
+
+int NativeSessionReader::probe(const fs::path& path) const {
+  const fs::path manifest = manifest_of(path);
+  if (!is_file(manifest)) return 0;
+  try {
+    const std::string head = read_file_head(manifest, 64 * 1024);
+    return head.find("remount-session/") != std::string::npos ? 100 : 0;
+  } catch (const Error&) {
+    return 0;
+  }
+}
+
+Session NativeSessionReader::open(const fs::path& path, Progress& progress) const {
+  const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
+  const DocumentNode document = read_document(manifest);
+  const DocumentView root(document, manifest.string());
+  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks"});
+  const DocumentView& format = root.at("format");
+  if (format.string() != kFormat)
+    format.fail("is '" + format.string().substr(0, 60) + "', expected " + std::string(kFormat));
+  require_one_of(root, "scans", "lidar_poses");
+  require_one_of(root, "ins", "ins_poses");
+  Session session;
+  session.name = root.at("name").string();
+  session.path = path;
+  session.format = id();
+  session.files.push_back(manifest);
+  progress.report("reading INS", 0, 2);
+  if (const auto ins = find(root, "ins"))
+    read_ins(*ins, folder, session);
+  else
+    session.world_from_ins = read_poses(root.at("ins_poses"), folder, session);
+  progress.report("listing scans", 1, 2);
+  if (const auto scans = find(root, "scans"))
+    read_scans(*scans, folder, session);
+  else
+    session.odometry_from_lidar = read_poses(root.at("lidar_poses"), folder, session);
+  if (const auto noise = find(root, "ins_noise")) read_noise(*noise, session);
+  if (const auto nominal = find(root, "nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+  ClockUse clocks = ClockUse::Shared;
+  if (const auto node = find(root, "clocks"))
+    clocks = choice<ClockUse>(*node, {{"shared", ClockUse::Shared}, {"unsynchronised", ClockUse::Unsynchronised}});
+  if (clocks == ClockUse::Unsynchronised && session.scans)
+    root.at("clocks").fail("clocks can be aligned only where lidar_poses are given");
+  if (!session.scans) align_lidar_clock(session, clocks);
+  return session;
+}
+
+}  // namespace remount

@@ -1,0 +1,33 @@
+#include "algorithms/core/error.h"
+#include "model/io/kitti_raw_reader.h"
+#include "model/io/native_session_reader.h"
+#include "model/io/session_reader.h"
+
+namespace remount {
+
+const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
+  static const std::vector<std::unique_ptr<SessionReader>> readers = [] {
+    std::vector<std::unique_ptr<SessionReader>> list;
+    list.push_back(std::make_unique<NativeSessionReader>());
+    list.push_back(std::make_unique<KittiRawReader>());
+    return list;
+  }();
+  return readers;
+}
+
+Session open_session(const std::filesystem::path& path, Progress& progress) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw Error(ErrorCode::Io, path.string(), "does not exist");
+  const SessionReader* best = nullptr;
+  int best_score = 0;
+  for (const auto& reader : session_readers()) {
+    const int score = reader->probe(path);
+    if (score > best_score) best = reader.get(), best_score = score;
+  }
+  if (best) return best->open(path, progress);
+  std::string known;
+  for (const auto& reader : session_readers()) known += "\n  " + std::string(reader->description());
+  throw Error(ErrorCode::Unsupported, path.string(), "is no session that Remount knows. It looks for:" + known);
+}
+
+}  // namespace remount

@@ -1,0 +1,94 @@
+#include "model/io/stream_tools.h"
+
+#include <cmath>
+
+#include "algorithms/geometry/rotation.h"
+
+namespace remount {
+
+void BadItems::report(std::vector<Finding>& findings, const std::string& code, const std::string& where,
+                      const std::string& noun) const {
+  if (count_ == 0) return;
+  findings.push_back(make_finding(Severity::Warning, code, where,
+                                  std::to_string(count_) + " " + noun + " cannot be used and " +
+                                      (count_ == 1 ? "is" : "are") + " left out. First: " + first_));
+}
+
+template <class Item>
+void keep_ascending(std::vector<Item>& items, const std::string& code, const std::string& where,
+                    std::vector<Finding>& findings) {
+  std::size_t duplicates = 0, reversed = 0;
+  std::vector<Item> kept;
+  kept.reserve(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::int64_t stamp = items[i].stamp_ns;
+    // One stamp ahead of its successor while that goes on from its predecessor: a glitch that would swallow the rest.
+    const bool glitch = i + 1 < items.size() && stamp > items[i + 1].stamp_ns &&
+                        (kept.empty() || items[i + 1].stamp_ns > kept.back().stamp_ns);
+    if (glitch || (!kept.empty() && stamp < kept.back().stamp_ns))
+      ++reversed;
+    else if (!kept.empty() && stamp == kept.back().stamp_ns)
+      ++duplicates;
+    else
+      kept.push_back(items[i]);
+  }
+  items = std::move(kept);
+  if (duplicates > 0)
+    findings.push_back(
+        make_finding(Severity::Note, code + "-duplicate-stamps", where,
+                     std::to_string(duplicates) + " entries repeat the stamp before them; the first of each is used."));
+  if (reversed > 0)
+    findings.push_back(make_finding(
+        Severity::Warning, code + "-reversed-stamps", where,
+        std::to_string(reversed) + " entries go back in time and are left out. Check the clock of the recorder."));
+}
+
+template void keep_ascending(std::vector<InsSample>&, const std::string&, const std::string&, std::vector<Finding>&);
+template void keep_ascending(std::vector<StampedPose>&, const std::string&, const std::string&, std::vector<Finding>&);
+template void keep_ascending(std::vector<ScanFile>&, const std::string&, const std::string&, std::vector<Finding>&);
+
+const ScanFile& FileScanSource::at(std::size_t scan) const {
+  if (scan >= files_.size())
+    throw Error(ErrorCode::Contract, "",
+                "scan " + std::to_string(scan) + " of " + std::to_string(files_.size()) + " does not exist");
+  return files_[scan];
+}
+
+bool has_point_times(const ScanSource& scans) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3); ++i) {
+    try {
+      const PointCloud cloud = scans.load(i);
+      if (cloud.time_from_stamp_s.empty()) return false;
+      const auto [low, high] = std::minmax_element(cloud.time_from_stamp_s.begin(), cloud.time_from_stamp_s.end());
+      return *high - *low > 1e-3f;
+    } catch (const Error&) {
+      continue;  // becomes known when the scan is used
+    }
+  }
+  return false;
+}
+
+Eigen::Matrix3d checked_rotation(const Eigen::Matrix3d& logged, const std::string& where, double& defect) {
+  if (!logged.allFinite()) throw Error(ErrorCode::Format, where, "the rotation holds numbers that are not finite");
+  const Eigen::Matrix3d rotation = nearest_rotation(logged);
+  defect = (rotation - logged).cwiseAbs().maxCoeff();
+  if (defect > 0.1)
+    throw Error(ErrorCode::Format, where,
+                "the nine numbers are no rotation: an entry is off by " + std::to_string(defect));
+  return rotation;
+}
+
+bool plausible_geodetic(double latitude_rad, double longitude_rad, double height_m) {
+  return std::abs(latitude_rad) <= kPi / 2.0 && std::abs(longitude_rad) <= 2.0 * kPi && std::abs(height_m) < 1e5;
+}
+
+std::vector<StampedPose> rotations_of(const std::vector<InsSample>& ins) {
+  std::vector<StampedPose> poses(ins.size());
+  for (std::size_t i = 0; i < ins.size(); ++i) {
+    poses[i].stamp_ns = ins[i].stamp_ns;
+    poses[i].pose.linear() = ins[i].enu_from_ins.toRotationMatrix();
+  }
+  return poses;
+}
+
+}  // namespace remount
