@@ -54,6 +54,8 @@ struct SceneObject {
   /// Square roots of the eigenvalues of the points' covariance, ascending: independent of the sensor's orientation.
   Eigen::Vector3f extent_m = Eigen::Vector3f::Zero();
   std::vector<int> points;  ///< indices into the cloud, ascending
+  /// The points thinned to one in half a cluster distance, m: the object's shape for matching and display.
+  std::vector<Eigen::Vector3f> outline_in_lidar;
 };
 
 /// Objects of a scan. `up_in_lidar` is the direction away from the ground, unit length; where the mounting is not

@@ -1,0 +1,162 @@
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "algorithms/cloud/objects.h"
+
+namespace remount {
+
+using Eigen::Vector3f;
+
+namespace {
+
+/// An object of scan a where it is predicted in scan b.
+struct Predicted {
+  Vector3f centroid_in_b = Vector3f::Zero();
+  std::vector<Vector3f> outline_in_b;
+};
+
+std::vector<Predicted> predicted(const std::vector<SceneObject>& objects, const RigidTransform& b_from_a) {
+  const Eigen::Isometry3f motion = b_from_a.cast<float>();
+  std::vector<Predicted> result;
+  for (const SceneObject& object : objects) {
+    Predicted at{motion * object.centroid_in_lidar, {}};
+    for (const Vector3f& p : object.outline_in_lidar) at.outline_in_b.push_back(motion * p);
+    result.push_back(std::move(at));
+  }
+  return result;
+}
+
+/// How unlike two shapes are; what is partly hidden changes its class to a neighbouring one. Above 1: not the same
+/// object.
+float unlikeness(ObjectShape a, ObjectShape b) {
+  if (a == b) return 0.0f;
+  const auto either = [&](ObjectShape first, ObjectShape second) {
+    return (a == first && b == second) || (a == second && b == first);
+  };
+  if (either(ObjectShape::Facade, ObjectShape::Large) || either(ObjectShape::Pole, ObjectShape::Small)) return 0.2f;
+  if (a == ObjectShape::Pole || b == ObjectShape::Pole) return 2.0f;
+  return 0.5f;
+}
+
+float unlikeness(const SceneObject& a, const SceneObject& b) {
+  // Extents below a decimetre are noise; of the others the ratio counts.
+  const Eigen::Array3f ratio = ((a.extent_m.array() + 0.1f) / (b.extent_m.array() + 0.1f)).log().abs();
+  return unlikeness(a.shape, b.shape) + 0.5f * ratio.maxCoeff();
+}
+
+struct Association {
+  int a = 0, b = 0;
+};
+
+/// One to one, cheapest first.
+std::vector<Association> associate(const std::vector<SceneObject>& objects_a, const std::vector<SceneObject>& objects_b,
+                                   const std::vector<Predicted>& at, const Vector3f& common, float farthest_m) {
+  constexpr float kMostUnlike = 1.2f;
+  std::vector<std::tuple<float, int, int>> costs;
+  for (std::size_t a = 0; a < objects_a.size(); ++a)
+    for (std::size_t b = 0; b < objects_b.size(); ++b) {
+      const float distance = (objects_b[b].centroid_in_lidar - at[a].centroid_in_b - common).norm() / farthest_m;
+      if (!(distance <= 1.0f)) continue;
+      const float unlike = unlikeness(objects_a[a], objects_b[b]);
+      if (unlike <= kMostUnlike) costs.emplace_back(distance + unlike, static_cast<int>(a), static_cast<int>(b));
+    }
+  std::sort(costs.begin(), costs.end());
+  std::vector<bool> used_a(objects_a.size(), false), used_b(objects_b.size(), false);
+  std::vector<Association> result;
+  for (const auto& [cost, a, b] : costs) {
+    if (used_a[static_cast<std::size_t>(a)] || used_b[static_cast<std::size_t>(b)]) continue;
+    used_a[static_cast<std::size_t>(a)] = used_b[static_cast<std::size_t>(b)] = true;
+    result.push_back({a, b});
+  }
+  return result;
+}
+
+/// Median displacement of the associated objects from where they were predicted, axis by axis. Objects whose middle
+/// depends on what is visible of them count only where there is nothing better.
+Vector3f common_displacement(const std::vector<Association>& associations, const std::vector<SceneObject>& objects_b,
+                             const std::vector<SceneObject>& objects_a, const std::vector<Predicted>& at) {
+  std::array<std::vector<float>, 3> all, compact;
+  for (const Association& pair : associations) {
+    const auto a = static_cast<std::size_t>(pair.a), b = static_cast<std::size_t>(pair.b);
+    const Vector3f d = objects_b[b].centroid_in_lidar - at[a].centroid_in_b;
+    const bool is_compact = objects_a[a].shape == ObjectShape::Pole || objects_a[a].shape == ObjectShape::Small;
+    for (int axis = 0; axis < 3; ++axis) {
+      all[static_cast<std::size_t>(axis)].push_back(d[axis]);
+      if (is_compact) compact[static_cast<std::size_t>(axis)].push_back(d[axis]);
+    }
+  }
+  Vector3f median = Vector3f::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float>& values =
+        compact[0].size() >= 5 ? compact[static_cast<std::size_t>(axis)] : all[static_cast<std::size_t>(axis)];
+    if (values.empty()) continue;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    median[axis] = *middle;
+  }
+  return median;
+}
+
+/// How far an object has moved at least. What is visible of it changes with the place it is seen from, but of a
+/// standing object one end stays along each of its axes; of a moving one both ends and the middle move together.
+float least_displacement_m(const Predicted& from, const SceneObject& to, const Vector3f& common) {
+  Vector3f mean = Vector3f::Zero();
+  for (const Vector3f& p : to.outline_in_lidar) mean += p;
+  mean /= static_cast<float>(to.outline_in_lidar.size());
+  Eigen::Matrix3f moments = Eigen::Matrix3f::Zero();
+  for (const Vector3f& p : to.outline_in_lidar) moments += (p - mean) * (p - mean).transpose();
+  const Eigen::Matrix3f axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f>(moments).eigenvectors();
+  const auto bounds = [&](const std::vector<Vector3f>& outline, const Vector3f& shift) {
+    Eigen::Matrix<float, 3, 2> box;
+    box.col(0).setConstant(1e9f);
+    box.col(1).setConstant(-1e9f);
+    for (const Vector3f& p : outline) {
+      const Vector3f q = axes.transpose() * (p + shift);
+      box.col(0) = box.col(0).cwiseMin(q);
+      box.col(1) = box.col(1).cwiseMax(q);
+    }
+    return box;
+  };
+  const Eigen::Matrix<float, 3, 2> change =
+      bounds(to.outline_in_lidar, Vector3f::Zero()) - bounds(from.outline_in_b, common);
+  Vector3f least = Vector3f::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    const float low = change(axis, 0), high = change(axis, 1);
+    if (low * high > 0.0f) least[axis] = std::min(std::abs(low), std::abs(high));
+  }
+  return least.norm();
+}
+
+}  // namespace
+
+std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a,
+                                       const std::vector<SceneObject>& objects_b,
+                                       const RigidTransform& lidar_b_from_lidar_a, const ObjectOptions& options) {
+  const std::vector<Predicted> at = predicted(objects_a, lidar_b_from_lidar_a);
+  const float farthest_m = static_cast<float>(options.association_distance_m);
+  // Twice: once to see by how much the prediction is off for all, then where they are expected with that.
+  Vector3f common = Vector3f::Zero();
+  std::vector<Association> associations = associate(objects_a, objects_b, at, common, farthest_m);
+  common = common_displacement(associations, objects_b, objects_a, at);
+  associations = associate(objects_a, objects_b, at, common, farthest_m);
+  common = common_displacement(associations, objects_b, objects_a, at);
+  std::vector<ObjectMatch> matches;
+  for (const Association& pair : associations) {
+    const SceneObject& b = objects_b[static_cast<std::size_t>(pair.b)];
+    const ObjectShape shape = objects_a[static_cast<std::size_t>(pair.a)].shape;
+    const float displacement = least_displacement_m(at[static_cast<std::size_t>(pair.a)], b, common);
+    // Buildings do not move; their visible part does.
+    const bool can_move = shape != ObjectShape::Facade && b.shape != ObjectShape::Facade &&
+                          shape != ObjectShape::Large && b.shape != ObjectShape::Large;
+    matches.push_back({pair.a, pair.b, can_move && displacement > static_cast<float>(options.moving_distance_m),
+                       static_cast<double>(displacement)});
+  }
+  std::sort(matches.begin(), matches.end(),
+            [](const ObjectMatch& x, const ObjectMatch& y) { return x.object_a < y.object_a; });
+  return matches;
+}
+
+}  // namespace remount
