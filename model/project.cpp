@@ -1,0 +1,190 @@
+#include "model/project.h"
+
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "algorithms/core/error.h"
+#include "model/io/atomic_save.h"
+#include "model/io/pair_document.h"
+#include "model/io/parse_document.h"
+#include "model/io/transform_document.h"
+#include "model/settings_file.h"
+#include "remount_version.h"
+
+namespace remount {
+namespace {
+
+constexpr std::string_view kFormat = "remount-project/1";
+constexpr DocumentLimits kLimits{256U << 20U, 4000000, 16};
+constexpr std::int64_t kLongest = std::numeric_limits<std::int64_t>::max();
+
+/// Relative to the project's folder where that does not lead up to the root: a project and its data move together.
+std::string written_path(const std::filesystem::path& session, const std::filesystem::path& folder) {
+  const std::filesystem::path absolute = std::filesystem::absolute(session).lexically_normal();
+  const std::filesystem::path relative = absolute.lexically_relative(folder);
+  return relative.empty() ? absolute.generic_string() : relative.generic_string();
+}
+
+std::filesystem::path folder_of(const std::filesystem::path& project) {
+  return std::filesystem::absolute(project).lexically_normal().parent_path();
+}
+
+DocumentNode verdicts_document(const std::vector<PairVerdict>& verdicts) {
+  DocumentNode list = DocumentNode::sequence();
+  for (const PairVerdict& verdict : verdicts) {
+    DocumentNode& node = list.add(DocumentNode::map());
+    node.on_one_line = true;
+    node.add("session", DocumentNode::integer(verdict.session));
+    node.add("stamp_a_ns", DocumentNode::integer(verdict.stamp_a_ns));
+    node.add("stamp_b_ns", DocumentNode::integer(verdict.stamp_b_ns));
+    node.add("state", DocumentNode::string(to_string(verdict.state)));
+    node.add("reason", DocumentNode::string(verdict.reason));
+  }
+  return list;
+}
+
+std::vector<PairVerdict> verdicts_from(const DocumentView& view) {
+  std::vector<PairVerdict> verdicts;
+  for (const DocumentView& item : view.items()) {
+    PairVerdict verdict;
+    verdict.session = static_cast<int>(item.at("session").integer(0, std::numeric_limits<int>::max()));
+    verdict.stamp_a_ns = item.at("stamp_a_ns").integer(-kLongest, kLongest);
+    verdict.stamp_b_ns = item.at("stamp_b_ns").integer(-kLongest, kLongest);
+    verdict.state = static_cast<PairState>(item.at("state").choice({"proposed", "accepted", "rejected"}));
+    verdict.reason = item.at("reason").string();
+    verdicts.push_back(verdict);
+  }
+  return verdicts;
+}
+
+DocumentNode findings_document(const std::vector<Finding>& findings) {
+  DocumentNode list = DocumentNode::sequence();
+  for (const Finding& finding : findings) {
+    DocumentNode& node = list.add(DocumentNode::map());
+    node.add("severity", DocumentNode::integer(static_cast<int>(finding.severity)));
+    node.add("code", DocumentNode::string(finding.code));
+    node.add("where", DocumentNode::string(finding.where));
+    node.add("explanation", DocumentNode::string(finding.explanation));
+  }
+  return list;
+}
+
+DocumentNode calibration_document(const Project& project) {
+  const PipelineOutput& output = *project.output;
+  PipelineInput input;
+  input.settings = project.settings;
+  input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
+  ResultFile file = make_result_file(input, output, project.inputs);
+  file.pairs.clear();  // they follow in full
+  DocumentNode node = DocumentNode::map();
+  node.add("result", result_document(file));
+  node.add("initial_ins_from_lidar", transform_document(output.initial_ins_from_lidar));
+  node.add("nominal_known", DocumentNode::boolean(output.nominal_known));
+  node.add("findings", findings_document(output.findings));
+  DocumentNode& keyframes = node.add("keyframes", DocumentNode::sequence());
+  for (const Keyframe& keyframe : output.keyframes) keyframes.add(keyframe_document(keyframe));
+  DocumentNode& pairs = node.add("pairs", DocumentNode::sequence());
+  for (const Pair& pair : output.pairs) pairs.add(pair_document(pair));
+  return node;
+}
+
+PipelineOutput calibration_from(const DocumentView& view, std::size_t session_count, std::vector<InputFile>& inputs) {
+  PipelineOutput output;
+  ResultFile file = result_from_document(view.at("result"));
+  output.result = std::move(file.result);
+  inputs = std::move(file.inputs);
+  output.initial_ins_from_lidar = transform_from_document(view.at("initial_ins_from_lidar"));
+  output.nominal_known = view.at("nominal_known").boolean();
+  for (const DocumentView& item : view.at("findings").items())
+    output.findings.push_back({static_cast<Severity>(item.at("severity").integer(0, 2)), item.at("code").string(),
+                               item.at("where").string(), item.at("explanation").string()});
+  for (const DocumentView& item : view.at("keyframes").items())
+    output.keyframes.push_back(keyframe_from_document(item, session_count));
+  for (const DocumentView& item : view.at("pairs").items())
+    output.pairs.push_back(pair_from_document(item, output.keyframes.size()));
+  return output;
+}
+
+}  // namespace
+
+std::vector<PairVerdict> verdicts_of(const PipelineOutput& output) {
+  std::vector<PairVerdict> verdicts;
+  for (const PairRecord& pair : pair_records(output.keyframes, output.pairs))
+    if (pair.decided_by == DecidedBy::User)
+      verdicts.push_back({pair.session, pair.stamp_a_ns, pair.stamp_b_ns, pair.state, pair.reason});
+  return verdicts;
+}
+
+int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& output) {
+  std::map<std::tuple<int, std::int64_t, std::int64_t>, const PairVerdict*> wanted;
+  for (const PairVerdict& verdict : verdicts)
+    wanted[{verdict.session, verdict.stamp_a_ns, verdict.stamp_b_ns}] = &verdict;
+  int applied = 0;
+  for (Pair& pair : output.pairs) {
+    const Keyframe& a = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
+    const Keyframe& b = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
+    const auto found = wanted.find({a.session, a.stamp_ns, b.stamp_ns});
+    if (found == wanted.end()) continue;
+    pair.state = found->second->state;
+    pair.reason = found->second->reason;
+    pair.decided_by = DecidedBy::User;
+    ++applied;
+  }
+  return applied;
+}
+
+void save_project(const Project& project, const std::filesystem::path& path) {
+  const std::filesystem::path folder = folder_of(path);
+  DocumentNode root = DocumentNode::map();
+  root.add("format", DocumentNode::string(kFormat));
+  root.add("version", DocumentNode::string(kVersion));
+  DocumentNode& sessions = root.add("sessions", DocumentNode::sequence());
+  for (const std::filesystem::path& session : project.sessions)
+    sessions.add(DocumentNode::map()).add("path", DocumentNode::string(written_path(session, folder)));
+  root.add("settings", settings_document(project.settings));
+  root.add("nominal_ins_from_lidar",
+           project.nominal_ins_from_lidar ? transform_document(*project.nominal_ins_from_lidar) : DocumentNode::null());
+  root.add("verdicts", verdicts_document(project.verdicts));
+  root.add("calibration", project.output ? calibration_document(project) : DocumentNode::null());
+  save_atomically(path, to_yaml(root));
+}
+
+Project load_project(const std::filesystem::path& path) {
+  const DocumentNode document = read_document(path, kLimits);
+  const DocumentView root(document, path.string());
+  const std::string format = root.at("format").string();
+  if (format != kFormat)
+    root.at("format").fail("is \"" + format.substr(0, 60) + "\", expected \"" + std::string(kFormat) + "\"" +
+                           (format.starts_with("remount-project/") ? "; a later version of Remount wrote it" : ""));
+  root.allow_only({"format", "version", "sessions", "settings", "nominal_ins_from_lidar", "verdicts", "calibration"});
+  Project project;
+  const std::filesystem::path folder = folder_of(path);
+  for (const DocumentView& item : root.at("sessions").items()) {
+    const std::filesystem::path session = item.at("path").string();
+    if (session.empty()) item.at("path").fail("is empty");
+    project.sessions.push_back((folder / session).lexically_normal());
+  }
+  project.settings = settings_from_document(root.at("settings"));
+  if (!root.at("nominal_ins_from_lidar").is_null())
+    project.nominal_ins_from_lidar = transform_from_document(root.at("nominal_ins_from_lidar"));
+  project.verdicts = verdicts_from(root.at("verdicts"));
+  if (!root.at("calibration").is_null())
+    project.output = calibration_from(root.at("calibration"), project.sessions.size(), project.inputs);
+  return project;
+}
+
+ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs) {
+  ResultFile file;
+  file.result = output.result;
+  file.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
+  file.pairs = pair_records(output.keyframes, output.pairs);
+  for (const Finding& finding : output.findings)
+    if (finding.severity != Severity::Note) file.findings.push_back(finding.where + ": " + finding.explanation);
+  file.version = kVersion;
+  file.settings = input.settings;
+  file.inputs = std::move(inputs);
+  return file;
+}
+
+}  // namespace remount

@@ -1,0 +1,49 @@
+// A calibration job as a file "*.remount": sessions, settings, nominal, decisions about pairs, and what was found.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/pipeline.h"
+#include "model/result_file.h"
+
+namespace remount {
+
+/// A user's verdict on a pair, kept when keyframes and pairs are made anew.
+struct PairVerdict {
+  int session = 0;  ///< index of the session
+  std::int64_t stamp_a_ns = 0, stamp_b_ns = 0;
+  PairState state = PairState::Proposed;
+  std::string reason;
+};
+
+struct Project {
+  std::vector<std::filesystem::path> sessions;  ///< absolute, or relative to the working directory
+  Settings settings;
+  std::optional<RigidTransform> nominal_ins_from_lidar;
+  std::vector<PairVerdict> verdicts;
+  std::optional<PipelineOutput> output;  ///< the last calibration, enough to review and solve again without scans
+  std::vector<InputFile> inputs;         ///< hashes of what that calibration read
+};
+
+/// The verdicts that the user has given in an output.
+std::vector<PairVerdict> verdicts_of(const PipelineOutput& output);
+
+/// Gives the pairs of an output the states of the verdicts, as decided by the user; solve_again makes them count.
+/// Returns how many verdicts found their pair.
+int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& output);
+
+/// Saves atomically; sessions below or beside the project's folder are written relative to it, so that the folder can
+/// be moved. Throws Error(Io).
+void save_project(const Project& project, const std::filesystem::path& path);
+
+/// Sessions come back as paths that can be opened; they are not opened here. Throws Error(Io) where the file cannot be
+/// read, Error(Format) with file and line where it is no project, of a later version, or damaged.
+Project load_project(const std::filesystem::path& path);
+
+/// The result of a run as a file holds it: with pairs, warnings of the findings, settings and nominal.
+ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs);
+
+}  // namespace remount

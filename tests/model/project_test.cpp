@@ -1,0 +1,125 @@
+#include "model/project.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "algorithms/core/error.h"
+#include "model/io/input_file.h"
+#include "model/settings_file.h"
+
+namespace remount {
+namespace {
+
+class project : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("remount_project_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_ / "jobs");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string error_of(const std::string& text) const {
+    std::ofstream(folder_ / "bad.remount") << text;
+    try {
+      load_project(folder_ / "bad.remount");
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  std::filesystem::path folder_;
+};
+
+Project example(const std::filesystem::path& folder) {
+  Project project;
+  project.sessions = {folder / "drives" / "one", folder / "two"};
+  project.settings.pairing.max_gap_s = 2.5;
+  project.nominal_ins_from_lidar = rigid_from_six({1, 0, 1, 0.1, 0, 0});
+  project.verdicts.push_back({1, 100, 200, PairState::Rejected, "a lorry"});
+  PipelineOutput output;
+  output.keyframes = {{1, 0, 100, 0.0}, {1, 5, 200, 3.0}, {1, 9, 300, 6.0}};
+  for (int i = 0; i < 2; ++i) {
+    Pair pair;
+    pair.keyframe_a = i, pair.keyframe_b = i + 1;
+    pair.gap_s = 0.1;
+    pair.ins_b_from_ins_a = rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3});
+    pair.lidar_b_from_lidar_a = rigid_from_six({3, 2, 1, -0.1, 0.2, 0.3});
+    pair.registration.information = Matrix6d::Identity() * 7;
+    pair.registration.information(0, 5) = pair.registration.information(5, 0) = 0.25;
+    pair.registration.rmse_m = std::nan("");
+    pair.state = PairState::Accepted;
+    pair.decided_by = DecidedBy::Program;
+    output.pairs.push_back(pair);
+  }
+  output.result.status = Status::Ok;
+  output.result.observed.fill(true);
+  output.result.covariance = Matrix6d::Identity() * 1e-6;
+  output.result.ins_from_lidar = rigid_from_six({0.9, 0, 1, 0.1, 0, 0});
+  output.findings.push_back({Severity::Warning, "ins-gap", "ins.csv", "a gap of 2 s"});
+  output.initial_ins_from_lidar = *project.nominal_ins_from_lidar;
+  output.nominal_known = true;
+  project.output = output;
+  project.inputs.push_back({"one", "ins.csv", 5, "abc"});
+  return project;
+}
+
+TEST_F(project, reads_back_what_it_saved) {
+  const auto path = folder_ / "jobs" / "a.remount";
+  save_project(example(folder_), path);
+  const Project back = load_project(path);
+  EXPECT_EQ(back.sessions, (std::vector<std::filesystem::path>{folder_ / "drives" / "one", folder_ / "two"}));
+  EXPECT_EQ(settings_text(back.settings), settings_text(example(folder_).settings));
+  EXPECT_EQ(back.verdicts.at(0).reason, "a lorry");
+  ASSERT_TRUE(back.output && back.nominal_ins_from_lidar);
+  EXPECT_EQ(back.output->pairs.size(), 2U);
+  EXPECT_EQ(back.output->pairs[1].registration.information, example(folder_).output->pairs[1].registration.information);
+  EXPECT_LT(
+      (back.output->pairs[1].lidar_b_from_lidar_a.matrix() - rigid_from_six({3, 2, 1, -0.1, 0.2, 0.3}).matrix()).norm(),
+      1e-14);
+  EXPECT_EQ(back.output->findings.at(0).code, "ins-gap");
+  EXPECT_EQ(back.inputs.at(0).sha256, "abc");
+  const std::string first = read_regular_file(path);
+  save_project(back, path);
+  const Project again = load_project(path);
+  EXPECT_EQ(again.output->result.ins_from_lidar.matrix(), back.output->result.ins_from_lidar.matrix());
+  EXPECT_EQ(read_regular_file(path).size(), first.size());
+}
+
+TEST_F(project, moves_with_its_data) {
+  save_project(example(folder_ / "jobs"), folder_ / "jobs" / "a.remount");
+  std::filesystem::rename(folder_ / "jobs", folder_ / "moved");
+  EXPECT_EQ(load_project(folder_ / "moved" / "a.remount").sessions.at(0), folder_ / "moved" / "drives" / "one");
+}
+
+TEST_F(project, verdicts_find_their_pairs_by_stamps) {
+  PipelineOutput output = *example(folder_).output;
+  EXPECT_EQ(apply_verdicts(example(folder_).verdicts, output), 1);
+  EXPECT_EQ(output.pairs[0].state, PairState::Rejected);
+  EXPECT_EQ(output.pairs[0].decided_by, DecidedBy::User);
+  EXPECT_EQ(output.pairs[1].state, PairState::Accepted);
+  ASSERT_EQ(verdicts_of(output).size(), 1U);
+  EXPECT_EQ(verdicts_of(output)[0].reason, "a lorry");
+}
+
+TEST_F(project, says_what_is_wrong_and_where) {
+  EXPECT_NE(error_of("format: remount-project/2\n").find("bad.remount:1: format: is \"remount-project/2\""),
+            std::string::npos)
+      << error_of("format: remount-project/2\n");
+  EXPECT_NE(error_of("format: remount-project/2\n").find("later version"), std::string::npos);
+  EXPECT_NE(error_of("x: 1\n").find("\"format\" is missing"), std::string::npos);
+  EXPECT_NE(error_of("[1]").find("expected a map"), std::string::npos);
+  EXPECT_NE(error_of("").find("empty"), std::string::npos);
+  const auto path = folder_ / "a.remount";
+  save_project(example(folder_), path);
+  std::string text = read_regular_file(path);
+  text.replace(text.find("keyframe_b: 1"), 13, "keyframe_b: 9");
+  EXPECT_NE(error_of(text).find("keyframe_b: expected a whole number from 0 to 2"), std::string::npos)
+      << error_of(text);
+}
+
+}  // namespace
+}  // namespace remount
