@@ -153,6 +153,8 @@ void PairView::set_blinking(bool on) {
   on ? timer_->start() : timer_->stop();
 }
 
+bool PairView::blinking() const { return timer_->isActive(); }
+
 void PairView::look(StandardView view) {
   scene_.look(view);
   render();

@@ -28,6 +28,7 @@ class PairView : public QWidget {
   /// Before and registered in turn: by hand, or twice a second.
   void flip();
   void set_blinking(bool on);
+  bool blinking() const;
   void look(StandardView view);
   PairAlignment alignment() const { return alignment_; }
   bool has_gl() const { return canvas_ != nullptr; }

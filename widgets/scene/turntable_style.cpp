@@ -23,7 +23,9 @@ void place_camera(vtkCamera& camera, const double focal_point[3], double distanc
   camera.SetPosition(focal_point[0] + distance_m * std::cos(elevation) * std::cos(azimuth_rad),
                      focal_point[1] + distance_m * std::cos(elevation) * std::sin(azimuth_rad),
                      focal_point[2] + distance_m * std::sin(elevation));
-  camera.SetViewUp(0.0, 0.0, 1.0);
+  // The upward tangent of the sphere, not z itself, which VTK refuses close to the poles.
+  camera.SetViewUp(-std::sin(elevation) * std::cos(azimuth_rad), -std::sin(elevation) * std::sin(azimuth_rad),
+                   std::cos(elevation));
 }
 
 void TurntableStyle::Rotate() {

@@ -1,0 +1,50 @@
+// Edits that can be undone.
+#pragma once
+
+#include <QUndoCommand>
+
+#include "app/gui/workbench.h"
+
+namespace remount {
+
+class DecisionCommand : public QUndoCommand {
+ public:
+  DecisionCommand(Workbench& workbench, const QString& text, std::vector<PairDecision> before,
+                  std::vector<PairDecision> after);
+  void undo() override { workbench_.apply_decisions(before_); }
+  void redo() override { workbench_.apply_decisions(after_); }
+
+ private:
+  Workbench& workbench_;
+  std::vector<PairDecision> before_, after_;
+};
+
+/// `field` names what was edited ("range.x_min_m"): turning one knob step by step is one edit.
+class SettingsCommand : public QUndoCommand {
+ public:
+  SettingsCommand(Workbench& workbench, const QString& text, const QString& field, const Settings& after);
+  void undo() override { workbench_.apply_settings(before_); }
+  void redo() override { workbench_.apply_settings(after_); }
+  int id() const override { return 1; }
+  bool mergeWith(const QUndoCommand* other) override;
+
+ private:
+  Workbench& workbench_;
+  QString field_;
+  Settings before_, after_;
+};
+
+class NominalCommand : public QUndoCommand {
+ public:
+  NominalCommand(Workbench& workbench, const QString& text, const std::optional<RigidTransform>& after);
+  void undo() override { workbench_.apply_nominal(before_); }
+  void redo() override { workbench_.apply_nominal(after_); }
+  int id() const override { return 2; }
+  bool mergeWith(const QUndoCommand* other) override;
+
+ private:
+  Workbench& workbench_;
+  std::optional<RigidTransform> before_, after_;
+};
+
+}  // namespace remount

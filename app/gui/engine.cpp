@@ -1,0 +1,9 @@
+#include "app/gui/engine.h"
+
+#include "model/io/session_reader.h"
+
+namespace remount {
+
+Engine model_engine() { return {open_session, run_pipeline, solve_again, load_pair_clouds}; }
+
+}  // namespace remount

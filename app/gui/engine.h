@@ -1,0 +1,21 @@
+// What the window asks of the model, as replaceable functions: tests drive the window with short ones.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "model/pipeline.h"
+
+namespace remount {
+
+struct Engine {
+  std::function<Session(const std::filesystem::path&, Progress&)> open;
+  std::function<PipelineOutput(const PipelineInput&, Progress&)> run;
+  std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> solve_again;
+  std::function<PairClouds(const PipelineInput&, const PipelineOutput&, int)> load_pair_clouds;
+};
+
+/// The model's own: open_session, run_pipeline, solve_again, load_pair_clouds.
+Engine model_engine();
+
+}  // namespace remount

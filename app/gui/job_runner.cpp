@@ -1,0 +1,74 @@
+#include "app/gui/job_runner.h"
+
+#include <QElapsedTimer>
+#include <new>
+
+#include "algorithms/core/error.h"
+
+namespace remount {
+namespace {
+constexpr qint64 kReportInterval_ms = 50;  // a fast stage reports thousands of times a second
+
+/// Runs `work` and turns every exception into a failure.
+JobRunner::Deliver guarded(const JobRunner::Work& work, const JobRunner::Failed& failed, Progress& progress) {
+  JobFailure failure;
+  try {
+    return work(progress);
+  } catch (const Error& error) {
+    failure = {QString::fromStdString(error.where()), QString::fromStdString(error.what_happened())};
+  } catch (const std::bad_alloc&) {
+    failure = {{}, JobRunner::tr("There is not enough memory. Lower cache_mb in the options, or use fewer keyframes.")};
+  } catch (const std::exception& error) {
+    failure = {{},
+               JobRunner::tr("Unexpected failure: %1. What was there is kept.").arg(QString::fromUtf8(error.what()))};
+  }
+  return [failed, failure] { failed(failure); };
+}
+
+}  // namespace
+
+JobRunner::~JobRunner() {
+  cancel_all();
+  jobs_.clear();  // joins
+}
+
+int JobRunner::start(Work work, Failed failed) {
+  const int job = next_++;
+  jobs_.emplace(job, std::jthread([this, job, work = std::move(work), failed = std::move(failed)](
+                                      std::stop_token stop) { run(job, std::move(stop), work, failed); }));
+  return job;
+}
+
+void JobRunner::run(int job, std::stop_token stop, const Work& work, const Failed& failed) {
+  QElapsedTimer since_report;
+  QString last_stage;
+  Progress progress(std::move(stop), [&](const ProgressUpdate& update) {
+    const QString stage = QString::fromUtf8(update.stage.data(), static_cast<qsizetype>(update.stage.size()));
+    if (stage == last_stage && since_report.isValid() && since_report.elapsed() < kReportInterval_ms) return;
+    last_stage = stage;
+    since_report.start();
+    const qulonglong done = update.done, total = update.total;
+    QMetaObject::invokeMethod(
+        this, [this, job, stage, done, total] { emit progressed(job, stage, done, total); }, Qt::QueuedConnection);
+  });
+  Deliver deliver = guarded(work, failed, progress);
+  QMetaObject::invokeMethod(
+      this,
+      [this, job, deliver = std::move(deliver)] {
+        jobs_.erase(job);  // the thread has nothing left to do: joining is immediate
+        if (deliver) deliver();
+        emit finished(job);
+      },
+      Qt::QueuedConnection);
+}
+
+void JobRunner::cancel(int job) {
+  const auto found = jobs_.find(job);
+  if (found != jobs_.end()) found->second.request_stop();
+}
+
+void JobRunner::cancel_all() {
+  for (auto& [job, thread] : jobs_) thread.request_stop();
+}
+
+}  // namespace remount

@@ -1,0 +1,198 @@
+#include "app/gui/main_window.h"
+
+#include <QCloseEvent>
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSettings>
+#include <QSortFilterProxyModel>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QTableView>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "widgets/itemmodels/candidate_table_model.h"
+#include "widgets/itemmodels/pair_table_model.h"
+#include "widgets/itemmodels/session_list_model.h"
+#include "widgets/panels/log_panel.h"
+#include "widgets/panels/message_banner.h"
+#include "widgets/panels/nominal_panel.h"
+#include "widgets/panels/pair_view.h"
+#include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/progress_strip.h"
+#include "widgets/panels/range_panel.h"
+#include "widgets/panels/result_panel.h"
+#include "widgets/panels/sessions_panel.h"
+#include "widgets/panels/welcome_panel.h"
+
+namespace remount {
+namespace {
+constexpr int kLayoutVersion = 1;
+
+/// Layout is remembered for the application; a test's window, which has no organisation, leaves no trace.
+bool remembers_layout() { return !QCoreApplication::organizationName().isEmpty(); }
+}  // namespace
+
+MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
+    : QMainWindow(parent),
+      workbench_(workbench),
+      session_model_(new SessionListModel(this)),
+      pair_model_(new PairTableModel(this)),
+      candidate_model_(new CandidateTableModel(this)) {
+  setWindowTitle(tr("Remount"));
+  setAcceptDrops(true);
+  resize(1280, 900);
+  make_centre();
+  make_docks();
+  progress_ = new ProgressStrip(this);
+  statusBar()->addWidget(progress_, 1);
+  make_file_menu();
+  make_edit_menu();
+  make_review_menu();
+  make_view_menu();
+  make_help_menu();
+  connect_intents();
+  connect_state();
+  set_palettes();
+  if (remembers_layout()) {
+    const QSettings settings;
+    restoreGeometry(settings.value("window/geometry").toByteArray());
+    restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
+  }
+  show_sessions();
+  show_output();
+  show_state();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::make_centre() {
+  steps_ = new StepBar(this);
+  auto* bar = addToolBar(tr("Steps"));
+  bar->setObjectName("steps");
+  bar->setMovable(false);
+  bar->addWidget(steps_);
+  bar->toggleViewAction()->setEnabled(false);
+  banner_ = new MessageBanner(this);
+  welcome_ = new WelcomePanel(this);
+  welcome_->set_sample_available(!sample_path().isEmpty());
+  pair_view_ = new PairView(this);
+  centre_ = new QStackedWidget(this);
+  centre_->addWidget(welcome_);
+  centre_->addWidget(pair_view_);
+  auto* page = new QWidget(this);
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(banner_);
+  column->addWidget(centre_, 1);
+  setCentralWidget(page);
+}
+
+QDockWidget* MainWindow::make_dock(const QString& title, const QString& name, QWidget* content,
+                                   Qt::DockWidgetArea area) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+QWidget* MainWindow::make_setup() {
+  sessions_ = new SessionsPanel(*session_model_);
+  nominal_ = new NominalPanel;
+  range_ = new RangePanel;
+  auto* column_widget = new QWidget;
+  auto* column = new QVBoxLayout(column_widget);
+  column->setContentsMargins(6, 4, 6, 4);
+  const auto add = [&](const QString& title, QWidget* content, int stretch) {
+    auto* group = new QGroupBox(title);
+    auto* layout = new QVBoxLayout(group);
+    layout->setContentsMargins(6, 4, 6, 6);
+    layout->addWidget(content);
+    column->addWidget(group, stretch);
+  };
+  add(tr("Sessions"), sessions_, 1);
+  add(tr("Nominal mounting (LiDAR in the INS frame)"), nominal_, 0);
+  add(tr("Search range"), range_, 0);
+  auto* scroll = new QScrollArea;
+  scroll->setWidget(column_widget);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(310);
+  return scroll;
+}
+
+void MainWindow::make_docks() {
+  pairs_ = new PairsPanel(*pair_model_);
+  result_ = new ResultPanel;
+  result_->setMinimumWidth(290);
+  log_ = new LogPanel;
+  candidates_ = new QTableView;
+  auto* sorted = new QSortFilterProxyModel(this);
+  sorted->setSourceModel(candidate_model_);
+  sorted->setSortRole(CandidateTableModel::SortRole);
+  candidates_->setModel(sorted);
+  candidates_->setSortingEnabled(true);
+  candidates_->sortByColumn(CandidateTableModel::Rank, Qt::AscendingOrder);
+  candidates_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  candidates_->setAlternatingRowColors(true);
+  candidates_->setTabKeyNavigation(false);
+  candidates_->verticalHeader()->hide();
+  candidates_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  candidates_->horizontalHeader()->setStretchLastSection(true);
+  candidates_->setAccessibleName(tr("Candidates"));
+
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+  setup_dock_ = make_dock(tr("Set-up"), "setup", make_setup(), Qt::LeftDockWidgetArea);
+  result_dock_ = make_dock(tr("Result"), "result", result_, Qt::RightDockWidgetArea);
+  pairs_dock_ = make_dock(tr("Pairs"), "pairs", pairs_, Qt::BottomDockWidgetArea);
+  candidates_dock_ = make_dock(tr("Candidates"), "candidates", candidates_, Qt::BottomDockWidgetArea);
+  log_dock_ = make_dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(pairs_dock_, candidates_dock_);
+  tabifyDockWidget(candidates_dock_, log_dock_);
+  setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
+  pairs_dock_->raise();
+  resizeDocks({pairs_dock_}, {300}, Qt::Vertical);
+  resizeDocks({setup_dock_, result_dock_}, {320, 300}, Qt::Horizontal);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  if (paths.isEmpty()) return;
+  event->acceptProposedAction();
+  open_paths(paths);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (remembers_layout()) {
+    QSettings settings;
+    settings.setValue("window/geometry", saveGeometry());
+    settings.setValue("window/state", saveState(kLayoutVersion));
+  }
+  workbench_.jobs().cancel_all();
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && centre_) set_palettes();
+  QMainWindow::changeEvent(event);
+}
+
+}  // namespace remount

@@ -1,0 +1,113 @@
+// Layout and actions; what they do is the workbench's business.
+#pragma once
+
+#include <QMainWindow>
+#include <functional>
+
+#include "app/gui/workbench.h"
+#include "widgets/panels/step_bar.h"
+
+class QDockWidget;
+class QMenu;
+class QStackedWidget;
+class QTableView;
+
+namespace remount {
+
+class CandidateTableModel;
+class LogPanel;
+class MessageBanner;
+class NominalPanel;
+class OptionsDialog;
+class PairsPanel;
+class PairTableModel;
+class PairView;
+class ProgressStrip;
+class RangePanel;
+class ResultPanel;
+class SessionListModel;
+class SessionsPanel;
+class WelcomePanel;
+
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit MainWindow(Workbench& workbench, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  void open_paths(const QStringList& paths);  ///< sessions and projects
+  void open_sample();
+  /// Where the bundled sample session lies; empty where it is not installed.
+  static QString sample_path();
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  // main_window.cpp: layout
+  void make_centre();
+  void make_docks();
+  QDockWidget* make_dock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
+  QWidget* make_setup();
+  // main_window_actions.cpp: menus
+  void make_file_menu();
+  void make_edit_menu();
+  void make_review_menu();
+  void make_view_menu();
+  void make_help_menu();
+  QAction* add_action(QMenu& menu, const QString& text, const QKeySequence& key, const std::function<void()>& act);
+  void open_project();
+  void open_project_file(const QString& path);
+  void save_project();
+  void ask_for_folder();
+  void ask_for_file();
+  void ask_for_nominal();
+  void show_options();
+  void show_export();
+  void copy_result();
+  void decide(PairState state);
+  void go(int step, bool undecided);
+  void go_to_step(Step step);
+  void show_keys();
+  void show_about();
+  // main_window_wiring.cpp: workbench <-> widgets
+  void connect_intents();
+  void connect_state();
+  void show_sessions();
+  void show_output();
+  void show_state();
+  void show_clouds(int pair, const CloudsPtr& clouds);
+  void show_message(Severity severity, const QString& where, const QString& what);
+  void progress_text(const QString& text);  ///< unless a calibration reports there
+  QString pair_caption(int pair) const;
+  void set_palettes();
+
+  Workbench& workbench_;
+  SessionListModel* session_model_;
+  PairTableModel* pair_model_;
+  CandidateTableModel* candidate_model_;
+  StepBar* steps_ = nullptr;
+  MessageBanner* banner_ = nullptr;
+  QStackedWidget* centre_ = nullptr;
+  WelcomePanel* welcome_ = nullptr;
+  PairView* pair_view_ = nullptr;
+  SessionsPanel* sessions_ = nullptr;
+  NominalPanel* nominal_ = nullptr;
+  RangePanel* range_ = nullptr;
+  PairsPanel* pairs_ = nullptr;
+  QTableView* candidates_ = nullptr;
+  ResultPanel* result_ = nullptr;
+  LogPanel* log_ = nullptr;
+  ProgressStrip* progress_ = nullptr;
+  OptionsDialog* options_ = nullptr;
+  QDockWidget *pairs_dock_ = nullptr, *candidates_dock_ = nullptr, *log_dock_ = nullptr, *setup_dock_ = nullptr,
+              *result_dock_ = nullptr;
+  QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr;
+  std::vector<QAction*> review_actions_;
+  bool was_busy_ = false;
+};
+
+}  // namespace remount

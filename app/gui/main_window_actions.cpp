@@ -1,0 +1,255 @@
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QStackedWidget>
+#include <QTableView>
+
+#include "algorithms/core/error.h"
+#include "app/gui/main_window.h"
+#include "app/gui/result_files.h"
+#include "remount_version.h"
+#include "widgets/charts/error_bar_chart.h"
+#include "widgets/panels/options_dialog.h"
+#include "widgets/panels/pair_view.h"
+#include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/result_panel.h"
+
+namespace remount {
+
+QAction* MainWindow::add_action(QMenu& menu, const QString& text, const QKeySequence& key,
+                                const std::function<void()>& act) {
+  QAction* action = menu.addAction(text);
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, [act] { act(); });
+  return action;
+}
+
+void MainWindow::make_file_menu() {
+  QMenu& menu = *menuBar()->addMenu(tr("&File"));
+  add_action(menu, tr("&Open session folder…"), QKeySequence::Open, [this] { ask_for_folder(); });
+  add_action(menu, tr("Open session &file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
+  menu.addSeparator();
+  add_action(menu, tr("Open &project…"), tr("Ctrl+P"), [this] { open_project(); });
+  add_action(menu, tr("&Save project…"), QKeySequence::Save, [this] { save_project(); });
+  menu.addSeparator();
+  export_ = add_action(menu, tr("&Export result…"), tr("Ctrl+E"), [this] { show_export(); });
+  menu.addSeparator();
+  add_action(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+}
+
+void MainWindow::make_edit_menu() {
+  QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
+  QAction* undo = workbench_.undo_stack().createUndoAction(this, tr("&Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  QAction* redo = workbench_.undo_stack().createRedoAction(this, tr("&Redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  menu.addAction(undo);
+  menu.addAction(redo);
+  menu.addSeparator();
+  add_action(menu, tr("&Copy result"), tr("Ctrl+Shift+C"), [this] { copy_result(); });
+  add_action(menu, tr("&Options…"), tr("Ctrl+,"), [this] { show_options(); });
+}
+
+void MainWindow::make_review_menu() {
+  QMenu& menu = *menuBar()->addMenu(tr("&Calibrate"));
+  calibrate_ = add_action(menu, tr("&Calibrate"), tr("F5"), [this] { workbench_.calibrate(); });
+  cancel_ = add_action(menu, tr("C&ancel"), tr("Esc"), [this] { workbench_.cancel(); });
+  QMenu& review = *menuBar()->addMenu(tr("&Review"));
+  const auto add = [&](const QString& text, const char* key, const std::function<void()>& act) {
+    review_actions_.push_back(add_action(review, text, QKeySequence(QLatin1String(key)), act));
+    return review_actions_.back();
+  };
+  add(tr("&Accept pair"), "A", [this] { decide(PairState::Accepted); });
+  add(tr("&Reject pair"), "R", [this] { decide(PairState::Rejected); });
+  review.addSeparator();
+  add(tr("&Next pair"), "N", [this] { go(1, false); });
+  add(tr("&Previous pair"), "P", [this] { go(-1, false); });
+  add(tr("Next &undecided pair"), "U", [this] { go(1, true); });
+  review.addSeparator();
+  QAction* flip = add(tr("&Flip before and aligned"), "Space", [this] { pair_view_->flip(); });
+  // In the whole window Space would no longer press the button that has the focus.
+  flip->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  for (QWidget* widget : std::initializer_list<QWidget*>{pairs_->table(), pairs_->chart(), pair_view_->canvas()})
+    if (widget) widget->addAction(flip);
+  add(tr("&Blink"), "B", [this] { pair_view_->set_blinking(!pair_view_->blinking()); });
+}
+
+void MainWindow::make_view_menu() {
+  QMenu& menu = *menuBar()->addMenu(tr("&View"));
+  const std::array<std::pair<QString, StandardView>, 4> views{{{tr("&Fit"), StandardView::Fit},
+                                                               {tr("&Top"), StandardView::Top},
+                                                               {tr("&Side"), StandardView::Side},
+                                                               {tr("F&ront"), StandardView::Front}}};
+  int key = 1;
+  for (const auto& [text, view] : views)
+    add_action(menu, text, QStringLiteral("Ctrl+%1").arg(key++), [this, view = view] { pair_view_->look(view); });
+  menu.addSeparator();
+  for (QDockWidget* dock : {setup_dock_, result_dock_, pairs_dock_, candidates_dock_, log_dock_})
+    menu.addAction(dock->toggleViewAction());
+}
+
+void MainWindow::make_help_menu() {
+  QMenu& menu = *menuBar()->addMenu(tr("&Help"));
+  add_action(menu, tr("Open &sample session"), {}, [this] { open_sample(); })->setEnabled(!sample_path().isEmpty());
+  add_action(menu, tr("&Keys"), QKeySequence::HelpContents, [this] { show_keys(); });
+  add_action(menu, tr("&About Remount"), {}, [this] { show_about(); });
+}
+
+QString MainWindow::sample_path() {
+  const QDir beside(QCoreApplication::applicationDirPath());
+  for (const QString& path : {beside.filePath("../share/remount/sample"), QStringLiteral(REMOUNT_SOURCE_SAMPLE)})
+    if (QFileInfo(path).isDir()) return QDir(path).canonicalPath();
+  return {};
+}
+
+void MainWindow::open_sample() {
+  if (sample_path().isEmpty())
+    show_message(Severity::Problem, {}, tr("The sample session is not installed."));
+  else
+    workbench_.open({sample_path()});
+}
+
+void MainWindow::open_paths(const QStringList& paths) {
+  QStringList sessions;
+  for (const QString& path : paths) {
+    if (path.endsWith(QLatin1String(".remount")))
+      open_project_file(path);
+    else
+      sessions << path;
+  }
+  if (!sessions.isEmpty()) workbench_.open(sessions);
+}
+
+void MainWindow::ask_for_folder() {
+  const QString path = QFileDialog::getExistingDirectory(this, tr("Open the folder of a recorded drive"));
+  if (!path.isEmpty()) open_paths({path});
+}
+
+void MainWindow::ask_for_file() {
+  const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Open files of recorded drives"));
+  if (!paths.isEmpty()) open_paths(paths);
+}
+
+void MainWindow::ask_for_nominal() {
+  const QString path = QFileDialog::getOpenFileName(this, tr("Nominal mounting from a result or an exported file"));
+  if (path.isEmpty()) return;
+  try {
+    workbench_.edit_nominal(nominal_from_file(path));
+  } catch (const Error& error) {
+    show_message(Severity::Problem, QString::fromStdString(error.where()),
+                 QString::fromStdString(error.what_happened()));
+  }
+}
+
+void MainWindow::show_options() {
+  if (!options_) {
+    options_ = new OptionsDialog(workbench_.settings(), this);
+    connect(options_, &OptionsDialog::edited, &workbench_, &Workbench::edit_option);
+    connect(options_, &OptionsDialog::defaults_requested, &workbench_, &Workbench::reset_settings);
+    connect(&workbench_, &Workbench::settings_changed, options_,
+            [this] { options_->show_settings(workbench_.settings()); });
+  }
+  options_->show();
+  options_->raise();
+  options_->activateWindow();
+}
+
+void MainWindow::show_export() {
+  const OutputPtr output = workbench_.output();
+  if (!output || !has_numbers(output->result.status)) {
+    show_message(Severity::Warning, {}, tr("There is no result to export yet."));
+    return;
+  }
+  auto* dialog = new ExportDialog(
+      export_formats(),
+      [this](const QString& id) -> QString {
+        try {
+          return export_text(workbench_, id);
+        } catch (const Error& error) {
+          return tr("Cannot be written in this format: %1").arg(QString::fromStdString(error.what_happened()));
+        }
+      },
+      this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ExportDialog::copied, &workbench_, &Workbench::mark_exported);
+  connect(dialog, &ExportDialog::save_requested, this,
+          [this](const QString&, const QString& path, const QString& text) {
+            try {
+              save_text(path, text);
+              workbench_.mark_exported();
+              show_message(Severity::Note, path, tr("saved"));
+            } catch (const Error& error) {
+              show_message(Severity::Problem, QString::fromStdString(error.where()),
+                           QString::fromStdString(error.what_happened()));
+            }
+          });
+  dialog->open();
+}
+
+void MainWindow::copy_result() {
+  if (const OutputPtr output = workbench_.output())
+    QGuiApplication::clipboard()->setText(result_as_text(output->result));
+}
+
+void MainWindow::decide(PairState state) {
+  std::vector<int> pairs = pairs_->marked_pairs();
+  if (pairs.empty() && workbench_.selected_pair() >= 0) pairs = {workbench_.selected_pair()};
+  workbench_.decide(pairs, state);
+}
+
+void MainWindow::go(int step, bool undecided) {
+  const int pair = pairs_->neighbour(step, undecided);
+  if (pair >= 0)
+    workbench_.select_pair(pair);
+  else if (undecided)
+    progress_text(tr("You have decided every pair that is shown."));
+}
+
+void MainWindow::go_to_step(Step step) {
+  switch (step) {
+    case Step::Load:
+      ask_for_folder();
+      break;
+    case Step::Pairs:
+    case Step::Align:
+      if (!workbench_.output() || workbench_.out_of_date()) workbench_.calibrate();
+      [[fallthrough]];
+    case Step::Review:
+      pairs_dock_->show();
+      pairs_dock_->raise();
+      pairs_->table()->setFocus();
+      break;
+    case Step::Solve:
+      result_dock_->show();
+      candidates_dock_->raise();
+      break;
+    case Step::Export:
+      show_export();
+      break;
+  }
+}
+
+void MainWindow::show_keys() {
+  QString rows;
+  for (const QAction* action : review_actions_)
+    rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                .arg(action->shortcut().toString(QKeySequence::NativeText), action->text().remove('&'));
+  QMessageBox::information(this, tr("Keys"),
+                           "<table>" + rows + "</table>" +
+                               tr("<p>Several pairs can be marked with Ctrl or Shift and decided together.</p>"));
+}
+
+void MainWindow::show_about() {
+  QMessageBox::about(this, tr("About Remount"),
+                     tr("<b>Remount %1</b><p>Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, "
+                        "from recorded drives.</p>")
+                         .arg(QString::fromUtf8(kVersion)));
+}
+
+}  // namespace remount

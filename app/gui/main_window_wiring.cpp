@@ -1,0 +1,161 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QStackedWidget>
+#include <QTableView>
+
+#include "app/gui/main_window.h"
+#include "app/gui/steps.h"
+#include "widgets/itemmodels/candidate_table_model.h"
+#include "widgets/itemmodels/pair_table_model.h"
+#include "widgets/itemmodels/session_list_model.h"
+#include "widgets/panels/log_panel.h"
+#include "widgets/panels/message_banner.h"
+#include "widgets/panels/nominal_panel.h"
+#include "widgets/panels/pair_view.h"
+#include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/progress_strip.h"
+#include "widgets/panels/range_panel.h"
+#include "widgets/panels/result_panel.h"
+#include "widgets/panels/sessions_panel.h"
+#include "widgets/panels/welcome_panel.h"
+#include "widgets/theme.h"
+
+namespace remount {
+
+void MainWindow::connect_intents() {
+  connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
+  connect(welcome_, &WelcomePanel::open_requested, this, &MainWindow::ask_for_folder);
+  connect(welcome_, &WelcomePanel::sample_requested, this, &MainWindow::open_sample);
+  connect(sessions_, &SessionsPanel::open_requested, this, &MainWindow::ask_for_folder);
+  connect(sessions_, &SessionsPanel::remove_requested, &workbench_, &Workbench::remove_session);
+  connect(nominal_, &NominalPanel::nominal_edited, &workbench_, &Workbench::edit_nominal);
+  connect(nominal_, &NominalPanel::file_requested, this, &MainWindow::ask_for_nominal);
+  connect(range_, &RangePanel::edited, &workbench_, &Workbench::edit_option);
+  connect(range_, &RangePanel::reset_requested, &workbench_, &Workbench::reset_range);
+  connect(pairs_, &PairsPanel::pair_selected, &workbench_, &Workbench::select_pair);
+  connect(pairs_, &PairsPanel::accept_clicked, this, [this] { decide(PairState::Accepted); });
+  connect(pairs_, &PairsPanel::reject_clicked, this, [this] { decide(PairState::Rejected); });
+  connect(result_, &ResultPanel::copy_requested, this, &MainWindow::copy_result);
+  connect(result_, &ResultPanel::export_requested, this, &MainWindow::show_export);
+  connect(progress_, &ProgressStrip::cancel_clicked, &workbench_, &Workbench::cancel);
+  connect(cancel_, &QAction::triggered, progress_, [this] {
+    if (was_busy_) progress_->show_cancelling();
+  });
+  connect(progress_, &ProgressStrip::cancel_clicked, progress_, &ProgressStrip::show_cancelling);
+}
+
+void MainWindow::connect_state() {
+  connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
+  connect(&workbench_, &Workbench::settings_changed, this, [this] { range_->show_settings(workbench_.settings()); });
+  connect(&workbench_, &Workbench::nominal_changed, this, [this] { nominal_->show_nominal(workbench_.nominal()); });
+  connect(&workbench_, &Workbench::output_changed, this, &MainWindow::show_output);
+  connect(&workbench_, &Workbench::state_changed, this, &MainWindow::show_state);
+  connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
+  connect(&workbench_, &Workbench::job_progressed, progress_, &ProgressStrip::show_progress);
+  connect(&workbench_, &Workbench::selection_changed, this, [this](int pair) {
+    pairs_->show_selected(pair);
+    if (pair < 0) pair_view_->show_message(tr("Select a pair to see its two scans."));
+  });
+  connect(&workbench_, &Workbench::clouds_loading, this, [this](int pair) {
+    progress_text(tr("Reading the scans of pair %1…").arg(pair));  // the scene before stays until the next is there
+  });
+  connect(&workbench_, &Workbench::clouds_loaded, this, &MainWindow::show_clouds);
+  connect(&workbench_, &Workbench::clouds_failed, this, [this](int pair, const QString& why) {
+    pair_view_->show_message(tr("The scans of pair %1 cannot be shown.\n%2").arg(pair).arg(why));
+    progress_text(tr("Ready"));
+  });
+}
+
+void MainWindow::progress_text(const QString& text) {
+  if (!was_busy_) progress_->stop(text);
+}
+
+void MainWindow::show_sessions() {
+  session_model_->show_sessions(workbench_.sessions());
+  centre_->setCurrentWidget(workbench_.sessions().empty() ? static_cast<QWidget*>(welcome_) : pair_view_);
+  if (!workbench_.output())
+    pair_view_->show_message(
+        tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5."));
+}
+
+void MainWindow::show_output() {
+  const OutputPtr output = workbench_.output();
+  pair_model_->show_output(output, workbench_.session_names());
+  pairs_->show_output(output);
+  pairs_->show_selected(workbench_.selected_pair());
+  candidate_model_->show_output(output);
+  candidates_->resizeColumnsToContents();
+  result_->show_output(output, workbench_.output_before());
+  const int pair = workbench_.selected_pair();
+  if (output && pair >= 0 && static_cast<std::size_t>(pair) < output->pairs.size())
+    pair_view_->show_transforms(pair_transforms(*output, pair));
+  show_state();
+}
+
+void MainWindow::show_state() {
+  const bool busy = workbench_.opening() || workbench_.calibrating();
+  if (busy && !was_busy_) progress_->start(workbench_.opening() ? tr("Opening sessions…") : tr("Calibrating…"));
+  if (!busy && was_busy_) {
+    progress_->stop(tr("Ready"));
+    if (workbench_.output()) pairs_->table()->setFocus();
+  }
+  was_busy_ = busy;
+  steps_->show_steps(describe_steps(workbench_));
+  calibrate_->setEnabled(!busy);
+  cancel_->setEnabled(busy);
+  const OutputPtr output = workbench_.output();
+  export_->setEnabled(output && has_numbers(output->result.status));
+  for (QAction* action : review_actions_) action->setEnabled(output != nullptr);
+  QString note;
+  if (workbench_.solving())
+    note = tr("Solving again…");
+  else if (output && workbench_.calibrating())
+    note = tr("Calibrating; this is the result before.");
+  else if (output && workbench_.out_of_date())
+    note = tr("Sessions, nominal mounting or options changed since: calibrate again (F5).");
+  result_->show_note(note);
+}
+
+QString MainWindow::pair_caption(int pair) const {
+  const OutputPtr output = workbench_.output();
+  const Pair& chosen = output->pairs.at(static_cast<std::size_t>(pair));
+  const auto name = [&](int index) {
+    const Keyframe& keyframe = output->keyframes.at(static_cast<std::size_t>(index));
+    const Session& session = *workbench_.sessions().at(static_cast<std::size_t>(keyframe.session));
+    return session.scans ? QString::fromStdString(session.scans->name(static_cast<std::size_t>(keyframe.scan)))
+                         : tr("pose %1").arg(keyframe.scan);
+  };
+  return tr("Pair %1: %2 → %3, %4 m, %5°")
+      .arg(pair)
+      .arg(name(chosen.keyframe_a), name(chosen.keyframe_b))
+      .arg(chosen.baseline_m, 0, 'f', 2)
+      .arg(radians_to_degrees(chosen.rotation_rad), 0, 'f', 2);
+}
+
+void MainWindow::show_clouds(int pair, const CloudsPtr& clouds) {
+  const OutputPtr output = workbench_.output();
+  if (!output || pair != workbench_.selected_pair()) return;
+  if (clouds->cloud_a.size() == 0 && clouds->cloud_b.size() == 0) {
+    pair_view_->show_message(tr("Pair %1 comes from LiDAR poses: there are no scans to show.").arg(pair));
+  } else {
+    pair_view_->show_pair(pair_caption(pair), clouds, pair_transforms(*output, pair));
+  }
+  progress_text(tr("Ready"));
+}
+
+void MainWindow::show_message(Severity severity, const QString& where, const QString& what) {
+  if (what.isEmpty()) return;
+  log_->add(severity, where, what);
+  if (severity == Severity::Problem)
+    banner_->show_message(severity, where, what);
+  else
+    progress_text(where.isEmpty() ? what : where + QStringLiteral(": ") + what);
+}
+
+void MainWindow::set_palettes() {
+  session_model_->set_palette(palette());
+  pair_model_->set_palette(palette());
+  candidate_model_->set_palette(palette());
+}
+
+}  // namespace remount

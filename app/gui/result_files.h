@@ -1,0 +1,30 @@
+// Files the window reads and writes around a result: nominal mountings in, exports out.
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "algorithms/geometry/rigid_transform.h"
+#include "app/gui/workbench.h"
+#include "model/result_file.h"
+#include "widgets/panels/export_dialog.h"
+
+namespace remount {
+
+std::vector<ExportFormat> export_formats();
+
+/// The result as a file holds it: with its pairs, options and what it came from.
+ResultFile result_file_of(const PipelineInput& input, const PipelineOutput& output,
+                          const std::vector<InputFile>& inputs);
+
+/// Text of the present result in a format; throws Error where the format cannot hold it.
+QString export_text(const Workbench& workbench, const QString& format_id);
+
+/// Whole or not at all; throws Error.
+void save_text(const QString& path, const QString& text);
+
+/// ins_from_lidar from a result or from any format that can be exported; throws Error.
+RigidTransform nominal_from_file(const QString& path);
+
+}  // namespace remount

@@ -1,0 +1,93 @@
+#include "app/gui/steps.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "widgets/panels/result_panel.h"
+
+namespace remount {
+namespace {
+
+QString text(const char* words) { return QCoreApplication::translate("remount::steps", words); }
+
+struct Counts {
+  int aligned = 0, accepted = 0, rejected = 0, by_user = 0;
+};
+
+Counts count(const PipelineOutput& output) {
+  Counts counts;
+  for (const Pair& pair : output.pairs) {
+    counts.aligned += pair.registration.converged;
+    counts.accepted += pair.state == PairState::Accepted;
+    counts.rejected += pair.state == PairState::Rejected;
+    counts.by_user += pair.decided_by == DecidedBy::User;
+  }
+  return counts;
+}
+
+/// "0.9000 m" would say more than fits: the status in a few words.
+QString short_status(Status status) {
+  switch (status) {
+    case Status::Ok:
+      return text("all six observed");
+    case Status::Degenerate:
+      return text("solved in part");
+    case Status::TooFewPairs:
+      return text("too few pairs");
+    case Status::NotConverged:
+      return text("did not converge");
+    case Status::OutOfRange:
+      return text("nothing in range");
+    case Status::Inconsistent:
+      return text("contradictory pairs");
+    case Status::Cancelled:
+      break;
+  }
+  return text("cancelled");
+}
+
+}  // namespace
+
+std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
+  std::array<StepInfo, kStepCount> steps;
+  const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
+  const int sessions = static_cast<int>(workbench.sessions().size());
+  if (workbench.opening()) {
+    step(Step::Load) = {StepState::Running, text("opening…")};
+  } else if (sessions == 0) {
+    step(Step::Load) = {StepState::Next, text("open a session")};
+    return steps;
+  } else {
+    step(Step::Load) = {StepState::Done, sessions == 1 ? text("1 session") : text("%1 sessions").arg(sessions)};
+  }
+  if (workbench.calibrating()) {
+    for (Step which : {Step::Pairs, Step::Align, Step::Solve}) step(which) = {StepState::Running, text("calibrating…")};
+    return steps;
+  }
+  const OutputPtr output = workbench.output();
+  if (!output) {
+    if (sessions > 0 && !workbench.opening()) step(Step::Pairs) = {StepState::Next, text("calibrate (F5)")};
+    return steps;
+  }
+  const Counts counts = count(*output);
+  const int pairs = static_cast<int>(output->pairs.size());
+  if (workbench.out_of_date())
+    step(Step::Pairs) = {StepState::Attention, text("changed: F5 again")};
+  else
+    step(Step::Pairs) = {pairs > 0 ? StepState::Done : StepState::Attention, text("%1 pairs").arg(pairs)};
+  step(Step::Align) = {counts.aligned > 0 ? StepState::Done : StepState::Attention,
+                       text("%1 of %2 aligned").arg(counts.aligned).arg(pairs)};
+  step(Step::Review) = {counts.accepted > 0 ? StepState::Done : StepState::Attention,
+                        text("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)};
+  const Status status = output->result.status;
+  if (workbench.solving())
+    step(Step::Solve) = {StepState::Running, text("solving again…")};
+  else
+    step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(status)};
+  if (has_numbers(status))
+    step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, text("exported")}
+                                              : StepInfo{StepState::Next, text("ready (Ctrl+E)")};
+  return steps;
+}
+
+}  // namespace remount

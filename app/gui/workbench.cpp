@@ -1,0 +1,388 @@
+#include "app/gui/workbench.h"
+
+#include <algorithm>
+
+#include "algorithms/core/error.h"
+#include "app/gui/edit_commands.h"
+#include "widgets/forms/option_access.h"
+
+namespace remount {
+namespace {
+
+std::tuple<std::string, int, int> key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair) {
+  const Keyframe& a = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
+  const Keyframe& b = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
+  return {input.sessions.at(static_cast<std::size_t>(a.session))->path.string(), a.scan, b.scan};
+}
+
+void set_decision(Pair& pair, const PairDecision& decision) {
+  pair.state = decision.state;
+  pair.decided_by = decision.decided_by;
+  pair.reason = decision.reason;
+}
+
+PairDecision user_decision(int pair, PairState state) {
+  return {pair, state, DecidedBy::User, state == PairState::Accepted ? "accepted by the user" : "rejected by the user"};
+}
+
+/// Takes over the user's earlier decisions on the same pairs of scans; true where there was one.
+bool carry_over(const PipelineInput& input, const std::map<std::tuple<std::string, int, int>, PairState>& decisions,
+                PipelineOutput& output) {
+  bool any = false;
+  for (std::size_t i = 0; i < output.pairs.size(); ++i) {
+    const auto found = decisions.find(key_of(input, output, output.pairs[i]));
+    if (found == decisions.end()) continue;
+    set_decision(output.pairs[i], user_decision(static_cast<int>(i), found->second));
+    any = true;
+  }
+  return any;
+}
+
+/// Whether a change needs more than a new solution from the pairs that are there.
+bool needs_new_run(const Settings& before, const Settings& after) {
+  const auto first = option_fields(before), second = option_fields(after);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if (first[i].value != second[i].value && first[i].section != QLatin1String("range") &&
+        first[i].section != QLatin1String("solve"))
+      return true;
+  return false;
+}
+
+}  // namespace
+
+Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(std::move(engine)) {
+  qRegisterMetaType<CloudsPtr>();
+  connect(&jobs_, &JobRunner::progressed, this,
+          [this](int job, const QString& stage, qulonglong done, qulonglong total) {
+            if (job == run_job_) stage_ = stage;
+            if (job == run_job_ || job == open_job_) emit job_progressed(stage, done, total);
+          });
+  connect(&jobs_, &JobRunner::finished, this, &Workbench::state_changed);
+}
+
+QStringList Workbench::session_names() const {
+  QStringList names;
+  for (const auto& session : sessions_) names << QString::fromStdString(session->name);
+  return names;
+}
+
+PipelineInput Workbench::input_of_next_run() const {
+  PipelineInput input;
+  input.sessions = sessions_;
+  input.settings = settings_;
+  input.nominal_ins_from_lidar = nominal_;
+  return input;
+}
+
+PipelineInput Workbench::input_of_output() const {
+  PipelineInput input = run_input_;
+  input.settings.range = settings_.range;
+  input.settings.solve = settings_.solve;
+  return input;
+}
+
+JobRunner::Failed Workbench::report_failure() {
+  return [this](const JobFailure& failure) { emit message(Severity::Problem, failure.where, failure.what); };
+}
+
+void Workbench::open(const QStringList& paths) {
+  if (opening() || calibrating()) {
+    emit message(Severity::Warning, {},
+                 tr("Wait until the present work is done, or cancel it, before opening sessions."));
+    return;
+  }
+  std::vector<std::filesystem::path> wanted;
+  for (const QString& path : paths) wanted.emplace_back(path.toStdString());
+  open_job_ = jobs_.start(
+      [this, wanted, open = engine_.open](Progress& progress) -> JobRunner::Deliver {
+        std::vector<std::shared_ptr<const Session>> opened;
+        std::vector<JobFailure> failures;
+        for (const auto& path : wanted) {
+          if (progress.cancelled()) break;
+          try {
+            opened.push_back(std::make_shared<const Session>(open(path, progress)));
+          } catch (const Error& error) {
+            failures.push_back({QString::fromStdString(error.where().empty() ? path.string() : error.where()),
+                                QString::fromStdString(error.what_happened())});
+          }
+        }
+        return [this, opened, failures] {
+          add_sessions(opened);
+          for (const JobFailure& failure : failures) emit message(Severity::Problem, failure.where, failure.what);
+        };
+      },
+      report_failure());
+  emit state_changed();
+}
+
+void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
+  for (auto& session : sessions) {
+    const QString path = QString::fromStdString(session->path.string());
+    const bool known = std::any_of(sessions_.begin(), sessions_.end(),
+                                   [&](const auto& other) { return other->path == session->path; });
+    if (known) {
+      emit message(Severity::Note, path, tr("is open already"));
+      continue;
+    }
+    emit message(Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
+    for (const Finding& finding : session->findings)
+      emit message(finding.severity == Severity::Problem ? Severity::Warning : Severity::Note,
+                   QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
+    if (session->nominal_ins_from_lidar && !nominal_) {
+      apply_nominal(session->nominal_ins_from_lidar);
+      emit message(Severity::Note, path, tr("its nominal mounting is used"));
+    }
+    sessions_.push_back(std::move(session));
+    if (output_) out_of_date_ = true;
+  }
+  emit sessions_changed();
+  emit state_changed();
+}
+
+void Workbench::remove_session(int session) {
+  if (session < 0 || static_cast<std::size_t>(session) >= sessions_.size() || calibrating()) return;
+  sessions_.erase(sessions_.begin() + session);
+  jobs_.cancel(solve_job_);
+  jobs_.cancel(cloud_job_);
+  solve_job_ = cloud_job_ = 0;
+  output_ = output_before_ = output_solved_ = nullptr;  // pairs refer to sessions by number
+  undo_.clear();
+  select_pair(-1);
+  emit sessions_changed();
+  emit output_changed();
+  emit state_changed();
+}
+
+void Workbench::calibrate() {
+  if (opening() || calibrating()) return;
+  if (sessions_.empty()) {
+    emit message(Severity::Warning, {}, tr("There is nothing to calibrate yet: open a recorded session first."));
+    return;
+  }
+  const std::vector<std::string> problems = settings_.check();
+  if (!problems.empty()) {
+    QStringList lines;
+    for (const std::string& problem : problems) lines << QString::fromStdString(problem);
+    emit message(Severity::Problem, tr("Options"), lines.join('\n'));
+    return;
+  }
+  jobs_.cancel(solve_job_);
+  solve_job_ = 0;
+  const PipelineInput input = input_of_next_run();
+  stage_.clear();
+  emit message(Severity::Note, {}, tr("Calibration started"));
+  run_job_ = jobs_.start(
+      [this, input, engine = engine_, decisions = decisions_](Progress& progress) -> JobRunner::Deliver {
+        auto output = std::make_shared<PipelineOutput>(engine.run(input, progress));
+        if (output->result.status != Status::Cancelled && !progress.cancelled() &&
+            carry_over(input, decisions, *output))
+          engine.solve_again(input, *output, progress);
+        const bool cancelled = progress.cancelled() || output->result.status == Status::Cancelled;
+        return [this, input, output, cancelled] { take_run(input, cancelled ? nullptr : OutputPtr(output)); };
+      },
+      report_failure());
+  emit state_changed();
+}
+
+void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
+  if (!output) {
+    emit message(Severity::Note, {}, tr("Cancelled. What was there before is kept."));
+    return;
+  }
+  run_input_ = input;
+  output_before_ = output_solved_;
+  output_ = output_solved_ = std::move(output);
+  out_of_date_ = needs_new_run(input.settings, settings_) || input.sessions.size() != sessions_.size();
+  exported_ = false;
+  undo_.clear();
+  for (const Finding& finding : output_->findings)
+    emit message(finding.severity == Severity::Problem ? Severity::Warning : finding.severity,
+                 QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
+  emit message(Severity::Note, tr("Result"), QString::fromStdString(output_->result.message));
+  emit output_changed();
+  selected_ = -1;
+  select_pair(output_->pairs.empty() ? -1 : 0);
+  hash_input_files();
+}
+
+void Workbench::hash_input_files() {
+  jobs_.cancel(hash_job_);
+  input_files_.clear();
+  auto job = std::make_shared<int>(0);
+  hash_job_ = jobs_.start(
+      [this, job, sessions = run_input_.sessions](Progress& progress) -> JobRunner::Deliver {
+        std::vector<InputFile> files = hash_inputs(sessions, 1, progress);
+        const bool whole = !progress.cancelled();
+        return [this, job, whole, files = std::move(files)] {
+          if (whole && *job == hash_job_) input_files_ = files;
+        };
+      },
+      report_failure());
+  *job = hash_job_;
+}
+
+void Workbench::cancel() {
+  for (int job : {open_job_, run_job_, solve_job_}) jobs_.cancel(job);
+}
+
+void Workbench::select_pair(int pair) {
+  if (!output_ || pair < 0 || static_cast<std::size_t>(pair) >= output_->pairs.size()) pair = -1;
+  if (pair == selected_ && pair >= 0) return;
+  selected_ = pair;
+  emit selection_changed(pair);
+  load_clouds();
+}
+
+void Workbench::load_clouds() {
+  jobs_.cancel(cloud_job_);
+  cloud_job_ = 0;
+  if (selected_ < 0) return;
+  const int pair = selected_;
+  emit clouds_loading(pair);
+  // run_input_, not the present settings: the clouds are to look as they were when they were aligned.
+  auto job = std::make_shared<int>(0);
+  cloud_job_ = jobs_.start(
+      [this, job, pair, input = run_input_, output = output_,
+       load = engine_.load_pair_clouds](Progress&) -> JobRunner::Deliver {
+        auto clouds = std::make_shared<const PairClouds>(load(input, *output, pair));
+        return [this, job, pair, clouds] {
+          if (*job == cloud_job_) emit clouds_loaded(pair, clouds);
+        };
+      },
+      [this, job, pair](const JobFailure& failure) {
+        if (*job == cloud_job_)
+          emit clouds_failed(
+              pair, failure.where.isEmpty() ? failure.what : failure.where + QStringLiteral(": ") + failure.what);
+      });
+  *job = cloud_job_;
+}
+
+void Workbench::decide(const std::vector<int>& pairs, PairState state) {
+  if (!output_ || calibrating()) return;
+  std::vector<PairDecision> before, after;
+  for (int index : pairs) {
+    const Pair& pair = output_->pairs.at(static_cast<std::size_t>(index));
+    if (pair.state == state && pair.decided_by == DecidedBy::User) continue;
+    if (state == PairState::Accepted && !pair.registration.converged) {
+      emit message(Severity::Warning, tr("Pair %1").arg(index),
+                   tr("has no usable alignment and cannot be accepted. %1")
+                       .arg(QString::fromStdString(pair.registration.failure)));
+      continue;
+    }
+    before.push_back({index, pair.state, pair.decided_by, pair.reason});
+    after.push_back(user_decision(index, state));
+  }
+  if (after.empty()) return;
+  const QString verb = state == PairState::Accepted ? tr("accept") : tr("reject");
+  const QString text = after.size() == 1 ? tr("%1 pair %2").arg(verb).arg(after.front().pair)
+                                         : tr("%1 %2 pairs").arg(verb).arg(after.size());
+  undo_.push(new DecisionCommand(*this, text, std::move(before), std::move(after)));
+}
+
+void Workbench::apply_decisions(const std::vector<PairDecision>& decisions) {
+  if (!output_) return;
+  auto changed = std::make_shared<PipelineOutput>(*output_);
+  for (const PairDecision& decision : decisions) {
+    Pair& pair = changed->pairs.at(static_cast<std::size_t>(decision.pair));
+    set_decision(pair, decision);
+    const DecisionKey key = key_of(run_input_, *changed, pair);
+    if (decision.decided_by == DecidedBy::User)
+      decisions_[key] = decision.state;
+    else
+      decisions_.erase(key);
+  }
+  output_ = std::move(changed);
+  emit output_changed();
+  start_solve();
+}
+
+void Workbench::start_solve() {
+  if (!output_ || calibrating()) return;
+  jobs_.cancel(solve_job_);
+  auto job = std::make_shared<int>(0);
+  solve_job_ = jobs_.start(
+      [this, job, input = input_of_output(), output = *output_,
+       solve = engine_.solve_again](Progress& progress) mutable -> JobRunner::Deliver {
+        auto solved = std::make_shared<PipelineOutput>(std::move(output));
+        solve(input, *solved, progress);
+        return [this, job, solved] {
+          if (*job != solve_job_ || solved->result.status == Status::Cancelled)
+            return;  // a later decision is on its way
+          output_before_ = output_solved_;
+          output_ = output_solved_ = solved;
+          exported_ = false;
+          emit output_changed();
+        };
+      },
+      report_failure());
+  *job = solve_job_;
+  emit state_changed();
+}
+
+void Workbench::edit_option(const QString& section, const QString& name, const QVariant& value) {
+  Settings changed = settings_;
+  if (!set_option(changed, section, name, value)) return;
+  undo_.push(new SettingsCommand(*this, tr("change %1").arg(name), section + '.' + name, changed));
+}
+
+void Workbench::reset_range() {
+  Settings changed = settings_;
+  changed.range = SearchRange{};
+  undo_.push(new SettingsCommand(*this, tr("reset the search range"), {}, changed));
+}
+
+void Workbench::reset_settings() {
+  undo_.push(new SettingsCommand(*this, tr("restore default options"), {}, Settings{}));
+}
+
+void Workbench::apply_settings(const Settings& settings) {
+  const bool new_run = needs_new_run(settings_, settings);
+  settings_ = settings;
+  emit settings_changed();
+  if (!output_) return;
+  if (new_run) set_out_of_date(needs_new_run(run_input_.settings, settings_));
+  if (settings_.check().empty()) start_solve();
+}
+
+void Workbench::edit_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
+  undo_.push(new NominalCommand(*this, tr("change the nominal mounting"), ins_from_lidar));
+}
+
+void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
+  nominal_ = ins_from_lidar;
+  emit nominal_changed();
+  if (output_) set_out_of_date(true);
+}
+
+void Workbench::set_out_of_date(bool out_of_date) {
+  out_of_date_ = out_of_date;
+  emit state_changed();
+}
+
+void Workbench::mark_exported() {
+  exported_ = true;
+  emit state_changed();
+}
+
+void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, const Settings& settings,
+                        const std::optional<RigidTransform>& nominal, OutputPtr output) {
+  jobs_.cancel_all();
+  solve_job_ = cloud_job_ = 0;
+  sessions_ = std::move(sessions);
+  settings_ = settings;
+  nominal_ = nominal;
+  output_before_ = nullptr;
+  output_ = output_solved_ = std::move(output);
+  run_input_ = input_of_next_run();
+  out_of_date_ = exported_ = false;
+  undo_.clear();
+  emit sessions_changed();
+  emit settings_changed();
+  emit nominal_changed();
+  emit output_changed();
+  emit state_changed();
+  selected_ = -1;
+  select_pair(output_ && !output_->pairs.empty() ? 0 : -1);
+}
+
+}  // namespace remount

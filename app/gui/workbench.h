@@ -1,0 +1,123 @@
+// The controller: owns sessions, settings, pairs and result; runs jobs; everything the window does goes through it.
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+#include <QUndoStack>
+#include <map>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "app/gui/engine.h"
+#include "app/gui/job_runner.h"
+#include "model/result_file.h"
+#include "model/session.h"
+
+namespace remount {
+
+using OutputPtr = std::shared_ptr<const PipelineOutput>;
+using CloudsPtr = std::shared_ptr<const PairClouds>;
+
+/// What is known of a pair's fate; enough to take a decision back.
+struct PairDecision {
+  int pair = 0;
+  PairState state = PairState::Proposed;
+  DecidedBy decided_by = DecidedBy::Nobody;
+  std::string reason;
+};
+
+class Workbench : public QObject {
+  Q_OBJECT
+ public:
+  explicit Workbench(Engine engine, QObject* parent = nullptr);
+
+  const std::vector<std::shared_ptr<const Session>>& sessions() const { return sessions_; }
+  QStringList session_names() const;
+  const Settings& settings() const { return settings_; }
+  const std::optional<RigidTransform>& nominal() const { return nominal_; }
+  OutputPtr output() const { return output_; }                ///< null before the first calibration
+  OutputPtr output_before() const { return output_before_; }  ///< the result that the present one replaced
+  int selected_pair() const { return selected_; }             ///< -1 for none
+  bool opening() const { return jobs_.running(open_job_); }
+  bool calibrating() const { return jobs_.running(run_job_); }
+  bool solving() const { return jobs_.running(solve_job_); }
+  /// Sessions, nominal or options changed since the pairs were made: calibrate again.
+  bool out_of_date() const { return out_of_date_; }
+  const QString& stage() const { return stage_; }  ///< of the running calibration
+  bool exported() const { return exported_; }
+  /// Hashes of what was read, for provenance; made in the background after a calibration, empty until then.
+  const std::vector<InputFile>& input_files() const { return input_files_; }
+  QUndoStack& undo_stack() { return undo_; }
+  /// What the pairs were made from, with the present search range and solution options.
+  PipelineInput input_of_output() const;
+  PipelineInput input_of_next_run() const;
+
+  void open(const QStringList& paths);
+  void remove_session(int session);
+  void calibrate();
+  void cancel();
+  void select_pair(int pair);
+  void decide(const std::vector<int>& pairs, PairState state);
+  void edit_option(const QString& section, const QString& name, const QVariant& value);
+  void reset_range();
+  void reset_settings();
+  void edit_nominal(const std::optional<RigidTransform>& ins_from_lidar);
+  void mark_exported();
+  void say(Severity severity, const QString& where, const QString& what) { emit message(severity, where, what); }
+
+  // Steps of undo commands; not undoable by themselves.
+  void apply_settings(const Settings& settings);
+  void apply_nominal(const std::optional<RigidTransform>& ins_from_lidar);
+  void apply_decisions(const std::vector<PairDecision>& decisions);
+
+  /// Replaces everything, as a loaded project does.
+  void restore(std::vector<std::shared_ptr<const Session>> sessions, const Settings& settings,
+               const std::optional<RigidTransform>& nominal, OutputPtr output);
+  JobRunner& jobs() { return jobs_; }
+
+ signals:
+  void sessions_changed();
+  void settings_changed();
+  void nominal_changed();
+  void output_changed();
+  void state_changed();  ///< jobs started or ended, out of date, exported
+  void selection_changed(int pair);
+  void clouds_loading(int pair);
+  void clouds_loaded(int pair, remount::CloudsPtr clouds);
+  void clouds_failed(int pair, const QString& why);
+  void job_progressed(const QString& stage, qulonglong done, qulonglong total);
+  void message(remount::Severity severity, const QString& where, const QString& what);
+
+ private:
+  using DecisionKey = std::tuple<std::string, int, int>;  // session path, scan a, scan b
+  using Decisions = std::map<DecisionKey, PairState>;
+
+  void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
+  void take_run(const PipelineInput& input, OutputPtr output);
+  void start_solve();
+  void load_clouds();
+  void hash_input_files();
+  void set_out_of_date(bool out_of_date);
+  JobRunner::Failed report_failure();
+
+  Engine engine_;
+  std::vector<std::shared_ptr<const Session>> sessions_;
+  Settings settings_;
+  std::optional<RigidTransform> nominal_;
+  PipelineInput run_input_;  // of output_
+  OutputPtr output_, output_before_, output_solved_;
+  Decisions decisions_;
+  std::vector<InputFile> input_files_;
+  int selected_ = -1;
+  int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0;
+  bool out_of_date_ = false, exported_ = false;
+  QString stage_;
+  QUndoStack undo_;
+  JobRunner jobs_;  // last: its threads end before anything they report to is gone
+};
+
+}  // namespace remount
+
+Q_DECLARE_METATYPE(remount::CloudsPtr)

@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+
+#include "tests/widgets/support/sample_world.h"
+#include "widgets/itemmodels/candidate_table_model.h"
+#include "widgets/itemmodels/pair_table_model.h"
+#include "widgets/itemmodels/session_list_model.h"
+
+namespace remount {
+namespace {
+
+PipelineInput input_of_one_drive() {
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
+  return input;
+}
+
+std::shared_ptr<const PipelineOutput> output_of(int pairs) {
+  return std::make_shared<const PipelineOutput>(testing::sample_output(input_of_one_drive(), pairs));
+}
+
+TEST(PairTableModel, keeps_the_contract_of_item_models) {
+  PairTableModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  model.show_output(output_of(20), {"drive1"});
+  model.show_output(nullptr, {});
+  EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(PairTableModel, updates_the_same_pairs_without_a_reset) {
+  PairTableModel model;
+  model.show_output(output_of(20), {"drive1"});
+  QSignalSpy resets(&model, &QAbstractItemModel::modelReset), changes(&model, &QAbstractItemModel::dataChanged);
+  model.show_output(output_of(20), {"drive1"});
+  EXPECT_EQ(resets.count(), 0);
+  EXPECT_EQ(changes.count(), 1);
+  model.show_output(output_of(21), {"drive1"});
+  EXPECT_EQ(resets.count(), 1);
+}
+
+TEST(PairTableModel, shows_units_of_its_headings) {
+  PairTableModel model;
+  auto output = std::make_shared<PipelineOutput>(*output_of(5));
+  output->pairs[2].residual_translation_m = 0.1234;
+  output->pairs[2].rotation_rad = degrees_to_radians(12.5);
+  model.show_output(output, {"drive1"});
+  EXPECT_EQ(model.index(2, PairTableModel::ResidualTranslation).data().toString(), "12.3");
+  EXPECT_EQ(model.index(2, PairTableModel::Rotation).data().toString(), "12.50");
+  EXPECT_EQ(model.index(2, PairTableModel::SessionName).data().toString(), "drive1");
+}
+
+TEST(PairFilter, sorts_by_number_and_not_by_text) {
+  PairTableModel model;
+  auto output = std::make_shared<PipelineOutput>(*output_of(3));
+  output->pairs[0].baseline_m = 10.0;
+  output->pairs[1].baseline_m = 9.0;
+  output->pairs[2].baseline_m = 2.0;
+  model.show_output(output, {"drive1"});
+  PairFilter filter;
+  filter.setSourceModel(&model);
+  filter.sort(PairTableModel::Baseline, Qt::AscendingOrder);
+  EXPECT_EQ(filter.mapToSource(filter.index(0, 0)).row(), 2);
+  EXPECT_EQ(filter.mapToSource(filter.index(2, 0)).row(), 0);
+}
+
+TEST(PairFilter, filters_by_state_and_by_text_together) {
+  PairTableModel model;
+  model.show_output(output_of(50), {"drive1"});
+  PairFilter filter;
+  filter.setSourceModel(&model);
+  filter.set_state(PairState::Rejected);
+  EXPECT_EQ(filter.rowCount(), 7);
+  filter.set_text("SCREW");
+  EXPECT_EQ(filter.rowCount(), 7);
+  filter.set_text("no such words");
+  EXPECT_EQ(filter.rowCount(), 0);
+  filter.set_text({});
+  filter.set_state(std::nullopt);
+  EXPECT_EQ(filter.rowCount(), 50);
+}
+
+TEST(CandidateTableModel, shows_why_a_candidate_is_out_of_range) {
+  CandidateTableModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  model.show_output(output_of(20));
+  ASSERT_EQ(model.rowCount(), 12);
+  EXPECT_TRUE(model.index(11, CandidateTableModel::InRange).data().toString().contains("x above 0.98 m"));
+  EXPECT_EQ(model.index(0, CandidateTableModel::Rank).data().toString(), "1");
+  EXPECT_NE(model.index(11, CandidateTableModel::Rank).data().toString(), "12")
+      << "candidates out of range are not ranked";
+}
+
+TEST(SessionListModel, lists_findings_beneath_their_session) {
+  SessionListModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  model.show_sessions({std::make_shared<const Session>(testing::sample_session("drive1")),
+                       std::make_shared<const Session>(testing::sample_session("drive2"))});
+  ASSERT_EQ(model.rowCount(), 2);
+  const QModelIndex second = model.index(1, 0);
+  ASSERT_EQ(model.rowCount(second), 1);
+  EXPECT_EQ(model.session_of(model.index(0, 1, second)), 1);
+  EXPECT_TRUE(model.index(0, 0, second).data().toString().contains("ins.csv:212"));
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,15 @@
+// One QApplication for all tests of widgets: on the display there is, or offscreen where there is none.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+
+#include "widgets/gl_support.h"
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY"))
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  remount::prepare_gl();
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}

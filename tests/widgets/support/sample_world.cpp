@@ -1,0 +1,212 @@
+#include "tests/widgets/support/sample_world.h"
+
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <thread>
+
+#include "algorithms/core/error.h"
+
+namespace remount::testing {
+namespace {
+
+constexpr int kScans = 60;
+
+RigidTransform world_from_ins(int scan) {
+  return rigid_from_six(
+      {1.0 * scan, 4.0 * std::sin(0.1 * scan), 0.0, 0.4 * std::cos(0.1 * scan), 0.01 * std::sin(0.5 * scan), 0.0});
+}
+
+class StreetScans : public ScanSource {
+ public:
+  std::size_t size() const override { return kScans; }
+  std::int64_t stamp_ns(std::size_t scan) const override {
+    return 1'700'000'000'000'000'000 + static_cast<std::int64_t>(scan) * 100'000'000;
+  }
+  std::string name(std::size_t scan) const override { return "scan" + std::to_string(scan) + ".pcd"; }
+  PointCloud load(std::size_t scan) const override {
+    return street_cloud(world_from_ins(static_cast<int>(scan)) * rigid_from_six(kTruth), static_cast<int>(scan));
+  }
+};
+
+Pair make_pair(int a, int b, const RigidTransform& ins_from_lidar, std::mt19937& random) {
+  std::normal_distribution<double> noise(0.0, 1.0);
+  Pair pair;
+  pair.keyframe_a = a;
+  pair.keyframe_b = b;
+  pair.ins_b_from_ins_a = world_from_ins(b).inverse() * world_from_ins(a);
+  pair.gap_s = 0.1 * (b - a);
+  pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
+  pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();
+  pair.shared_objects = 5 + a % 4;
+  pair.moving_objects = a % 9 == 0 ? 1 : 0;
+  pair.lidar_b_from_lidar_a = ins_from_lidar.inverse() * pair.ins_b_from_ins_a * ins_from_lidar;
+  pair.registration.attempted = pair.registration.converged = true;
+  pair.registration.rmse_m = 0.02 + 0.003 * std::abs(noise(random));
+  pair.registration.overlap = 0.8 - 0.02 * std::abs(noise(random));
+  pair.screw.score = std::abs(noise(random));
+  pair.residual_rotation_rad = 4e-4 * std::abs(noise(random));
+  pair.residual_translation_m = 0.012 * std::abs(noise(random));
+  pair.weight = 1.0 / (1.0 + pair.screw.score * pair.screw.score);
+  pair.state = PairState::Accepted;
+  pair.decided_by = DecidedBy::Program;
+  return pair;
+}
+
+void add_candidates(PipelineOutput& output) {
+  for (int i = 0; i < 12; ++i) {
+    Candidate candidate;
+    candidate.source = i == 0 ? "refined" : "pair " + std::to_string(i);
+    candidate.ins_from_lidar = rigid_from_six(
+        {kTruth.x_m + 0.01 * i, kTruth.y_m, kTruth.z_m, kTruth.yaw_rad, kTruth.pitch_rad, kTruth.roll_rad});
+    candidate.frobenius_sum = 0.5 + 0.1 * i;
+    candidate.in_range = i < 9;
+    if (!candidate.in_range) candidate.out_of_range = "x above 0.98 m";
+    output.result.candidates.push_back(candidate);
+  }
+}
+
+void fill_result(PipelineOutput& output) {
+  CalibrationResult& result = output.result;
+  result.pairs_proposed = static_cast<int>(output.pairs.size());
+  result.pairs_accepted = result.pairs_rejected = 0;
+  for (const Pair& pair : output.pairs) {
+    result.pairs_accepted += pair.state == PairState::Accepted;
+    result.pairs_rejected += pair.state == PairState::Rejected;
+  }
+  result.status = result.pairs_accepted < 3 ? Status::TooFewPairs : Status::Degenerate;
+  result.message = "Five of six parameters are observed; z keeps its nominal value because the road was flat.";
+  result.advice = {"Drive over a ramp or a speed bump to observe z."};
+  SixParameters six = kTruth;
+  six.x_m += 0.001 * (result.pairs_proposed - result.pairs_accepted);
+  result.ins_from_lidar = rigid_from_six(six);
+  result.observed = {true, true, false, true, true, true};
+  result.covariance.setZero();
+  result.covariance.diagonal() << 4e-6, 4e-6, std::nan(""), 1e-8, 1e-8, 1e-8;
+  result.directions = {
+      {Vector6d::Unit(2), std::numeric_limits<double>::infinity(), false, "height z: not observable, flat driving"}};
+  result.frobenius_sum = 0.5;
+  result.translation_rms_m = 0.011;
+  result.rotation_rms_rad = 3e-4;
+  result.time_offset = {0.012, 0.001, false};
+}
+
+}  // namespace
+
+PointCloud street_cloud(const RigidTransform& world_from_lidar, int seed) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::normal_distribution<double> noise(0.0, 0.015);
+  PointCloud cloud;
+  const RigidTransform lidar_from_world = world_from_lidar.inverse();
+  const Eigen::Vector3d here = world_from_lidar.translation();
+  const auto add = [&](double x, double y, double z) {
+    const Eigen::Vector3d point_in_lidar = lidar_from_world * Eigen::Vector3d(x, y, z);
+    if (point_in_lidar.norm() > 2.0 && point_in_lidar.norm() < 40.0)
+      cloud.points.push_back(
+          (point_in_lidar + Eigen::Vector3d(noise(random), noise(random), noise(random))).cast<float>());
+  };
+  for (int i = 0; i < 12000; ++i) {
+    const double radius = 3.0 + 35.0 * unit(random) * unit(random), turn = 2.0 * kPi * unit(random);
+    add(here.x() + radius * std::cos(turn), here.y() + radius * std::sin(turn), -1.2);
+  }
+  for (int i = 0; i < 9000; ++i)
+    add(here.x() + 70.0 * (unit(random) - 0.5), unit(random) < 0.5 ? 14.0 : -14.0, -1.2 + 7.0 * unit(random));
+  for (int pole = -4; pole < 14; ++pole)
+    for (int i = 0; i < 120; ++i) add(7.0 * pole, pole % 2 ? 9.0 : -9.0, -1.2 + 5.0 * unit(random));
+  for (int car = -2; car < 7; ++car)
+    for (int i = 0; i < 400; ++i)
+      add(13.0 * car + 4.2 * unit(random), 11.0 + (i % 2 ? 0.0 : 1.7 * unit(random)), -1.2 + 1.5 * unit(random));
+  return cloud;
+}
+
+Session sample_session(const std::string& name) {
+  Session session;
+  session.name = name;
+  session.path = "/data/" + name;
+  session.format = "native";
+  session.ins.resize(10 * kScans);
+  for (std::size_t i = 0; i < session.ins.size(); ++i)
+    session.ins[i].stamp_ns = 1'700'000'000'000'000'000 + static_cast<std::int64_t>(i) * 10'000'000;
+  session.scans = std::make_shared<StreetScans>();
+  session.findings = {
+      {Severity::Warning, "ins-gap", "ins.csv:212", "0.4 s without INS samples; the 3 scans in it are left out."}};
+  return session;
+}
+
+PipelineOutput sample_output(const PipelineInput& input, int pairs) {
+  std::mt19937 random(7);
+  PipelineOutput output;
+  const auto& scans = *input.sessions.at(0)->scans;
+  for (int i = 0; i < kScans; ++i)
+    output.keyframes.push_back({0, i, scans.stamp_ns(static_cast<std::size_t>(i)), 1.0 * i});
+  const RigidTransform truth = rigid_from_six(kTruth);
+  for (int i = 0; i < pairs; ++i) {
+    Pair pair = make_pair(i % (kScans - 4), i % (kScans - 4) + 1 + i % 4, truth, random);
+    if (i % 7 == 3) {
+      pair.state = PairState::Rejected;
+      pair.reason = "screw test: translation along the axis differs by 0.47 m (9.1 sigma)";
+      pair.screw.score = 9.1;
+      pair.screw.passed = false;
+      pair.residual_translation_m = 0.12;
+      pair.weight = 0.0;
+    }
+    if (i >= pairs - 2) pair.state = PairState::Proposed, pair.decided_by = DecidedBy::Nobody;
+    output.pairs.push_back(pair);
+  }
+  output.initial_ins_from_lidar =
+      input.nominal_ins_from_lidar.value_or(rigid_from_six({0.7, -0.1, 0.75, 0.06, -0.02, 0.015}));
+  output.nominal_known = input.nominal_ins_from_lidar.has_value();
+  fill_result(output);
+  add_candidates(output);
+  return output;
+}
+
+Engine sample_engine(int stages) {
+  Engine engine;
+  engine.open = [](const std::filesystem::path& path, Progress&) {
+    if (path.string().find("drive") == std::string::npos)
+      throw Error(ErrorCode::Format, path.string(),
+                  "is not a session of any known format. Expected a folder with session.yaml, or KITTI raw data.");
+    return sample_session(path.filename().string());
+  };
+  engine.run = [stages](const PipelineInput& input, Progress& progress) {
+    for (int i = 0; i < stages; ++i) {
+      progress.report("registering pairs", static_cast<std::size_t>(i), static_cast<std::size_t>(stages));
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      if (!progress.cancelled()) continue;
+      PipelineOutput output;
+      output.result.status = Status::Cancelled;
+      return output;
+    }
+    return sample_output(input, 50);
+  };
+  engine.solve_again = [](const PipelineInput&, PipelineOutput& output, Progress&) { fill_result(output); };
+  engine.load_pair_clouds = [](const PipelineInput& input, const PipelineOutput& output, int pair) {
+    const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
+    PairClouds clouds;
+    clouds.cloud_a = input.sessions.at(0)->scans->load(
+        static_cast<std::size_t>(output.keyframes[static_cast<std::size_t>(chosen.keyframe_a)].scan));
+    clouds.cloud_b = input.sessions.at(0)->scans->load(
+        static_cast<std::size_t>(output.keyframes[static_cast<std::size_t>(chosen.keyframe_b)].scan));
+    for (int i = 0; i < 4; ++i) {
+      SceneObject b;
+      b.centroid_in_lidar = Eigen::Vector3f(6.0F * i - 9.0F, i % 2 ? 8.0F : -8.0F, 0.0F);
+      b.box_min_in_lidar = b.centroid_in_lidar - Eigen::Vector3f(0.4F, 0.4F, 1.5F);
+      b.box_max_in_lidar = b.centroid_in_lidar + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
+      SceneObject a = b;
+      const Eigen::Vector3f in_a =
+          (chosen.lidar_b_from_lidar_a.inverse() * b.centroid_in_lidar.cast<double>()).cast<float>();
+      a.centroid_in_lidar = in_a;
+      a.box_min_in_lidar = in_a - Eigen::Vector3f(0.4F, 0.4F, 1.5F);
+      a.box_max_in_lidar = in_a + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
+      clouds.objects_a.push_back(a);
+      clouds.objects_b.push_back(b);
+      clouds.matches.push_back({i, i, i == 3, i == 3 ? 1.2 : 0.05});
+    }
+    return clouds;
+  };
+  return engine;
+}
+
+}  // namespace remount::testing

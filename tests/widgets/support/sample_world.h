@@ -1,0 +1,23 @@
+// A small street and a finished calibration of it, made in memory for tests of the window.
+#pragma once
+
+#include "app/gui/engine.h"
+
+namespace remount::testing {
+
+inline const SixParameters kTruth{0.9, -0.25, 0.75, 0.03, -0.02, 0.015};
+
+/// Ground, two facades, poles and boxes, seen from `x_m` along the street, in the lidar frame.
+PointCloud street_cloud(const RigidTransform& world_from_lidar, int seed);
+
+Session sample_session(const std::string& name);
+
+/// Pairs of neighbouring keyframes of a gently turning drive; every seventh is rejected by the program, the last two
+/// are proposed. z is not observed.
+PipelineOutput sample_output(const PipelineInput& input, int pairs);
+
+/// Opens paths that contain "drive", runs in `stages` reports of 5 ms, solves so that x moves by 1 mm with every
+/// pair that is not accepted.
+Engine sample_engine(int stages = 10);
+
+}  // namespace remount::testing

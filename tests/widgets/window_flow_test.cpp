@@ -1,0 +1,254 @@
+// The whole job in the window: open, calibrate, select, reject, undo, export.
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTest>
+
+#include "app/gui/main_window.h"
+#include "app/gui/result_files.h"
+#include "tests/widgets/support/sample_world.h"
+#include "widgets/charts/error_bar_chart.h"
+#include "widgets/gl_support.h"
+#include "widgets/panels/export_dialog.h"
+#include "widgets/panels/message_banner.h"
+#include "widgets/panels/pair_view.h"
+#include "widgets/panels/pairs_panel.h"
+#include "widgets/theme.h"
+
+namespace remount {
+namespace {
+
+constexpr int kPatience_ms = 20000;
+
+class WindowFlow : public ::testing::Test {
+ protected:
+  explicit WindowFlow(int stages = 10) : workbench_(testing::sample_engine(stages)), window_(workbench_) {}
+
+  void show() {
+    window_.show();
+    window_.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_, kPatience_ms));
+  }
+  bool settle() {
+    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
+                           kPatience_ms);
+  }
+  void calibrate_drive() {
+    window_.open_paths({"/data/drive1"});
+    ASSERT_TRUE(settle());
+    workbench_.calibrate();
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(workbench_.output());
+  }
+  double x_m() const { return workbench_.output()->result.ins_from_lidar.translation().x(); }
+  const Pair& pair(int index) const { return workbench_.output()->pairs.at(static_cast<std::size_t>(index)); }
+  void trigger(const QString& key) {
+    for (QAction* action : window_.findChildren<QAction*>())
+      if (action->shortcut() == QKeySequence(key)) return action->trigger();
+    FAIL() << "no action has the key " << key.toStdString();
+  }
+  template <class Widget>
+  Widget& child() {
+    return *window_.findChild<Widget*>();
+  }
+  /// Where REMOUNT_SCREENSHOT_DIR is set, a picture of a widget is left there for people to look at.
+  void photograph(QWidget& widget, const QString& name) {
+    const QString folder = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR");
+    if (folder.isEmpty() || QGuiApplication::platformName() == QLatin1String("offscreen")) return;
+    QTest::qWait(300);
+    widget.grab().save(QDir(folder).filePath(name + ".png"));
+  }
+
+  Workbench workbench_;
+  MainWindow window_;
+};
+
+TEST_F(WindowFlow, rejecting_moves_the_result_and_undo_takes_it_back) {
+  show();
+  photograph(window_, "1-empty");
+  calibrate_drive();
+  const double before_m = x_m();
+  const PairState state_before = pair(5).state;
+  workbench_.select_pair(5);
+  trigger("R");
+  EXPECT_EQ(pair(5).state, PairState::Rejected);
+  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+  ASSERT_TRUE(settle());
+  EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9);
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(5).state, state_before);
+  EXPECT_EQ(pair(5).decided_by, DecidedBy::Program);
+  EXPECT_NEAR(x_m(), before_m, 1e-12);
+}
+
+TEST_F(WindowFlow, table_chart_and_keys_share_one_selection) {
+  show();
+  calibrate_drive();
+  auto& pairs = child<PairsPanel>();
+  emit pairs.chart()->pair_clicked(17);
+  EXPECT_EQ(workbench_.selected_pair(), 17);
+  EXPECT_EQ(pairs.marked_pairs(), std::vector<int>{17});
+  pairs.table()->selectRow(9);
+  EXPECT_EQ(workbench_.selected_pair(), 9);
+  trigger("N");
+  EXPECT_EQ(workbench_.selected_pair(), 10);
+  trigger("P");
+  EXPECT_EQ(workbench_.selected_pair(), 9);
+  trigger("A");
+  ASSERT_TRUE(settle());
+  pairs.table()->selectRow(8);
+  trigger("U");
+  EXPECT_EQ(workbench_.selected_pair(), 10) << "pair 9 has been decided by the user";
+}
+
+TEST_F(WindowFlow, several_marked_pairs_are_one_edit) {
+  show();
+  calibrate_drive();
+  workbench_.decide({1, 2, 4}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  for (int index : {1, 2, 4}) EXPECT_NE(pair(index).decided_by, DecidedBy::User) << "pair " << index;
+}
+
+TEST_F(WindowFlow, decisions_outlive_a_new_calibration) {
+  show();
+  calibrate_drive();
+  workbench_.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(5).state, PairState::Rejected);
+  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+}
+
+TEST_F(WindowFlow, unreadable_input_is_explained_and_nothing_is_lost) {
+  show();
+  calibrate_drive();
+  window_.open_paths({"/data/holiday-photos"});
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.sessions().size(), 1U);
+  EXPECT_TRUE(workbench_.output());
+  auto& banner = child<MessageBanner>();
+  EXPECT_TRUE(banner.isVisible());
+  const QString text = banner.findChild<QLabel*>()->text();
+  EXPECT_TRUE(text.contains("/data/holiday-photos") && text.contains("Expected a folder")) << text.toStdString();
+  photograph(window_, "5-unreadable");
+}
+
+TEST_F(WindowFlow, a_change_of_the_search_range_solves_again_and_can_be_undone) {
+  show();
+  calibrate_drive();
+  const OutputPtr before = workbench_.output();
+  workbench_.edit_option("range", "x_max_m", 0.95);
+  workbench_.edit_option("range", "x_max_m", 0.98);
+  EXPECT_EQ(workbench_.undo_stack().count(), 1) << "turning one knob is one edit";
+  ASSERT_TRUE(settle());
+  EXPECT_NE(workbench_.output(), before);
+  EXPECT_FALSE(workbench_.out_of_date());
+  workbench_.undo_stack().undo();
+  EXPECT_EQ(workbench_.settings().range.x_max_m, SearchRange{}.x_max_m);
+  workbench_.edit_option("registration", "voxel_m", 0.5);
+  EXPECT_TRUE(workbench_.out_of_date()) << "alignments have to be made anew";
+}
+
+TEST_F(WindowFlow, every_format_can_be_previewed_with_its_direction) {
+  show();
+  calibrate_drive();
+  ASSERT_FALSE(export_formats().empty());
+  for (const ExportFormat& format : export_formats()) {
+    EXPECT_FALSE(format.direction.isEmpty()) << format.id.toStdString();
+    EXPECT_FALSE(export_text(workbench_, format.id).isEmpty()) << format.id.toStdString();
+  }
+  trigger("Ctrl+E");
+  auto& dialog = child<ExportDialog>();
+  EXPECT_FALSE(dialog.current_text().isEmpty());
+  photograph(dialog, "6-export");
+  dialog.close();
+}
+
+TEST_F(WindowFlow, closing_while_calibrating_ends_in_time) {
+  show();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  workbench_.calibrate();
+  window_.close();
+  ASSERT_TRUE(settle());
+}
+
+class SlowWindowFlow : public WindowFlow {
+ protected:
+  SlowWindowFlow() : WindowFlow(2000) {}
+};
+
+TEST_F(SlowWindowFlow, cancel_keeps_what_was_there) {
+  show();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  QSignalSpy progress(&workbench_, &Workbench::job_progressed);
+  workbench_.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return progress.count() > 3; }, kPatience_ms));
+  photograph(window_, "2-calibrating");
+  workbench_.cancel();
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(workbench_.output());
+  EXPECT_EQ(workbench_.sessions().size(), 1U);
+}
+
+TEST_F(WindowFlow, the_pair_is_shown_in_three_dimensions) {
+  if (!missing_gl_reason().isEmpty())
+    GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
+  show();
+  QSignalSpy loaded(&workbench_, &Workbench::clouds_loaded);
+  calibrate_drive();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
+  auto& view = child<PairView>();
+  ASSERT_TRUE(view.has_gl());
+  view.look(StandardView::Top);
+  const QImage aligned = view.canvas()->grab().toImage();
+  view.flip();
+  const QImage before = view.canvas()->grab().toImage();
+  EXPECT_NE(aligned, before) << "the mounting assumed before is 20 cm and 2 degrees off: this must be seen";
+  view.flip();
+  EXPECT_EQ(aligned, view.canvas()->grab().toImage());
+  view.look(StandardView::Fit);
+  photograph(window_, "3-pair");
+  workbench_.decide({3, 4}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  view.look(StandardView::Top);
+  view.show_alignment(PairAlignment::Before);
+  photograph(window_, "4-before-top");
+}
+
+TEST_F(WindowFlow, dark_palettes_are_followed) {
+  if (!missing_gl_reason().isEmpty())
+    GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
+  const QPalette light = QApplication::palette();
+  QPalette dark;
+  for (auto role : {QPalette::Window, QPalette::Button}) dark.setColor(role, QColor(45, 47, 51));
+  for (auto role : {QPalette::Base, QPalette::ToolTipBase}) dark.setColor(role, QColor(30, 31, 34));
+  dark.setColor(QPalette::AlternateBase, QColor(38, 39, 43));
+  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+    dark.setColor(role, QColor(225, 226, 229));
+  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    dark.setColor(QPalette::Disabled, role, QColor(120, 122, 128));
+  dark.setColor(QPalette::Highlight, QColor(60, 130, 220));
+  QApplication::setPalette(dark);
+  show();
+  QSignalSpy loaded(&workbench_, &Workbench::clouds_loaded);
+  calibrate_drive();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
+  EXPECT_TRUE(is_dark(window_.palette()));
+  photograph(window_, "7-dark");
+  QApplication::setPalette(light);
+}
+
+}  // namespace
+}  // namespace remount
