@@ -13,6 +13,17 @@
 
 namespace remount {
 
+namespace {
+
+const char* kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "a directory";
+  if (S_ISFIFO(mode)) return "a FIFO";
+  if (S_ISCHR(mode) || S_ISBLK(mode)) return "a device";
+  return S_ISSOCK(mode) ? "a socket" : "something else";
+}
+
+}  // namespace
+
 FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
   if (this != &other) {
     close();
@@ -38,7 +49,7 @@ FileDescriptor open_regular_file(const std::filesystem::path& path) {
     throw Error(ErrorCode::Io, path.string(), std::string("cannot be examined: ") + std::strerror(errno));
   if (!S_ISREG(status.st_mode))
     throw Error(ErrorCode::Io, path.string(),
-                S_ISDIR(status.st_mode) ? "is a folder, a file was expected" : "is not a regular file");
+                std::string("is ") + kind_of(status.st_mode) + ", expected a regular file");
   return file;
 }
 

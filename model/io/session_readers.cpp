@@ -1,6 +1,9 @@
 #include "algorithms/core/error.h"
 #include "model/io/kitti_raw_reader.h"
 #include "model/io/native_session_reader.h"
+#include "model/io/novatel_reader.h"
+#include "model/io/opencalib_reader.h"
+#include "model/io/pose_session_reader.h"
 #include "model/io/session_reader.h"
 
 namespace remount {
@@ -10,6 +13,9 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     std::vector<std::unique_ptr<SessionReader>> list;
     list.push_back(std::make_unique<NativeSessionReader>());
     list.push_back(std::make_unique<KittiRawReader>());
+    list.push_back(std::make_unique<OpenCalibReader>());
+    list.push_back(std::make_unique<NovatelReader>());
+    list.push_back(std::make_unique<PoseSessionReader>());
     return list;
   }();
   return readers;

@@ -1,0 +1,253 @@
+#include "model/io/inspvax_log.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "model/io/attitude_convention.h"
+#include "model/io/csv_table.h"
+#include "model/io/input_file.h"
+#include "model/io/stream_tools.h"
+#include "model/io/time_stamp.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kHeadBytes = std::size_t{1} << 20;
+
+/// Where the values of INSPVAX stand among the fields of a line.
+struct Columns {
+  std::size_t status, latitude, longitude, height, undulation, roll, pitch, azimuth, latitude_std, longitude_std,
+      height_std, roll_std, pitch_std, azimuth_std;
+};
+
+/// Of the ASCII log, after the ';'.
+constexpr Columns kAsciiColumns{0, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 18, 19, 20};
+constexpr std::size_t kAsciiFields = 23;
+
+InsQuality quality_of(std::string_view status) {
+  // Numbers in bag CSVs, names in ASCII logs (OEM6/OEM7 manuals, "Inertial Solution Status").
+  if (status == "3" || status == "INS_SOLUTION_GOOD") return InsQuality::Good;
+  if (status == "2" || status == "INS_HIGH_VARIANCE" || status == "6" || status == "INS_SOLUTION_FREE" ||
+      status == "7" || status == "INS_ALIGNMENT_COMPLETE")
+    return InsQuality::Degraded;
+  return InsQuality::Invalid;
+}
+
+InsSample sample_from(const std::vector<std::string_view>& fields, const Columns& columns, const fs::path& path,
+                      std::size_t line) {
+  const auto number = [&](std::size_t i, const char* what) { return require_number(fields[i], what, path, line); };
+  const auto radians = [&](std::size_t i, const char* what) { return degrees_to_radians(number(i, what)); };
+  InsSample sample;
+  sample.latitude_rad = radians(columns.latitude, "latitude");
+  sample.longitude_rad = radians(columns.longitude, "longitude");
+  sample.height_m = number(columns.height, "height") + number(columns.undulation, "undulation");
+  if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+    throw Error(ErrorCode::Format, at_line(path, line), "latitude, longitude or height is not possible");
+  sample.enu_from_ins = enu_from_ins(
+      {radians(columns.azimuth, "azimuth"), radians(columns.pitch, "pitch"), radians(columns.roll, "roll")},
+      AttitudeConvention::NovAtel);
+  sample.sigma.position_enu_m = {number(columns.longitude_std, "longitude sigma"),
+                                 number(columns.latitude_std, "latitude sigma"),
+                                 number(columns.height_std, "height sigma")};
+  sample.sigma.attitude_rad =
+      axis_sigma_rad({radians(columns.azimuth_std, "azimuth sigma"), radians(columns.pitch_std, "pitch sigma"),
+                      radians(columns.roll_std, "roll sigma")},
+                     AttitudeConvention::NovAtel);
+  sample.quality = quality_of(fields[columns.status]);
+  return sample;
+}
+
+std::int64_t gps_stamp(std::string_view week_text, std::string_view time_text, std::int64_t unit_ns,
+                       const fs::path& path, std::size_t line) {
+  const auto week = parse_integer(week_text);
+  const auto whole = parse_integer(time_text);
+  std::optional<std::int64_t> time_ns;
+  if (whole && *whole >= 0 && *whole <= 604'800'000)
+    time_ns = *whole * unit_ns;
+  else if (unit_ns == 1'000'000'000)
+    time_ns = parse_seconds_ns(time_text);
+  else if (const auto value = parse_number(time_text); value && *value >= 0.0 && *value <= 604'800'000.0)
+    time_ns = std::llround(*value * static_cast<double>(unit_ns));
+  const auto stamp = week && time_ns ? unix_ns_from_gps_week(*week, *time_ns) : std::nullopt;
+  if (stamp) return *stamp;
+  throw Error(ErrorCode::Format, at_line(path, line),
+              "GPS week '" + std::string(week_text.substr(0, 20)) + "' and time '" +
+                  std::string(time_text.substr(0, 20)) + "' are no GPS time");
+}
+
+InsSample parse_ascii(std::string_view line, std::size_t number, const fs::path& path,
+                      std::vector<std::string_view>& fields) {
+  const std::size_t star = line.rfind('*'), body = line.find(';');
+  if (star == std::string_view::npos || body == std::string_view::npos || body > star)
+    throw Error(ErrorCode::Format, at_line(path, number), "expected '#INSPVAXA,<header>;<data>*<crc>'");
+  const std::string_view digits = trimmed(line.substr(star + 1)).substr(0, 8);
+  std::uint32_t crc = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), crc, 16);
+  if (error != std::errc() || digits.size() != 8 || end != digits.data() + 8 ||
+      crc != novatel_crc32(line.substr(1, star - 1)))
+    throw Error(ErrorCode::Format, at_line(path, number), "the checksum does not agree with the line");
+  split_csv(line.substr(0, body), fields);
+  if (fields.size() < 7) throw Error(ErrorCode::Format, at_line(path, number), "the header has too few fields");
+  const std::int64_t stamp_ns = gps_stamp(fields[5], fields[6], 1'000'000'000, path, number);
+  split_csv(line.substr(body + 1, star - body - 1), fields);
+  if (fields.size() < kAsciiFields)
+    throw Error(ErrorCode::Format, at_line(path, number),
+                "has " + std::to_string(fields.size()) + " data fields, expected " + std::to_string(kAsciiFields));
+  InsSample sample = sample_from(fields, kAsciiColumns, path, number);
+  sample.stamp_ns = stamp_ns;
+  return sample;
+}
+
+void read_ascii(const std::string& text, const fs::path& path, InspvaxLog& log, BadItems& bad) {
+  LineReader lines(text);
+  std::vector<std::string_view> fields;
+  for (std::string_view line; lines.next(line);) {
+    if (!line.starts_with("#INSPVAXA,")) continue;  // other logs of the same receiver
+    try {
+      log.ins.push_back(parse_ascii(line, lines.line_number(), path, fields));
+    } catch (const Error& error) {
+      bad.add(error);
+    }
+  }
+}
+
+/// The column of the time of week is called seconds and holds milliseconds in some drivers: its steps tell. At 4 units
+/// a step, seconds would mean a sample every four seconds, which no INS log has.
+std::int64_t time_unit_ns(const std::string& text, std::size_t column) {
+  LineReader lines(text);
+  std::string_view line;
+  lines.next(line);
+  std::vector<std::string_view> fields;
+  std::vector<double> steps;
+  double before = std::nan("");
+  while (steps.size() < 200 && lines.next(line)) {
+    split_csv(line, fields);
+    const auto value = column < fields.size() ? parse_number(fields[column]) : std::nullopt;
+    if (!value) continue;
+    if (*value > before) steps.push_back(*value - before);
+    before = *value;
+  }
+  if (steps.empty()) return before > 604'800.0 ? 1'000'000 : 1'000'000'000;
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+  return steps[steps.size() / 2] >= 4.0 ? 1'000'000 : 1'000'000'000;
+}
+
+Columns csv_columns(const CsvHeader& header, const fs::path& path) {
+  const auto at = [&](const char* name) { return header.require(name, path); };
+  return {at("ins_status"),   at("latitude"), at("longitude"), at("altitude"),     at("undulation"),
+          at("roll"),         at("pitch"),    at("azimuth"),   at("latitude_std"), at("longitude_std"),
+          at("altitude_std"), at("roll_std"), at("pitch_std"), at("azimuth_std")};
+}
+
+/// What the host's clock is off against GPS time, for the engineer; nothing is computed from it.
+void report_host_clock(std::vector<double>& offsets_s, double distinct, const fs::path& path,
+                       std::vector<Finding>& findings) {
+  if (offsets_s.empty()) return;
+  if (distinct < 0.5) {
+    findings.push_back(
+        make_finding(Severity::Warning, "host-stamps-rounded", path.string(),
+                     "The column 'time' was rounded, as a spreadsheet does; GPS time is used, nothing is lost."));
+    return;
+  }
+  const auto middle = offsets_s.begin() + static_cast<std::ptrdiff_t>(offsets_s.size() / 2);
+  std::nth_element(offsets_s.begin(), middle, offsets_s.end());
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "The column 'time' (clock of the host, or of a replay) is %.3f s off UTC by GPS; GPS time is used.",
+                *middle);
+  findings.push_back(make_finding(Severity::Note, "host-clock", path.string(), text));
+}
+
+void read_csv(const std::string& text, const fs::path& path, InspvaxLog& log, BadItems& bad,
+              std::vector<Finding>& findings) {
+  LineReader lines(text);
+  std::string_view line;
+  if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");
+  const CsvHeader header(line);
+  const Columns columns = csv_columns(header, path);
+  const std::size_t week = header.require("header.gps_week", path);
+  const bool named_milliseconds = header.has("header.gps_week_milliseconds");
+  const std::size_t time =
+      header.require(named_milliseconds ? "header.gps_week_milliseconds" : "header.gps_week_seconds", path);
+  const std::int64_t unit_ns = named_milliseconds ? 1'000'000 : time_unit_ns(text, time);
+  const int host = header.find("time");
+  std::vector<std::string_view> fields;
+  std::vector<double> host_offsets_s;
+  std::string last_host;
+  std::size_t distinct = 0;
+  while (lines.next(line)) {
+    if (trimmed(line).empty()) continue;
+    try {
+      split_csv(line, fields);
+      if (fields.size() != header.size())
+        throw Error(ErrorCode::Format, at_line(path, lines.line_number()),
+                    "has " + std::to_string(fields.size()) + " fields, expected " + std::to_string(header.size()));
+      InsSample sample = sample_from(fields, columns, path, lines.line_number());
+      sample.stamp_ns = gps_stamp(fields[week], fields[time], unit_ns, path, lines.line_number());
+      log.ins.push_back(sample);
+      const auto host_ns = host >= 0 ? parse_number(fields[static_cast<std::size_t>(host)]) : std::nullopt;
+      if (!host_ns) continue;
+      host_offsets_s.push_back((*host_ns - static_cast<double>(sample.stamp_ns)) * 1e-9);
+      if (fields[static_cast<std::size_t>(host)] != last_host)
+        ++distinct, last_host = fields[static_cast<std::size_t>(host)];
+    } catch (const Error& error) {
+      bad.add(error);
+    }
+  }
+  log.distinct_host_times =
+      static_cast<double>(distinct) / static_cast<double>(std::max<std::size_t>(log.ins.size(), 1));
+  report_host_clock(host_offsets_s, log.distinct_host_times, path, findings);
+}
+
+}  // namespace
+
+std::uint32_t novatel_crc32(std::string_view text) {
+  // Reflected 0x04C11DB7 without the usual inversions before and after.
+  std::uint32_t crc = 0;
+  for (const char c : text) {
+    std::uint32_t value = (crc ^ static_cast<std::uint8_t>(c)) & 0xff;
+    for (int bit = 0; bit < 8; ++bit) value = (value & 1) ? (value >> 1) ^ 0xEDB88320u : value >> 1;
+    crc = (crc >> 8) ^ value;
+  }
+  return crc;
+}
+
+std::optional<InspvaxFormat> recognise_inspvax(const fs::path& path) {
+  try {
+    const std::string head = read_file_head(path, kHeadBytes);
+    if (head.starts_with("#INSPVAXA,") || head.find("\n#INSPVAXA,") != std::string::npos)
+      return InspvaxFormat::AsciiLog;
+    LineReader lines(head);
+    std::string_view line;
+    if (!lines.next(line) || line.find("gps_week") == std::string_view::npos) return std::nullopt;
+    const CsvHeader header(line);
+    if (header.has("header.gps_week") && header.has("azimuth") && header.has("undulation"))
+      return InspvaxFormat::BagCsv;
+  } catch (const Error&) {
+    // not readable: not recognised
+  }
+  return std::nullopt;
+}
+
+InspvaxLog read_inspvax(const fs::path& path, InspvaxFormat format, std::vector<Finding>& findings) {
+  const std::string text = read_regular_file(path);
+  InspvaxLog log;
+  BadItems bad;
+  if (format == InspvaxFormat::AsciiLog)
+    read_ascii(text, path, log, bad);
+  else
+    read_csv(text, path, log, bad, findings);
+  if (log.ins.empty())
+    throw Error(ErrorCode::Format, path.string(),
+                "holds no usable INSPVAX line." + (bad.count() ? " First problem: " + bad.first() : ""));
+  bad.report(findings, "bad-ins", path.string(), "lines");
+  keep_ascending(log.ins, "ins", path.string(), findings);
+  return log;
+}
+
+}  // namespace remount

@@ -1,0 +1,136 @@
+#include "model/io/opencalib_reader.h"
+
+#include <algorithm>
+
+#include "model/io/input_file.h"
+#include "model/io/pose_file.h"
+#include "model/io/pose_pairing.h"
+#include "model/io/pose_session_reader.h"
+#include "model/io/stream_tools.h"
+#include "model/io/time_stamp.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Contents {
+  std::vector<fs::path> ins_poses;    ///< best first
+  std::vector<fs::path> lidar_poses;  ///< best first
+  std::vector<ScanFile> scans;
+  fs::path scan_folder;
+};
+
+bool is_lidar_pose_name(const fs::path& file) {
+  const std::string name = lower_case(file.stem().string());
+  return name.find("lidar") != std::string::npos && name.find("-pose") != std::string::npos &&
+         !name_has_word(file, {"novatel", "ins", "gnss", "imu"});
+}
+
+/// Smaller is better.
+int ins_rank(const fs::path& file) {
+  if (name_has_word(file, {"novatel"})) return 0;
+  if (name_has_word(file, {"ins", "gnss", "imu"})) return 1;
+  return name_has_word(file, {"enu"}) ? 2 : 3;
+}
+
+std::vector<ScanFile> stamped_scans(const fs::path& folder) {
+  std::vector<ScanFile> scans;
+  for (const fs::path& file : files_in(folder))
+    if (lower_case(file.extension().string()) == ".pcd")
+      if (const auto stamp = parse_date_ns(file.stem().string())) scans.push_back({file, *stamp});
+  return scans;
+}
+
+void find_scans(const fs::path& folder, Contents& contents) {
+  std::vector<fs::path> candidates = directories_in(folder);
+  candidates.insert(candidates.begin(), folder);
+  for (const fs::path& candidate : candidates) {
+    std::vector<ScanFile> scans = stamped_scans(candidate);
+    if (scans.size() <= contents.scans.size()) continue;
+    contents.scans = std::move(scans);
+    contents.scan_folder = candidate;
+  }
+}
+
+Contents examine(const fs::path& folder) {
+  Contents contents;
+  std::vector<fs::path> poses;
+  for (const fs::path& file : files_in(folder))
+    if (lower_case(file.extension().string()) != ".pcd" && recognise_pose_file(file) == PoseFormat::PoseLines)
+      poses.push_back(file);
+  for (const fs::path& file : poses)
+    (poses.size() > 1 && is_lidar_pose_name(file) ? contents.lidar_poses : contents.ins_poses).push_back(file);
+  std::stable_sort(contents.ins_poses.begin(), contents.ins_poses.end(),
+                   [](const fs::path& a, const fs::path& b) { return ins_rank(a) < ins_rank(b); });
+  find_scans(folder, contents);
+  return contents;
+}
+
+void report_choice(const std::vector<fs::path>& files, const char* code, const char* role,
+                   std::vector<Finding>& findings) {
+  if (files.size() < 2) return;
+  std::string others;
+  for (std::size_t i = 1; i < files.size(); ++i) others += (i > 1 ? ", " : "") + files[i].filename().string();
+  findings.push_back(
+      make_finding(Severity::Note, code, files[0].string(),
+                   "Of several files this one is used for " + std::string(role) + "; not used: " + others + "."));
+}
+
+void use_scans(Contents& contents, Session& session) {
+  keep_ascending(contents.scans, "scan", contents.scan_folder.string(), session.findings);
+  for (const ScanFile& scan : contents.scans) session.files.push_back(scan.path);
+  session.scans = std::make_shared<FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
+  session.scan_timing = has_point_times(*session.scans) ? ScanTiming::PerPoint : ScanTiming::Instant;
+}
+
+}  // namespace
+
+int OpenCalibReader::probe(const fs::path& path) const {
+  if (!is_folder(path)) return 0;
+  const Contents contents = examine(path);
+  if (contents.ins_poses.empty()) return 0;
+  return contents.scans.empty() && contents.lidar_poses.empty() ? 30 : 80;
+}
+
+Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
+  progress.report("reading poses", 0, 2);
+  Contents contents = examine(path);
+  if (contents.ins_poses.empty())
+    throw Error(ErrorCode::Format, path.string(),
+                "holds no INS poses: lines of a stamp like 2021-10-26-16-21-29-468 and 12 numbers");
+  Session session;
+  session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  session.path = path;
+  session.format = id();
+  session.ins_axes = "as the pose file defines them";
+  report_choice(contents.ins_poses, "ins-file-chosen", "the INS", session.findings);
+  session.world_from_ins = read_pose_file(contents.ins_poses[0], PoseFormat::PoseLines, session.findings);
+  session.files.push_back(contents.ins_poses[0]);
+  progress.report("reading poses", 1, 2);
+  const bool enough_scans = contents.scans.size() >= session.world_from_ins.size();
+  if (!contents.scans.empty() && (enough_scans || contents.lidar_poses.empty())) {
+    if (!contents.lidar_poses.empty())
+      session.findings.push_back(make_finding(Severity::Note, "scans-preferred", contents.scan_folder.string(),
+                                              "There are scans and LiDAR poses; the scans are used."));
+    use_scans(contents, session);
+    return session;
+  }
+  if (contents.lidar_poses.empty())
+    throw Error(ErrorCode::Format, path.string(),
+                "holds INS poses, but neither PCD files named by their stamps nor LiDAR poses (*lidar*-pose*)");
+  report_choice(contents.lidar_poses, "lidar-file-chosen", "the LiDAR", session.findings);
+  session.odometry_from_lidar = read_pose_file(contents.lidar_poses[0], PoseFormat::PoseLines, session.findings);
+  session.files.push_back(contents.lidar_poses[0]);
+  if (!contents.scans.empty())
+    session.findings.push_back(
+        make_finding(Severity::Note, "lidar-poses-preferred", contents.lidar_poses[0].string(),
+                     "There are " + std::to_string(session.odometry_from_lidar.size()) + " LiDAR poses and only " +
+                         std::to_string(contents.scans.size()) +
+                         " scans; the poses are used. To use the scans, move the LiDAR poses away."));
+  align_lidar_clock(session, ClockUse::Shared);
+  return session;
+}
+
+}  // namespace remount
