@@ -1,0 +1,74 @@
+#include "widgets/panels/progress_strip.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolButton>
+#include <algorithm>
+
+namespace remount {
+
+QString remaining_text(qint64 elapsed_ms, double done, double total) {
+  if (elapsed_ms < 1500 || done < 1.0 || done >= total) return {};
+  const double left_s = 1e-3 * static_cast<double>(elapsed_ms) * (total - done) / done;
+  if (left_s < 60.0) return ProgressStrip::tr("about %1 s left").arg(std::max(1, static_cast<int>(left_s + 0.5)));
+  return ProgressStrip::tr("about %1 min left").arg(static_cast<int>(left_s / 60.0 + 0.5));
+}
+
+ProgressStrip::ProgressStrip(QWidget* parent)
+    : QWidget(parent), text_(new QLabel(this)), bar_(new QProgressBar(this)), cancel_(new QToolButton(this)) {
+  bar_->setMaximumWidth(220);
+  bar_->setTextVisible(false);
+  bar_->setAccessibleName(tr("Progress"));
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Stop (Esc); what was there before is kept"));
+  text_->setAccessibleName(tr("Present work"));
+  connect(cancel_, &QToolButton::clicked, this, &ProgressStrip::cancel_clicked);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(8, 0, 0, 0);
+  layout->addWidget(text_, 1);
+  layout->addWidget(bar_);
+  layout->addWidget(cancel_);
+  stop(tr("Ready"));
+}
+
+void ProgressStrip::start(const QString& what) {
+  stage_.clear();
+  text_->setText(what);
+  bar_->setRange(0, 0);
+  bar_->show();
+  cancel_->show();
+  cancel_->setEnabled(true);
+}
+
+void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulonglong total) {
+  if (!cancel_->isVisibleTo(this) || !cancel_->isEnabled()) return;
+  if (stage != stage_) {
+    stage_ = stage;
+    since_stage_.start();
+    done_at_start_ = done;
+  }
+  constexpr int kSteps = 1000;
+  bar_->setRange(0, total > 0 ? kSteps : 0);
+  if (total > 0)
+    bar_->setValue(static_cast<int>(kSteps * std::min(1.0, static_cast<double>(done) / static_cast<double>(total))));
+  QString text = total > 0 ? tr("%1: %2 of %3").arg(stage).arg(done).arg(total) : stage;
+  const double covered = static_cast<double>(done) - static_cast<double>(done_at_start_);
+  const QString left =
+      remaining_text(since_stage_.elapsed(), covered, static_cast<double>(total) - static_cast<double>(done_at_start_));
+  if (!left.isEmpty()) text += QStringLiteral(", ") + left;
+  text_->setText(text);
+}
+
+void ProgressStrip::show_cancelling() {
+  cancel_->setEnabled(false);
+  text_->setText(tr("Cancelling…"));
+}
+
+void ProgressStrip::stop(const QString& what) {
+  text_->setText(what);
+  bar_->hide();
+  cancel_->hide();
+}
+
+}  // namespace remount

@@ -1,0 +1,37 @@
+// Progress in the status bar: stage, count, remaining time, cancel.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace remount {
+
+class ProgressStrip : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ProgressStrip(QWidget* parent = nullptr);
+  void start(const QString& what);
+  void show_progress(const QString& stage, qulonglong done, qulonglong total);
+  void show_cancelling();
+  void stop(const QString& what);
+
+ signals:
+  void cancel_clicked();
+
+ private:
+  QLabel* text_;
+  QProgressBar* bar_;
+  QToolButton* cancel_;
+  QElapsedTimer since_stage_;
+  QString stage_;
+  qulonglong done_at_start_ = 0;
+};
+
+/// "about 2 min left" from how long `done` of `total` took; empty where it is too early to say.
+QString remaining_text(qint64 elapsed_ms, double done, double total);
+
+}  // namespace remount
