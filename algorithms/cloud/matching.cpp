@@ -12,6 +12,8 @@ using Eigen::Vector3f;
 
 namespace {
 
+constexpr float kStandingOverlap = 0.7f;  ///< what is found again so far at its old place has not moved
+
 /// An object of scan a where it is predicted in scan b.
 struct Predicted {
   Vector3f centroid_in_b = Vector3f::Zero();
@@ -130,6 +132,35 @@ float least_displacement_m(const Predicted& from, const SceneObject& to, const V
   return least.norm();
 }
 
+/// Share of the points that lie near a point of any of the outlines.
+template <class Outlines>
+float covered(const std::vector<Vector3f>& points, const Vector3f& shift, const Outlines& outlines) {
+  constexpr float kNear_m = 0.3f;
+  int count = 0;
+  for (const Vector3f& p : points) {
+    const Vector3f at = p + shift;
+    const auto near = [&](const Vector3f& q) { return (at - q).squaredNorm() < kNear_m * kNear_m; };
+    count += std::any_of(outlines.begin(), outlines.end(), [&](const std::vector<Vector3f>* outline) {
+      return std::any_of(outline->begin(), outline->end(), near);
+    });
+  }
+  return static_cast<float>(count) / static_cast<float>(points.size());
+}
+
+/// Whether something stands in the other scan where the object is in this one, of either scan: what stands shows at
+/// least a part of the same surface in both, even where occlusion cuts it into other pieces.
+bool stands(const Predicted& from, const SceneObject& to, const Vector3f& common, const std::vector<Predicted>& all_a,
+            const std::vector<SceneObject>& all_b) {
+  constexpr float kFar_m = 15.0f;
+  std::vector<const std::vector<Vector3f>*> in_a, in_b;
+  for (const Predicted& a : all_a)
+    if ((a.centroid_in_b - from.centroid_in_b).norm() < kFar_m) in_a.push_back(&a.outline_in_b);
+  for (const SceneObject& b : all_b)
+    if ((b.centroid_in_lidar - to.centroid_in_lidar).norm() < kFar_m) in_b.push_back(&b.outline_in_lidar);
+  return covered(from.outline_in_b, common, in_b) > kStandingOverlap ||
+         covered(to.outline_in_lidar, -common, in_a) > kStandingOverlap;
+}
+
 }  // namespace
 
 std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a,
@@ -151,8 +182,9 @@ std::vector<ObjectMatch> match_objects(const std::vector<SceneObject>& objects_a
     // Buildings do not move; their visible part does.
     const bool can_move = shape != ObjectShape::Facade && b.shape != ObjectShape::Facade &&
                           shape != ObjectShape::Large && b.shape != ObjectShape::Large;
-    matches.push_back({pair.a, pair.b, can_move && displacement > static_cast<float>(options.moving_distance_m),
-                       static_cast<double>(displacement)});
+    const bool moving = can_move && displacement > static_cast<float>(options.moving_distance_m) &&
+                        !stands(at[static_cast<std::size_t>(pair.a)], b, common, at, objects_b);
+    matches.push_back({pair.a, pair.b, moving, static_cast<double>(displacement)});
   }
   std::sort(matches.begin(), matches.end(),
             [](const ObjectMatch& x, const ObjectMatch& y) { return x.object_a < y.object_a; });

@@ -1,0 +1,84 @@
+// What X is for (claim 1 of the source): how far the obstacles of a scan are from the vehicle, and whether to stop.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "algorithms/cloud/objects.h"
+#include "algorithms/core/options.h"
+#include "algorithms/geometry/rigid_transform.h"
+
+namespace remount {
+
+/// The vehicle's outline seen from above, in the INS frame (x forward, y left), and when to stop.
+struct ObstacleOptions {
+  double outline_x_min_m = -1.5;
+  double outline_x_max_m = 3.5;
+  double outline_y_min_m = -1.0;
+  double outline_y_max_m = 1.0;
+  double clearance_above_m = 2.5;
+  double stop_distance_m = 2.0;
+  bool ignore_inside = true;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor({"outline_x_min_m", "m", "Rear end of the vehicle in the INS frame.", -50.0, 50.0}, self.outline_x_min_m);
+    visitor({"outline_x_max_m", "m", "Front end of the vehicle in the INS frame.", -50.0, 50.0}, self.outline_x_max_m);
+    visitor({"outline_y_min_m", "m", "Right side of the vehicle in the INS frame.", -50.0, 50.0}, self.outline_y_min_m);
+    visitor({"outline_y_max_m", "m", "Left side of the vehicle in the INS frame.", -50.0, 50.0}, self.outline_y_max_m);
+    visitor({"clearance_above_m", "m", "What is higher than this above the INS is no obstacle: bridges, branches.", 0.0,
+             50.0},
+            self.clearance_above_m);
+    visitor(
+        {"stop_distance_m", "m", "Decision: stop where an obstacle is closer than this to the outline.", 0.0, 200.0},
+        self.stop_distance_m);
+    visitor({"ignore_inside", "", "What lies wholly within the outline is the vehicle itself, not an obstacle."},
+            self.ignore_inside);
+  }
+};
+
+enum class ObstacleDecision { Clear, Stop };
+/// "clear", "stop".
+std::string_view to_string(ObstacleDecision decision);
+
+struct Obstacle {
+  int object = 0;  ///< index into the objects given
+  ObjectShape shape = ObjectShape::Small;
+  double distance_m = 0.0;  ///< in the plane, of its nearest point to the outline; 0 where it reaches into it
+  Eigen::Vector3d nearest_point_in_ins = Eigen::Vector3d::Zero();
+  Eigen::Vector3d centroid_in_ins = Eigen::Vector3d::Zero();
+};
+
+struct ObstacleCheck {
+  std::vector<Obstacle> obstacles;  ///< nearest first
+  double nearest_m = std::numeric_limits<double>::infinity();
+  ObstacleDecision decision = ObstacleDecision::Clear;
+};
+
+/// The objects of a scan (find_objects on the same cloud) taken to the INS frame by `ins_from_lidar`.
+/// Throws Error(Contract) where options are out of range, the outline is empty, or an object refers to points that the
+/// cloud does not have.
+ObstacleCheck check_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
+                              const RigidTransform& ins_from_lidar, const ObstacleOptions& options);
+
+/// One obstacle under two mountings. Not a number where it is no obstacle under that mounting (inside the outline, too
+/// high).
+struct ObstacleDifference {
+  int object = 0;
+  ObjectShape shape = ObjectShape::Small;
+  double nominal_distance_m = std::numeric_limits<double>::quiet_NaN();
+  double calibrated_distance_m = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct ObstacleComparison {
+  ObstacleCheck nominal, calibrated;
+  std::vector<ObstacleDifference> rows;  ///< by object
+  bool decision_differs() const { return nominal.decision != calibrated.decision; }
+};
+
+/// The same scan under the nominal and under the new mounting, side by side.
+ObstacleComparison compare_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
+                                     const RigidTransform& nominal_ins_from_lidar,
+                                     const RigidTransform& calibrated_ins_from_lidar, const ObstacleOptions& options);
+
+}  // namespace remount

@@ -1,0 +1,72 @@
+#include "algorithms/core/error.h"
+#include "model/io/document.h"
+#include "model/io/native_session_writer.h"
+#include "model/io/output_file.h"
+#include "model/io/transform_document.h"
+#include "model/simulator/lidar_model.h"
+#include "model/simulator/simulator.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Options as a map, in the order in which they describe themselves.
+struct OptionWriter {
+  DocumentNode& map;
+  void operator()(const OptionInfo& info, bool value) { map.add(std::string(info.name), DocumentNode::boolean(value)); }
+  void operator()(const OptionInfo& info, int value) { map.add(std::string(info.name), DocumentNode::integer(value)); }
+  void operator()(const OptionInfo& info, double value) {
+    map.add(std::string(info.name), DocumentNode::number(value));
+  }
+  template <class T>
+  void choice(const OptionInfo& info, const T& value, const std::vector<std::string_view>& names) {
+    map.add(std::string(info.name), DocumentNode::string(names[static_cast<std::size_t>(value)]));
+  }
+};
+
+DocumentNode truth(const SimulatedDrive& drive) {
+  DocumentNode root = DocumentNode::map();
+  root.add("format", DocumentNode::string("remount-truth/1"));
+  DocumentNode& mounting = root.add("ins_from_lidar", transform_document(drive.ins_from_lidar));
+  const SixParameters six = six_from_rigid(drive.ins_from_lidar);
+  DocumentNode& parameters = mounting.add("six_parameters", DocumentNode::map());
+  parameters.on_one_line = true;
+  parameters.add("x_m", DocumentNode::number(six.x_m));
+  parameters.add("y_m", DocumentNode::number(six.y_m));
+  parameters.add("z_m", DocumentNode::number(six.z_m));
+  parameters.add("yaw_deg", DocumentNode::number(radians_to_degrees(six.yaw_rad)));
+  parameters.add("pitch_deg", DocumentNode::number(radians_to_degrees(six.pitch_rad)));
+  parameters.add("roll_deg", DocumentNode::number(radians_to_degrees(six.roll_rad)));
+  if (const auto* source = dynamic_cast<const SimulatedScanSource*>(drive.session.scans.get())) {
+    DocumentNode& options = root.add("simulation", DocumentNode::map());
+    SimulationOptions::visit(source->scene().options(), OptionWriter{options});
+  }
+  return root;
+}
+
+void require_empty(const fs::path& folder) {
+  std::error_code failure;
+  if (!fs::exists(folder, failure)) return;
+  if (!fs::is_directory(folder, failure)) throw Error(ErrorCode::Io, folder.string(), "is not a folder");
+  if (!fs::is_empty(folder, failure) || failure)
+    throw Error(ErrorCode::Io, folder.string(), "is not empty; name a new folder, so that no recording is overwritten");
+}
+
+}  // namespace
+
+void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std::string& format, int threads,
+                 Progress& progress) {
+  if (format != "native" && format != "kitti-raw")
+    throw Error(ErrorCode::Contract, format, "is not a format that drives are written in; native and kitti-raw are");
+  require_empty(folder);
+  make_directories(folder);
+  if (format == "native")
+    write_native_session(drive.session, folder, threads, progress);
+  else
+    write_kitti_raw_session(drive.session, folder, threads, progress);
+  if (!progress.cancelled()) write_file(folder / "truth.yaml", to_yaml(truth(drive)));
+}
+
+}  // namespace remount
