@@ -1,0 +1,129 @@
+#include "app/cli/arguments.h"
+
+#include <unistd.h>
+
+#include <array>
+
+#include "algorithms/core/error.h"
+#include "model/exporters/exporter.h"
+#include "model/io/input_file.h"
+#include "model/settings_file.h"
+
+namespace remount {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+[[noreturn]] void wrong_range(const std::string& text) {
+  throw Error(
+      ErrorCode::Contract, "--range " + text,
+      "expected six pairs min:max for x,y,z (m), yaw,pitch,roll (degrees), or some by name as in x=-1:1,yaw=-10:10");
+}
+
+void set_range(SearchRange& range, std::size_t parameter, const std::string& pair, const std::string& whole) {
+  const std::array<std::pair<double*, double*>, 6> members{{{&range.x_min_m, &range.x_max_m},
+                                                            {&range.y_min_m, &range.y_max_m},
+                                                            {&range.z_min_m, &range.z_max_m},
+                                                            {&range.yaw_min_rad, &range.yaw_max_rad},
+                                                            {&range.pitch_min_rad, &range.pitch_max_rad},
+                                                            {&range.roll_min_rad, &range.roll_max_rad}}};
+  const std::vector<std::string> ends = split(pair, ':');
+  if (ends.size() != 2) wrong_range(whole);
+  const auto minimum = parse_number(ends[0]), maximum = parse_number(ends[1]);
+  if (!minimum || !maximum) wrong_range(whole);
+  const double unit = parameter < 3 ? 1.0 : kPi / 180.0;
+  *members[parameter].first = *minimum * unit;
+  *members[parameter].second = *maximum * unit;
+}
+
+}  // namespace
+
+RigidTransform parse_six(const std::string& text) {
+  std::vector<double> six;
+  for (const std::string& part : split(text, ','))
+    if (const auto value = parse_number(trimmed(part))) six.push_back(*value);
+  if (six.size() != 6 || split(text, ',').size() != 6)
+    throw Error(ErrorCode::Contract, text, "expected six numbers x,y,z,yaw,pitch,roll in m and degrees");
+  return rigid_from_six(
+      {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
+}
+
+RigidTransform parse_nominal(const std::string& text) {
+  if (is_file(text)) return read_any_ins_from_lidar(text);
+  if (text.find(',') == std::string::npos)
+    throw Error(ErrorCode::Io, text, "is neither a file nor six numbers x,y,z,yaw,pitch,roll in m and degrees");
+  return parse_six(text);
+}
+
+void apply_range(SearchRange& range, const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  const bool named = text.find('=') != std::string::npos;
+  if (!named && parts.size() != 6) wrong_range(text);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!named) {
+      set_range(range, i, parts[i], text);
+      continue;
+    }
+    const std::vector<std::string> sides = split(parts[i], '=');
+    const auto name = std::find(kParameterNames.begin(), kParameterNames.end(), trimmed(sides[0]));
+    if (sides.size() != 2 || name == kParameterNames.end()) wrong_range(text);
+    set_range(range, static_cast<std::size_t>(name - kParameterNames.begin()), sides[1], text);
+  }
+}
+
+void SolveArguments::add_to(CLI::App& verb) {
+  verb.add_option("--nominal", nominal,
+                  "Where the LiDAR was before: x,y,z,yaw,pitch,roll (m, degrees), or a result or exported file; "
+                  "\"none\" ignores what the data declare")
+      ->type_name("SIX|FILE");
+  verb.add_option(
+          "--range", ranges,
+          "Search range: six min:max for x,y,z (m), yaw,pitch,roll (degrees), or x=-1:1,yaw=-10:10; may be repeated")
+      ->type_name("RANGE")
+      ->allow_extra_args(false);
+  verb.add_option("--config", config, "Settings (YAML); \"remount-cli settings\" prints a full one")->type_name("FILE");
+  verb.add_option("--set", assignments, "One setting, section.key=value; may be repeated, goes before --range")
+      ->type_name("SETTING")
+      ->allow_extra_args(false);
+  verb.add_option("-o,--output", output, "Write the result here: .yaml or .json")->type_name("RESULT");
+}
+
+Settings SolveArguments::settings(const Settings& base) const {
+  Settings settings = config.empty() ? base : load_settings(config, base);
+  for (const std::string& assignment : assignments) apply_setting(settings, assignment);
+  for (const std::string& range : ranges) apply_range(settings.range, range);
+  const std::vector<std::string> problems = settings.check();
+  std::string text;
+  for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
+  if (!problems.empty()) throw Error(ErrorCode::Contract, "settings", text);
+  return settings;
+}
+
+std::optional<RigidTransform> SolveArguments::nominal_ins_from_lidar() const {
+  if (nominal.empty() || nominal == "none") return std::nullopt;
+  return parse_nominal(nominal);
+}
+
+void SolveArguments::check_output() const {
+  if (output.empty()) return;
+  const std::filesystem::path path(output);
+  const auto ending = path.extension();
+  if (ending != ".yaml" && ending != ".yml" && ending != ".json")
+    throw Error(ErrorCode::Contract, "--output " + output, "expected a name that ends in .yaml, .yml or .json");
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+  if (!is_folder(folder))
+    throw Error(ErrorCode::Contract, "--output " + output, "there is no folder " + folder.string());
+  if (::access(folder.c_str(), W_OK) != 0 || is_folder(path))
+    throw Error(ErrorCode::Contract, "--output " + output, "cannot be written");
+}
+
+}  // namespace remount

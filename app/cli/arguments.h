@@ -1,0 +1,42 @@
+// Arguments that several verbs share: nominal, search range, settings, output.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/geometry/rigid_transform.h"
+#include "model/settings.h"
+
+namespace remount {
+
+/// "x,y,z,yaw,pitch,roll" in m and degrees. Throws Error(Contract).
+RigidTransform parse_six(const std::string& text);
+
+/// Six numbers, or a file in any format that can be exported. Throws Error.
+RigidTransform parse_nominal(const std::string& text);
+
+/// Changes a search range: six "min:max" separated by commas (x,y,z in m, yaw,pitch,roll in degrees), or "yaw=-10:10",
+/// several separated by commas. Throws Error(Contract).
+void apply_range(SearchRange& range, const std::string& text);
+
+/// Options that calibrate and solve have in common.
+struct SolveArguments {
+  std::string nominal;  ///< empty: not given; "none": unknown even where the data declare one
+  std::vector<std::string> ranges;
+  std::string config;
+  std::vector<std::string> assignments;
+  std::string output;
+
+  void add_to(CLI::App& verb);
+  /// Defaults or `base`, then --config, --set and --range. Throws Error.
+  Settings settings(const Settings& base = {}) const;
+  /// The nominal of the command line; nothing where it is not given or "none".
+  std::optional<RigidTransform> nominal_ins_from_lidar() const;
+  /// Throws Error before a long run for an output that could not be written after it.
+  void check_output() const;
+};
+
+}  // namespace remount

@@ -1,0 +1,85 @@
+#include <memory>
+
+#include "algorithms/core/error.h"
+#include "app/cli/arguments.h"
+#include "app/cli/finish.h"
+#include "app/cli/verbs.h"
+#include "model/io/session_reader.h"
+#include "model/project.h"
+
+namespace remount {
+namespace {
+
+struct CalibrateArguments {
+  std::vector<std::string> sessions;
+  SolveArguments solve;
+  std::string project, save_project;
+  bool no_hashes = false;
+};
+
+/// What the sessions declare themselves, where they agree; a contradiction is for the user to decide.
+std::optional<RigidTransform> declared_nominal(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  std::optional<RigidTransform> declared;
+  for (const auto& session : sessions) {
+    if (!session->nominal_ins_from_lidar) continue;
+    if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))
+      throw Error(ErrorCode::Contract, session->name,
+                  "declares another nominal mounting than the sessions before it; give --nominal");
+    declared = session->nominal_ins_from_lidar;
+  }
+  return declared;
+}
+
+int calibrate(const CalibrateArguments& arguments, Console& console) {
+  Project project;
+  if (!arguments.project.empty()) project = load_project(arguments.project);
+  for (const std::string& path : arguments.sessions) project.sessions.emplace_back(path);
+  if (project.sessions.empty())
+    throw Error(ErrorCode::Contract, "calibrate", "no session is given; name one, or a --project that holds some");
+  arguments.solve.check_output();
+
+  PipelineInput input;
+  input.settings = arguments.solve.settings(project.settings);
+  input.threads = console.options().threads;
+  input.nominal_ins_from_lidar = arguments.solve.nominal_ins_from_lidar();
+  for (const std::filesystem::path& path : project.sessions)
+    input.sessions.push_back(std::make_shared<const Session>(open_session(path, console.progress())));
+  if (arguments.solve.nominal.empty()) {
+    input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
+    if (!input.nominal_ins_from_lidar) input.nominal_ins_from_lidar = declared_nominal(input.sessions);
+  }
+
+  PipelineOutput output = run_pipeline(input, console.progress());
+  if (!console.cancelled() && apply_verdicts(project.verdicts, output) > 0)
+    solve_again(input, output, console.progress());
+  std::vector<InputFile> inputs;
+  if (!arguments.no_hashes) inputs = hash_inputs(input.sessions, input.threads, console.progress());
+  console.report(output.findings);
+
+  if (!arguments.save_project.empty()) {
+    project.settings = input.settings;
+    project.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
+    project.inputs = inputs;
+    project.output = output;
+    save_project(project, arguments.save_project);
+  }
+  return finish(make_result_file(input, output, std::move(inputs)), arguments.solve.output, console);
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app, Console& console, Run& run) {
+  const auto arguments = std::make_shared<CalibrateArguments>();
+  CLI::App* verb = app.add_subcommand("calibrate", "Calibrate from one or more recorded sessions of one vehicle");
+  verb->add_option("sessions", arguments->sessions, "Session folders or logs")->type_name("SESSION");
+  arguments->solve.add_to(*verb);
+  verb->add_option("--project", arguments->project,
+                   "Take sessions, settings, nominal and verdicts on pairs from a project")
+      ->type_name("FILE");
+  verb->add_option("--save-project", arguments->save_project, "Save everything for the window")->type_name("FILE");
+  verb->add_flag("--no-hashes", arguments->no_hashes, "Leave the hashes of the inputs out of the result");
+  verb->callback(
+      [arguments, &console, &run] { run = [arguments, &console] { return calibrate(*arguments, console); }; });
+}
+
+}  // namespace remount

@@ -1,0 +1,145 @@
+#include "app/cli/console.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include "algorithms/core/error.h"
+#include "remount_version.h"
+
+namespace remount {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
+
+std::string duration_text(double duration_s) {
+  char text[64];
+  if (duration_s < 90.0)
+    std::snprintf(text, sizeof(text), "%.0f s", duration_s);
+  else
+    std::snprintf(text, sizeof(text), "%.0f min", duration_s / 60.0);
+  return text;
+}
+
+sigset_t stop_signals() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  return set;
+}
+
+/// Waits for Ctrl-C in a thread of its own: nothing has to be done within a signal handler.
+void watch_signals(const std::stop_token& done, std::stop_source& stop) {
+  const sigset_t set = stop_signals();
+  const timespec wait{0, 100'000'000};
+  while (!done.stop_requested()) {
+    if (::sigtimedwait(&set, nullptr, &wait) < 0) continue;
+    if (stop.stop_requested()) ::_exit(kNoResult);
+    stop.request_stop();
+  }
+}
+
+}  // namespace
+
+Console::Console()
+    : terminal_(::isatty(STDERR_FILENO) == 1),
+      started_(Clock::now()),
+      stage_started_(started_),
+      progress_(stop_.get_token(), [this](const ProgressUpdate& update) { show(update); }) {
+  const sigset_t set = stop_signals();
+  ::pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  signals_ = std::jthread([this](const std::stop_token& done) { watch_signals(done, stop_); });
+}
+
+Console::~Console() { clear_line(); }
+
+double Console::elapsed_s() const { return seconds(Clock::now() - started_); }
+
+void Console::start(const std::string& command_line) {
+  if (options_.log_file.empty()) return;
+  log_.open(options_.log_file, std::ios::trunc);
+  if (!log_)
+    throw Error(ErrorCode::Io, options_.log_file, std::string("the log cannot be written: ") + std::strerror(errno));
+  log("remount-cli " + std::string(kVersion) + "\n" + command_line);
+}
+
+void Console::log(std::string_view text) {
+  if (!log_.is_open()) return;
+  char stamp[32];
+  std::snprintf(stamp, sizeof(stamp), "[%9.3f] ", elapsed_s());
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    log_ << stamp << text.substr(0, end) << "\n";
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+  }
+  log_.flush();
+}
+
+void Console::clear_line() {
+  if (line_shown_) std::fputs("\r\033[K", stderr);
+  line_shown_ = false;
+}
+
+void Console::show(const ProgressUpdate& update) {
+  const std::scoped_lock lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  const bool new_stage = update.stage != stage_;
+  if (new_stage) {
+    stage_ = update.stage;
+    stage_started_ = now;
+    log(stage_);
+  }
+  if (!terminal_ || options_.quiet) return;
+  if (!new_stage && seconds(now - shown_) < 0.1 && update.done != update.total) return;
+  shown_ = now;
+  std::string line = stage_;
+  if (update.total > 0) {
+    line += " " + std::to_string(update.done) + "/" + std::to_string(update.total);
+    const double spent_s = seconds(now - stage_started_);
+    if (update.done > 0 && update.done < update.total && spent_s > 1.0)
+      line +=
+          ", about " +
+          duration_text(spent_s / static_cast<double>(update.done) * static_cast<double>(update.total - update.done)) +
+          " left";
+  }
+  clear_line();
+  std::fputs(line.c_str(), stderr);
+  std::fflush(stderr);
+  line_shown_ = true;
+}
+
+void Console::print(std::string_view text) {
+  const std::scoped_lock lock(mutex_);
+  clear_line();
+  log(text);
+  if (options_.quiet) return;
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  if (!text.ends_with('\n')) std::fputc('\n', stdout);
+  std::fflush(stdout);
+}
+
+void Console::complain(std::string_view text) {
+  const std::scoped_lock lock(mutex_);
+  clear_line();
+  log(text);
+  std::fprintf(stderr, "remount-cli: %.*s\n", static_cast<int>(text.size()), text.data());
+}
+
+void Console::report(const std::vector<Finding>& findings) {
+  for (const Finding& finding : findings) {
+    const std::string text = finding.where + ": " + finding.explanation + " [" + finding.code + "]";
+    const std::scoped_lock lock(mutex_);
+    clear_line();
+    const bool note = finding.severity == Severity::Note;
+    log((note ? "note: " : "warning: ") + text);
+    if (!note && !options_.quiet) std::fprintf(stderr, "warning: %s\n", text.c_str());
+  }
+}
+
+}  // namespace remount

@@ -1,0 +1,71 @@
+// The terminal, the log file and Ctrl-C of a run on the command line.
+#pragma once
+
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "model/session.h"
+
+namespace remount {
+
+/// What every verb may end with; README.md explains them to users.
+enum ExitCode { kSolved = 0, kUsage = 1, kUnreadable = 2, kNoResult = 3 };
+
+struct ConsoleOptions {
+  bool quiet = false;
+  std::string log_file;
+  int threads = 0;  ///< 0: one per core
+};
+
+/// Shows progress on one line of a terminal that is rewritten, keeps the log, and turns Ctrl-C into a stop request:
+/// the first is obeyed at the next opportunity, the second ends the program at once.
+class Console {
+ public:
+  /// Must be made before any other thread, so that only its own receives the signals.
+  Console();
+  ~Console();
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+
+  ConsoleOptions& options() { return options_; }
+  const ConsoleOptions& options() const { return options_; }
+  /// Opens the log file; call once the options are parsed. Throws Error(Io).
+  void start(const std::string& command_line);
+
+  Progress& progress() { return progress_; }
+  bool cancelled() const { return stop_.stop_requested(); }
+
+  /// To stdout unless --quiet, and to the log.
+  void print(std::string_view text);
+  /// To stderr always, and to the log.
+  void complain(std::string_view text);
+  /// Notes go to the log only, the rest to stderr as well (unless --quiet).
+  void report(const std::vector<Finding>& findings);
+
+ private:
+  void show(const ProgressUpdate& update);
+  void clear_line();
+  void log(std::string_view text);
+  double elapsed_s() const;
+
+  ConsoleOptions options_;
+  std::stop_source stop_;
+  std::ofstream log_;
+  bool terminal_ = false;
+  bool line_shown_ = false;
+  std::string stage_;
+  std::chrono::steady_clock::time_point started_, stage_started_, shown_;
+  std::mutex mutex_;
+  Progress progress_;
+  std::jthread signals_;
+};
+
+}  // namespace remount

@@ -1,0 +1,57 @@
+#include <iostream>
+#include <memory>
+
+#include "algorithms/core/error.h"
+#include "app/cli/verbs.h"
+#include "model/exporters/exporter.h"
+#include "model/io/atomic_save.h"
+
+namespace remount {
+namespace {
+
+struct ExportArguments {
+  std::string result, format, output;
+  ExportNames names;
+};
+
+int export_result(const ExportArguments& arguments, Console& console) {
+  const Exporter& format = exporter(arguments.format);
+  const ResultFile result = load_result(arguments.result);
+  for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
+  if (!is_usable(result.result)) {
+    console.complain(arguments.result + ": holds no usable result, nothing is exported; " + result.result.message);
+    return kNoResult;
+  }
+  const std::string text = format.write(result, arguments.names);
+  if (arguments.output.empty()) {
+    // What was asked for, not chatter: --quiet does not silence it.
+    std::cout << text << std::flush;
+    return std::cout ? kSolved : kUnreadable;
+  }
+  save_atomically(arguments.output, text);
+  console.print(arguments.output + ": " + std::string(format.direction()));
+  return kSolved;
+}
+
+}  // namespace
+
+void add_export(CLI::App& app, Console& console, Run& run) {
+  const auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* verb = app.add_subcommand("export", "Write a result in the format of another program");
+  verb->add_option("result", arguments->result, "Result file (.yaml or .json)")->type_name("RESULT")->required();
+  std::string formats = "Format:";
+  for (const auto& format : exporters())
+    formats += "\n" + std::string(format->id()) + ": " + std::string(format->description()) + " [" +
+               std::string(format->direction()) + "]";
+  verb->add_option("--to", arguments->format, formats)->type_name("FORMAT")->required();
+  verb->add_option("-o,--output", arguments->output, "File; without it the text goes to the standard output")
+      ->type_name("FILE");
+  verb->add_option("--ins-frame", arguments->names.ins_frame, "Name of the INS frame, for formats that carry names")
+      ->type_name("NAME");
+  verb->add_option("--lidar-frame", arguments->names.lidar_frame, "Name of the LiDAR frame, likewise")
+      ->type_name("NAME");
+  verb->callback(
+      [arguments, &console, &run] { run = [arguments, &console] { return export_result(*arguments, console); }; });
+}
+
+}  // namespace remount

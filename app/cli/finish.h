@@ -1,0 +1,15 @@
+// The end of every verb that solves: file, summary, exit code.
+#pragma once
+
+#include <string>
+
+#include "app/cli/console.h"
+#include "model/result_file.h"
+
+namespace remount {
+
+/// Writes the result where `output` is not empty, prints the summary, and returns 0 where it is usable, otherwise 3
+/// with reason and advice on stderr. A result without a usable X is written all the same: its status says why.
+int finish(const ResultFile& file, const std::string& output, Console& console);
+
+}  // namespace remount

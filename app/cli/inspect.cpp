@@ -1,0 +1,41 @@
+#include <memory>
+
+#include "algorithms/core/error.h"
+#include "app/cli/verbs.h"
+#include "model/io/session_reader.h"
+#include "model/session_report.h"
+
+namespace remount {
+namespace {
+
+int inspect(const std::vector<std::string>& paths, Console& console) {
+  int code = kSolved;
+  for (const std::string& path : paths) {
+    try {
+      const Session session = open_session(path, console.progress());
+      const SessionReport report = report_session(session, console.progress());
+      console.print(describe(session, report));
+      if (!report.usable && code == kSolved) code = kNoResult;
+    } catch (const Error& error) {
+      console.complain(error.what());
+      code = kUnreadable;
+    }
+    if (console.cancelled()) return kNoResult;
+  }
+  return code;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& app, Console& console, Run& run) {
+  const auto paths = std::make_shared<std::vector<std::string>>();
+  CLI::App* verb = app.add_subcommand("inspect", "Say what a recording is, and whether it can be calibrated with");
+  verb->add_option("paths", *paths, "Session folders or logs")->type_name("PATH")->required();
+  std::string formats = "Exit code 3 where a session is readable but not usable.\nFormats:";
+  for (const auto& reader : session_readers())
+    formats += "\n  " + std::string(reader->id()) + ": " + std::string(reader->description());
+  verb->footer(formats);
+  verb->callback([paths, &console, &run] { run = [paths, &console] { return inspect(*paths, console); }; });
+}
+
+}  // namespace remount

@@ -1,0 +1,68 @@
+// remount-cli: the workbench without a window.
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+
+#include "algorithms/core/error.h"
+#include "app/cli/verbs.h"
+#include "remount_version.h"
+
+namespace remount {
+namespace {
+
+constexpr const char* kFooter =
+    "Exit codes: 0 solved (what is not observed is named); 1 wrong usage; 2 input cannot be read; 3 no usable result.\n"
+    "remount-cli VERB --help explains a verb.";
+
+int exit_code_of(const Error& error) { return error.code() == ErrorCode::Contract ? kUsage : kUnreadable; }
+
+void add_common_options(CLI::App& app, Console& console) {
+  app.add_flag("-q,--quiet", console.options().quiet, "Print errors only");
+  app.add_option("--log", console.options().log_file, "Write a log of the run to this file")->type_name("FILE");
+  app.add_option("-j,--threads", console.options().threads,
+                 "Threads; 0: one per core. The result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->type_name("N");
+}
+
+int run_main(int argc, char** argv) {
+  Console console;
+  CLI::App app("Find where a LiDAR sits on a vehicle, relative to its GNSS/INS.", "remount-cli");
+  app.set_version_flag("--version", std::string("remount-cli ") + kVersion);
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.fallthrough();
+  add_common_options(app, console);
+  Run run;
+  for (const auto add : {add_inspect, add_calibrate, add_solve, add_export, add_simulate, add_settings})
+    add(app, console, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& problem) {
+    app.exit(problem);
+    return kUsage;
+  }
+  try {
+    std::string command_line;
+    for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + std::string(argv[i]);
+    console.start(command_line);
+    return run();
+  } catch (const Error& error) {
+    console.complain(error.what());
+    return exit_code_of(error);
+  } catch (const std::bad_alloc&) {
+    console.complain("there is not enough memory");
+    return kUnreadable;
+  } catch (const std::exception& error) {
+    console.complain(std::string("unexpected: ") + error.what());
+    return kUnreadable;
+  }
+}
+
+}  // namespace
+}  // namespace remount
+
+int main(int argc, char** argv) { return remount::run_main(argc, argv); }

@@ -1,0 +1,32 @@
+#include <iostream>
+#include <memory>
+
+#include "app/cli/arguments.h"
+#include "app/cli/verbs.h"
+#include "model/io/atomic_save.h"
+#include "model/settings_file.h"
+
+namespace remount {
+
+void add_settings(CLI::App& app, Console& console, Run& run) {
+  const auto output = std::make_shared<std::string>();
+  const auto config = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("settings", "Print every setting with its value, unit, range and meaning");
+  verb->add_option("--config", *config, "Check this file, and print what it sets and the defaults of the rest")
+      ->type_name("FILE");
+  verb->add_option("-o,--output", *output, "File; without it the text goes to the standard output")->type_name("FILE");
+  verb->callback([output, config, &console, &run] {
+    run = [output, config, &console]() -> int {
+      const std::string text = settings_text(config->empty() ? Settings{} : load_settings(*config));
+      if (output->empty()) {
+        std::cout << text << std::flush;
+        return std::cout ? kSolved : kUnreadable;
+      }
+      save_atomically(*output, text);
+      console.print("settings: " + *output);
+      return kSolved;
+    };
+  });
+}
+
+}  // namespace remount

@@ -1,0 +1,60 @@
+#include <memory>
+
+#include "app/cli/arguments.h"
+#include "app/cli/finish.h"
+#include "app/cli/verbs.h"
+#include "model/io/motion_pairs_file.h"
+#include "model/pipeline.h"
+#include "model/project.h"
+
+namespace remount {
+namespace {
+
+struct PairsArguments {
+  std::string pairs;
+  std::vector<std::string> sets;
+  SolveArguments solve;
+};
+
+/// Leaves only the pairs of the named sets.
+void keep_sets(MotionPairs& motions, const std::vector<std::string>& wanted) {
+  if (wanted.empty()) return;
+  std::erase_if(motions.pairs, [&](const Pair& pair) {
+    const int set = motions.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session;
+    return std::find(wanted.begin(), wanted.end(), motions.sets[static_cast<std::size_t>(set)]) == wanted.end();
+  });
+}
+
+int solve(const PairsArguments& arguments, Console& console) {
+  arguments.solve.check_output();
+  PipelineInput input;
+  input.settings = arguments.solve.settings();
+  input.nominal_ins_from_lidar = arguments.solve.nominal_ins_from_lidar();
+  MotionPairs motions = read_motion_pairs(arguments.pairs);
+  keep_sets(motions, arguments.sets);
+
+  PipelineOutput output;
+  output.keyframes = motions.keyframes;
+  output.pairs = motions.pairs;
+  output.result = solve_motion_pairs(output.pairs, input.settings, input.nominal_ins_from_lidar, console.progress());
+  InputFile hash = hash_input(arguments.pairs);
+  return finish(make_result_file(input, output, {hash}), arguments.solve.output, console);
+}
+
+}  // namespace
+
+void add_solve(CLI::App& app, Console& console, Run& run) {
+  const auto arguments = std::make_shared<PairsArguments>();
+  CLI::App* verb = app.add_subcommand("solve", "Solve P X = X Q from motion pairs in a CSV file");
+  verb->add_option("pairs", arguments->pairs,
+                   "CSV with columns P00..P23 (ins_i_from_ins_j) and Q00..Q23 (lidar_i_from_lidar_j), and set, i, j")
+      ->type_name("PAIRS.csv")
+      ->required();
+  verb->add_option("--only-set", arguments->sets, "Use only the pairs of this set; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  arguments->solve.add_to(*verb);
+  verb->callback([arguments, &console, &run] { run = [arguments, &console] { return solve(*arguments, console); }; });
+}
+
+}  // namespace remount

@@ -1,0 +1,93 @@
+#include "app/cli/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+namespace remount {
+namespace {
+
+std::string format(const char* pattern, auto... values) {
+  char text[256];
+  std::snprintf(text, sizeof(text), pattern, values...);
+  return text;
+}
+
+std::string parameters(const CalibrationResult& result) {
+  const SixParameters six = six_from_rigid(result.ins_from_lidar);
+  const std::array<double, 6> values{six.x_m,
+                                     six.y_m,
+                                     six.z_m,
+                                     radians_to_degrees(six.yaw_rad),
+                                     radians_to_degrees(six.pitch_rad),
+                                     radians_to_degrees(six.roll_rad)};
+  std::string text = "ins_from_lidar (pose of the lidar in the ins frame: x forward, y left, z up)\n";
+  for (std::size_t i = 0; i < 6; ++i) {
+    const bool angle = i >= 3;
+    const char* unit = angle ? "deg" : "m  ";
+    text += format("  %-5s  %10.4f %s  ", std::string(kParameterNames[i]).c_str(), values[i], unit);
+    const auto sigma = result.sigma(i);
+    if (!sigma)
+      text += "not observed: this is the value it started from, not a measurement\n";
+    else
+      text += format("1-sigma %.4f %s\n", angle ? radians_to_degrees(*sigma) : *sigma, angle ? "deg" : "m");
+  }
+  return text;
+}
+
+/// Reasons differ in their numbers; counted together they tell more: "overlap 0.21 is below 0.30" and so on.
+std::string without_numbers(const std::string& reason) {
+  std::string kind;
+  for (std::size_t i = 0; i < reason.size(); ++i) {
+    const bool digit = reason[i] >= '0' && reason[i] <= '9';
+    const bool within =
+        digit || ((reason[i] == '.' || reason[i] == '-') && i + 1 < reason.size() && reason[i + 1] >= '0' &&
+                  reason[i + 1] <= '9' && (kind.empty() || kind.back() == '#' || kind.back() == ' '));
+    if (!within)
+      kind += reason[i];
+    else if (kind.empty() || kind.back() != '#')
+      kind += '#';
+  }
+  return kind;
+}
+
+std::string pairs(const ResultFile& file) {
+  const CalibrationResult& result = file.result;
+  std::string text = format("pairs: %d proposed, %d accepted, %d rejected\n", result.pairs_proposed,
+                            result.pairs_accepted, result.pairs_rejected);
+  std::map<std::string, std::pair<int, std::string>> reasons;
+  for (const PairRecord& pair : file.pairs) {
+    if (pair.state != PairState::Rejected) continue;
+    auto& [count, example] = reasons[without_numbers(pair.reason)];
+    if (count++ == 0) example = pair.reason;
+  }
+  std::vector<std::pair<int, std::string>> sorted;
+  for (const auto& [kind, counted] : reasons) sorted.push_back({-counted.first, counted.second});
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < std::min<std::size_t>(sorted.size(), 8); ++i)
+    text += format("  %5d rejected: ", -sorted[i].first) + sorted[i].second +
+            (sorted[i].first < -1 ? " (and alike)" : "") + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string summary(const ResultFile& file) {
+  const CalibrationResult& result = file.result;
+  std::string text = "status: " + std::string(to_string(result.status)) +
+                     (result.message.empty() ? "" : " - " + result.message) + "\n";
+  if (is_usable(result)) {
+    text += parameters(result);
+    text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
+                   radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
+  }
+  text += pairs(file);
+  if (std::isfinite(result.time_offset.offset_s))
+    text += format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", result.time_offset.offset_s,
+                   result.time_offset.sigma_s, result.time_offset.applied ? "applied" : "not applied");
+  for (const std::string& advice : result.advice) text += "advice: " + advice + "\n";
+  return text;
+}
+
+}  // namespace remount

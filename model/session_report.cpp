@@ -1,0 +1,182 @@
+#include "model/session_report.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "algorithms/core/error.h"
+
+namespace remount {
+namespace {
+
+constexpr double kEarthRadiusM = 6371000.0;
+
+std::string number(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.*f", digits, value);
+  return text;
+}
+
+std::vector<std::int64_t> lidar_stamps(const Session& session) {
+  std::vector<std::int64_t> stamps;
+  if (session.scans)
+    for (std::size_t i = 0; i < session.scans->size(); ++i) stamps.push_back(session.scans->stamp_ns(i));
+  for (const StampedPose& pose : session.odometry_from_lidar) stamps.push_back(pose.stamp_ns);
+  return stamps;
+}
+
+std::vector<std::int64_t> ins_stamps(const Session& session) {
+  std::vector<std::int64_t> stamps;
+  for (const InsSample& sample : session.ins) stamps.push_back(sample.stamp_ns);
+  for (const StampedPose& pose : session.world_from_ins) stamps.push_back(pose.stamp_ns);
+  return stamps;
+}
+
+/// Travelled distance, good to a fraction of a percent: for a person's judgement, not for calibration.
+void measure_motion(const Session& session, SessionReport& report) {
+  const auto turned = [&](const Eigen::Matrix3d& first, const Eigen::Matrix3d& other) {
+    report.turned_deg = std::max(report.turned_deg, radians_to_degrees(so3_log(first.transpose() * other).norm()));
+  };
+  for (std::size_t i = 1; i < session.ins.size(); ++i) {
+    const InsSample &a = session.ins[i - 1], &b = session.ins[i];
+    const double north = (b.latitude_rad - a.latitude_rad) * kEarthRadiusM;
+    const double east = wrap_angle_rad(b.longitude_rad - a.longitude_rad) * kEarthRadiusM * std::cos(a.latitude_rad);
+    report.travelled_m += Eigen::Vector3d(east, north, b.height_m - a.height_m).norm();
+    turned(session.ins.front().enu_from_ins.toRotationMatrix(), b.enu_from_ins.toRotationMatrix());
+  }
+  for (std::size_t i = 1; i < session.world_from_ins.size(); ++i) {
+    const RigidTransform &a = session.world_from_ins[i - 1].pose, &b = session.world_from_ins[i].pose;
+    report.travelled_m += (b.translation() - a.translation()).norm();
+    turned(session.world_from_ins.front().pose.linear(), b.linear());
+  }
+}
+
+void sample_scans(const Session& session, SessionReport& report, Progress& progress) {
+  if (!session.scans || session.scans->size() == 0) return;
+  const std::size_t last = session.scans->size() - 1;
+  for (const std::size_t scan : std::set<std::size_t>{0, last / 2, last}) {
+    if (progress.cancelled()) return;
+    progress.report("reading scans", report.points.size(), 3);
+    try {
+      report.points.push_back(session.scans->load(scan).size());
+    } catch (const Error& error) {
+      report.findings.push_back({Severity::Warning, "bad-scan", error.where(), error.what_happened()});
+    }
+  }
+}
+
+void judge(const Session& session, SessionReport& report) {
+  const auto problem = [&](const char* code, const std::string& text) {
+    report.findings.push_back({Severity::Problem, code, session.name, text});
+  };
+  if (report.lidar.count < 2) problem("too-few-scans", "fewer than two scans: nothing to compare");
+  if (report.ins.count < 2) problem("no-ins", "no INS motion: calibration needs positions and attitudes over time");
+  if (session.scans && report.points.empty())
+    problem("no-readable-scan", "none of the scans that were tried can be read");
+  if (report.lidar.count >= 2 && report.ins.count >= 2 && report.lidar_covered < 2) {
+    const double apart_s = static_cast<double>(report.lidar.first_ns - report.ins.first_ns) * 1e-9;
+    problem("clocks-apart", "the INS data do not cover the scans' times (the scans begin " + number(apart_s, 3) +
+                                " s after the INS): the clocks differ, or the files belong to different drives");
+  } else if (report.lidar_covered < report.lidar.count && report.ins.count >= 2) {
+    report.findings.push_back({Severity::Note, "partly-covered", session.name,
+                               std::to_string(report.lidar.count - report.lidar_covered) +
+                                   " scans lie outside the INS data or in its gaps and are left out"});
+  }
+  const bool problems = std::any_of(report.findings.begin(), report.findings.end(),
+                                    [](const Finding& finding) { return finding.severity == Severity::Problem; });
+  report.usable = !problems && report.lidar_covered >= 2;
+}
+
+std::string stream_line(const std::string& name, const StreamReport& stream) {
+  if (stream.count == 0) return "  " + name + ": none\n";
+  std::string line = "  " + name + ": " + std::to_string(stream.count) + ", " + utc_text(stream.first_ns) + " to " +
+                     utc_text(stream.last_ns) + " (" + number(stream.span_s(), 3) + " s)";
+  if (stream.rate_hz > 0.0) line += ", " + number(stream.rate_hz, 1) + " Hz";
+  line += stream.gaps == 0
+              ? ", no gaps"
+              : ", " + std::to_string(stream.gaps) + " gaps, the longest " + number(stream.longest_gap_s, 3) + " s";
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string utc_text(std::int64_t stamp_ns) {
+  using namespace std::chrono;
+  const sys_time<nanoseconds> time{nanoseconds(stamp_ns)};
+  const auto day = floor<days>(time);
+  const year_month_day date(day);
+  const hh_mm_ss clock(floor<milliseconds>(time - day));
+  char text[64];
+  std::snprintf(text, sizeof(text), "%04d-%02u-%02u %02d:%02d:%02d.%03d UTC", static_cast<int>(date.year()),
+                static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
+                static_cast<int>(clock.seconds().count()), static_cast<int>(clock.subseconds().count()));
+  return text;
+}
+
+StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns) {
+  StreamReport report;
+  report.count = stamps_ns.size();
+  if (stamps_ns.empty()) return report;
+  report.first_ns = stamps_ns.front();
+  report.last_ns = stamps_ns.back();
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < stamps_ns.size(); ++i) steps.push_back(stamps_ns[i] - stamps_ns[i - 1]);
+  if (steps.empty()) return report;
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  const std::int64_t median = *middle;
+  if (median > 0) report.rate_hz = 1e9 / static_cast<double>(median);
+  for (const std::int64_t step : steps) {
+    if (median > 0 && step > 3 * median) ++report.gaps;
+    report.longest_gap_s = std::max(report.longest_gap_s, static_cast<double>(step) * 1e-9);
+  }
+  return report;
+}
+
+SessionReport report_session(const Session& session, Progress& progress) {
+  SessionReport report;
+  report.findings = session.findings;
+  const std::vector<std::int64_t> lidar = lidar_stamps(session), ins = ins_stamps(session);
+  report.lidar = report_stream(lidar);
+  report.ins = report_stream(ins);
+  const double longest_step_s = report.ins.rate_hz > 0.0 ? std::max(0.25, 5.0 / report.ins.rate_hz) : 0.0;
+  for (const std::int64_t stamp : lidar) {
+    const auto after = std::lower_bound(ins.begin(), ins.end(), stamp);
+    if (after == ins.end() || (after == ins.begin() && *after != stamp)) continue;
+    const std::int64_t before = *after == stamp ? stamp : *(after - 1);
+    if (static_cast<double>(*after - before) * 1e-9 <= longest_step_s) ++report.lidar_covered;
+  }
+  measure_motion(session, report);
+  sample_scans(session, report, progress);
+  judge(session, report);
+  return report;
+}
+
+std::string describe(const Session& session, const SessionReport& report) {
+  std::string text = session.path.string() + "\n  format: " + session.format + "\n";
+  text += stream_line(session.scans ? "scans" : "LiDAR poses", report.lidar);
+  text += stream_line(session.ins.empty() ? "INS poses" : "INS samples", report.ins);
+  text += "  scans within the INS data: " + std::to_string(report.lidar_covered) + " of " +
+          std::to_string(report.lidar.count) + "\n";
+  text += "  motion: " + number(report.travelled_m, 1) + " m travelled, turned by up to " +
+          number(report.turned_deg, 1) + " deg\n";
+  if (session.scans) {
+    constexpr const char* kTiming[] = {"taken at once, or already compensated", "time of every point is known",
+                                       "time of a point follows from its azimuth"};
+    text += std::string("  motion within a scan: ") + kTiming[static_cast<int>(session.scan_timing)] +
+            "\n  points in a scan:";
+    for (const std::size_t points : report.points) text += " " + std::to_string(points);
+    text += "\n";
+  }
+  if (session.nominal_ins_from_lidar) text += "  nominal mounting: declared\n";
+  constexpr const char* kSeverity[] = {"note", "warning", "problem"};
+  for (const Finding& finding : report.findings)
+    text += std::string("  ") + kSeverity[static_cast<int>(finding.severity)] + " [" + finding.code + "] " +
+            finding.where + ": " + finding.explanation + "\n";
+  return text + "  usable: " + (report.usable ? "yes" : "no") + "\n";
+}
+
+}  // namespace remount

@@ -1,0 +1,45 @@
+// What `inspect` says about a session: counts, rates, gaps, clocks, and whether it can be calibrated with.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "model/session.h"
+
+namespace remount {
+
+/// One stream of stamps.
+struct StreamReport {
+  std::size_t count = 0;
+  std::int64_t first_ns = 0, last_ns = 0;
+  double rate_hz = 0.0;        ///< from the median step; 0 where there are fewer than two
+  std::size_t gaps = 0;        ///< steps longer than three median steps
+  double longest_gap_s = 0.0;  ///< the longest step
+  double span_s() const { return static_cast<double>(last_ns - first_ns) * 1e-9; }
+};
+StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns);
+
+struct SessionReport {
+  StreamReport lidar;  ///< scans, or poses of an odometry
+  StreamReport ins;
+  std::size_t lidar_covered = 0;    ///< how many of the lidar's stamps lie within the INS data
+  double travelled_m = 0.0;         ///< of the INS
+  double turned_deg = 0.0;          ///< largest angle between the first attitude and any other
+  std::vector<std::size_t> points;  ///< of the scans that were read as a sample (first, middle, last)
+  std::vector<Finding> findings;    ///< those of the session, and what this report adds
+  bool usable = false;              ///< enough for a calibration to be tried
+};
+
+/// Reads at most three scans.
+SessionReport report_session(const Session& session, Progress& progress);
+
+/// For people, several lines.
+std::string describe(const Session& session, const SessionReport& report);
+
+/// "2011-09-26 13:02:25.951 UTC".
+std::string utc_text(std::int64_t stamp_ns);
+
+}  // namespace remount
