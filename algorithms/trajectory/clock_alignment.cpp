@@ -14,6 +14,7 @@ constexpr double kApart_s = 1.0;            ///< a rival peak is farther away th
 constexpr double kMinSpread_rad_s = 0.005;  ///< of the rates: below it nothing turns
 constexpr double kMinCorrelation = 0.6;
 constexpr double kMinMisfitRatio = 1.5;          ///< of the rival peak to the best one
+constexpr double kMinLead = 0.005;               ///< of the best peak before its rival
 constexpr std::size_t kMaxSamples = 20'000'000;  ///< of a grid: a longer stream has broken stamps
 
 double seconds(std::int64_t duration_ns) { return static_cast<double>(duration_ns) * 1e-9; }
@@ -210,7 +211,8 @@ ClockAlignment align_clocks(const std::vector<StampedPose>& reference, const std
   result.found = true;
   result.runner_up = peak.runner_up;
   const double misfit = std::max(1.0 - std::max(result.correlation, peak.correlation), 1e-6);
-  result.ambiguous = result.correlation < kMinCorrelation || (1.0 - peak.runner_up) / misfit < kMinMisfitRatio;
+  result.ambiguous = result.correlation < kMinCorrelation || (1.0 - peak.runner_up) / misfit < kMinMisfitRatio ||
+                     peak.correlation - peak.runner_up < kMinLead;
   if (result.correlation < kMinCorrelation)
     result.why = "the rates of rotation hardly resemble each other";
   else if (result.ambiguous)

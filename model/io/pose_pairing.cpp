@@ -44,7 +44,12 @@ void align_lidar_clock(Session& session, ClockUse clocks) {
                            ". Their stamps stay as they are; record a drive with several turns."));
     return;
   }
-  if (!needed && std::abs(alignment.offset_s) < kSharedTolerance_s) return;
+  if (!needed && std::abs(alignment.offset_s) < kSharedTolerance_s) {
+    session.findings.push_back(make_finding(
+        Severity::Note, "clock-offset", "clocks",
+        "The two clocks agree; by the rates of rotation, " + describe(alignment) + ". Nothing was moved."));
+    return;
+  }
   const std::int64_t offset_ns = std::llround(alignment.offset_s * 1e9);
   for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += offset_ns;
   session.findings.push_back(

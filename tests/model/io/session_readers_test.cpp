@@ -1,0 +1,430 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "algorithms/geometry/rotation.h"
+#include "model/io/attitude_convention.h"
+#include "model/io/inspvax_log.h"
+#include "model/io/number_text.h"
+#include "model/io/pose_file.h"
+#include "model/io/session_reader.h"
+#include "model/io/time_stamp.h"
+#include "tests/model/io/temporary_folder.h"
+
+namespace remount {
+namespace {
+
+const Finding* find(const Session& session, const std::string& code) {
+  for (const Finding& finding : session.findings)
+    if (finding.code == code) return &finding;
+  return nullptr;
+}
+
+Session open(const std::filesystem::path& path) {
+  Progress progress;
+  return open_session(path, progress);
+}
+
+// ---- KITTI raw
+
+std::string oxts(double latitude_deg, double yaw_rad) {
+  std::string line = exact_text(latitude_deg) + " 8.4 115 0.01 0.02 " + exact_text(yaw_rad);
+  for (int i = 6; i < 30; ++i) line += i == 23 ? " 0.05" : " 0";
+  return line + "\n";
+}
+
+/// A drive with four INS samples and scans.
+void write_kitti(const TemporaryFolder& folder, const std::string& drive) {
+  std::string stamps;
+  for (int i = 0; i < 4; ++i) {
+    stamps += "2011-09-26 13:02:25." + std::to_string(i) + "00000000\n";
+    folder.write(drive + "/oxts/data/000000000" + std::to_string(i) + ".txt", oxts(49.0 + 1e-6 * i, 0.1 * i));
+    folder.write(drive + "/velodyne_points/data/000000000" + std::to_string(i) + ".bin", std::string(32, '\x3f'));
+  }
+  folder.write(drive + "/oxts/timestamps.txt", stamps);
+  folder.write(drive + "/velodyne_points/timestamps.txt", stamps);
+}
+
+TEST(KittiRawReader, OpensADriveFromAnyParent) {
+  const TemporaryFolder folder;
+  write_kitti(folder, "2011_09_26/2011_09_26_drive_0001_sync");
+  folder.write("2011_09_26/calib_imu_to_velo.txt", "calib_time: 25-May-2012\nR: 1 0 0 0 1 0 0 0 1\nT: -0.8 0.3 -0.8\n");
+  for (const char* below :
+       {"", "2011_09_26", "2011_09_26/2011_09_26_drive_0001_sync", "2011_09_26/2011_09_26_drive_0001_sync/"}) {
+    const Session session = open(folder.path() / below);
+    EXPECT_EQ(session.format, "kitti-raw");
+    EXPECT_EQ(session.name, "2011_09_26_drive_0001_sync") << below;
+    ASSERT_EQ(session.ins.size(), 4u);
+    EXPECT_EQ(session.ins[1].stamp_ns, 1'317'042'145'100'000'000);
+    EXPECT_DOUBLE_EQ(session.ins[1].sigma.position_enu_m.y(), 0.05);
+    ASSERT_TRUE(session.nominal_ins_from_lidar);
+    EXPECT_LT((session.nominal_ins_from_lidar->translation() - Eigen::Vector3d(0.8, -0.3, 0.8)).norm(), 1e-12);
+  }
+}
+
+TEST(KittiRawReader, SeveralDrivesAreListed) {
+  const TemporaryFolder folder;
+  write_kitti(folder, "d/a_sync");
+  write_kitti(folder, "d/b_sync");
+  EXPECT_ERROR(open(folder.path()), "holds 2 drives");
+  EXPECT_ERROR(open(folder.path()), "b_sync");
+}
+
+TEST(KittiRawReader, BadFilesBecomeFindingsAndTheRestOpens) {
+  const TemporaryFolder folder;
+  write_kitti(folder, "a_sync");
+  folder.write("a_sync/oxts/data/0000000001.txt", "49.0 8.4 115\n");
+  folder.write("a_sync/oxts/data/0000000003.txt", oxts(249.0, 0));
+  std::filesystem::remove(folder.path() / "a_sync/velodyne_points/data/0000000002.bin");
+  folder.write("a_sync/velodyne_points/data/0000000003.bin", "abc");
+  const Session session = open(folder.path() / "a_sync");
+  EXPECT_EQ(session.ins.size(), 2u);
+  ASSERT_NE(find(session, "bad-ins"), nullptr);
+  EXPECT_TRUE(contains(find(session, "bad-ins")->explanation, "0000000001.txt:1: has 3 numbers, expected 30"));
+  ASSERT_NE(find(session, "missing-scans"), nullptr);
+  ASSERT_EQ(session.scans->size(), 3u);
+  EXPECT_EQ(session.scans->load(0).size(), 2u);
+  EXPECT_ERROR(session.scans->load(2), "0000000003.bin: holds 3 bytes");
+  EXPECT_ERROR(session.scans->load(3), "does not exist");
+}
+
+TEST(KittiRawReader, ExtractKeepsItsOwnStampsAndTakesThePeriodOfATurn) {
+  const TemporaryFolder folder;
+  write_kitti(folder, "a_extract");
+  std::string start, end, stamps;
+  for (int i = 0; i < 4; ++i) {
+    start += "2011-09-26 13:02:25." + std::to_string(i) + "01000000\n";
+    stamps += "2011-09-26 13:02:25." + std::to_string(i) + "52000000\n";
+    end += "2011-09-26 13:02:25." + std::to_string(i) + "99500000\n";
+    std::filesystem::remove(folder.path() / ("a_extract/velodyne_points/data/000000000" + std::to_string(i) + ".bin"));
+    folder.write("a_extract/velodyne_points/data/000000000" + std::to_string(i) + ".txt", "1 2 3 0.5\n");
+  }
+  folder.write("a_extract/velodyne_points/timestamps.txt", stamps);
+  folder.write("a_extract/velodyne_points/timestamps_start.txt", start);
+  folder.write("a_extract/velodyne_points/timestamps_end.txt", end);
+  const Session session = open(folder.path());
+  EXPECT_EQ(session.scans->stamp_ns(0), 1'317'042'145'052'000'000);
+  EXPECT_EQ(session.scans->load(1).size(), 1u);
+  EXPECT_NEAR(session.sweep.period_s, 0.0985, 1e-9);
+  EXPECT_FALSE(session.sweep.clockwise);
+  EXPECT_TRUE(session.sweep.certain);
+}
+
+TEST(KittiRawReader, RealDrives) {
+  SKIP_WITHOUT(shared_data() / "kitti");
+  for (const char* drive : {"00", "05", "07", "10"}) {
+    const Session session = open(shared_data() / "kitti" / drive);
+    EXPECT_EQ(session.ins.size(), 10u);
+    ASSERT_EQ(session.scans->size(), 10u);
+    EXPECT_GT(session.scans->load(9).size(), 100'000u);
+    EXPECT_TRUE(session.findings.empty()) << session.findings[0].explanation;
+  }
+  EXPECT_ERROR(open(shared_data() / "kitti"), "holds 4 drives");
+}
+
+// ---- OpenCalib
+
+std::string pose_lines(int count, double scale = 1.0) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    char line[256];
+    std::snprintf(line, sizeof line, "2021-10-26-16-21-%02d-%03d %.9f 0 0 %d 0 %.9f 0 0 0 0 %.9f 0\n", 10 + i / 10,
+                  i % 10 * 100, scale, i, scale, scale);
+    text += line;
+  }
+  return text;
+}
+
+TEST(OpenCalibReader, PosesOfBothStreams) {
+  const TemporaryFolder folder;
+  folder.write("NovAtel-pose-lidar-time.txt", pose_lines(20));
+  folder.write("top_center_lidar-enu.txt", pose_lines(20));
+  folder.write("top_center_lidar-pose.txt", pose_lines(20, 1.000000458));
+  folder.write("top_center_lidar/2021-10-26-16-21-10-000.pcd", "FIELDS x y z\n");
+  const Session session = open(folder.path());
+  EXPECT_EQ(session.format, "opencalib");
+  EXPECT_EQ(session.world_from_ins.size(), 20u);
+  EXPECT_EQ(session.odometry_from_lidar.size(), 20u);
+  EXPECT_LT((session.odometry_from_lidar[3].pose.linear() - Eigen::Matrix3d::Identity()).norm(), 1e-12);
+  EXPECT_NE(find(session, "ins-file-chosen"), nullptr);
+  EXPECT_NE(find(session, "lidar-poses-preferred"), nullptr);
+  EXPECT_EQ(find(session, "rotation-not-orthonormal"), nullptr);
+}
+
+TEST(OpenCalibReader, ScansWithASinglePoseFile) {
+  const TemporaryFolder folder;
+  folder.write("top_center_lidar-pose.txt", pose_lines(3));
+  const std::string header = "FIELDS x y z time\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n";
+  folder.write("pcd/2021-10-26-16-21-10-000.pcd", header + "1 2 3 0\n4 5 6 0.09\n");
+  folder.write("pcd/2021-10-26-16-21-10-100.pcd", "broken");
+  folder.write("pcd/2021-10-26-16-21-10-200.pcd", header + "1 2 3 0\n4 5 6 0.09\n");
+  folder.write("pcd/readme.pcd", "not a stamp");
+  const Session session = open(folder.path());
+  EXPECT_EQ(session.world_from_ins.size(), 3u);
+  ASSERT_TRUE(session.scans);
+  ASSERT_EQ(session.scans->size(), 3u);
+  EXPECT_EQ(session.scan_timing, ScanTiming::PerPoint);
+  EXPECT_EQ(session.scans->stamp_ns(2), *parse_date_ns("2021-10-26-16-21-10-200"));
+  EXPECT_ERROR(session.scans->load(1), "100.pcd:1");
+  EXPECT_EQ(session.scans->load(2).size(), 2u);
+}
+
+TEST(OpenCalibReader, RotationsThatAreNoneAreLeftOut) {
+  const TemporaryFolder folder;
+  std::vector<Finding> findings;
+  const auto file = folder.write(
+      "ins.txt", pose_lines(3) + "2021-10-26-16-22-00-000 2 0 0 0 0 2 0 0 0 0 2 0\n2021-10-26-16-22-01-000 1 2 3\n");
+  EXPECT_EQ(read_pose_file(file, PoseFormat::PoseLines, findings).size(), 3u);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_TRUE(contains(findings[0].explanation, "2 lines cannot be used")) << findings[0].explanation;
+  EXPECT_TRUE(contains(findings[0].explanation, "ins.txt:4: the nine numbers are no rotation"));
+  const auto skewed = folder.write("skewed.txt", pose_lines(3, 1.01));
+  EXPECT_EQ(read_pose_file(skewed, PoseFormat::PoseLines, findings).size(), 3u);
+  EXPECT_EQ(findings.back().code, "rotation-not-orthonormal");
+  EXPECT_ERROR(read_pose_file(folder.write("none.txt", pose_lines(3, 2.0)), PoseFormat::PoseLines, findings),
+               "holds no usable pose");
+}
+
+TEST(OpenCalibReader, RealDataAreExactConjugates) {
+  SKIP_WITHOUT(shared_data() / "opencalib");
+  const Session session = open(shared_data() / "opencalib");
+  ASSERT_EQ(session.world_from_ins.size(), 1081u);
+  ASSERT_EQ(session.odometry_from_lidar.size(), 1081u);
+  double worst_rad = 0.0;
+  for (std::size_t i = 0; i + 50 < 1081; i += 10) {
+    const auto motion = [&](const std::vector<StampedPose>& poses) {
+      return so3_log((poses[i].pose.inverse() * poses[i + 50].pose).linear()).norm();
+    };
+    ASSERT_EQ(session.world_from_ins[i].stamp_ns, session.odometry_from_lidar[i].stamp_ns);
+    worst_rad = std::max(worst_rad, std::abs(motion(session.world_from_ins) - motion(session.odometry_from_lidar)));
+  }
+  EXPECT_LT(worst_rad, 1e-5) << "equal angles of rotation, whatever X is";
+}
+
+// ---- NovAtel INSPVAX
+
+std::string inspvaxa(int week, double seconds, double azimuth_deg, const std::string& status = "INS_SOLUTION_GOOD") {
+  char body[512];
+  std::snprintf(body, sizeof body,
+                "INSPVAXA,COM1,0,73.5,FINESTEERING,%d,%.3f,00000040,4e77,43562;%s,INS_PSRSP,51.11637873403,-114."
+                "03825114994,1063.6093,-16.9000,0.1,0.2,"
+                "0.3,1.5,-2.5,%.6f,0.8,0.9,1.2,0.01,0.02,0.03,0.5,0.6,0.7,37343000,0",
+                week, seconds, status.c_str(), azimuth_deg);
+  char crc[16];
+  std::snprintf(crc, sizeof crc, "%08x", novatel_crc32(body));
+  return std::string("#") + body + "*" + crc + "\r\n";
+}
+
+TEST(InspvaxLog, ChecksumIsNovAtels) {
+  // The example of the OEM6 firmware reference manual for BESTPOSA.
+  EXPECT_EQ(novatel_crc32("BESTPOSA,COM1,0,78.0,FINESTEERING,1427,325298.000,00000000,6145,2748;SOL_COMPUTED,SINGLE,51."
+                          "11678928753,-114.03886216575,"
+                          "1064.3470,-16.2708,WGS84,2.3434,1.3043,4.7300,\"\",0.000,0.000,7,7,0,0,0,06,0,03"),
+            0x9c9a92bbu);
+}
+
+TEST(InspvaxLog, AsciiLinesWithTheirConvention) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.log", "#BESTPOSA,other\n" + inspvaxa(2183, 269353.56, 90.0) +
+                                              inspvaxa(2183, 269353.58, 91.0, "INS_SOLUTION_FREE"));
+  ASSERT_EQ(recognise_inspvax(file), InspvaxFormat::AsciiLog);
+  std::vector<Finding> findings;
+  const auto ins = read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins;
+  ASSERT_EQ(ins.size(), 2u);
+  EXPECT_TRUE(findings.empty());
+  EXPECT_EQ(ins[0].stamp_ns, 1'636'512'535'560'000'000) << "18 leap seconds";
+  EXPECT_NEAR(radians_to_degrees(ins[0].latitude_rad), 51.11637873403, 1e-12);
+  EXPECT_NEAR(ins[0].height_m, 1063.6093 - 16.9, 1e-9) << "above the ellipsoid";
+  EXPECT_EQ(ins[0].quality, InsQuality::Good);
+  EXPECT_EQ(ins[1].quality, InsQuality::Degraded);
+  EXPECT_EQ(ins[0].sigma.position_enu_m, Eigen::Vector3d(0.9, 0.8, 1.2));
+  EXPECT_NEAR(radians_to_degrees(ins[0].sigma.attitude_rad.y()), 0.5, 1e-12) << "roll is about y in right-forward-up";
+  const Eigen::Vector3d nose_in_enu = ins[0].enu_from_ins * Eigen::Vector3d::UnitY();
+  EXPECT_NEAR(nose_in_enu.x(), std::cos(degrees_to_radians(2.5)), 1e-12) << "heads east";
+  EXPECT_NEAR(nose_in_enu.z(), std::sin(degrees_to_radians(-2.5)), 1e-12) << "nose down";
+}
+
+TEST(InspvaxLog, BadLinesAreCountedAndSkipped) {
+  const TemporaryFolder folder;
+  std::string flipped = inspvaxa(2183, 2.0, 90.0);
+  flipped[70] = flipped[70] == '1' ? '2' : '1';
+  const auto file =
+      folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + flipped + "#INSPVAXA,cut;off\n" + inspvaxa(2183, 3.0, 90.0) +
+                                inspvaxa(2183, 3.0, 90.0) + inspvaxa(2183, 2.5, 90.0) + inspvaxa(2183, 700000.0, 90.0) +
+                                inspvaxa(2183, 4.0, 90.0));
+  std::vector<Finding> findings;
+  EXPECT_EQ(read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins.size(), 3u);
+  ASSERT_EQ(findings.size(), 3u);
+  EXPECT_TRUE(contains(findings[0].explanation, "3 lines cannot be used")) << findings[0].explanation;
+  EXPECT_TRUE(contains(findings[0].explanation, "a.log:2: the checksum does not agree"));
+  EXPECT_EQ(findings[1].code, "ins-duplicate-stamps");
+  EXPECT_EQ(findings[2].code, "ins-reversed-stamps");
+  EXPECT_ERROR(read_inspvax(folder.write("b.log", flipped), InspvaxFormat::AsciiLog, findings),
+               "no usable INSPVAX line");
+}
+
+TEST(NovatelReader, ALogAloneSaysWhatIsMissing) {
+  const TemporaryFolder folder;
+  const Session session = open(folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + inspvaxa(2183, 1.02, 90.0)));
+  EXPECT_EQ(session.format, "novatel-inspvax");
+  EXPECT_EQ(session.ins_axes, to_string(InsAxes::RightForwardUp));
+  ASSERT_NE(find(session, "one-stream"), nullptr);
+}
+
+/// Screw angles of INS and LiDAR over `gap` LiDAR poses agree: the clocks do too.
+double angle_rms_rad(const Session& session, std::size_t gap) {
+  double sum = 0.0;
+  int count = 0;
+  const auto attitude_at = [&](std::int64_t stamp_ns, Eigen::Quaterniond& q) {
+    const auto after =
+        std::lower_bound(session.ins.begin(), session.ins.end(), stamp_ns,
+                         [](const InsSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
+    if (after == session.ins.begin() || after == session.ins.end()) return false;
+    const InsSample &b = *after, &a = *(after - 1);
+    q = a.enu_from_ins.slerp(static_cast<double>(stamp_ns - a.stamp_ns) / static_cast<double>(b.stamp_ns - a.stamp_ns),
+                             b.enu_from_ins);
+    return true;
+  };
+  const auto& lidar = session.odometry_from_lidar;
+  for (std::size_t i = 0; i + gap < lidar.size(); ++i) {
+    Eigen::Quaterniond a, b;
+    if (!attitude_at(lidar[i].stamp_ns, a) || !attitude_at(lidar[i + gap].stamp_ns, b)) continue;
+    const double difference =
+        a.angularDistance(b) - so3_log((lidar[i].pose.inverse() * lidar[i + gap].pose).linear()).norm();
+    sum += difference * difference;
+    ++count;
+  }
+  return count > 100 ? std::sqrt(sum / count) : 1e9;
+}
+
+TEST(NovatelReader, RealDrivesLandOnTheInsTimeLine) {
+  SKIP_WITHOUT(shared_data() / "zxl19");
+  for (const char* bag : {"bag1", "bag2", "bag4"}) {
+    Session session = open(shared_data() / "zxl19" / bag);
+    ASSERT_NE(find(session, "clock-aligned"), nullptr) << bag;
+    EXPECT_GT(session.ins.size(), 2900u);
+    EXPECT_GT(session.odometry_from_lidar.size(), 560u);
+    const double rms = angle_rms_rad(session, 10);
+    EXPECT_LT(radians_to_degrees(rms), 0.2) << bag;
+    for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += 100'000'000;
+    EXPECT_GT(angle_rms_rad(session, 10), 1.5 * rms) << "a tenth of a second off must show";
+  }
+}
+
+TEST(NovatelReader, SpreadsheetStampsDoNotMatterAndTheIntactFileIsPreferred) {
+  const auto bag4 = shared_data() / "zxl19" / "bag4";
+  SKIP_WITHOUT(bag4);
+  const Session both = open(bag4);
+  ASSERT_NE(find(both, "ins-file-chosen"), nullptr);
+  EXPECT_TRUE(contains(find(both, "ins-file-chosen")->explanation, "rounded-stamps"));
+  const TemporaryFolder folder;
+  std::filesystem::copy_file(bag4 / "bag4-novatel_data-inspvax-rounded-stamps.csv", folder.path() / "rounded.csv");
+  std::filesystem::copy_file(bag4 / "bag4-aft_mapped_to_init.csv", folder.path() / "aft_mapped.csv");
+  const Session rounded = open(folder.path());
+  EXPECT_NE(find(rounded, "host-stamps-rounded"), nullptr);
+  ASSERT_EQ(rounded.odometry_from_lidar.size(), both.odometry_from_lidar.size());
+  EXPECT_NEAR(
+      static_cast<double>(rounded.odometry_from_lidar[9].stamp_ns - both.odometry_from_lidar[9].stamp_ns) * 1e-9, 0.0,
+      0.005);
+}
+
+// ---- Pose files
+
+std::string poses(double clock_s, double yaw_offset, const char* separator, double from_s, double to_s, double step_s) {
+  std::string text;
+  for (double t = from_s; t < to_s; t += step_s) {
+    const double yaw = 1.5 * std::sin(0.31 * t) + 0.8 * std::sin(0.83 * t + 1.0) + yaw_offset;
+    char line[256];
+    std::snprintf(line, sizeof line, "%.6f%s1%s2%s3%s0%s0%s%.12f%s%.12f\n", t + clock_s, separator, separator,
+                  separator, separator, separator, separator, std::sin(yaw / 2), separator, std::cos(yaw / 2));
+    text += line;
+  }
+  return text;
+}
+
+TEST(PoseSessionReader, PairsByNameAndAlignsClocksThatDoNotOverlap) {
+  const TemporaryFolder folder;
+  folder.write("run_vicon.csv", "# t,x,y,z,qx,qy,qz,qw\n" + poses(0, 0.0, ",", 100, 160, 0.02));
+  folder.write("run_camera.txt", poses(5000.25, 1.0, " ", 110, 150, 0.1));
+  const Session session = open(folder.path());
+  EXPECT_EQ(session.format, "poses");
+  EXPECT_EQ(session.world_from_ins.size(), 3000u);
+  ASSERT_NE(find(session, "clock-aligned"), nullptr);
+  EXPECT_NEAR(static_cast<double>(session.odometry_from_lidar[0].stamp_ns) * 1e-9, 110.0, 0.003);
+}
+
+TEST(PoseSessionReader, AmbiguousNamesAreListed) {
+  const TemporaryFolder folder;
+  folder.write("a_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
+  folder.write("b_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
+  EXPECT_ERROR(open(folder.path()), "holds several pose files named after");
+  const Session single = open(folder.path() / "a_hand.csv");
+  EXPECT_GE(single.world_from_ins.size(), 100u);
+  EXPECT_NE(find(single, "one-stream"), nullptr);
+}
+
+TEST(PoseSessionReader, RealRigs) {
+  SKIP_WITHOUT(shared_data() / "ethz");
+  const TemporaryFolder folder;
+  for (const char* name : {"robot_arm_sim_camera.csv", "robot_arm_sim_hand.csv"})
+    std::filesystem::copy_file(shared_data() / "ethz" / name, folder.path() / name);
+  const Session session = open(folder.path());
+  EXPECT_EQ(session.odometry_from_lidar.size(), 1065u);
+  EXPECT_GT(session.world_from_ins.size(), 1900u);
+  EXPECT_NE(find(session, "pose-duplicate-stamps"), nullptr);
+  EXPECT_ERROR(open(shared_data() / "ethz"), "holds several pose files");
+}
+
+// ---- What no reader knows
+
+TEST(OpenSession, SaysWhatEachReaderLooksFor) {
+  const TemporaryFolder folder;
+  const std::string message = error_of([&] { open(folder.path()); });
+  for (const auto& reader : session_readers()) EXPECT_TRUE(contains(message, reader->description())) << message;
+  EXPECT_ERROR(open(folder.path() / "missing"), "missing: does not exist");
+  EXPECT_ERROR(open("/dev/zero"), "is no session");
+}
+
+// Mutated sessions open or throw Error; nothing crashes or hangs.
+TEST(OpenSession, MutatedSessionsNeverCrash) {
+  const TemporaryFolder folder;
+  write_kitti(folder, "k/a_sync");
+  folder.write("o/ins.txt", pose_lines(20));
+  folder.write("o/top_lidar-pose.txt", pose_lines(20));
+  folder.write("n/a.log", inspvaxa(2183, 1.0, 90.0) + inspvaxa(2183, 1.02, 91.0) + inspvaxa(2183, 1.04, 92.0));
+  folder.write("n/lidar.txt", poses(0, 0, " ", 0, 20, 0.1));
+  folder.write("p/hand.csv", poses(0, 0, ",", 0, 20, 0.1));
+  folder.write("p/camera.csv", poses(0, 0, ",", 0, 20, 0.1));
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::mt19937 random(5);
+  for (int round = 0; round < 150; ++round) {
+    const auto& file = files[random() % files.size()];
+    std::ifstream stream(file, std::ios::binary);
+    const std::string good(std::istreambuf_iterator<char>(stream), {});
+    std::string bytes = good;
+    for (unsigned i = 0; i <= random() % 6; ++i) {
+      const std::size_t at = random() % (bytes.size() + 1);
+      if (random() % 3 == 0)
+        bytes.erase(at, random() % 40);
+      else
+        bytes.insert(at, 1, "0123456789-eE.,; \n\t\"#*nan"[random() % 24]);
+    }
+    folder.write(std::filesystem::relative(file, folder.path()), bytes);
+    try {
+      const Session session = open(folder.path() / *std::filesystem::relative(file, folder.path()).begin());
+      if (session.scans) session.scans->load(session.scans->size() - 1);
+    } catch (const Error& error) {
+      EXPECT_FALSE(std::string(error.what()).empty());
+    }
+    folder.write(std::filesystem::relative(file, folder.path()), good);
+  }
+}
+
+}  // namespace
+}  // namespace remount
