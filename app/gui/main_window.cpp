@@ -121,6 +121,9 @@ QWidget* MainWindow::make_setup() {
   };
   add(tr("Sessions"), sessions_, 1);
   add(tr("Nominal mounting (LiDAR in the INS frame)"), nominal_, 0);
+  run_ = new QPushButton(tr("Calibrate (F5)"));
+  run_->setMinimumHeight(34);
+  column->addWidget(run_);
   add(tr("Search range"), range_, 0);
   auto* scroll = new QScrollArea;
   scroll->setWidget(column_widget);
@@ -181,6 +184,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!may_close()) {
+    event->ignore();
+    return;
+  }
   if (remembers_layout()) {
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());

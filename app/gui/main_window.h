@@ -8,6 +8,7 @@
 #include "widgets/panels/step_bar.h"
 
 class QDockWidget;
+class QPushButton;
 class QMenu;
 class QStackedWidget;
 class QTableView;
@@ -60,8 +61,9 @@ class MainWindow : public QMainWindow {
   void make_help_menu();
   QAction* add_action(QMenu& menu, const QString& text, const QKeySequence& key, const std::function<void()>& act);
   void open_project();
-  void open_project_file(const QString& path);
-  void save_project();
+  bool save_project(bool ask, std::function<void()> saved = {});  ///< false where the user changed their mind
+  bool may_close();
+  void show_project();
   void ask_for_folder();
   void ask_for_file();
   void ask_for_nominal();
@@ -105,6 +107,7 @@ class MainWindow : public QMainWindow {
   OptionsDialog* options_ = nullptr;
   QDockWidget *pairs_dock_ = nullptr, *candidates_dock_ = nullptr, *log_dock_ = nullptr, *setup_dock_ = nullptr,
               *result_dock_ = nullptr;
+  QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr;
   std::vector<QAction*> review_actions_;
   bool was_busy_ = false;

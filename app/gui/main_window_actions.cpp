@@ -36,7 +36,8 @@ void MainWindow::make_file_menu() {
   add_action(menu, tr("Open session &file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
   menu.addSeparator();
   add_action(menu, tr("Open &project…"), tr("Ctrl+P"), [this] { open_project(); });
-  add_action(menu, tr("&Save project…"), QKeySequence::Save, [this] { save_project(); });
+  add_action(menu, tr("&Save project"), QKeySequence::Save, [this] { save_project(false); });
+  add_action(menu, tr("Save project &as…"), QKeySequence::SaveAs, [this] { save_project(true); });
   menu.addSeparator();
   export_ = add_action(menu, tr("&Export result…"), tr("Ctrl+E"), [this] { show_export(); });
   menu.addSeparator();
@@ -119,7 +120,7 @@ void MainWindow::open_paths(const QStringList& paths) {
   QStringList sessions;
   for (const QString& path : paths) {
     if (path.endsWith(QLatin1String(".remount")))
-      open_project_file(path);
+      workbench_.open_project(path);
     else
       sessions << path;
   }

@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QDockWidget>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QTableView>
 
@@ -38,6 +39,7 @@ void MainWindow::connect_intents() {
   connect(result_, &ResultPanel::copy_requested, this, &MainWindow::copy_result);
   connect(result_, &ResultPanel::export_requested, this, &MainWindow::show_export);
   connect(progress_, &ProgressStrip::cancel_clicked, &workbench_, &Workbench::cancel);
+  connect(run_, &QPushButton::clicked, &workbench_, &Workbench::calibrate);
   connect(cancel_, &QAction::triggered, progress_, [this] {
     if (was_busy_) progress_->show_cancelling();
   });
@@ -46,6 +48,7 @@ void MainWindow::connect_intents() {
 
 void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
+  connect(&workbench_, &Workbench::project_changed, this, &MainWindow::show_project);
   connect(&workbench_, &Workbench::settings_changed, this, [this] { range_->show_settings(workbench_.settings()); });
   connect(&workbench_, &Workbench::nominal_changed, this, [this] { nominal_->show_nominal(workbench_.nominal()); });
   connect(&workbench_, &Workbench::output_changed, this, &MainWindow::show_output);
@@ -88,7 +91,7 @@ void MainWindow::show_output() {
   result_->show_output(output, workbench_.output_before());
   const int pair = workbench_.selected_pair();
   if (output && pair >= 0 && static_cast<std::size_t>(pair) < output->pairs.size())
-    pair_view_->show_transforms(pair_transforms(*output, pair));
+    pair_view_->show_transforms(pair_caption(pair), pair_transforms(*output, pair));
   show_state();
 }
 
@@ -102,6 +105,15 @@ void MainWindow::show_state() {
   was_busy_ = busy;
   steps_->show_steps(describe_steps(workbench_));
   calibrate_->setEnabled(!busy);
+  run_->setEnabled(!busy && !workbench_.sessions().empty());
+  run_->setText(workbench_.calibrating() ? tr("Calibrating…")
+                : workbench_.output()    ? tr("Calibrate again (F5)")
+                                         : tr("Calibrate (F5)"));
+  if (!workbench_.output())
+    pair_view_->show_message(
+        workbench_.calibrating()
+            ? tr("Calibrating: choosing scans, aligning pairs, solving.\nThe pairs appear here when they are aligned.")
+            : tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5."));
   cancel_->setEnabled(busy);
   const OutputPtr output = workbench_.output();
   export_->setEnabled(output && has_numbers(output->result.status));
@@ -125,11 +137,15 @@ QString MainWindow::pair_caption(int pair) const {
     return session.scans ? QString::fromStdString(session.scans->name(static_cast<std::size_t>(keyframe.scan)))
                          : tr("pose %1").arg(keyframe.scan);
   };
-  return tr("Pair %1: %2 → %3, %4 m, %5°")
+  QString verdict = state_text(chosen);
+  if (!chosen.reason.empty() && chosen.decided_by != DecidedBy::User)
+    verdict += QStringLiteral(": ") + QString::fromStdString(chosen.reason);
+  return tr("Pair %1: %2 → %3, %4 m, %5°. %6")
       .arg(pair)
       .arg(name(chosen.keyframe_a), name(chosen.keyframe_b))
       .arg(chosen.baseline_m, 0, 'f', 2)
-      .arg(radians_to_degrees(chosen.rotation_rad), 0, 'f', 2);
+      .arg(radians_to_degrees(chosen.rotation_rad), 0, 'f', 2)
+      .arg(verdict);
 }
 
 void MainWindow::show_clouds(int pair, const CloudsPtr& clouds) {

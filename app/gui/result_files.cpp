@@ -2,7 +2,7 @@
 
 #include "model/exporters/exporter.h"
 #include "model/io/atomic_save.h"
-#include "remount_version.h"
+#include "model/project.h"
 
 namespace remount {
 namespace {
@@ -10,20 +10,6 @@ namespace {
 QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
 
 }  // namespace
-
-ResultFile result_file_of(const PipelineInput& input, const PipelineOutput& output,
-                          const std::vector<InputFile>& inputs) {
-  ResultFile file;
-  file.result = output.result;
-  file.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
-  file.pairs = pair_records(output.keyframes, output.pairs);
-  for (const Finding& finding : output.findings)
-    if (finding.severity != Severity::Note) file.findings.push_back(finding.where + ": " + finding.explanation);
-  file.version = kVersion;
-  file.settings = input.settings;
-  file.inputs = inputs;
-  return file;
-}
 
 std::vector<ExportFormat> export_formats() {
   std::vector<ExportFormat> formats;
@@ -34,7 +20,7 @@ std::vector<ExportFormat> export_formats() {
 }
 
 QString export_text(const Workbench& workbench, const QString& format_id) {
-  const ResultFile file = result_file_of(workbench.input_of_output(), *workbench.output(), workbench.input_files());
+  const ResultFile file = make_result_file(workbench.input_of_output(), *workbench.output(), workbench.input_files());
   return QString::fromStdString(exporter(format_id.toStdString()).write(file, {}));
 }
 

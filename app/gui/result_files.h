@@ -7,16 +7,11 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "app/gui/workbench.h"
-#include "model/result_file.h"
 #include "widgets/panels/export_dialog.h"
 
 namespace remount {
 
 std::vector<ExportFormat> export_formats();
-
-/// The result as a file holds it: with its pairs, options and what it came from.
-ResultFile result_file_of(const PipelineInput& input, const PipelineOutput& output,
-                          const std::vector<InputFile>& inputs);
 
 /// Text of the present result in a format; throws Error where the format cannot hold it.
 QString export_text(const Workbench& workbench, const QString& format_id);

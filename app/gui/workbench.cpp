@@ -9,12 +9,6 @@
 namespace remount {
 namespace {
 
-std::tuple<std::string, int, int> key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair) {
-  const Keyframe& a = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
-  const Keyframe& b = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
-  return {input.sessions.at(static_cast<std::size_t>(a.session))->path.string(), a.scan, b.scan};
-}
-
 void set_decision(Pair& pair, const PairDecision& decision) {
   pair.state = decision.state;
   pair.decided_by = decision.decided_by;
@@ -23,19 +17,6 @@ void set_decision(Pair& pair, const PairDecision& decision) {
 
 PairDecision user_decision(int pair, PairState state) {
   return {pair, state, DecidedBy::User, state == PairState::Accepted ? "accepted by the user" : "rejected by the user"};
-}
-
-/// Takes over the user's earlier decisions on the same pairs of scans; true where there was one.
-bool carry_over(const PipelineInput& input, const std::map<std::tuple<std::string, int, int>, PairState>& decisions,
-                PipelineOutput& output) {
-  bool any = false;
-  for (std::size_t i = 0; i < output.pairs.size(); ++i) {
-    const auto found = decisions.find(key_of(input, output, output.pairs[i]));
-    if (found == decisions.end()) continue;
-    set_decision(output.pairs[i], user_decision(static_cast<int>(i), found->second));
-    any = true;
-  }
-  return any;
 }
 
 /// Whether a change needs more than a new solution from the pairs that are there.
@@ -151,6 +132,24 @@ void Workbench::remove_session(int session) {
   emit sessions_changed();
   emit output_changed();
   emit state_changed();
+}
+
+Workbench::DecisionKey Workbench::key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair) {
+  const Keyframe& a = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
+  const Keyframe& b = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
+  return {input.sessions.at(static_cast<std::size_t>(a.session))->path.string(), a.scan, b.scan};
+}
+
+bool Workbench::carry_over(const PipelineInput& input, const Decisions& decisions, PipelineOutput& output) {
+  bool any = false;
+  for (std::size_t i = 0; i < output.pairs.size(); ++i) {
+    const auto found = decisions.find(key_of(input, output, output.pairs[i]));
+    if (found == decisions.end()) continue;
+    if (found->second == PairState::Accepted && !output.pairs[i].registration.converged) continue;
+    set_decision(output.pairs[i], user_decision(static_cast<int>(i), found->second));
+    any = true;
+  }
+  return any;
 }
 
 void Workbench::calibrate() {
@@ -292,6 +291,7 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions) {
       decisions_.erase(key);
   }
   output_ = std::move(changed);
+  set_project(project_path_, true);
   emit output_changed();
   start_solve();
 }
@@ -362,27 +362,6 @@ void Workbench::set_out_of_date(bool out_of_date) {
 void Workbench::mark_exported() {
   exported_ = true;
   emit state_changed();
-}
-
-void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, const Settings& settings,
-                        const std::optional<RigidTransform>& nominal, OutputPtr output) {
-  jobs_.cancel_all();
-  solve_job_ = cloud_job_ = 0;
-  sessions_ = std::move(sessions);
-  settings_ = settings;
-  nominal_ = nominal;
-  output_before_ = nullptr;
-  output_ = output_solved_ = std::move(output);
-  run_input_ = input_of_next_run();
-  out_of_date_ = exported_ = false;
-  undo_.clear();
-  emit sessions_changed();
-  emit settings_changed();
-  emit nominal_changed();
-  emit output_changed();
-  emit state_changed();
-  selected_ = -1;
-  select_pair(output_ && !output_->pairs.empty() ? 0 : -1);
 }
 
 }  // namespace remount

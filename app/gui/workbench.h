@@ -72,13 +72,20 @@ class Workbench : public QObject {
   void apply_nominal(const std::optional<RigidTransform>& ins_from_lidar);
   void apply_decisions(const std::vector<PairDecision>& decisions);
 
-  /// Replaces everything, as a loaded project does.
+  /// Reads a project and its sessions in the background and replaces what is there.
+  void open_project(const QString& path);
+  /// `saved` is called once the file is whole; a failure becomes a message.
+  void save_project(const QString& path, std::function<void()> saved = {});
+  const QString& project_path() const { return project_path_; }  ///< empty where it has not been saved
+  bool has_unsaved_decisions() const { return unsaved_ && !decisions_.empty(); }
+  /// Replaces everything.
   void restore(std::vector<std::shared_ptr<const Session>> sessions, const Settings& settings,
                const std::optional<RigidTransform>& nominal, OutputPtr output);
   JobRunner& jobs() { return jobs_; }
 
  signals:
   void sessions_changed();
+  void project_changed();  ///< its path, or whether it is saved
   void settings_changed();
   void nominal_changed();
   void output_changed();
@@ -94,12 +101,16 @@ class Workbench : public QObject {
   using DecisionKey = std::tuple<std::string, int, int>;  // session path, scan a, scan b
   using Decisions = std::map<DecisionKey, PairState>;
 
+  static DecisionKey key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair);
+  /// Takes over the user's earlier decisions on the same pairs of scans; true where there was one.
+  static bool carry_over(const PipelineInput& input, const Decisions& decisions, PipelineOutput& output);
   void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
   void take_run(const PipelineInput& input, OutputPtr output);
   void start_solve();
   void load_clouds();
   void hash_input_files();
   void set_out_of_date(bool out_of_date);
+  void set_project(const QString& path, bool unsaved);
   JobRunner::Failed report_failure();
 
   Engine engine_;
@@ -112,8 +123,8 @@ class Workbench : public QObject {
   std::vector<InputFile> input_files_;
   int selected_ = -1;
   int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0;
-  bool out_of_date_ = false, exported_ = false;
-  QString stage_;
+  bool out_of_date_ = false, exported_ = false, unsaved_ = false;
+  QString stage_, project_path_;
   QUndoStack undo_;
   JobRunner jobs_;  // last: its threads end before anything they report to is gone
 };

@@ -231,16 +231,7 @@ TEST_F(WindowFlow, dark_palettes_are_followed) {
   if (!missing_gl_reason().isEmpty())
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   const QPalette light = QApplication::palette();
-  QPalette dark;
-  for (auto role : {QPalette::Window, QPalette::Button}) dark.setColor(role, QColor(45, 47, 51));
-  for (auto role : {QPalette::Base, QPalette::ToolTipBase}) dark.setColor(role, QColor(30, 31, 34));
-  dark.setColor(QPalette::AlternateBase, QColor(38, 39, 43));
-  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
-    dark.setColor(role, QColor(225, 226, 229));
-  for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    dark.setColor(QPalette::Disabled, role, QColor(120, 122, 128));
-  dark.setColor(QPalette::Highlight, QColor(60, 130, 220));
-  QApplication::setPalette(dark);
+  QApplication::setPalette(QPalette(QColor(58, 60, 65), QColor(45, 47, 51)));
   show();
   QSignalSpy loaded(&workbench_, &Workbench::clouds_loaded);
   calibrate_drive();

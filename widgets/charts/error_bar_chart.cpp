@@ -88,14 +88,18 @@ QRect ErrorBarChart::plot_area() const {
 }
 
 double ErrorBarChart::top_of_axis() const {
-  // A few wild pairs must not flatten all others: the axis ends at 1.5 times the 95th percentile of what is left,
-  // bars beyond it are cut and marked.
-  std::vector<double> values;
-  for (int pair = 0; pair < pair_count(); ++pair) values.push_back(value_of(pair));
+  // A few wild pairs must not flatten all others: the axis ends at 1.5 times the 95th percentile of the pairs that
+  // are not rejected; bars beyond it are cut and marked.
+  std::vector<double> values, kept;
+  for (int pair = 0; pair < pair_count(); ++pair) {
+    values.push_back(value_of(pair));
+    if (output_->pairs[static_cast<std::size_t>(pair)].state != PairState::Rejected) kept.push_back(values.back());
+  }
+  if (!kept.empty()) values = std::move(kept);
   if (values.empty()) return 1.0;
   std::sort(values.begin(), values.end());
   const double high = values[static_cast<std::size_t>(0.95 * static_cast<double>(values.size() - 1))];
-  const double top = std::min(values.back(), 1.5 * high > 0.0 ? 1.5 * high : values.back());
+  const double top = high > 0.0 ? std::min(values.back(), 1.5 * high) : values.back();
   return top > 0.0 ? 1.05 * top : 1.0;
 }
 

@@ -1,8 +1,8 @@
 #include "widgets/itemmodels/pair_table_model.h"
 
 #include <QBrush>
+#include <QCoreApplication>
 #include <algorithm>
-#include <array>
 
 #include "widgets/theme.h"
 
@@ -10,47 +10,49 @@ namespace remount {
 namespace {
 
 struct Heading {
-  const char* title;
-  const char* help;
+  QString title, help;
 };
-constexpr std::array<Heading, PairTableModel::ColumnCount> kHeadings{{
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "#"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Number of the pair")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Session"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Drive the pair is from")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "a [s]"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Time of scan a since the session's first keyframe")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "b [s]"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Time of scan b since the session's first keyframe")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Gap [s]"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Time between the two scans")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Base [m]"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Distance between the two INS positions")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Turn [°]"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Angle between the two INS attitudes")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Objects"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel",
-                       "Static objects that both scans contain; moving ones after the plus sign")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Overlap"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel",
-                       "Share of points of scan a with a neighbour in scan b after alignment")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "RMSE [cm]"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Of the inlier residuals of the alignment")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Screw [σ]"),
-     QT_TRANSLATE_NOOP(
-         "remount::PairTableModel",
-         "Screw test: how much INS and LiDAR motion differ in turn and advance, for every mounting; in sigma")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Res. rot [°]"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Rotation residual of P X = X Q under the present result")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Res. trans [cm]"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Translation residual of P X = X Q under the present result")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Weight"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Robust weight of the pair in the solution, 0 to 1")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "State"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "A accepts, R rejects the selected pair")},
-    {QT_TRANSLATE_NOOP("remount::PairTableModel", "Reason"),
-     QT_TRANSLATE_NOOP("remount::PairTableModel", "Why the pair was rejected or accepted")},
-}};
+
+QString words(const char* text) { return QCoreApplication::translate("remount::PairTableModel", text); }
+
+/// What judges a pair comes first, what names it last: the table is wider than the window.
+Heading heading(int column) {
+  switch (column) {
+    case PairTableModel::State:
+      return {words("State"), words("A accepts, R rejects the marked pairs")};
+    case PairTableModel::ResidualTranslation:
+      return {words("Δt [cm]"), words("Translation residual of P X = X Q under the present result")};
+    case PairTableModel::ResidualRotation:
+      return {words("Δrot [°]"), words("Rotation residual of P X = X Q under the present result")};
+    case PairTableModel::Rmse:
+      return {words("RMSE [cm]"), words("Of the inlier residuals of the alignment")};
+    case PairTableModel::Overlap:
+      return {words("Overlap"), words("Share of points of scan a with a neighbour in scan b after alignment")};
+    case PairTableModel::Screw:
+      return {words("Screw [σ]"),
+              words("How much INS and LiDAR motion differ in turn and advance, whatever the mounting; in sigma")};
+    case PairTableModel::Weight:
+      return {words("Weight"), words("Robust weight of the pair in the solution, 0 to 1")};
+    case PairTableModel::Shared:
+      return {words("Objects"), words("Static objects that both scans contain; moving ones after the plus sign")};
+    case PairTableModel::Baseline:
+      return {words("Base [m]"), words("Distance between the two INS positions")};
+    case PairTableModel::Rotation:
+      return {words("Turn [°]"), words("Angle between the two INS attitudes")};
+    case PairTableModel::Gap:
+      return {words("Gap [s]"), words("Time between the two scans")};
+    case PairTableModel::TimeA:
+      return {words("a [s]"), words("Time of scan a since the session's first keyframe")};
+    case PairTableModel::TimeB:
+      return {words("b [s]"), words("Time of scan b since the session's first keyframe")};
+    case PairTableModel::SessionName:
+      return {words("Session"), words("Drive the pair is from")};
+    case PairTableModel::Reason:
+      return {words("Reason"), words("Why the pair was rejected or accepted")};
+    default:
+      return {QStringLiteral("#"), words("Number of the pair")};
+  }
+}
 
 bool same_pairs(const PipelineOutput& first, const PipelineOutput& second) {
   return first.keyframes.size() == second.keyframes.size() &&
@@ -198,7 +200,7 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
     case Qt::ToolTipRole: {
       const QString failure = QString::fromStdString(chosen->registration.failure);
       if ((column == Overlap || column == Rmse) && !failure.isEmpty()) return failure;
-      return column == Reason ? QVariant(QString::fromStdString(chosen->reason)) : QVariant();
+      return column == Reason || column == State ? QVariant(QString::fromStdString(chosen->reason)) : QVariant();
     }
     default:
       return {};
@@ -207,8 +209,8 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) return {};
-  if (role == Qt::DisplayRole) return tr(kHeadings[static_cast<std::size_t>(section)].title);
-  if (role == Qt::ToolTipRole) return tr(kHeadings[static_cast<std::size_t>(section)].help);
+  if (role == Qt::DisplayRole) return heading(section).title;
+  if (role == Qt::ToolTipRole) return heading(section).help;
   return {};
 }
 

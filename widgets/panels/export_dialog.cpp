@@ -22,7 +22,8 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
       direction_(new QLabel(this)) {
   setWindowTitle(tr("Export the result"));
   list_->setAccessibleName(tr("Format"));
-  list_->setMaximumWidth(240);
+  list_->setMinimumWidth(300);
+  list_->setWordWrap(true);
   for (const ExportFormat& format : formats_) list_->addItem(format.title);
   preview_->setReadOnly(true);
   preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
@@ -48,7 +49,7 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   grid->addWidget(buttons, 2, 0, 1, 2);
   grid->setColumnStretch(1, 1);
   grid->setRowStretch(1, 1);
-  resize(760, 460);
+  resize(960, 540);
   list_->setCurrentRow(0);
 }
 

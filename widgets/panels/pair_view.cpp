@@ -49,10 +49,21 @@ PairView::PairView(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 2, 6, 2);
   column->setSpacing(2);
-  column->addWidget(make_buttons());
+  buttons_ = make_buttons();
+  column->addWidget(buttons_);
   column->addLayout(stack_, 1);
   column->addWidget(caption_);
+  restyle();
   show_message(tr("Select a pair to see its two scans."));
+}
+
+void PairView::restyle() {
+  scene_.set_dark(is_dark(palette()));
+  // What is pressed must be seen in every style; some dark ones hardly shade it.
+  buttons_->setStyleSheet(
+      QStringLiteral("QToolButton { padding: 4px 9px; } QToolButton:checked { background: %1; color: %2; }")
+          .arg(palette().color(QPalette::Highlight).name(), palette().color(QPalette::HighlightedText).name()));
+  update_caption();
 }
 
 PairView::~PairView() = default;
@@ -130,7 +141,10 @@ void PairView::show_pair(const QString& caption, std::shared_ptr<const PairCloud
   render();
 }
 
-void PairView::show_transforms(const PairTransforms& transforms) {
+void PairView::show_transforms(const QString& caption, const PairTransforms& transforms) {
+  if (pair_caption_.isEmpty()) return;
+  pair_caption_ = caption;
+  update_caption();
   if (!has_gl() || stack_->currentWidget() != canvas_) return;
   scene_.set_transforms(transforms);
   render();
@@ -177,9 +191,8 @@ void PairView::update_caption() {
 }
 
 void PairView::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) {
-    scene_.set_dark(is_dark(palette()));
-    update_caption();
+  if (event->type() == QEvent::PaletteChange && buttons_) {
+    restyle();
     render();
   }
   QWidget::changeEvent(event);

@@ -23,7 +23,7 @@ class PairView : public QWidget {
 
   void show_message(const QString& text);  ///< instead of a scene: loading, nothing selected, why it failed
   void show_pair(const QString& caption, std::shared_ptr<const PairClouds> clouds, const PairTransforms& transforms);
-  void show_transforms(const PairTransforms& transforms);
+  void show_transforms(const QString& caption, const PairTransforms& transforms);
   void show_alignment(PairAlignment alignment);
   /// Before and registered in turn: by hand, or twice a second.
   void flip();
@@ -41,6 +41,7 @@ class PairView : public QWidget {
   QWidget* make_buttons();
   void render();
   void update_caption();
+  void restyle();
 
   PairScene scene_;
   QVTKOpenGLNativeWidget* canvas_ = nullptr;
@@ -48,6 +49,7 @@ class PairView : public QWidget {
   QLabel* caption_;
   QStackedLayout* stack_;
   QButtonGroup* alignments_;
+  QWidget* buttons_ = nullptr;
   QToolButton* blink_ = nullptr;
   QTimer* timer_;
   QString pair_caption_, gl_reason_;

@@ -71,12 +71,12 @@ QWidget* PairsPanel::make_filter_row() {
   text_->setClearButtonEnabled(true);
   text_->setAccessibleName(tr("Show pairs that contain this text"));
   count_ = new QLabel(row);
-  auto* accept = new QPushButton(tr("✓ Accept"), row);
-  accept->setToolTip(tr("Accept the marked pairs (A)"));
-  auto* reject = new QPushButton(tr("✕ Reject"), row);
-  reject->setToolTip(tr("Reject the marked pairs (R)"));
-  connect(accept, &QPushButton::clicked, this, &PairsPanel::accept_clicked);
-  connect(reject, &QPushButton::clicked, this, &PairsPanel::reject_clicked);
+  accept_ = new QPushButton(tr("✓ Accept"), row);
+  accept_->setToolTip(tr("Accept the marked pairs (A)"));
+  reject_ = new QPushButton(tr("✕ Reject"), row);
+  reject_->setToolTip(tr("Reject the marked pairs (R)"));
+  connect(accept_, &QPushButton::clicked, this, &PairsPanel::accept_clicked);
+  connect(reject_, &QPushButton::clicked, this, &PairsPanel::reject_clicked);
   connect(state_, &QComboBox::currentIndexChanged, this, [this](int index) {
     filter_->set_state(index == 0 ? std::nullopt : std::optional(static_cast<PairState>(index - 1)));
   });
@@ -84,8 +84,8 @@ QWidget* PairsPanel::make_filter_row() {
   layout->addWidget(state_);
   layout->addWidget(text_, 1);
   layout->addWidget(count_);
-  layout->addWidget(accept);
-  layout->addWidget(reject);
+  layout->addWidget(accept_);
+  layout->addWidget(reject_);
   return row;
 }
 
@@ -146,6 +146,7 @@ int PairsPanel::neighbour(int step, bool undecided) const {
 void PairsPanel::update_count() {
   if (!count_) return;
   const int shown = filter_->rowCount(), all = model_.rowCount();
+  for (QPushButton* button : {accept_, reject_}) button->setEnabled(shown > 0);
   count_->setText(all == 0       ? tr("no pairs yet")
                   : shown == all ? tr("%1 pairs").arg(all)
                                  : tr("%1 of %2 pairs").arg(shown).arg(all));

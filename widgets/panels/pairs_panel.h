@@ -8,6 +8,7 @@
 class QComboBox;
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QTableView;
 
 namespace remount {
@@ -44,7 +45,8 @@ class PairsPanel : public QWidget {
   ErrorBarChart* chart_;
   QComboBox* state_;
   QLineEdit* text_;
-  QLabel* count_;
+  QLabel* count_ = nullptr;
+  QPushButton *accept_ = nullptr, *reject_ = nullptr;
 };
 
 }  // namespace remount

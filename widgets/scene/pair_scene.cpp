@@ -12,6 +12,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkTextActor.h>
 #include <vtkTextProperty.h>
 
 #include <cmath>
@@ -104,6 +105,9 @@ struct PairScene::Parts {
       caption->GetCaptionTextProperty()->SetColor(color[0], color[1], color[2]);
       caption->GetCaptionTextProperty()->ShadowOff();
       caption->GetCaptionTextProperty()->ItalicOff();
+      caption->GetCaptionTextProperty()->BoldOff();
+      caption->GetCaptionTextProperty()->SetFontSize(13);
+      caption->GetTextActor()->SetTextScaleModeToNone();
     }
   }
 };
@@ -187,7 +191,7 @@ void PairScene::set_dark(bool dark) {
 void PairScene::look(StandardView view) {
   Parts& p = *parts_;
   vtkCamera& camera = *p.renderer->GetActiveCamera();
-  const double distance_m = 1.05 * p.framing.radius_m / std::sin(0.5 * degrees_to_radians(camera.GetViewAngle()));
+  const double distance_m = 0.85 * p.framing.radius_m / std::sin(0.5 * degrees_to_radians(camera.GetViewAngle()));
   // Where the camera stands: above, on the right, ahead; "fit" from behind and above, as from a following car.
   double azimuth = kPi, elevation = 0.5 * kPi;
   if (view == StandardView::Side) azimuth = -0.5 * kPi, elevation = 0.0;
