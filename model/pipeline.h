@@ -31,11 +31,12 @@ struct PipelineOutput {
   /// The X under which scans were deskewed and predictions made: the nominal, or the coarse X found without one.
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
   bool nominal_known = false;
+  bool initial_known = false;  ///< false: only odometry was given and no nominal
 };
 
-/// load -> keyframes -> pairs -> objects -> register -> motions -> candidates -> rank -> refine -> joint clouds -> report.
-/// Scans that cannot be read are skipped and become findings. Throws Error only for a broken contract
-/// (no sessions, settings out of range, no INS motion at all).
+/// load -> keyframes -> pairs -> objects -> register -> motions -> candidates -> rank -> refine -> joint clouds ->
+/// report. Scans that cannot be read are skipped and become findings. Throws Error only for a broken contract (no
+/// sessions, settings out of range, no INS motion at all).
 PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress);
 
 /// Solves again from pairs that are already registered, with their present states and the present search range:

@@ -99,8 +99,10 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
     if (layout.clock) prior(layout.clock_at(s), problem.time_offset_prior_sigma_s, state.shared[layout.clock_at(s)]);
   }
   const Vector6d from_prior = difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
-  for (int i = 0; i < 6; ++i)
-    prior(i, i < 3 ? problem.prior_translation_sigma_m : problem.prior_rotation_sigma_rad, from_prior[i]);
+  const Vector6d weighted = problem.prior_information * from_prior;
+  equations.shared.topLeftCorner<6, 6>() += problem.prior_information;
+  equations.shared_side.head<6>() -= weighted;
+  equations.cost += from_prior.dot(weighted);
 }
 
 NormalEquations build(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout) {
@@ -197,10 +199,7 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   // Marginal information of X without its weak prior: the Schur complement over the sessions' unknowns, minus the
   // prior.
   Eigen::MatrixXd without_prior = last.reduced;
-  for (int i = 0; i < 6; ++i) {
-    const double sigma = i < 3 ? problem.prior_translation_sigma_m : problem.prior_rotation_sigma_rad;
-    without_prior(i, i) -= 1.0 / (sigma * sigma);
-  }
+  without_prior.topLeftCorner<6, 6>() -= problem.prior_information;
   const int rest = layout.size() - 6;
   solution.information = without_prior.topLeftCorner<6, 6>();
   if (rest > 0)
@@ -231,7 +230,8 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
     eliminate(build(problem, noise, state, layout), step);
     if (!step.valid) return solution;
     take_step(step, state);
-    if (step.shared_step.head<3>().norm() < 1e-8 && step.shared_step.segment<3>(3).norm() < 1e-9) {
+    // In units of sigma: a direction that the data hardly show needs no more digits than it has.
+    if (step.shared_step.dot(step.reduced * step.shared_step) < 1e-8) {
       solution.converged = true;
       break;
     }

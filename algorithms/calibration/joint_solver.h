@@ -38,8 +38,7 @@ struct JointProblem {
   double time_offset_prior_sigma_s = 1.0;
   /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.
   RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
-  double prior_translation_sigma_m = 3.0;
-  double prior_rotation_sigma_rad = 1.0;
+  Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturbed`, axes of the INS
 };
 
 struct JointSolution {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -12,7 +13,7 @@ constexpr std::array<const char*, 6> kDirectionWords{
     "x (forward)",           "y (left)", "z (height)", "rotation about x (roll)", "rotation about y (pitch)",
     "rotation about z (yaw)"};
 
-std::string direction_words(const Vector6d& direction, bool observed, double sigma_of_limit,
+std::string direction_words(const Vector6d& direction, bool observed,
                             const MotionSummary& motion) {
   std::string names;
   for (int i = 0; i < 6; ++i) {
@@ -30,10 +31,17 @@ std::string direction_words(const Vector6d& direction, bool observed, double sig
                   : flat   ? "flat driving"
                            : "too little motion for it");
   }
-  (void)sigma_of_limit;
   return text;
 }
 
+Vector6d observation_limits(const SolveOptions& options) {
+  Vector6d limits;
+  limits << Eigen::Vector3d::Constant(options.max_translation_sigma_m),
+      Eigen::Vector3d::Constant(degrees_to_radians(options.max_rotation_sigma_deg));
+  return limits;
+}
+
+// `observed` in the order x, y, z, yaw, pitch, roll.
 void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion, CalibrationResult& result) {
   const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
   if (!observed[0] || !observed[1])
@@ -45,9 +53,9 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
         "then z stays "
         "at the nominal value; measure it by tape where it matters.");
-  if (!observed[4] || !observed[5])
+  if (!observed[3] || !observed[4])
     result.advice.push_back("Yaw and pitch need travel: drive at least a few tens of metres with good INS quality.");
-  if (!observed[3]) result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
+  if (!observed[5]) result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
 }
 
 }  // namespace
@@ -76,37 +84,55 @@ Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix
   return jacobian * perturbation_covariance * jacobian.transpose();
 }
 
-void describe_observability(const Matrix6d& information, const Matrix6d& covariance, const MotionSummary& motion,
-                            const SolveOptions& options, CalibrationResult& result) {
-  const double limit_rad = degrees_to_radians(options.max_rotation_sigma_deg);
-  Vector6d limits;
-  limits << Eigen::Vector3d::Constant(options.max_translation_sigma_m), Eigen::Vector3d::Constant(limit_rad);
-  // In units of the limits one number separates what is observed: an eigenvalue of one means a sigma at the limit.
+std::vector<ObservabilityDirection> observed_directions(const Matrix6d& information,
+                                                        const SpuriousInformation& spurious,
+                                                        const MotionSummary& motion, const SolveOptions& options) {
+  const Vector6d limits = observation_limits(options);
   const Matrix6d scaled = limits.asDiagonal() * information * limits.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(0.5 * (scaled + scaled.transpose()));
+  std::vector<ObservabilityDirection> directions;
   for (int i = 0; i < 6; ++i) {
     ObservabilityDirection direction;
     direction.direction = eigen.eigenvectors().col(i);
-    const double value = eigen.eigenvalues()[i];
+    const Vector6d physical = limits.cwiseProduct(direction.direction);
+    const double apparent = physical.dot(spurious.apparent * physical);
+    const double share = apparent > 0.0 ? physical.dot(spurious.spurious * physical) / apparent : 0.0;
+    // Half of the excitation being noise leaves nothing to trust: its size is itself uncertain.
+    const double value = eigen.eigenvalues()[i] * std::max(0.0, 1.0 - 2.0 * share);
     direction.sigma = value > 0.0 ? 1.0 / std::sqrt(value) : std::numeric_limits<double>::infinity();
     direction.observed = direction.sigma < 1.0;
-    direction.words = direction_words(direction.direction, direction.observed, direction.sigma, motion);
-    result.directions.push_back(direction);
+    direction.words = direction_words(direction.direction, direction.observed, motion);
+    directions.push_back(direction);
   }
+  std::stable_sort(directions.begin(), directions.end(),
+                   [](const auto& left, const auto& right) { return left.sigma > right.sigma; });
+  return directions;
+}
+
+Matrix6d trusted_information(const std::vector<ObservabilityDirection>& directions, const SolveOptions& options) {
+  const Vector6d inverse_limits = observation_limits(options).cwiseInverse();
+  Matrix6d information = Matrix6d::Zero();
+  for (const ObservabilityDirection& direction : directions) {
+    const Vector6d row = inverse_limits.cwiseProduct(direction.direction);
+    if (std::isfinite(direction.sigma)) information += row * row.transpose() / (direction.sigma * direction.sigma);
+  }
+  return information;
+}
+
+void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
+                      CalibrationResult& result) {
+  const Vector6d limits = observation_limits(options);
   result.covariance = parameter_covariance(result.ins_from_lidar, covariance);
   for (int i = 0; i < 6; ++i) {
     const double variance = result.covariance(i, i);
-    const double limit = i < 3 ? options.max_translation_sigma_m : limit_rad;
-    result.observed[static_cast<std::size_t>(i)] = std::isfinite(variance) && variance < limit * limit;
+    result.observed[static_cast<std::size_t>(i)] = std::isfinite(variance) && variance < limits[i] * limits[i];
   }
   for (int i = 0; i < 6; ++i)
     if (!result.observed[static_cast<std::size_t>(i)]) {
       result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
       result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
     }
-  const std::array<bool, 6> by_axis{result.observed[0], result.observed[1], result.observed[2],
-                                    result.observed[5], result.observed[4], result.observed[3]};
-  add_advice(by_axis, motion, result);
+  add_advice(result.observed, motion, result);
 }
 
 }  // namespace remount

@@ -17,10 +17,27 @@ struct MotionSummary {
 };
 MotionSummary summarise_motion(const std::vector<Pair>& pairs);
 
-/// Fills `observed`, `covariance`, `directions` and `advice` of the result from the information and the covariance of X
-/// under `perturbed`. A parameter counts as observed where its sigma is below the options' limit.
-void describe_observability(const Matrix6d& information, const Matrix6d& covariance, const MotionSummary& motion,
-                            const SolveOptions& options, CalibrationResult& result);
+/// What the pairs would seem to say about X if the vehicle had not turned at all: (R_P - I) then is nothing but noise,
+/// and its square passes for information. `apparent` is the pairs' information with that part, `spurious` the part
+/// itself.
+struct SpuriousInformation {
+  Matrix6d apparent = Matrix6d::Zero();
+  Matrix6d spurious = Matrix6d::Zero();
+};
+
+/// Eigen-directions of the information, each freed of its spurious share, with words; ascending by information. Units
+/// are the options' limits: a direction with sigma 1 lies at the limit of what counts as observed.
+std::vector<ObservabilityDirection> observed_directions(const Matrix6d& information,
+                                                        const SpuriousInformation& spurious,
+                                                        const MotionSummary& motion, const SolveOptions& options);
+
+/// Information of X rebuilt from the directions.
+Matrix6d trusted_information(const std::vector<ObservabilityDirection>& directions, const SolveOptions& options);
+
+/// Fills `observed` and `covariance` from the covariance of X under `perturbed`: a parameter counts as observed where
+/// its sigma is below the options' limit. Adds advice for those that do not.
+void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
+                      CalibrationResult& result);
 
 /// Covariance of (x, y, z, yaw, pitch, roll) from the covariance of the perturbation [dt; phi] of X.
 Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix6d& perturbation_covariance);

@@ -16,8 +16,9 @@ namespace remount {
 namespace {
 
 constexpr int kFewestPairs = 3;
-constexpr double kPriorTranslation_m = 3.0;
-constexpr double kPriorRotation_rad = 1.0;
+// How far the truth may lie from the nominal in directions that the data do not show.
+constexpr double kPriorTranslation_m = 2.0;
+constexpr double kPriorRotation_rad = 0.1;
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
@@ -108,6 +109,13 @@ int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const 
   return changed;
 }
 
+Matrix6d weak_prior() {
+  Vector6d information;
+  information << Eigen::Vector3d::Constant(1.0 / (kPriorTranslation_m * kPriorTranslation_m)),
+      Eigen::Vector3d::Constant(1.0 / (kPriorRotation_rad * kPriorRotation_rad));
+  return information.asDiagonal();
+}
+
 JointProblem make_problem(const PairwiseInput& input, const std::vector<Pair>& pairs, const std::vector<int>& usable,
                           const RigidTransform& prior_x) {
   JointProblem problem;
@@ -122,8 +130,7 @@ JointProblem make_problem(const PairwiseInput& input, const std::vector<Pair>& p
     problem.session_attitude_bias_sigma_rad.push_back(
         known_or(session.attitude_bias_sigma_rad, degrees_to_radians(input.options.ins_attitude_bias_sigma_deg)));
   problem.prior_ins_from_lidar = prior_x;
-  problem.prior_translation_sigma_m = kPriorTranslation_m;
-  problem.prior_rotation_sigma_rad = kPriorRotation_rad;
+  problem.prior_information = weak_prior();
   return problem;
 }
 
@@ -145,56 +152,127 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseInput& inp
   result.session_time_offset_s = solution.time_offset_s;
 }
 
+// Information of a pair's residual with both INS errors and the registration's error marginalised: (M + L^-1)^-1
+// without the inverse of L, which may be singular.
+Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise) {
+  const Matrix6d ins = noise.ins_covariance();
+  const Matrix6d from_ins =
+      equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins * equation.d_b.transpose();
+  const Matrix6d ins_information = from_ins.ldlt().solve(Matrix6d::Identity());
+  const Matrix6d sum = ins_information + noise.registration_information(pair.registration.information);
+  return ins_information - ins_information * sum.ldlt().solve(ins_information);
+}
+
+// Blocks of the bootstrap: the options' length, shortened so that a short drive still has some twenty.
+double block_length_s(const PairwiseInput& input) {
+  std::vector<double> first(input.sessions.size(), std::numeric_limits<double>::infinity()),
+      last(input.sessions.size(), 0.0);
+  for (std::size_t k = 0; k < input.nodes.size(); ++k) {
+    const auto s = static_cast<std::size_t>(input.nodes[k].session);
+    first[s] = std::min(first[s], input.node_times_s[k]);
+    last[s] = std::max(last[s], input.node_times_s[k]);
+  }
+  double total_s = 0.0;
+  for (std::size_t s = 0; s < first.size(); ++s) total_s += std::max(0.0, last[s] - first[s]);
+  return std::clamp(total_s / 20.0, 1e-3, input.options.bootstrap_block_s);
+}
+
 std::vector<PairInfluence> influences(const PairwiseInput& input, const std::vector<Pair>& pairs,
                                       const RigidTransform& x, const NoiseModel& noise) {
   std::vector<PairInfluence> out;
+  const double block_s = block_length_s(input);
   for (const Pair& pair : pairs) {
     if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
     const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
-    const Matrix6d ins = noise.ins_covariance();
-    const Matrix6d from_ins =
-        equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins * equation.d_b.transpose();
-    const Matrix6d ins_information = from_ins.ldlt().solve(Matrix6d::Identity());
-    const Matrix6d sum = ins_information + noise.registration_information(pair.registration.information);
-    const Matrix6d information = ins_information - ins_information * sum.ldlt().solve(ins_information);
+    const Matrix6d information = residual_information(pair, equation, noise);
     const auto node = static_cast<std::size_t>(pair.keyframe_a);
-    const int block = input.nodes[node].session * 1'000'000 +
-                      static_cast<int>(input.node_times_s[node] / input.options.bootstrap_block_s);
+    const int block = input.nodes[node].session * 1'000'000 + static_cast<int>(input.node_times_s[node] / block_s);
     out.push_back({equation.d_x.transpose() * information * equation.d_x,
                    -equation.d_x.transpose() * information * equation.residual, block});
   }
   return out;
 }
 
-void add_bootstrap(const PairwiseInput& input, const std::vector<Pair>& pairs, const PairwiseDetails& details,
-                   const Progress& progress, CalibrationResult& result) {
-  Matrix6d prior = Matrix6d::Zero();
-  prior.diagonal() << Eigen::Vector3d::Constant(1.0 / (kPriorTranslation_m * kPriorTranslation_m)),
-      Eigen::Vector3d::Constant(1.0 / (kPriorRotation_rad * kPriorRotation_rad));
-  const Matrix6d covariance =
-      bootstrap_covariance(influences(input, pairs, details.joint.ins_from_lidar, details.noise), prior,
-                           input.options.bootstrap_samples, input.options.seed, progress);
-  const Matrix6d parameters = parameter_covariance(result.ins_from_lidar, covariance);
-  for (int i = 0; i < 6; ++i)
-    result.bootstrap_sigma[static_cast<std::size_t>(i)] =
-        result.observed[static_cast<std::size_t>(i)] && parameters(i, i) > 0.0
-            ? std::sqrt(parameters(i, i))
-            : std::numeric_limits<double>::quiet_NaN();
+// Mean of [v]x' M [v]x over isotropic noise v of unit variance.
+Eigen::Matrix3d cross_noise(const Eigen::Matrix3d& m) { return m.trace() * Eigen::Matrix3d::Identity() - m; }
+
+SpuriousInformation spurious_information(const std::vector<Pair>& pairs, const RigidTransform& x,
+                                         const NoiseModel& noise) {
+  SpuriousInformation out;
+  const double attitude2 = 2.0 * noise.ins_attitude_sigma_rad * noise.ins_attitude_sigma_rad;
+  const double position2 = 2.0 * noise.ins_position_sigma_m * noise.ins_position_sigma_m;
+  for (const Pair& pair : pairs) {
+    if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
+    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
+    const Matrix6d information = residual_information(pair, equation, noise);
+    out.apparent += equation.d_x.transpose() * information * equation.d_x;
+    const Eigen::Matrix3d to_ins = x.linear();
+    const Eigen::Matrix3d translation = to_ins * information.topLeftCorner<3, 3>() * to_ins.transpose();
+    const Eigen::Matrix3d rotation = to_ins * information.bottomRightCorner<3, 3>() * to_ins.transpose();
+    out.spurious.topLeftCorner<3, 3>() += attitude2 * cross_noise(translation);
+    out.spurious.bottomRightCorner<3, 3>() += attitude2 * cross_noise(rotation) + position2 * cross_noise(translation);
+  }
+  return out;
 }
 
-// Undetermined parameters go back to the nominal (zero translation where there is none).
-RigidTransform with_nominal_where_unobserved(const RigidTransform& solved, const std::array<bool, 6>& observed,
-                                             const std::optional<RigidTransform>& nominal) {
-  if (!nominal) return solved;
-  SixParameters six = six_from_rigid(solved);
-  const SixParameters kept = six_from_rigid(*nominal);
-  if (!observed[0]) six.x_m = kept.x_m;
-  if (!observed[1]) six.y_m = kept.y_m;
-  if (!observed[2]) six.z_m = kept.z_m;
-  if (!observed[3]) six.yaw_rad = kept.yaw_rad;
-  if (!observed[4]) six.pitch_rad = kept.pitch_rad;
-  if (!observed[5]) six.roll_rad = kept.roll_rad;
-  return rigid_from_six(six);
+// Where resampling whole blocks of time scatters X clearly more than the noise model allows, errors are correlated in
+// ways that the model does not hold: the larger sigma is the honest one. Below this ratio the difference is the
+// bootstrap's own scatter.
+constexpr double kBelievedRatio = 1.5;
+
+Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& bootstrap) {
+  Vector6d factors = Vector6d::Ones();
+  for (int i = 0; i < 6; ++i) {
+    const double ratio = std::sqrt(bootstrap(i, i) / covariance(i, i));
+    if (ratio > kBelievedRatio) factors[i] = ratio;
+  }
+  return factors.asDiagonal() * covariance * factors.asDiagonal();
+}
+
+Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
+
+// Adds the constant attitude errors, which resampling cannot see: what the joint covariance has beyond that of a
+// problem without them.
+void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const PairwiseDetails& details,
+                          const Progress& progress, CalibrationResult& result) {
+  const RigidTransform& x = details.joint.ins_from_lidar;
+  const MotionSummary motion = summarise_motion(pairs);
+  result.directions = observed_directions(details.joint.information, spurious_information(pairs, x, details.noise),
+                                          motion, input.options);
+  const Matrix6d covariance = inverse(trusted_information(result.directions, input.options) + weak_prior());
+  const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), weak_prior(),
+                                                  input.options.bootstrap_samples, input.options.seed, progress);
+  judge_parameters(inflated_by_bootstrap(covariance, bootstrap), motion, input.options, result);
+  const Matrix6d parameters = parameter_covariance(x, bootstrap);
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    result.bootstrap_sigma[at] = result.observed[at] && parameters(i, i) > 0.0
+                                     ? std::sqrt(parameters(i, i))
+                                     : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+// Solves once more with the parameters that are not observed held at `kept`, so that the others agree with them.
+RigidTransform solve_with_held(JointProblem problem, const PairwiseDetails& details,
+                               const std::array<bool, 6>& observed, const RigidTransform& kept,
+                               const Progress& progress) {
+  const SixParameters solved = six_from_rigid(details.joint.ins_from_lidar), held = six_from_rigid(kept);
+  SixParameters start = solved;
+  if (!observed[0]) start.x_m = held.x_m;
+  if (!observed[1]) start.y_m = held.y_m;
+  if (!observed[2]) start.z_m = held.z_m;
+  if (!observed[3]) start.yaw_rad = held.yaw_rad;
+  if (!observed[4]) start.pitch_rad = held.pitch_rad;
+  if (!observed[5]) start.roll_rad = held.roll_rad;
+  problem.prior_ins_from_lidar = rigid_from_six(start);
+  Matrix6d to_parameters = Matrix6d::Identity();
+  to_parameters.bottomRightCorner<3, 3>() =
+      yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(problem.prior_ins_from_lidar.linear()));
+  constexpr double kHeld = 1e12;  // a micrometre, a microradian
+  for (int i = 0; i < 6; ++i)
+    if (!observed[static_cast<std::size_t>(i)])
+      problem.prior_information += kHeld * to_parameters.row(i).transpose() * to_parameters.row(i);
+  return solve_joint(problem, details.noise, problem.prior_ins_from_lidar, 10, progress).ins_from_lidar;
 }
 
 void count_pairs(const std::vector<Pair>& pairs, CalibrationResult& result) {
@@ -286,14 +364,7 @@ CalibrationResult too_few(std::vector<Pair>& pairs, std::size_t usable) {
 
 double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise) {
   const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, ins_from_lidar);
-  const Matrix6d ins = noise.ins_covariance();
-  const Matrix6d from_ins =
-      equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins * equation.d_b.transpose();
-  // (M + L^-1)^-1 without the inverse of L, which may be singular.
-  const Matrix6d ins_information = from_ins.ldlt().solve(Matrix6d::Identity());
-  const Matrix6d sum = ins_information + noise.registration_information(pair.registration.information);
-  const Vector6d weighted = ins_information * equation.residual;
-  return std::max(0.0, equation.residual.dot(weighted) - weighted.dot(sum.ldlt().solve(weighted)));
+  return std::max(0.0, equation.residual.dot(residual_information(pair, equation, noise) * equation.residual));
 }
 
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
@@ -306,7 +377,11 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   const Eigen::Vector3d near_m = input.nominal_ins_from_lidar
                                      ? Eigen::Vector3d(input.nominal_ins_from_lidar->translation())
                                      : Eigen::Vector3d::Zero();
-  const RobustStart start = robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, near_m);
+  RotationReference reference;
+  if (const auto& known = input.nominal_ins_from_lidar ? input.nominal_ins_from_lidar : input.initial_ins_from_lidar)
+    reference.ins_from_lidar = known->linear();
+  const RobustStart start =
+      robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, reference, near_m);
   RigidTransform prior_x = start.ins_from_lidar;
   prior_x.translation() = near_m;
   judge_pairs(pairs, usable, start.ins_from_lidar, scaled(prior.expected, start.noise_scale),
@@ -332,11 +407,11 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     result.message = "Cancelled.";
     return result;
   }
-  describe_observability(details.joint.information, details.joint.covariance, summarise_motion(pairs), input.options,
-                         result);
-  result.ins_from_lidar = with_nominal_where_unobserved(x, result.observed, input.nominal_ins_from_lidar);
+  describe_uncertainty(input, pairs, details, progress, result);
+  if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
+    result.ins_from_lidar =
+        solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
   estimate_clock_offset(problem, input, details, progress, result);
-  add_bootstrap(input, pairs, details, progress, result);
   list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(x), result);
   trim_candidates(input.options.max_listed_candidates, result);
   count_pairs(pairs, result);

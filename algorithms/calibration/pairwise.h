@@ -23,6 +23,8 @@ struct PairwiseInput {
   std::vector<double> node_times_s;  ///< since the start of its session; for blocks of the bootstrap
   std::vector<SessionNoise> sessions;
   std::optional<RigidTransform> nominal_ins_from_lidar;
+  /// An earlier estimate where there is no nominal: settles rotations that the motion does not determine.
+  std::optional<RigidTransform> initial_ins_from_lidar;
   SearchRange range;
   SolveOptions options;
 };

@@ -1,6 +1,7 @@
 #include "algorithms/calibration/robust_start.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -55,6 +56,27 @@ std::vector<MotionPair> weighted_pairs(const std::vector<Pair>& pairs, const std
   return out;
 }
 
+// Turns X about the axis that the pairs do not determine, as close to the reference as that allows.
+RigidTransform settled(const RigidTransform& x, const QuadraticForm& form, const RotationReference& reference,
+                       const Eigen::Vector3d& near_m) {
+  constexpr double kUndetermined = 1e-3;  // of the largest curvature: noise of attitude is a thousand times below turns
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(form.reduced(x.linear()).curvature);
+  if (eigen.eigenvalues()[0] > kUndetermined * eigen.eigenvalues()[2]) return x;
+  const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
+  // The best turn about an axis maximises the trace of reference' Exp(angle axis) R: a sine and a cosine term.
+  Eigen::Matrix3d correlation;
+  if (reference.ins_from_lidar)
+    correlation = x.linear() * reference.ins_from_lidar->transpose();
+  else if (reference.up_in_lidar)
+    correlation = x.linear() * *reference.up_in_lidar * Eigen::Vector3d::UnitZ().transpose();
+  else
+    return x;
+  const double cosine = correlation.trace() - axis.dot(correlation * axis);
+  const double sine = (skew(axis) * correlation).trace();
+  const Eigen::Matrix3d rotation = so3_exp(std::atan2(sine, cosine) * axis) * x.linear();
+  return make_rigid(rotation, form.best_translation_m(rotation, near_m, 1e-4));
+}
+
 // One reweighted Gauss-Newton step on X alone, with a trace of the start kept in undetermined directions.
 RigidTransform weighted_step(const std::vector<Pair>& pairs, const std::vector<int>& usable,
                              const std::vector<double>& weights, const NoiseModel& noise, const RigidTransform& x) {
@@ -74,7 +96,8 @@ RigidTransform weighted_step(const std::vector<Pair>& pairs, const std::vector<i
 }  // namespace
 
 RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise,
-                         const std::optional<RigidTransform>& nominal, const Eigen::Vector3d& near_m) {
+                         const std::optional<RigidTransform>& nominal, const RotationReference& reference,
+                         const Eigen::Vector3d& near_m) {
   RobustStart start;
   double least = std::numeric_limits<double>::infinity();
   const auto consider = [&](const RigidTransform& x) {
@@ -88,7 +111,8 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
   for (const int i : usable) weights.push_back(pairs[static_cast<std::size_t>(i)].screw.passed ? 1.0 : 0.0);
   if (std::count(weights.begin(), weights.end(), 1.0) < 3) std::fill(weights.begin(), weights.end(), 1.0);
   for (int round = 0; round < 6; ++round) {
-    const RigidTransform x = joint_quadratic(QuadraticForm(weighted_pairs(pairs, usable, weights), 10.0), near_m);
+    const QuadraticForm form(weighted_pairs(pairs, usable, weights), 10.0);
+    const RigidTransform x = settled(joint_quadratic(form, near_m), form, reference, near_m);
     consider(x);
     const std::vector<double> d2 = distances2(pairs, usable, x, noise);
     weights = kernel_weights(d2, std::max(1.0, median(d2) / kMedianChi2));

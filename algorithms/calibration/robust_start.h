@@ -16,10 +16,17 @@ struct RobustStart {
   double noise_scale = 1.0;
 };
 
+/// What settles a rotation that the motion does not determine (roll about the track of a straight drive).
+struct RotationReference {
+  std::optional<Eigen::Matrix3d> ins_from_lidar;  ///< the nominal mounting, or an earlier estimate
+  std::optional<Eigen::Vector3d> up_in_lidar;     ///< away from the ground, unit length: used where there is no nominal
+};
+
 /// Tries the nominal (where known), the global minimum of the quadratic form over screw-consistent pairs and its
 /// reweighted successors; keeps the X with the least truncated cost, then refines it with a redescending kernel whose
 /// width follows the residuals.
 RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise,
-                         const std::optional<RigidTransform>& nominal, const Eigen::Vector3d& near_m);
+                         const std::optional<RigidTransform>& nominal, const RotationReference& reference,
+                         const Eigen::Vector3d& near_m);
 
 }  // namespace remount

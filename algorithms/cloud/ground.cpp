@@ -49,7 +49,8 @@ class GroundMap {
   std::size_t index(const Vector3f& p) const {
     const auto along = [&](float v) {
       const float cell = std::floor(v / cell_m_) + static_cast<float>(side_ / 2);
-      return static_cast<std::size_t>(std::clamp(cell, 0.0f, static_cast<float>(side_ - 1)));
+      // Also for what is not a number.
+      return cell > 0.0f ? static_cast<std::size_t>(std::min(cell, static_cast<float>(side_ - 1))) : std::size_t{0};
     };
     return along(p.y()) * static_cast<std::size_t>(side_) + along(p.x());
   }

@@ -183,7 +183,7 @@ RigidTransform joint_quadratic(const QuadraticForm& form, const Vector3d& near_m
         }
       }
   best = nearest_rotation(best);
-  return make_rigid(best, form.best_translation_m(best, near_m));
+  return make_rigid(best, form.best_translation_m(best, near_m, 1e-4));
 }
 
 std::string outside_range(const RigidTransform& ins_from_lidar, const SearchRange& range) {

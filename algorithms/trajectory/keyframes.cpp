@@ -1,12 +1,14 @@
 #include "algorithms/trajectory/keyframes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace remount {
 
-std::vector<Keyframe> select_keyframes(int session, const std::vector<std::int64_t>& scan_stamps_ns,
-                                       const MotionTrack& track, double offset_s, const KeyframeOptions& options) {
-  const auto offset_ns = static_cast<std::int64_t>(std::llround(offset_s * 1e9));
+namespace {
+
+std::vector<Keyframe> select_spaced(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+                                    const MotionTrack& track, std::int64_t offset_ns, const KeyframeOptions& options) {
   std::vector<Keyframe> chosen;
   std::optional<RigidTransform> previous_scan, last_chosen;
   double travelled_m = 0.0;
@@ -26,6 +28,23 @@ std::vector<Keyframe> select_keyframes(int session, const std::vector<std::int64
     if (!take) continue;
     chosen.push_back({session, static_cast<int>(scan), scan_stamps_ns[scan], travelled_m});
     last_chosen = pose;
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<Keyframe> select_keyframes(int session, const std::vector<std::int64_t>& scan_stamps_ns,
+                                       const MotionTrack& track, double offset_s, const KeyframeOptions& options) {
+  const auto offset_ns = static_cast<std::int64_t>(std::llround(offset_s * 1e9));
+  std::vector<Keyframe> chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, options);
+  const std::size_t enough = std::min(static_cast<std::size_t>(options.minimum), scan_stamps_ns.size());
+  KeyframeOptions closer = options;
+  for (int round = 0; round < 8 && chosen.size() < enough; ++round) {
+    closer.distance_m *= 0.5;
+    closer.rotation_deg *= 0.5;
+    closer.interval_s *= 0.5;
+    chosen = select_spaced(session, scan_stamps_ns, track, offset_ns, closer);
   }
   const auto maximum = static_cast<std::size_t>(options.maximum);
   if (chosen.size() <= maximum) return chosen;

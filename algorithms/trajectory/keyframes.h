@@ -16,6 +16,7 @@ struct KeyframeOptions {
   double distance_m = 1.0;
   double rotation_deg = 5.0;
   double interval_s = 0.5;
+  int minimum = 40;
   int maximum = 2000;
 
   template <class Self, class Visitor>
@@ -28,6 +29,9 @@ struct KeyframeOptions {
              180.0},
             self.rotation_deg);
     visitor({"interval_s", "s", "Time between keyframes (mode time).", 0.01, 1000.0}, self.interval_s);
+    visitor({"minimum", "", "A short drive takes keyframes closer together until it has this many, or all its scans.",
+             2, 10000},
+            self.minimum);
     visitor({"maximum", "", "At most this many keyframes a session; beyond it they are spread evenly.", 2, 100000},
             self.maximum);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/robust_start.h"
+#include "algorithms/cloud/objects.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"
@@ -118,6 +119,21 @@ std::vector<Pair> pairs_of_chain(const DriveMotion& motion, const Chain& chain, 
   return pairs;
 }
 
+// Away from the ground in the lidar frame, from the first readable scan: settles roll on a drive without turns.
+std::optional<Eigen::Vector3d> up_of_first_scans(const DriveMotion& motion) {
+  for (int session = 0; session < motion.session_count(); ++session) {
+    const auto& source = motion.session(session).scans;
+    for (std::size_t scan = 0; source && scan < std::min<std::size_t>(source->size(), 10); ++scan) {
+      try {
+        return estimate_up(source->load(scan), Eigen::Vector3f::Zero()).cast<double>();
+      } catch (const Error&) {
+        // Unreadable scans are reported where keyframes are read.
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& settings, int threads, Progress& progress) {
@@ -146,11 +162,14 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   }
   std::vector<int> usable(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) usable[i] = static_cast<int>(i);
+  const std::optional<Eigen::Vector3d> ground_up = up_of_first_scans(motion);
   NoiseModel noise;
   noise.registration_scale = 1.0;
   noise.registration_floor_m = 0.02;
   noise.registration_floor_rad = 0.002;
-  out.ins_from_lidar = robust_start(pairs, usable, noise, std::nullopt, Eigen::Vector3d::Zero()).ins_from_lidar;
+  out.ins_from_lidar =
+      robust_start(pairs, usable, noise, std::nullopt, {std::nullopt, ground_up}, Eigen::Vector3d::Zero())
+          .ins_from_lidar;
   return out;
 }
 

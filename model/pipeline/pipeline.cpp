@@ -47,13 +47,14 @@ std::vector<RigidTransform> poses_of(const std::vector<JointNode>& nodes) {
   return poses;
 }
 
-PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion,
-                           const std::vector<Keyframe>& keyframes) {
+PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output) {
+  const std::vector<Keyframe>& keyframes = output.keyframes;
   PairwiseInput out;
   out.nodes = motion.nodes(keyframes);
   out.node_times_s = motion.node_times_s(keyframes);
   out.sessions = motion.noise();
   out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
+  if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
   out.range = input.settings.range;
   out.options = input.settings.solve;
   return out;
@@ -118,10 +119,10 @@ void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<
 }
 
 // Solves; where the clock offset is to be applied, moves the INS poses by it and solves again until it is gone.
-CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion,
-                                   const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
+CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                                    PairwiseDetails& details, const Progress& progress) {
-  PairwiseInput solver = solver_input(input, motion, keyframes);
+  std::vector<Pair>& pairs = output.pairs;
+  PairwiseInput solver = solver_input(input, motion, output);
   CalibrationResult result = solve_pairwise(solver, pairs, details, progress);
   if (!input.settings.solve.apply_time_offset) return result;
   for (int round = 0; round < 3 && result.session_time_offset_s.size() == input.sessions.size(); ++round) {
@@ -131,7 +132,7 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
       motion.set_offset_s(s, motion.offset_s(s) + more_s);
       largest_s = std::max(largest_s, std::abs(more_s));
     }
-    solver = solver_input(input, motion, keyframes);
+    solver = solver_input(input, motion, output);
     update_ins_motion(solver.nodes, pairs);
     result = solve_pairwise(solver, pairs, details, progress);
     if (largest_s < 2e-4) break;
@@ -176,7 +177,7 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   relinearise_pairs(context, scans, objects, predicted, relinearised, progress);
   if (progress.cancelled()) return;
   const CalibrationResult before = output.result;
-  PairwiseInput solver = solver_input(input, motion, output.keyframes);
+  PairwiseInput solver = solver_input(input, motion, output);
   CalibrationResult joint = solve_pairwise(solver, relinearised, details, progress);
   if (joint.status == Status::Cancelled || joint.status == Status::TooFewPairs) return;
   joint.time_offset = before.time_offset;
@@ -227,6 +228,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
   output.pairs = propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
   output.nominal_known = input.nominal_ins_from_lidar.has_value();
+  output.initial_known = output.nominal_known;
   if (input.nominal_ins_from_lidar) output.initial_ins_from_lidar = *input.nominal_ins_from_lidar;
   if (output.pairs.empty()) {
     output.result =
@@ -246,6 +248,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
         return output;
       }
       output.initial_ins_from_lidar = *coarse.ins_from_lidar;
+      output.initial_known = true;
     }
     const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
     ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
@@ -257,13 +260,13 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     match_pairs(context, objects, output.pairs, progress);
     register_pairs(context, scans, objects, output.pairs, progress);
     use_odometry(motion, output.keyframes, output.pairs);
-    output.result = solve_with_clock(input, motion, output.keyframes, output.pairs, details, progress);
+    output.result = solve_with_clock(input, motion, output, details, progress);
     const bool solved = output.result.status == Status::Ok || output.result.status == Status::Degenerate;
     if (solved && input.settings.solve.joint_clouds)
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
   } else {
     use_odometry(motion, output.keyframes, output.pairs);
-    output.result = solve_with_clock(input, motion, output.keyframes, output.pairs, details, progress);
+    output.result = solve_with_clock(input, motion, output, details, progress);
   }
   if (progress.cancelled()) output.result = cancelled_result();
   report_clock(output.result, output.findings);
@@ -273,13 +276,13 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
 void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
   const DriveMotion motion(input.sessions);
   PairwiseDetails details;
-  PairwiseInput solver = solver_input(input, motion, output.keyframes);
+  PairwiseInput solver = solver_input(input, motion, output);
   // The pairs' own P may hold an applied clock offset: the nodes follow the sessions' offsets of the last result.
   DriveMotion shifted(input.sessions);
   if (output.result.time_offset.applied && output.result.session_time_offset_s.size() == input.sessions.size()) {
     for (int s = 0; s < shifted.session_count(); ++s)
       shifted.set_offset_s(s, output.result.session_time_offset_s[static_cast<std::size_t>(s)]);
-    solver = solver_input(input, shifted, output.keyframes);
+    solver = solver_input(input, shifted, output);
   }
   const TimeOffset clock = output.result.time_offset;
   const std::vector<double> clocks = output.result.session_time_offset_s;
