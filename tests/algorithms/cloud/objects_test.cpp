@@ -9,6 +9,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 namespace remount {
 namespace {
@@ -33,6 +34,33 @@ PointCloud load(const std::filesystem::path& file) {
   while (in.read(reinterpret_cast<char*>(record.data()), sizeof(record)))
     cloud.points.push_back({record[0], record[1], record[2]});
   return cloud;
+}
+
+TEST(ObjectsOfBrokenScans, points_far_away_or_not_finite_are_no_objects_and_do_no_harm) {
+  PointCloud cloud;
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  for (int i = 0; i < 100; ++i) {
+    cloud.points.push_back({1e30f, -1e30f, 1e20f});
+    cloud.points.push_back({inf, 0.0f, 0.0f});
+    cloud.points.push_back({nan, nan, nan});
+    cloud.points.push_back({1e-30f, 0.0f, 0.0f});
+  }
+  EXPECT_EQ(ground_mask(cloud, Vector3f::UnitZ(), {}).size(), cloud.size());
+  for (const SceneObject& object : find_objects(cloud, Vector3f::UnitZ(), {}))
+    EXPECT_TRUE(object.centroid_in_lidar.allFinite());
+  EXPECT_TRUE(estimate_up(cloud, Vector3f::Zero()).allFinite());
+}
+
+TEST(ObjectsOfBrokenScans, extreme_options_need_bounded_memory) {
+  ObjectOptions options;
+  options.cluster_distance_m = 0.05;
+  options.max_range_m = 500.0;
+  options.ground_cell_m = 0.2;
+  options.min_points = 3;
+  PointCloud cloud;
+  for (int i = 0; i < 50; ++i)
+    cloud.points.push_back({0.02f * static_cast<float>(i), 5.0f, 0.02f * static_cast<float>(i)});
+  EXPECT_LE(find_objects(cloud, Vector3f::UnitZ(), options).size(), 50u);
 }
 
 class ObjectsOfRecordedScans : public ::testing::TestWithParam<const char*> {};
