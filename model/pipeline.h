@@ -30,6 +30,8 @@ struct PipelineOutput {
   std::vector<Finding> findings;  ///< of every stage, the readers' included
   /// The X under which scans were deskewed and predictions made: the nominal, or the coarse X found without one.
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
+  /// The X through which motion within scans was compensated in the end.
+  RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };

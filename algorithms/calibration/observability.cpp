@@ -13,8 +13,7 @@ constexpr std::array<const char*, 6> kDirectionWords{
     "x (forward)",           "y (left)", "z (height)", "rotation about x (roll)", "rotation about y (pitch)",
     "rotation about z (yaw)"};
 
-std::string direction_words(const Vector6d& direction, bool observed,
-                            const MotionSummary& motion) {
+std::string direction_words(const Vector6d& direction, bool observed, const MotionSummary& motion) {
   std::string names;
   for (int i = 0; i < 6; ++i) {
     if (std::abs(direction[i]) < 0.4) continue;

@@ -77,7 +77,7 @@ RigidTransform settled(const RigidTransform& x, const QuadraticForm& form, const
   return make_rigid(rotation, form.best_translation_m(rotation, near_m, 1e-4));
 }
 
-// One reweighted Gauss-Newton step on X alone, with a trace of the start kept in undetermined directions.
+// One reweighted Gauss-Newton step on X alone.
 RigidTransform weighted_step(const std::vector<Pair>& pairs, const std::vector<int>& usable,
                              const std::vector<double>& weights, const NoiseModel& noise, const RigidTransform& x) {
   Matrix6d hessian = Matrix6d::Zero();
@@ -89,8 +89,18 @@ RigidTransform weighted_step(const std::vector<Pair>& pairs, const std::vector<i
     hessian += equation.d_x.transpose() * information * equation.d_x;
     side -= equation.d_x.transpose() * information * equation.residual;
   }
-  hessian.diagonal().array() += 1e-12 * hessian.diagonal().maxCoeff() + 1e-9;
-  return perturbed(x, hessian.ldlt().solve(side));
+  // Only along directions that stand out of the noise: a metre of translation weighs like 0.1 rad of rotation.
+  constexpr double kUndetermined = 3e-4;
+  Vector6d scale;
+  scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(0.1);
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * hessian * scale.asDiagonal());
+  Vector6d step = Vector6d::Zero();
+  for (int i = 0; i < 6; ++i) {
+    const double value = eigen.eigenvalues()[i];
+    if (value > kUndetermined * eigen.eigenvalues()[5])
+      step += eigen.eigenvectors().col(i) * (eigen.eigenvectors().col(i).dot(scale.cwiseProduct(side)) / value);
+  }
+  return perturbed(x, scale.cwiseProduct(step));
 }
 
 }  // namespace

@@ -196,6 +196,66 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   output.result = std::move(joint);
 }
 
+bool any_distortion(const PipelineInput& input, const std::vector<bool>& uses_sweep) {
+  for (std::size_t s = 0; s < input.sessions.size(); ++s)
+    if (input.sessions[s]->scan_timing == ScanTiming::PerPoint || uses_sweep[s]) return true;
+  return false;
+}
+
+// Pairs that the registration or the solution turned down get another chance; those without shared objects do not.
+void reconsider(std::vector<Pair>& pairs) {
+  for (Pair& pair : pairs)
+    if (pair.decided_by == DecidedBy::Program && pair.registration.attempted) {
+      pair.state = PairState::Proposed;
+      pair.decided_by = DecidedBy::Nobody;
+      pair.reason.clear();
+    }
+}
+
+bool solved(const CalibrationResult& result) {
+  return result.status == Status::Ok || result.status == Status::Degenerate;
+}
+
+// Whether X moved so far that compensating the scans through the old one leaves an error worth a second pass.
+bool moved_much(const RigidTransform& from, const RigidTransform& to) {
+  return rotation_angle_between_rad(from, to) > degrees_to_radians(0.05) ||
+         (to.translation() - from.translation()).norm() > 0.02;
+}
+
+// Objects, registration, solution and joint alignment of sessions with scans. Scans are compensated for motion through
+// the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace.
+void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details,
+                     Progress& progress) {
+  RigidTransform x = output.initial_ins_from_lidar;
+  std::vector<KeyframeObjects> objects;
+  std::vector<bool> uses_sweep;
+  for (int pass = 0; pass < 2 && !progress.cancelled(); ++pass) {
+    const StageContext context{motion, input.settings, output.keyframes, x, input.threads};
+    ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
+    const bool compensate = input.settings.run.deskew != DeskewMode::Off;
+    if (compensate && pass == 0) uses_sweep = choose_compensation(context, output.pairs, output.findings, progress);
+    if (compensate) scans.compensate_motion(x, uses_sweep);
+    output.compensation_ins_from_lidar = x;
+    if (pass == 0) {
+      objects = find_keyframe_objects(context, scans, output.pairs, progress);
+      report_bad_scans(output.keyframes, objects, motion, output.findings);
+      match_pairs(context, objects, output.pairs, progress);
+    }
+    register_pairs(context, scans, objects, output.pairs, progress);
+    use_odometry(motion, output.keyframes, output.pairs);
+    output.result = solve_with_clock(input, motion, output, details, progress);
+    if (!solved(output.result)) return;
+    if (pass == 0 && compensate && any_distortion(input, uses_sweep) && moved_much(x, output.result.ins_from_lidar)) {
+      x = output.result.ins_from_lidar;
+      reconsider(output.pairs);
+      continue;
+    }
+    if (input.settings.solve.joint_clouds)
+      align_all_clouds(context, input, motion, scans, objects, details, output, progress);
+    return;
+  }
+}
+
 CalibrationResult without_pairs(const std::string& message) {
   CalibrationResult result;
   result.status = Status::TooFewPairs;
@@ -250,20 +310,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
       output.initial_ins_from_lidar = *coarse.ins_from_lidar;
       output.initial_known = true;
     }
-    const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
-    ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
-    if (input.settings.run.deskew != DeskewMode::Off)
-      scans.compensate_motion(output.initial_ins_from_lidar,
-                              choose_compensation(context, output.pairs, output.findings, progress));
-    std::vector<KeyframeObjects> objects = find_keyframe_objects(context, scans, output.pairs, progress);
-    report_bad_scans(output.keyframes, objects, motion, output.findings);
-    match_pairs(context, objects, output.pairs, progress);
-    register_pairs(context, scans, objects, output.pairs, progress);
-    use_odometry(motion, output.keyframes, output.pairs);
-    output.result = solve_with_clock(input, motion, output, details, progress);
-    const bool solved = output.result.status == Status::Ok || output.result.status == Status::Degenerate;
-    if (solved && input.settings.solve.joint_clouds)
-      align_all_clouds(context, input, motion, scans, objects, details, output, progress);
+    calibrate_scans(input, motion, output, details, progress);
   } else {
     use_odometry(motion, output.keyframes, output.pairs);
     output.result = solve_with_clock(input, motion, output, details, progress);
@@ -312,7 +359,7 @@ PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& ou
       });
       uses_sweep.push_back(!off);
     }
-    scans.compensate_motion(output.initial_ins_from_lidar, uses_sweep);
+    scans.compensate_motion(output.compensation_ins_from_lidar, uses_sweep);
   }
   clouds.cloud_a = scans.load(a);
   clouds.cloud_b = scans.load(b);
