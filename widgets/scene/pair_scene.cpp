@@ -116,9 +116,9 @@ PairScene::PairScene() : parts_(std::make_unique<Parts>()) {
   Parts& p = *parts_;
   for (Layer* layer : {&p.target, &p.source, &p.boxes_b, &p.boxes_a, &p.links}) p.renderer->AddActor(layer->actor);
   p.renderer->SetGradientBackground(true);
-  p.axes->SetXAxisLabelText("x forward");
-  p.axes->SetYAxisLabelText("y left");
-  p.axes->SetZAxisLabelText("z up");
+  p.axes->SetXAxisLabelText("x");
+  p.axes->SetYAxisLabelText("y");
+  p.axes->SetZAxisLabelText("z");
   p.marker->SetOrientationMarker(p.axes);
   set_dark(false);
 }

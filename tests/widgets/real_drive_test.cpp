@@ -1,0 +1,110 @@
+// The window on the model's own engine: a simulated drive is written, opened, calibrated, saved and opened again.
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/gui/main_window.h"
+#include "model/simulator/simulator.h"
+#include "widgets/panels/pair_view.h"
+#include "widgets/panels/result_panel.h"
+
+namespace remount {
+namespace {
+
+constexpr int kPatience_ms = 200000;
+
+/// Short and coarse, so that it is calibrated in seconds.
+SimulationOptions short_drive() {
+  SimulationOptions options;
+  options.duration_s = 6.0;
+  options.scan_rate_hz = 5.0;
+  options.beams = 32;
+  options.azimuth_steps = 500;
+  options.scenario = ScenarioKind::FigureEight;
+  return options;
+}
+
+class RealDrive : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(folder_.isValid());
+    drive_ = simulate_drive(short_drive());
+    Progress progress;
+    write_drive(drive_, folder_.filePath("drive").toStdString(), "native", 0, progress);
+  }
+  bool settle(Workbench& workbench) {
+    return QTest::qWaitFor([&] { return !workbench.opening() && !workbench.calibrating() && !workbench.solving(); },
+                           kPatience_ms);
+  }
+
+  QTemporaryDir folder_;
+  SimulatedDrive drive_;
+};
+
+TEST_F(RealDrive, is_calibrated_reviewed_saved_and_opened_again) {
+  const QString project = folder_.filePath("job.remount");
+  RigidTransform found = RigidTransform::Identity();
+  {
+    Workbench workbench(model_engine());
+    MainWindow window(workbench);
+    window.show();
+    window.open_paths({folder_.filePath("drive")});
+    ASSERT_TRUE(settle(workbench));
+    ASSERT_EQ(workbench.sessions().size(), 1U);
+    SixParameters nominal = six_from_rigid(drive_.ins_from_lidar);
+    nominal.x_m += 0.1;
+    nominal.yaw_rad += 0.02;
+    workbench.edit_nominal(rigid_from_six(nominal));
+    QSignalSpy loaded(&workbench, &Workbench::clouds_loaded), failed(&workbench, &Workbench::clouds_failed);
+    QElapsedTimer timer;
+    timer.start();
+    workbench.calibrate();
+    ASSERT_TRUE(settle(workbench)) << "not calibrated in " << timer.elapsed() << " ms";
+    ASSERT_TRUE(workbench.output());
+    const CalibrationResult& result = workbench.output()->result;
+    ASSERT_TRUE(has_numbers(result.status)) << result.message;
+    found = result.ins_from_lidar;
+    EXPECT_LT(rotation_angle_between_rad(found, drive_.ins_from_lidar), degrees_to_radians(0.2))
+        << "found in " << timer.elapsed() << " ms";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() + failed.count() > 0; }, kPatience_ms));
+    EXPECT_EQ(failed.count(), 0) << failed.value(0).value(1).toString().toStdString();
+    const QString pictures = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR");
+    if (!pictures.isEmpty() && window.findChild<PairView*>()->has_gl()) {
+      QTest::qWait(300);
+      window.grab().save(QDir(pictures).filePath("8-real.png"));
+    }
+    workbench.decide({0}, PairState::Rejected);
+    ASSERT_TRUE(settle(workbench));
+    EXPECT_LT(rotation_angle_between_rad(workbench.output()->result.ins_from_lidar, drive_.ins_from_lidar),
+              degrees_to_radians(0.2));
+    EXPECT_TRUE(workbench.has_unsaved_decisions());
+    bool saved = false;
+    workbench.save_project(project, [&] { saved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+    found = workbench.output()->result.ins_from_lidar;
+  }
+  Workbench workbench(model_engine());
+  MainWindow window(workbench);
+  window.open_paths({project});
+  ASSERT_TRUE(settle(workbench));
+  ASSERT_TRUE(workbench.output()) << "the project holds the calibration";
+  EXPECT_EQ(workbench.output()->pairs.at(0).state, PairState::Rejected);
+  EXPECT_LT(rotation_angle_between_rad(workbench.output()->result.ins_from_lidar, found), 1e-9);
+}
+
+TEST_F(RealDrive, a_missing_folder_is_a_message_and_no_more) {
+  Workbench workbench(model_engine());
+  QSignalSpy messages(&workbench, &Workbench::message);
+  workbench.open({folder_.filePath("nowhere")});
+  ASSERT_TRUE(settle(workbench));
+  ASSERT_FALSE(messages.isEmpty());
+  EXPECT_EQ(messages.last().at(0).value<Severity>(), Severity::Problem);
+  EXPECT_TRUE(workbench.sessions().empty());
+}
+
+}  // namespace
+}  // namespace remount
