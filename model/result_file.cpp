@@ -224,6 +224,7 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("time_offset_s", DocumentNode::number(result.time_offset.offset_s));
   root.add("time_offset_sigma_s", DocumentNode::number(result.time_offset.sigma_s));
   root.add("time_offset_applied", DocumentNode::boolean(result.time_offset.applied));
+  root.add("session_time_offset_s", DocumentNode::numbers(result.session_time_offset_s));
   root.add("directions", directions_document(result.directions));
   root.add("nominal_ins_from_lidar",
            file.nominal_ins_from_lidar ? transform_document(*file.nominal_ins_from_lidar) : DocumentNode::null());

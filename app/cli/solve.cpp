@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "app/cli/arguments.h"
@@ -37,8 +38,12 @@ int solve(const PairsArguments& arguments, Console& console) {
   output.keyframes = motions.keyframes;
   output.pairs = motions.pairs;
   output.result = solve_motion_pairs(output.pairs, input.settings, input.nominal_ins_from_lidar, console.progress());
-  InputFile hash = hash_input(arguments.pairs);
-  return finish(make_result_file(input, output, {hash}), arguments.solve.output, console);
+  for (std::size_t i = 0; i < output.pairs.size(); ++i) {
+    // The solver numbers poses by itself; the list in the result names the file's own.
+    output.pairs[i].keyframe_a = motions.pairs[i].keyframe_a;
+    output.pairs[i].keyframe_b = motions.pairs[i].keyframe_b;
+  }
+  return finish(make_result_file(input, output, {hash_input(arguments.pairs)}), arguments.solve.output, console);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/cli/summary.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -13,6 +14,8 @@ std::string format(const char* pattern, auto... values) {
   std::snprintf(text, sizeof(text), pattern, values...);
   return text;
 }
+
+std::string sigma_text(double sigma) { return format(sigma < 1e-3 ? "1-sigma %.1e" : "1-sigma %.4f", sigma); }
 
 std::string parameters(const CalibrationResult& result) {
   const SixParameters six = six_from_rigid(result.ins_from_lidar);
@@ -31,7 +34,7 @@ std::string parameters(const CalibrationResult& result) {
     if (!sigma)
       text += "not observed: this is the value it started from, not a measurement\n";
     else
-      text += format("1-sigma %.4f %s\n", angle ? radians_to_degrees(*sigma) : *sigma, angle ? "deg" : "m");
+      text += sigma_text(angle ? radians_to_degrees(*sigma) : *sigma) + (angle ? " deg\n" : " m\n");
   }
   return text;
 }

@@ -1,0 +1,85 @@
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "algorithms/core/error.h"
+#include "app/cli/arguments.h"
+#include "app/cli/option_adder.h"
+#include "app/cli/verbs.h"
+#include "model/exporters/exporter.h"
+#include "model/io/session_reader.h"
+#include "model/obstacle_report.h"
+#include "model/result_file.h"
+
+namespace remount {
+namespace {
+
+struct ObstacleArguments {
+  std::string session, result, nominal;
+  std::size_t scan = 0;
+  ObstacleOptions options;
+};
+
+std::string metres(double distance_m) {
+  if (!std::isfinite(distance_m)) return "         -";
+  char text[32];
+  std::snprintf(text, sizeof(text), "%9.3f m", distance_m);
+  return text;
+}
+
+std::string table(const ObstacleComparison& comparison, const ObstacleOptions& options) {
+  std::string text = "object  shape           nominal     calibrated\n";
+  for (const ObstacleDifference& row : comparison.rows) {
+    char line[64];
+    std::snprintf(line, sizeof(line), "%6d  %-14s", row.object, std::string(to_string(row.shape)).c_str());
+    text += line + metres(row.nominal_distance_m) + "   " + metres(row.calibrated_distance_m) + "\n";
+  }
+  const auto decision = [&](const char* name, const ObstacleCheck& check) {
+    return std::string(name) + ": nearest " + metres(check.nearest_m) + " from the outline, decision at " +
+           shortest(options.stop_distance_m) + " m: " + std::string(to_string(check.decision)) + "\n";
+  };
+  text += decision("nominal   ", comparison.nominal) + decision("calibrated", comparison.calibrated);
+  return text + (comparison.decision_differs() ? "The two mountings lead to different decisions.\n" : "");
+}
+
+int obstacles(const ObstacleArguments& arguments, Console& console) {
+  const ResultFile result = load_result(arguments.result);
+  if (!is_usable(result.result)) {
+    console.complain(arguments.result + ": holds no usable result (" + std::string(to_string(result.result.status)) +
+                     ")");
+    return kNoResult;
+  }
+  for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
+  const auto session = std::make_shared<const Session>(open_session(arguments.session, console.progress()));
+  std::optional<RigidTransform> nominal = result.nominal_ins_from_lidar;
+  if (!nominal) nominal = session->nominal_ins_from_lidar;
+  if (!arguments.nominal.empty()) nominal = parse_nominal(arguments.nominal);
+  if (!nominal)
+    throw Error(ErrorCode::Contract, "obstacles",
+                "neither the result nor the session knows the nominal mounting; give --nominal");
+  const ObstacleComparison comparison = compare_obstacles_of_scan(
+      session, arguments.scan, *nominal, result.result.ins_from_lidar, result.settings, arguments.options);
+  console.print(table(comparison, arguments.options));
+  return kSolved;
+}
+
+}  // namespace
+
+void add_obstacles(CLI::App& app, Console& console, Run& run) {
+  const auto arguments = std::make_shared<ObstacleArguments>();
+  CLI::App* verb = app.add_subcommand(
+      "obstacles", "Distances from a scan's obstacles to the vehicle under the nominal and the new X");
+  verb->add_option("session", arguments->session, "Session folder")->type_name("SESSION")->required();
+  verb->add_option("--scan", arguments->scan, "Index of the scan, from 0")->type_name("N")->required();
+  verb->add_option("--result", arguments->result, "Result file")->type_name("RESULT")->required();
+  verb->add_option(
+          "--nominal", arguments->nominal,
+          "Where the LiDAR was thought to be: x,y,z,yaw,pitch,roll (m, degrees), or a file; default: the result's")
+      ->type_name("SIX|FILE");
+  ObstacleOptions::visit(arguments->options, OptionAdder{*verb});
+  verb->callback(
+      [arguments, &console, &run] { run = [arguments, &console] { return obstacles(*arguments, console); }; });
+}
+
+}  // namespace remount

@@ -1,0 +1,56 @@
+// Command line options from an option struct that describes itself.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "algorithms/core/options.h"
+#include "model/io/document.h"
+
+namespace remount {
+
+/// One option for each member: "duration_s" becomes --duration-s, with its unit, range, default and meaning in the
+/// help. An enumeration becomes a required positional argument.
+struct OptionAdder {
+  CLI::App& verb;
+
+  static std::string flag(const OptionInfo& info) {
+    std::string name = "--" + std::string(info.name);
+    for (char& c : name)
+      if (c == '_') c = '-';
+    return name;
+  }
+  static std::string help(const OptionInfo& info) {
+    return std::string(info.help) + (info.unit.empty() ? "" : " [" + std::string(info.unit) + "]");
+  }
+
+  template <class T>
+  void operator()(const OptionInfo& info, T& value) {
+    CLI::Option* option = verb.add_option(flag(info), value, help(info))->capture_default_str();
+    if constexpr (std::is_same_v<T, bool>) {
+      option->type_name("true|false");
+    } else if constexpr (std::is_arithmetic_v<T>) {
+      CLI::Range range(static_cast<T>(info.minimum), static_cast<T>(info.maximum));
+      // The range stands in the option's type already.
+      option->check(range.description(""))->type_name(shortest(info.minimum) + ".." + shortest(info.maximum));
+    }
+  }
+
+  template <class T>
+  void choice(const OptionInfo& info, T& value, const std::vector<std::string_view>& names) {
+    const std::vector<std::string> known(names.begin(), names.end());
+    std::string list;
+    for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+    const auto assign = [&value, known](const std::string& name) {
+      value = static_cast<T>(std::find(known.begin(), known.end(), name) - known.begin());
+    };
+    verb.add_option_function<std::string>(std::string(info.name), assign, help(info) + " One of " + list)
+        ->check(CLI::IsMember(known).description(""))
+        ->required()
+        ->type_name("SCENARIO");
+  }
+};
+
+}  // namespace remount
