@@ -52,6 +52,7 @@ std::vector<StampedPose> thinned(const std::vector<StampedPose>& poses) {
   std::vector<StampedPose> kept;
   for (const StampedPose& pose : poses)
     if (kept.empty() || pose.stamp_ns - kept.back().stamp_ns >= 200'000'000) kept.push_back(pose);
+  if (!poses.empty() && kept.back().stamp_ns != poses.back().stamp_ns) kept.push_back(poses.back());
   return kept;
 }
 

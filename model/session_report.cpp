@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <utility>
 
 #include "algorithms/core/error.h"
+#include "model/ins_findings.h"
 
 namespace remount {
 namespace {
@@ -151,6 +153,7 @@ SessionReport report_session(const Session& session, Progress& progress) {
   }
   measure_motion(session, report);
   sample_scans(session, report, progress);
+  for (Finding& finding : ins_findings(session)) report.findings.push_back(std::move(finding));
   judge(session, report);
   return report;
 }

@@ -129,7 +129,10 @@ PointCloud CloudBuilder::finish(std::int64_t stamp_ns) {
     const double scale = 1.0 / unit_s;
     const double stamp = std::floor(static_cast<double>(stamp_ns / 1'000'000'000)) * scale +
                          static_cast<double>(stamp_ns % 1'000'000'000) * 1e-9 * scale;
-    zero = stamp_ns != 0 && std::abs(low - stamp) * unit_s < 60.0 ? stamp : low;
+    // File names are often local time: a whole number of half hours apart is a time zone, not another clock.
+    const double apart_s = (low - stamp) * unit_s, zone_s = std::round(apart_s / 1800.0) * 1800.0;
+    const bool same_clock = stamp_ns != 0 && std::abs(zone_s) <= 14.0 * 3600.0 && std::abs(apart_s - zone_s) < 60.0;
+    zero = same_clock ? stamp + zone_s * scale : low;
   } else if (time_type_ == ScalarType::U32) {
     unit_s = 1e-9;
   } else {

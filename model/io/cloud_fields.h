@@ -53,8 +53,9 @@ class CloudBuilder {
 
   /// Time columns hold seconds, milliseconds, microseconds or nanoseconds, absolute or relative; formats do not say
   /// which. Absolute: all values above 1e6 and close together; the unit follows from their size, and they become
-  /// relative to `stamp_ns` (or to the first point where the stamp is 0, or differs by more than a minute: another
-  /// clock). Relative: 32-bit unsigned integers are nanoseconds (Ouster `t`, Livox `offset_time`); otherwise the unit
+  /// relative to `stamp_ns`, after taking out a time zone (a whole number of half hours, up to 14 h: file names are
+  /// often local time); to the first point where the stamp is 0 or still differs by more than a minute: another clock.
+  /// Relative: 32-bit unsigned integers are nanoseconds (Ouster `t`, Livox `offset_time`); otherwise the unit
   /// is the one that makes the scan shorter than two seconds.
   PointCloud finish(std::int64_t stamp_ns);
 

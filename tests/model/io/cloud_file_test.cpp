@@ -146,6 +146,7 @@ TEST_F(CloudFile, TimesBecomeRelativeToTheStamp) {
   expect(with_times("offset_time", "4", "U", "1 1 1 500\n1 1 1 1500\n"), 5e-7f, 1.5e-6f);
   expect(with_times("timestamp", "8", "F", "1 1 1 1635265289.478\n1 1 1 1635265289.567\n"), 0.010f, 0.099f);
   expect(with_times("time_stamp", "8", "U", "1 1 1 1635265289478000000\n1 1 1 1635265289567000000\n"), 0.010f, 0.099f);
+  expect(with_times("timestamp", "8", "F", "1 1 1 1635236489.378\n1 1 1 1635236489.467\n"), -0.09f, -0.001f);  // 8 h
   expect(with_times("TIMESTAMP", "8", "F", "1 1 1 1000000000.5\n1 1 1 1000000000.6\n"), 0.0f, 0.1f);  // another clock
   expect(with_times("time", "4", "F", "1 1 1 0\n1 1 1 99000\n"), 0.0f, 0.099f);                       // microseconds
 }
@@ -312,6 +313,9 @@ TEST(CloudFileOnRealData, ReadsOpenCalibAndZxl19) {
   const PointCloud cloud = load_cloud(opencalib, 0);
   EXPECT_EQ(cloud.size() + cloud.dropped_points, 80787u);
   EXPECT_EQ(cloud.ring.size(), cloud.size());
+  // The name is local time (8 h east) and says when the turn ends.
+  const PointCloud stamped = load_cloud(opencalib, 1'635'265'289'468'000'000);
+  EXPECT_NEAR(*std::min_element(stamped.time_from_stamp_s.begin(), stamped.time_from_stamp_s.end()), -0.0989f, 1e-3f);
   EXPECT_NEAR(*std::max_element(cloud.time_from_stamp_s.begin(), cloud.time_from_stamp_s.end()), 0.0999f, 1e-3f);
   const PointCloud still = load_cloud(shared_data() / "zxl19" / "static1.pcd", 0);
   EXPECT_EQ(still.size() + still.dropped_points, 171522u);
