@@ -6,27 +6,15 @@
 #include <random>
 
 #include "algorithms/geometry/rotation.h"
-#include "model/io/attitude_convention.h"
-#include "model/io/inspvax_log.h"
 #include "model/io/number_text.h"
 #include "model/io/pose_file.h"
 #include "model/io/session_reader.h"
 #include "model/io/time_stamp.h"
+#include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
 
 namespace remount {
 namespace {
-
-const Finding* find(const Session& session, const std::string& code) {
-  for (const Finding& finding : session.findings)
-    if (finding.code == code) return &finding;
-  return nullptr;
-}
-
-Session open(const std::filesystem::path& path) {
-  Progress progress;
-  return open_session(path, progress);
-}
 
 // ---- KITTI raw
 
@@ -202,133 +190,6 @@ TEST(OpenCalibReader, RealDataAreExactConjugates) {
     worst_rad = std::max(worst_rad, std::abs(motion(session.world_from_ins) - motion(session.odometry_from_lidar)));
   }
   EXPECT_LT(worst_rad, 1e-5) << "equal angles of rotation, whatever X is";
-}
-
-// ---- NovAtel INSPVAX
-
-std::string inspvaxa(int week, double seconds, double azimuth_deg, const std::string& status = "INS_SOLUTION_GOOD") {
-  char body[512];
-  std::snprintf(body, sizeof body,
-                "INSPVAXA,COM1,0,73.5,FINESTEERING,%d,%.3f,00000040,4e77,43562;%s,INS_PSRSP,51.11637873403,-114."
-                "03825114994,1063.6093,-16.9000,0.1,0.2,"
-                "0.3,1.5,-2.5,%.6f,0.8,0.9,1.2,0.01,0.02,0.03,0.5,0.6,0.7,37343000,0",
-                week, seconds, status.c_str(), azimuth_deg);
-  char crc[16];
-  std::snprintf(crc, sizeof crc, "%08x", novatel_crc32(body));
-  return std::string("#") + body + "*" + crc + "\r\n";
-}
-
-TEST(InspvaxLog, ChecksumIsNovAtels) {
-  // The example of the OEM6 firmware reference manual for BESTPOSA.
-  EXPECT_EQ(novatel_crc32("BESTPOSA,COM1,0,78.0,FINESTEERING,1427,325298.000,00000000,6145,2748;SOL_COMPUTED,SINGLE,51."
-                          "11678928753,-114.03886216575,"
-                          "1064.3470,-16.2708,WGS84,2.3434,1.3043,4.7300,\"\",0.000,0.000,7,7,0,0,0,06,0,03"),
-            0x9c9a92bbu);
-}
-
-TEST(InspvaxLog, AsciiLinesWithTheirConvention) {
-  const TemporaryFolder folder;
-  const auto file = folder.write("a.log", "#BESTPOSA,other\n" + inspvaxa(2183, 269353.56, 90.0) +
-                                              inspvaxa(2183, 269353.58, 91.0, "INS_SOLUTION_FREE"));
-  ASSERT_EQ(recognise_inspvax(file), InspvaxFormat::AsciiLog);
-  std::vector<Finding> findings;
-  const auto ins = read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins;
-  ASSERT_EQ(ins.size(), 2u);
-  EXPECT_TRUE(findings.empty());
-  EXPECT_EQ(ins[0].stamp_ns, 1'636'512'535'560'000'000) << "18 leap seconds";
-  EXPECT_NEAR(radians_to_degrees(ins[0].latitude_rad), 51.11637873403, 1e-12);
-  EXPECT_NEAR(ins[0].height_m, 1063.6093 - 16.9, 1e-9) << "above the ellipsoid";
-  EXPECT_EQ(ins[0].quality, InsQuality::Good);
-  EXPECT_EQ(ins[1].quality, InsQuality::Degraded);
-  EXPECT_EQ(ins[0].sigma.position_enu_m, Eigen::Vector3d(0.9, 0.8, 1.2));
-  EXPECT_NEAR(radians_to_degrees(ins[0].sigma.attitude_rad.y()), 0.5, 1e-12) << "roll is about y in right-forward-up";
-  const Eigen::Vector3d nose_in_enu = ins[0].enu_from_ins * Eigen::Vector3d::UnitY();
-  EXPECT_NEAR(nose_in_enu.x(), std::cos(degrees_to_radians(2.5)), 1e-12) << "heads east";
-  EXPECT_NEAR(nose_in_enu.z(), std::sin(degrees_to_radians(-2.5)), 1e-12) << "nose down";
-}
-
-TEST(InspvaxLog, BadLinesAreCountedAndSkipped) {
-  const TemporaryFolder folder;
-  std::string flipped = inspvaxa(2183, 2.0, 90.0);
-  flipped[70] = flipped[70] == '1' ? '2' : '1';
-  const auto file =
-      folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + flipped + "#INSPVAXA,cut;off\n" + inspvaxa(2183, 3.0, 90.0) +
-                                inspvaxa(2183, 3.0, 90.0) + inspvaxa(2183, 2.5, 90.0) + inspvaxa(2183, 700000.0, 90.0) +
-                                inspvaxa(2183, 4.0, 90.0));
-  std::vector<Finding> findings;
-  EXPECT_EQ(read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins.size(), 3u);
-  ASSERT_EQ(findings.size(), 3u);
-  EXPECT_TRUE(contains(findings[0].explanation, "3 lines cannot be used")) << findings[0].explanation;
-  EXPECT_TRUE(contains(findings[0].explanation, "a.log:2: the checksum does not agree"));
-  EXPECT_EQ(findings[1].code, "ins-duplicate-stamps");
-  EXPECT_EQ(findings[2].code, "ins-reversed-stamps");
-  EXPECT_ERROR(read_inspvax(folder.write("b.log", flipped), InspvaxFormat::AsciiLog, findings),
-               "no usable INSPVAX line");
-}
-
-TEST(NovatelReader, ALogAloneSaysWhatIsMissing) {
-  const TemporaryFolder folder;
-  const Session session = open(folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + inspvaxa(2183, 1.02, 90.0)));
-  EXPECT_EQ(session.format, "novatel-inspvax");
-  EXPECT_EQ(session.ins_axes, to_string(InsAxes::RightForwardUp));
-  ASSERT_NE(find(session, "one-stream"), nullptr);
-}
-
-/// Screw angles of INS and LiDAR over `gap` LiDAR poses agree: the clocks do too.
-double angle_rms_rad(const Session& session, std::size_t gap) {
-  double sum = 0.0;
-  int count = 0;
-  const auto attitude_at = [&](std::int64_t stamp_ns, Eigen::Quaterniond& q) {
-    const auto after =
-        std::lower_bound(session.ins.begin(), session.ins.end(), stamp_ns,
-                         [](const InsSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
-    if (after == session.ins.begin() || after == session.ins.end()) return false;
-    const InsSample &b = *after, &a = *(after - 1);
-    q = a.enu_from_ins.slerp(static_cast<double>(stamp_ns - a.stamp_ns) / static_cast<double>(b.stamp_ns - a.stamp_ns),
-                             b.enu_from_ins);
-    return true;
-  };
-  const auto& lidar = session.odometry_from_lidar;
-  for (std::size_t i = 0; i + gap < lidar.size(); ++i) {
-    Eigen::Quaterniond a, b;
-    if (!attitude_at(lidar[i].stamp_ns, a) || !attitude_at(lidar[i + gap].stamp_ns, b)) continue;
-    const double difference =
-        a.angularDistance(b) - so3_log((lidar[i].pose.inverse() * lidar[i + gap].pose).linear()).norm();
-    sum += difference * difference;
-    ++count;
-  }
-  return count > 100 ? std::sqrt(sum / count) : 1e9;
-}
-
-TEST(NovatelReader, RealDrivesLandOnTheInsTimeLine) {
-  SKIP_WITHOUT(shared_data() / "zxl19");
-  for (const char* bag : {"bag1", "bag2", "bag4"}) {
-    Session session = open(shared_data() / "zxl19" / bag);
-    ASSERT_NE(find(session, "clock-aligned"), nullptr) << bag;
-    EXPECT_GT(session.ins.size(), 2900u);
-    EXPECT_GT(session.odometry_from_lidar.size(), 560u);
-    const double rms = angle_rms_rad(session, 10);
-    EXPECT_LT(radians_to_degrees(rms), 0.2) << bag;
-    for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += 100'000'000;
-    EXPECT_GT(angle_rms_rad(session, 10), 1.5 * rms) << "a tenth of a second off must show";
-  }
-}
-
-TEST(NovatelReader, SpreadsheetStampsDoNotMatterAndTheIntactFileIsPreferred) {
-  const auto bag4 = shared_data() / "zxl19" / "bag4";
-  SKIP_WITHOUT(bag4);
-  const Session both = open(bag4);
-  ASSERT_NE(find(both, "ins-file-chosen"), nullptr);
-  EXPECT_TRUE(contains(find(both, "ins-file-chosen")->explanation, "rounded-stamps"));
-  const TemporaryFolder folder;
-  std::filesystem::copy_file(bag4 / "bag4-novatel_data-inspvax-rounded-stamps.csv", folder.path() / "rounded.csv");
-  std::filesystem::copy_file(bag4 / "bag4-aft_mapped_to_init.csv", folder.path() / "aft_mapped.csv");
-  const Session rounded = open(folder.path());
-  EXPECT_NE(find(rounded, "host-stamps-rounded"), nullptr);
-  ASSERT_EQ(rounded.odometry_from_lidar.size(), both.odometry_from_lidar.size());
-  EXPECT_NEAR(
-      static_cast<double>(rounded.odometry_from_lidar[9].stamp_ns - both.odometry_from_lidar[9].stamp_ns) * 1e-9, 0.0,
-      0.005);
 }
 
 // ---- Pose files
