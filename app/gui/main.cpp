@@ -2,12 +2,34 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QTimer>
+#include <iostream>
+#include <string_view>
 
 #include "app/gui/main_window.h"
 #include "remount_version.h"
 #include "widgets/gl_support.h"
 
+namespace {
+
+/// Qt ends the program with a core dump where it finds no display; a sentence is kinder.
+bool display_is_missing(int argc, char** argv) {
+#if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
+  for (int i = 1; i < argc; ++i)
+    if (std::string_view(argv[i]) == "-platform") return false;
+  return qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+         qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+#else
+  return argc < 0 || !argv;
+#endif
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  if (display_is_missing(argc, argv)) {
+    std::cerr << "remount: there is no display to open the window on. Set DISPLAY, or use remount-cli.\n";
+    return 1;
+  }
   remount::prepare_gl();
   QApplication application(argc, argv);
   QApplication::setApplicationName("Remount");

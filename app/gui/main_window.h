@@ -69,6 +69,7 @@ class MainWindow : public QMainWindow {
   void ask_for_nominal();
   void show_options();
   void show_export();
+  void show_obstacles();
   void copy_result();
   void decide(PairState state);
   void go(int step, bool undecided);
@@ -84,6 +85,7 @@ class MainWindow : public QMainWindow {
   void show_clouds(int pair, const CloudsPtr& clouds);
   void show_message(Severity severity, const QString& where, const QString& what);
   void progress_text(const QString& text);  ///< unless a calibration reports there
+  QString scan_name(int keyframe) const;
   QString pair_caption(int pair) const;
   void set_palettes();
 
@@ -108,8 +110,9 @@ class MainWindow : public QMainWindow {
   QDockWidget *pairs_dock_ = nullptr, *candidates_dock_ = nullptr, *log_dock_ = nullptr, *setup_dock_ = nullptr,
               *result_dock_ = nullptr;
   QPushButton* run_ = nullptr;
-  QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr;
+  QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *obstacles_ = nullptr;
   std::vector<QAction*> review_actions_;
+  CloudsPtr shown_clouds_;  // of the selected pair
   bool was_busy_ = false;
 };
 

@@ -15,6 +15,7 @@
 #include "app/gui/result_files.h"
 #include "remount_version.h"
 #include "widgets/charts/error_bar_chart.h"
+#include "widgets/panels/obstacle_dialog.h"
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
@@ -61,6 +62,8 @@ void MainWindow::make_review_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Calibrate"));
   calibrate_ = add_action(menu, tr("&Calibrate"), tr("F5"), [this] { workbench_.calibrate(); });
   cancel_ = add_action(menu, tr("C&ancel"), tr("Esc"), [this] { workbench_.cancel(); });
+  menu.addSeparator();
+  obstacles_ = add_action(menu, tr("Check &obstacles…"), tr("Ctrl+B"), [this] { show_obstacles(); });
   QMenu& review = *menuBar()->addMenu(tr("&Review"));
   const auto add = [&](const QString& text, const char* key, const std::function<void()>& act) {
     review_actions_.push_back(add_action(review, text, QKeySequence(QLatin1String(key)), act));
@@ -163,7 +166,7 @@ void MainWindow::show_options() {
 
 void MainWindow::show_export() {
   const OutputPtr output = workbench_.output();
-  if (!output || !has_numbers(output->result.status)) {
+  if (!output || !is_usable(output->result)) {
     show_message(Severity::Warning, {}, tr("There is no result to export yet."));
     return;
   }
@@ -191,6 +194,17 @@ void MainWindow::show_export() {
             }
           });
   dialog->open();
+}
+
+void MainWindow::show_obstacles() {
+  const OutputPtr output = workbench_.output();
+  if (!output || !shown_clouds_ || workbench_.selected_pair() < 0) return;
+  const Pair& pair = output->pairs.at(static_cast<std::size_t>(workbench_.selected_pair()));
+  auto* dialog =
+      new ObstacleDialog(tr("scan b of pair %1, %2").arg(workbench_.selected_pair()).arg(scan_name(pair.keyframe_b)),
+                         shown_clouds_, output->initial_ins_from_lidar, output->result.ins_from_lidar, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show();
 }
 
 void MainWindow::copy_result() {

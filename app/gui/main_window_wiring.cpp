@@ -57,6 +57,8 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::job_progressed, progress_, &ProgressStrip::show_progress);
   connect(&workbench_, &Workbench::selection_changed, this, [this](int pair) {
     pairs_->show_selected(pair);
+    shown_clouds_ = nullptr;
+    obstacles_->setEnabled(false);
     if (pair < 0) pair_view_->show_message(tr("Select a pair to see its two scans."));
   });
   connect(&workbench_, &Workbench::clouds_loading, this, [this](int pair) {
@@ -116,7 +118,8 @@ void MainWindow::show_state() {
             : tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5."));
   cancel_->setEnabled(busy);
   const OutputPtr output = workbench_.output();
-  export_->setEnabled(output && has_numbers(output->result.status));
+  export_->setEnabled(output && is_usable(output->result));
+  obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
   for (QAction* action : review_actions_) action->setEnabled(output != nullptr);
   QString note;
   if (workbench_.solving())
@@ -128,21 +131,22 @@ void MainWindow::show_state() {
   result_->show_note(note);
 }
 
+QString MainWindow::scan_name(int index) const {
+  const Keyframe& keyframe = workbench_.output()->keyframes.at(static_cast<std::size_t>(index));
+  const Session& session = *workbench_.sessions().at(static_cast<std::size_t>(keyframe.session));
+  return session.scans ? QString::fromStdString(session.scans->name(static_cast<std::size_t>(keyframe.scan)))
+                       : tr("pose %1").arg(keyframe.scan);
+}
+
 QString MainWindow::pair_caption(int pair) const {
   const OutputPtr output = workbench_.output();
   const Pair& chosen = output->pairs.at(static_cast<std::size_t>(pair));
-  const auto name = [&](int index) {
-    const Keyframe& keyframe = output->keyframes.at(static_cast<std::size_t>(index));
-    const Session& session = *workbench_.sessions().at(static_cast<std::size_t>(keyframe.session));
-    return session.scans ? QString::fromStdString(session.scans->name(static_cast<std::size_t>(keyframe.scan)))
-                         : tr("pose %1").arg(keyframe.scan);
-  };
   QString verdict = state_text(chosen);
   if (!chosen.reason.empty() && chosen.decided_by != DecidedBy::User)
     verdict += QStringLiteral(": ") + QString::fromStdString(chosen.reason);
   return tr("Pair %1: %2 → %3, %4 m, %5°. %6")
       .arg(pair)
-      .arg(name(chosen.keyframe_a), name(chosen.keyframe_b))
+      .arg(scan_name(chosen.keyframe_a), scan_name(chosen.keyframe_b))
       .arg(chosen.baseline_m, 0, 'f', 2)
       .arg(radians_to_degrees(chosen.rotation_rad), 0, 'f', 2)
       .arg(verdict);
@@ -151,6 +155,8 @@ QString MainWindow::pair_caption(int pair) const {
 void MainWindow::show_clouds(int pair, const CloudsPtr& clouds) {
   const OutputPtr output = workbench_.output();
   if (!output || pair != workbench_.selected_pair()) return;
+  shown_clouds_ = clouds;
+  obstacles_->setEnabled(is_usable(output->result) && !clouds->objects_b.empty());
   if (clouds->cloud_a.size() == 0 && clouds->cloud_b.size() == 0) {
     pair_view_->show_message(tr("Pair %1 comes from LiDAR poses: there are no scans to show.").arg(pair));
   } else {

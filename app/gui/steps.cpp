@@ -84,7 +84,7 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     step(Step::Solve) = {StepState::Running, text("solving again…")};
   else
     step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(status)};
-  if (has_numbers(status))
+  if (is_usable(output->result))
     step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, text("exported")}
                                               : StepInfo{StepState::Next, text("ready (Ctrl+E)")};
   return steps;

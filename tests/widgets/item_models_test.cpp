@@ -100,7 +100,7 @@ TEST(SessionListModel, lists_findings_beneath_their_session) {
   ASSERT_EQ(model.rowCount(), 2);
   const QModelIndex second = model.index(1, 0);
   ASSERT_EQ(model.rowCount(second), 1);
-  EXPECT_EQ(model.session_of(model.index(0, 1, second)), 1);
+  EXPECT_EQ(model.session_of(model.index(0, 0, second)), 1);
   EXPECT_TRUE(model.index(0, 0, second).data().toString().contains("ins.csv:212"));
 }
 

@@ -16,6 +16,8 @@
 #include "widgets/gl_support.h"
 #include "widgets/panels/export_dialog.h"
 #include "widgets/panels/message_banner.h"
+#include "widgets/panels/obstacle_dialog.h"
+#include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/theme.h"
@@ -220,6 +222,10 @@ TEST_F(WindowFlow, the_pair_is_shown_in_three_dimensions) {
   EXPECT_EQ(aligned, view.canvas()->grab().toImage());
   view.look(StandardView::Fit);
   photograph(window_, "3-pair");
+  trigger("Ctrl+,");
+  photograph(child<OptionsDialog>(), "9-options");
+  trigger("Ctrl+B");
+  photograph(child<ObstacleDialog>(), "10-obstacles");
   workbench_.decide({3, 4}, PairState::Rejected);
   ASSERT_TRUE(settle());
   view.look(StandardView::Top);

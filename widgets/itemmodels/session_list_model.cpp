@@ -74,20 +74,19 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
   const bool is_session = index.internalId() == kTop;
   if (is_session) {
     const Severity severity = worst(session);
-    if (role == Qt::DisplayRole && index.column() == Name)
-      return severity == Severity::Note ? QString::fromStdString(session.name)
-                                        : severity_sign(severity) + ' ' + QString::fromStdString(session.name);
-    if (role == Qt::DisplayRole) return session_summary(session);
+    if (role == Qt::DisplayRole) {
+      const QString sign = severity == Severity::Note ? QString() : severity_sign(severity) + ' ';
+      return sign + QString::fromStdString(session.name) + '\n' + session_summary(session);
+    }
     if (role == Qt::ToolTipRole) return QString::fromStdString(session.path.string()) + '\n' + session_summary(session);
-    if (role == Qt::ForegroundRole && index.column() == Name && severity != Severity::Note)
-      return QBrush(severity_color(severity, palette_));
+    if (role == Qt::ForegroundRole && severity != Severity::Note) return QBrush(severity_color(severity, palette_));
     return {};
   }
   const Finding& finding = session.findings[static_cast<std::size_t>(index.row())];
   const QString explanation = QString::fromStdString(finding.explanation);
-  if (role == Qt::DisplayRole && index.column() == Name)
-    return severity_sign(finding.severity) + ' ' + QString::fromStdString(finding.where);
-  if (role == Qt::DisplayRole) return explanation;
+  if (role == Qt::DisplayRole)
+    return severity_sign(finding.severity) + ' ' + QString::fromStdString(finding.where) + QStringLiteral(": ") +
+           explanation;
   if (role == Qt::ToolTipRole) return QString::fromStdString(finding.where) + '\n' + explanation;
   if (role == Qt::ForegroundRole) return QBrush(severity_color(finding.severity, palette_));
   return {};
@@ -95,7 +94,7 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
 
 QVariant SessionListModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  return section == Name ? tr("Session") : tr("Content");
+  return section == Name ? tr("Session") : QString();
 }
 
 }  // namespace remount

@@ -13,7 +13,7 @@ namespace remount {
 class SessionListModel : public QAbstractItemModel {
   Q_OBJECT
  public:
-  enum Column { Name, Content, ColumnCount };
+  enum Column { Name, ColumnCount };
 
   using QAbstractItemModel::QAbstractItemModel;
   void show_sessions(std::vector<std::shared_ptr<const Session>> sessions);

@@ -3,8 +3,10 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <algorithm>
 #include <cmath>
 
+#include "model/result_file.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -23,6 +25,12 @@ QString html_list(const QString& title, const QStringList& items) {
   QString html = "<p><b>" + title.toHtmlEscaped() + "</b></p><ul style='margin-left:-22px; margin-top:0'>";
   for (const QString& item : items) html += "<li>" + item.toHtmlEscaped() + "</li>";
   return html + "</ul>";
+}
+
+/// Nothing rather than "nan", should an observed parameter come without one.
+std::optional<double> finite_sigma(const CalibrationResult& result, std::size_t i) {
+  const std::optional<double> sigma = result.sigma(i);
+  return sigma && std::isfinite(*sigma) ? sigma : std::nullopt;
 }
 
 QColor status_color(Status status, const QPalette& palette) {
@@ -71,7 +79,7 @@ QString result_as_text(const CalibrationResult& result) {
                     ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)")};
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
   for (std::size_t i = 0; i < values.size() && has_numbers(result.status); ++i) {
-    const std::optional<double> sigma = result.sigma(i);
+    const std::optional<double> sigma = finite_sigma(result, i);
     lines << QStringLiteral("%1 = %2%3 %4")
                  .arg(parameter_name(i))
                  .arg(values[i], 0, 'f', 4)
@@ -151,7 +159,7 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
                               std::shared_ptr<const PipelineOutput> before) {
   const bool numbers = output && has_numbers(output->result.status);
   copy_->setEnabled(numbers);
-  export_->setEnabled(numbers);
+  export_->setEnabled(output && is_usable(output->result));
   if (!output) {
     status_->setText(tr("No result yet"));
     status_->setStyleSheet({});
@@ -174,17 +182,19 @@ void ResultPanel::show_parameters(const CalibrationResult& result, const Calibra
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
   const std::array<double, 6> old = before ? six_on_screen(before->ins_from_lidar) : values;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const std::optional<double> sigma = result.sigma(i);
+    const std::optional<double> sigma = finite_sigma(result, i);
     Row& row = rows_[i];
     row.value->setText(numbers ? QString::number(values[i], 'f', 4) + unit(i) : QStringLiteral("–"));
     row.value->setEnabled(numbers && sigma.has_value());
     const double spread = sigma ? on_screen(i, *sigma) : 0.0;
+    const double bootstrap = on_screen(i, result.bootstrap_sigma[i]);
     row.sigma->setText(!numbers ? QString()
                        : sigma  ? QStringLiteral("± %1").arg(spread, 0, 'f', 4)
                                 : tr("not observed"));
     row.sigma->setStyleSheet(sigma || !numbers ? QString() : "color: " + warning_color(palette()).name());
     row.sigma->setToolTip(sigma || !numbers
-                              ? tr("From the joint solution and the bootstrap over pairs")
+                              ? (bootstrap > 0.0 ? tr("Bootstrap over blocks of time: ± %1").arg(bootstrap, 0, 'f', 4)
+                                                 : tr("From the information of the solution"))
                               : tr("This drive says nothing about it; the value shown is the one assumed before"));
     double change = values[i] - old[i];
     if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));

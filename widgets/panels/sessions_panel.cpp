@@ -15,7 +15,7 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   tree_->setAccessibleName(tr("Open sessions and findings"));
   tree_->setWordWrap(true);
   tree_->setUniformRowHeights(false);
-  tree_->header()->setStretchLastSection(true);
+  tree_->setHeaderHidden(true);
   auto* open = new QPushButton(tr("Open…"), this);
   open->setToolTip(tr("A folder or file with a recorded drive; several drives of one vehicle are calibrated together"));
   connect(open, &QPushButton::clicked, this, &SessionsPanel::open_requested);
@@ -39,8 +39,7 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
 
 void SessionsPanel::after_reset() {
   remove_->setEnabled(false);
-  tree_->resizeColumnToContents(0);
-  tree_->setColumnWidth(0, std::min(tree_->columnWidth(0), 150));
+  tree_->expandAll();  // what was found is not to be hidden
 }
 
 }  // namespace remount

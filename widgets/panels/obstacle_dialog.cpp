@@ -1,0 +1,143 @@
+#include "widgets/panels/obstacle_dialog.h"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "widgets/theme.h"
+
+namespace remount {
+namespace {
+
+QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
+
+QString label_of(const OptionInfo& info) {
+  QString label = text(info.name);
+  if (!info.unit.empty() && label.endsWith('_' + text(info.unit)))
+    label.chop(static_cast<qsizetype>(info.unit.size()) + 1);
+  label.replace('_', ' ');
+  label[0] = label[0].toUpper();
+  return label;
+}
+
+/// Adds one editor for each option; `changed` is called after the member has its new value.
+struct FormBuilder {
+  QFormLayout& layout;
+  std::function<void()> changed;
+
+  void add(const OptionInfo& info, QWidget* editor) {
+    editor->setToolTip(text(info.help));
+    editor->setAccessibleName(label_of(info));
+    layout.addRow(label_of(info), editor);
+  }
+  void operator()(const OptionInfo& info, double& member) {
+    auto* spin = new QDoubleSpinBox;
+    spin->setRange(info.minimum, info.maximum);
+    spin->setSuffix(' ' + text(info.unit));
+    spin->setSingleStep(0.1);
+    spin->setKeyboardTracking(false);
+    spin->setValue(member);
+    QObject::connect(spin, &QDoubleSpinBox::valueChanged, spin, [&member, done = changed](double value) {
+      member = value;
+      done();
+    });
+    add(info, spin);
+  }
+  void operator()(const OptionInfo& info, bool& member) {
+    auto* box = new QCheckBox;
+    box->setChecked(member);
+    QObject::connect(box, &QCheckBox::toggled, box, [&member, done = changed](bool on) {
+      member = on;
+      done();
+    });
+    add(info, box);
+  }
+};
+
+QString distance(double value_m) {
+  return std::isfinite(value_m) ? ObstacleDialog::tr("%1 m").arg(value_m, 0, 'f', 2)
+                                : ObstacleDialog::tr("no obstacle");
+}
+
+}  // namespace
+
+ObstacleDialog::ObstacleDialog(const QString& scan, std::shared_ptr<const PairClouds> clouds,
+                               const RigidTransform& nominal_ins_from_lidar,
+                               const RigidTransform& calibrated_ins_from_lidar, QWidget* parent)
+    : QDialog(parent),
+      clouds_(std::move(clouds)),
+      nominal_(nominal_ins_from_lidar),
+      calibrated_(calibrated_ins_from_lidar),
+      verdict_(new QLabel(this)),
+      table_(new QTableWidget(this)) {
+  setWindowTitle(tr("Obstacles in %1").arg(scan));
+  verdict_->setWordWrap(true);
+  verdict_->setAccessibleName(tr("Decision"));
+  table_->setColumnCount(4);
+  table_->setHorizontalHeaderLabels({tr("Object"), tr("Before"), tr("With result"), tr("Difference")});
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->setAccessibleName(tr("Distance of each object from the outline of the vehicle"));
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* grid = new QGridLayout(this);
+  grid->addWidget(verdict_, 0, 0, 1, 2);
+  grid->addWidget(make_form(), 1, 0, Qt::AlignTop);
+  grid->addWidget(table_, 1, 1);
+  grid->addWidget(buttons, 2, 0, 1, 2);
+  grid->setColumnStretch(1, 1);
+  resize(760, 440);
+  check();
+}
+
+QWidget* ObstacleDialog::make_form() {
+  auto* form = new QWidget(this);
+  auto* layout = new QFormLayout(form);
+  layout->setContentsMargins(0, 0, 0, 0);
+  FormBuilder builder{*layout, [this] { check(); }};
+  ObstacleOptions::visit(options_, builder);
+  return form;
+}
+
+void ObstacleDialog::check() {
+  ObstacleComparison found;
+  try {
+    found = compare_obstacles(clouds_->cloud_b, clouds_->objects_b, nominal_, calibrated_, options_);
+  } catch (const Error& error) {
+    table_->setRowCount(0);
+    verdict_->setText(QString::fromStdString(error.what_happened()));
+    return;
+  }
+  const auto words = [this](const ObstacleCheck& result) {
+    return result.decision == ObstacleDecision::Stop ? tr("stop (nearest %1)").arg(distance(result.nearest_m))
+                                                     : tr("clear (nearest %1)").arg(distance(result.nearest_m));
+  };
+  const QColor color = found.decision_differs()                              ? bad_color(palette())
+                       : found.calibrated.decision == ObstacleDecision::Stop ? warning_color(palette())
+                                                                             : good_color(palette());
+  verdict_->setStyleSheet(QStringLiteral("padding: 6px; border-left: 4px solid %1; background: %2")
+                              .arg(color.name(), tinted(color, palette()).name()));
+  QString verdict = tr("Before: %1. With result: %2.").arg(words(found.nominal), words(found.calibrated));
+  if (found.decision_differs()) verdict += ' ' + tr("The mounting changes the decision.");
+  verdict_->setText(verdict);
+  table_->setRowCount(static_cast<int>(found.rows.size()));
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    const ObstacleDifference& entry = found.rows[static_cast<std::size_t>(row)];
+    const double change_m = entry.calibrated_distance_m - entry.nominal_distance_m;
+    const std::array<QString, 4> cells{QStringLiteral("%1 %2").arg(entry.object).arg(text(to_string(entry.shape))),
+                                       distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
+                                       std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
+    for (int column = 0; column < 4; ++column)
+      table_->setItem(row, column, new QTableWidgetItem(cells[static_cast<std::size_t>(column)]));
+  }
+}
+
+}  // namespace remount

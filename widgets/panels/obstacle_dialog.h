@@ -1,0 +1,33 @@
+// What the new mounting means: obstacles of one scan, how far from the vehicle under the nominal and the new X.
+#pragma once
+
+#include <QDialog>
+#include <memory>
+
+#include "algorithms/quality/obstacle_check.h"
+#include "model/pipeline.h"
+
+class QLabel;
+class QTableWidget;
+
+namespace remount {
+
+class ObstacleDialog : public QDialog {
+  Q_OBJECT
+ public:
+  ObstacleDialog(const QString& scan, std::shared_ptr<const PairClouds> clouds,
+                 const RigidTransform& nominal_ins_from_lidar, const RigidTransform& calibrated_ins_from_lidar,
+                 QWidget* parent = nullptr);
+
+ private:
+  QWidget* make_form();
+  void check();
+
+  std::shared_ptr<const PairClouds> clouds_;  // scan b is checked
+  RigidTransform nominal_, calibrated_;
+  ObstacleOptions options_;
+  QLabel* verdict_;
+  QTableWidget* table_;
+};
+
+}  // namespace remount
