@@ -1,0 +1,258 @@
+// Runs the program itself: exit codes, bytes, messages.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+
+#include "algorithms/geometry/rigid_transform.h"
+#include "model/exporters/exporter.h"
+#include "model/project.h"
+
+namespace remount {
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class cli : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "remount_cli_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    const Outcome made =
+        run("simulate street " + path("drive") +
+            " --duration-s 3 --beams 24 --azimuth-steps 400 --scan-rate-hz 5 --ins-from-lidar 1.2,-0.3,0.8,5,1,-1");
+    ASSERT_EQ(made.code, 0) << made.err;
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+
+  static std::string path(const std::string& name) { return (folder_ / name).string(); }
+
+  static Outcome run(const std::string& arguments) {
+    const std::string command = std::string("'") + REMOUNT_CLI + "' " + arguments + " > '" + path("out.txt") +
+                                "' 2> '" + path("err.txt") + "' < /dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(path("out.txt")),
+            text_of(path("err.txt"))};
+  }
+
+  /// Motion pairs for a known X; `planar` turns about the vertical only.
+  static std::string pairs_file(const std::string& name, bool planar, bool straight = false) {
+    const RigidTransform x = rigid_from_six({0.5, -0.2, 0.7, 0.3, 0.02, -0.01});
+    std::ofstream file(path(name));
+    file.precision(15);
+    file << "# exact pairs\nset,i,j";
+    for (const char letter : {'P', 'Q'})
+      for (int i = 0; i < 12; ++i) file << "," << letter << i / 4 << i % 4;
+    file << "\n";
+    for (int k = 0; k < 30; ++k) {
+      const double turn = straight ? 0.0 : 0.2 + 0.01 * k;
+      const RigidTransform p = rigid_from_six({2.0 + 0.1 * k, straight ? 0.0 : 0.3 * std::sin(k), 0.0,
+                                               k % 2 ? turn : -turn, planar || straight ? 0.0 : 0.3 * std::sin(1.7 * k),
+                                               planar || straight ? 0.0 : 0.3 * std::cos(2.3 * k)});
+      const RigidTransform q = x.inverse() * p * x;
+      file << "s," << k << "," << k + 1;
+      for (const RigidTransform& motion : {p, q})
+        for (int i = 0; i < 12; ++i) file << "," << motion(i / 4, i % 4);
+      file << "\n";
+    }
+    return path(name);
+  }
+
+  static std::filesystem::path folder_;
+};
+std::filesystem::path cli::folder_;
+
+TEST_F(cli, wrong_usage_is_exit_code_1) {
+  for (const std::string& arguments : std::vector<std::string>{
+           "", "nothing", "calibrate", "calibrate " + path("drive") + " --range 1:2",
+           "calibrate " + path("drive") + " --range x=2:1", "calibrate " + path("drive") + " --set solve.nothing=1",
+           "calibrate " + path("drive") + " -o " + path("r.txt"),
+           "calibrate " + path("drive") + " -o " + path("none/r.yaml"),
+           "calibrate " + path("drive") + " --nominal 1,2,3", "calibrate " + path("drive") + " --unknown",
+           "simulate nowhere " + path("x"), "simulate street " + path("x") + " --beams 0",
+           "solve " + pairs_file("p.csv", false) + " -j -3"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments << "\n" << outcome.err;
+    EXPECT_FALSE(outcome.err.empty()) << arguments;
+  }
+  EXPECT_EQ(run("--help").code, 0);
+  EXPECT_EQ(run("--version").code, 0);
+  EXPECT_EQ(run("calibrate --help").code, 0);
+}
+
+TEST_F(cli, unreadable_input_is_exit_code_2_and_named) {
+  std::ofstream(path("broken.yaml")) << "pairing:\n  max_gap_s: often\n  typo: 1\n";
+  std::ofstream(path("broken.csv")) << "a,b,c\n1,2,3\n";
+  std::filesystem::create_directories(path("empty"));
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"calibrate " + path("none"), "none"},
+      {"calibrate " + path("empty"), "empty"},
+      {"calibrate " + path("drive") + " --config " + path("broken.yaml"), "broken.yaml:2"},
+      {"calibrate " + path("drive") + " --config " + path("broken.yaml"), "broken.yaml:3"},
+      {"calibrate " + path("drive") + " --nominal " + path("none.yaml"), "none.yaml"},
+      {"calibrate " + path("drive") + " --nominal " + path("broken.csv"), "broken.csv"},
+      {"calibrate --project " + path("broken.yaml"), "broken.yaml"},
+      {"solve " + path("broken.csv"), "broken.csv:1"},
+      {"solve " + path("none.csv"), "none.csv"},
+      {"solve " + path(""), path("")},
+      {"export " + path("broken.yaml") + " --to ros2", "broken.yaml"},
+      {"inspect " + path("empty"), "empty"},
+      {"obstacles " + path("drive") + " --scan 0 --result " + path("none.yaml"), "none.yaml"}};
+  for (const auto& [arguments, named] : cases) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(named), std::string::npos) << arguments << "\n" << outcome.err;
+  }
+}
+
+TEST_F(cli, calibrates_and_writes_the_same_bytes_for_any_number_of_threads) {
+  const Outcome one = run("calibrate " + path("drive") + " -j 1 -o " + path("j1.yaml"));
+  ASSERT_EQ(one.code, 0) << one.err;
+  ASSERT_EQ(run("calibrate " + path("drive") + " -j 3 -o " + path("j3.yaml")).code, 0);
+  EXPECT_TRUE(text_of(path("j1.yaml")) == text_of(path("j3.yaml")));  // too long to print
+  ASSERT_EQ(run("calibrate " + path("drive") + " -j 2 -o " + path("j2.json")).code, 0);
+  EXPECT_EQ(load_result(path("j1.yaml")).result.ins_from_lidar.matrix(),
+            load_result(path("j2.json")).result.ins_from_lidar.matrix());
+  EXPECT_NE(one.out.find("1-sigma"), std::string::npos) << one.out;
+  EXPECT_NE(one.out.find("rejected"), std::string::npos) << one.out;
+  EXPECT_TRUE(one.err.empty() || one.err.find("warning") == 0) << one.err;
+  const ResultFile result = load_result(path("j1.yaml"));
+  const RigidTransform truth =
+      rigid_from_six({1.2, -0.3, 0.8, degrees_to_radians(5), degrees_to_radians(1), degrees_to_radians(-1)});
+  const Vector6d error = difference(truth, result.result.ins_from_lidar);
+  EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.3)) << error.transpose();
+  EXPECT_LT(error.head<2>().norm(), 0.05) << error.transpose();
+  ASSERT_FALSE(result.inputs.empty());
+  EXPECT_EQ(result.inputs.front().sha256.size(), 64U);
+}
+
+TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {
+  ASSERT_EQ(run("calibrate " + path("drive") + " -o " + path("r.yaml") + " --save-project " + path("r.remount")).code,
+            0);
+  const RigidTransform x = load_result(path("r.yaml")).result.ins_from_lidar;
+  for (const auto& format : exporters()) {
+    const std::string file = path("export_" + std::string(format->id()));
+    ASSERT_EQ(run("export " + path("r.yaml") + " --to " + std::string(format->id()) + " -o " + file).code, 0);
+    EXPECT_LT((format->read(text_of(file), file).matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << format->id();
+  }
+  const Outcome text = run("export " + path("r.yaml") + " --to kitti");
+  EXPECT_EQ(text.out, text_of(path("export_kitti")));
+  EXPECT_EQ(run("export " + path("r.yaml") + " --to nothing").code, 1);
+
+  const Outcome obstacles =
+      run("obstacles " + path("drive") + " --scan 2 --result " + path("r.yaml") + " --nominal 1.2,-0.3,0.8,0,0,0");
+  EXPECT_EQ(obstacles.code, 0) << obstacles.err;
+  EXPECT_NE(obstacles.out.find("decision at 2 m"), std::string::npos) << obstacles.out;
+  EXPECT_EQ(
+      run("obstacles " + path("drive") + " --scan 999 --result " + path("r.yaml") + " --nominal 0,0,0,0,0,0").code, 1);
+
+  const Project project = load_project(path("r.remount"));
+  ASSERT_TRUE(project.output);
+  EXPECT_EQ(project.sessions.at(0), std::filesystem::path(path("drive")));
+  ASSERT_EQ(
+      run("calibrate --project " + path("r.remount") + " --nominal " + path("r.yaml") + " -o " + path("again.yaml"))
+          .code,
+      0);
+  const Vector6d change = difference(x, load_result(path("again.yaml")).result.ins_from_lidar);
+  EXPECT_LT(change.norm(), 0.05) << change.transpose();
+}
+
+TEST_F(cli, solves_pairs_and_names_what_is_not_observed) {
+  ASSERT_EQ(run("solve " + pairs_file("full.csv", false) + " -o " + path("full.json")).code, 0);
+  const ResultFile full = load_result(path("full.json"));
+  const Vector6d error = difference(rigid_from_six({0.5, -0.2, 0.7, 0.3, 0.02, -0.01}), full.result.ins_from_lidar);
+  EXPECT_LT(error.norm(), 1e-6) << error.transpose();
+  EXPECT_EQ(full.result.status, Status::Ok);
+
+  const Outcome planar = run("solve " + pairs_file("planar.csv", true) + " -o " + path("planar.json"));
+  EXPECT_EQ(planar.code, 0) << planar.err;
+  EXPECT_FALSE(load_result(path("planar.json")).result.observed[2]);
+  EXPECT_NE(planar.out.find("not observed"), std::string::npos) << planar.out;
+  const Outcome exported = run("export " + path("planar.json") + " --to matrix");
+  EXPECT_NE(exported.err.find("not observed"), std::string::npos) << exported.err;
+  EXPECT_NE(exported.out.find("WARNING"), std::string::npos) << exported.out;
+}
+
+TEST_F(cli, no_usable_result_is_exit_code_3_with_reason_and_file) {
+  const Outcome outcome =
+      run("solve " + pairs_file("out.csv", false) + " --range x=3:4,y=3:4,z=3:4,yaw=-3:-1 -q -o " + path("out.yaml"));
+  EXPECT_EQ(outcome.code, 3) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.err.find("no usable result"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(outcome.out.empty()) << "--quiet: " << outcome.out;
+  EXPECT_FALSE(is_usable(load_result(path("out.yaml")).result));
+  EXPECT_EQ(run("export " + path("out.yaml") + " --to ros1").code, 3);
+  EXPECT_EQ(run("calibrate " + path("drive") + " --nominal " + path("out.yaml")).code, 2);
+}
+
+TEST_F(cli, negative_numbers_are_values_and_settings_round_trip) {
+  EXPECT_EQ(run("solve " + pairs_file("neg.csv", false) +
+                " --nominal -0.5,0.2,0,-10,0,0 --range -5:5,-5:5,-5:5,-180:180,-90:90,-180:180")
+                .code,
+            0);
+  ASSERT_EQ(run("settings -o " + path("all.yaml")).code, 0);
+  const Outcome checked = run("settings --config " + path("all.yaml"));
+  EXPECT_EQ(checked.code, 0) << checked.err;
+  EXPECT_EQ(checked.out, text_of(path("all.yaml")));
+}
+
+TEST_F(cli, inspect_says_what_a_session_is) {
+  const Outcome outcome = run("inspect " + path("drive"));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (const char* expected : {"scans: 15", "5.0 Hz", "INS samples", "usable: yes"})
+    EXPECT_NE(outcome.out.find(expected), std::string::npos) << expected << "\n" << outcome.out;
+}
+
+TEST_F(cli, logs_and_stays_silent_without_a_terminal) {
+  const Outcome outcome = run("solve " + pairs_file("log.csv", false) + " --log " + path("run.log"));
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_NE(text_of(path("run.log")).find("status: ok"), std::string::npos) << text_of(path("run.log"));
+  EXPECT_EQ(run("solve " + path("log.csv") + " --log " + path("none/run.log")).code, 2);
+}
+
+TEST_F(cli, a_stop_signal_cancels_cleanly) {
+  // Long enough that the signal always comes in the middle.
+  ASSERT_EQ(run("simulate street " + path("long") + " --duration-s 12 --beams 48 --azimuth-steps 900").code, 0);
+  const std::string drive = path("long"), output = path("cancelled.yaml"), error = path("err2.txt");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (std::freopen(error.c_str(), "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr)
+      ::_exit(99);
+    ::execl(REMOUNT_CLI, REMOUNT_CLI, "calibrate", drive.c_str(), "-o", output.c_str(), static_cast<char*>(nullptr));
+    ::_exit(98);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  ::kill(child, SIGTERM);
+  const auto asked = std::chrono::steady_clock::now();
+  int status = 0;
+  ASSERT_EQ(::waitpid(child, &status, 0), child);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count();
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 3) << text_of(error);
+  EXPECT_LT(seconds, 20.0);
+  EXPECT_EQ(load_result(output).result.status, Status::Cancelled);
+  EXPECT_NE(text_of(error).find("cancelled"), std::string::npos) << text_of(error);
+}
+
+}  // namespace
+}  // namespace remount
