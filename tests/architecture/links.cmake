@@ -1,0 +1,10 @@
+# The command line must run where neither Qt nor VTK is installed. Arguments: PROGRAM.
+execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE libraries RESULT_VARIABLE code)
+if(NOT code EQUAL 0 OR NOT libraries MATCHES "libyaml-cpp")
+  message(FATAL_ERROR "ldd ${PROGRAM} did not list its libraries:\n${libraries}")
+endif()
+string(REGEX MATCHALL "[^\n]*lib(Qt[0-9]|vtk)[^\n]*" found "${libraries}")
+if(found)
+  list(JOIN found "\n" text)
+  message(FATAL_ERROR "the command line links:\n${text}")
+endif()
