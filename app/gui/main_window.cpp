@@ -123,6 +123,9 @@ QWidget* MainWindow::make_setup() {
   add(tr("Nominal mounting (LiDAR in the INS frame)"), nominal_, 0);
   run_ = new QPushButton(tr("Calibrate (F5)"));
   run_->setMinimumHeight(34);
+  QFont bold = run_->font();
+  bold.setBold(true);
+  run_->setFont(bold);
   column->addWidget(run_);
   add(tr("Search range"), range_, 0);
   auto* scroll = new QScrollArea;

@@ -93,7 +93,7 @@ bool set_option(Settings& settings, const QString& section, const QString& name,
 
 QString option_label(const OptionField& field) {
   QString label = field.name;
-  if (!field.unit.isEmpty() && label.endsWith('_' + field.unit)) label.chop(field.unit.size() + 1);
+  if (!field.unit.isEmpty() && label.endsWith('_' + field.unit, Qt::CaseInsensitive)) label.chop(field.unit.size() + 1);
   label.replace('_', ' ');
   if (label.startsWith("ins ")) label.replace(0, 3, "INS");
   if (!label.isEmpty()) label[0] = label[0].toUpper();

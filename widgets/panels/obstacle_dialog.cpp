@@ -19,7 +19,7 @@ QString text(std::string_view words) { return QString::fromUtf8(words.data(), st
 
 QString label_of(const OptionInfo& info) {
   QString label = text(info.name);
-  if (!info.unit.empty() && label.endsWith('_' + text(info.unit)))
+  if (!info.unit.empty() && label.endsWith('_' + text(info.unit), Qt::CaseInsensitive))
     label.chop(static_cast<qsizetype>(info.unit.size()) + 1);
   label.replace('_', ' ');
   label[0] = label[0].toUpper();
@@ -116,9 +116,10 @@ void ObstacleDialog::check() {
     verdict_->setText(QString::fromStdString(error.what_happened()));
     return;
   }
-  const auto words = [this](const ObstacleCheck& result) {
-    return result.decision == ObstacleDecision::Stop ? tr("stop (nearest %1)").arg(distance(result.nearest_m))
-                                                     : tr("clear (nearest %1)").arg(distance(result.nearest_m));
+  const auto words = [](const ObstacleCheck& result) {
+    const QString nearest =
+        std::isfinite(result.nearest_m) ? tr("nearest at %1").arg(distance(result.nearest_m)) : tr("nothing near");
+    return result.decision == ObstacleDecision::Stop ? tr("stop (%1)").arg(nearest) : tr("clear (%1)").arg(nearest);
   };
   const QColor color = found.decision_differs()                              ? bad_color(palette())
                        : found.calibrated.decision == ObstacleDecision::Stop ? warning_color(palette())

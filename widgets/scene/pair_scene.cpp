@@ -124,6 +124,7 @@ PairScene::PairScene() : parts_(std::make_unique<Parts>()) {
 }
 
 PairScene::~PairScene() {
+  if (!parts_->marker->GetInteractor()) return;  // never attached
   parts_->marker->SetEnabled(0);
   parts_->marker->SetInteractor(nullptr);
 }

@@ -194,7 +194,10 @@ Engine sample_engine(int stages) {
       b.centroid_in_lidar = Eigen::Vector3f(6.0F * i - 9.0F, i % 2 ? 8.0F : -8.0F, 0.0F);
       b.box_min_in_lidar = b.centroid_in_lidar - Eigen::Vector3f(0.4F, 0.4F, 1.5F);
       b.box_max_in_lidar = b.centroid_in_lidar + Eigen::Vector3f(0.4F, 0.4F, 2.5F);
+      for (std::size_t k = 0; k < clouds.cloud_b.size(); ++k)
+        if ((clouds.cloud_b.points[k] - b.centroid_in_lidar).norm() < 2.5F) b.points.push_back(static_cast<int>(k));
       SceneObject a = b;
+      a.points.clear();
       const Eigen::Vector3f in_a =
           (chosen.lidar_b_from_lidar_a.inverse() * b.centroid_in_lidar.cast<double>()).cast<float>();
       a.centroid_in_lidar = in_a;
