@@ -25,7 +25,7 @@ std::string parameters(const CalibrationResult& result) {
                                      radians_to_degrees(six.yaw_rad),
                                      radians_to_degrees(six.pitch_rad),
                                      radians_to_degrees(six.roll_rad)};
-  std::string text = "ins_from_lidar (pose of the lidar in the ins frame: x forward, y left, z up)\n";
+  std::string text = "ins_from_lidar (pose of the lidar in the ins frame)\n";
   for (std::size_t i = 0; i < 6; ++i) {
     const bool angle = i >= 3;
     const char* unit = angle ? "deg" : "m  ";

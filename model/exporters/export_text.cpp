@@ -10,9 +10,9 @@
 namespace remount {
 
 std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result) {
-  std::vector<std::string> lines{"Written by Remount " + std::string(kVersion) + ".",
-                                 "Direction: " + std::string(exporter.direction()) + ".",
-                                 "Axes of the INS frame in Remount: x forward, y left, z up. Metres."};
+  std::vector<std::string> lines{
+      "Written by Remount " + std::string(kVersion) + ".", "Direction: " + std::string(exporter.direction()) + ".",
+      "Axes of the INS frame: those of the log, x forward, y left, z up unless its format has others. Metres."};
   for (const std::string& warning : export_warnings(result.result)) lines.push_back("WARNING: " + warning);
   return lines;
 }

@@ -56,8 +56,8 @@ class AutowareExporter final : public Exporter {
   }
 };
 
-/// Apollo's transform file. Its own "novatel" frame has x right, y forward, z up; a result of Remount has x forward,
-/// y left, z up. So there are two of these exporters, and each says which axes it has.
+/// Apollo's transform file. Its own "novatel" frame has x right, y forward, z up, as NovAtel's logs have; a result from
+/// any other log has x forward, y left, z up. So there are two of these exporters, and each says which axes it has.
 class ApolloExporter final : public Exporter {
  public:
   explicit ApolloExporter(bool right_forward_up) : right_forward_up_(right_forward_up) {
@@ -66,11 +66,12 @@ class ApolloExporter final : public Exporter {
 
   std::string_view id() const override { return right_forward_up_ ? "apollo-rfu" : "apollo"; }
   std::string_view description() const override {
-    return right_forward_up_ ? "Apollo *_novatel_extrinsics.yaml, INS axes right-forward-up as in Apollo's own files"
-                             : "Apollo *_novatel_extrinsics.yaml, INS axes forward-left-up as in the result";
+    return right_forward_up_
+               ? "Apollo *_novatel_extrinsics.yaml, INS axes turned from forward-left-up to Apollo's right-forward-up"
+               : "Apollo *_novatel_extrinsics.yaml, INS axes as in the result";
   }
   std::string_view direction() const override {
-    return right_forward_up_ ? "lidar to ins, the INS axes here turned to x right, y forward, z up"
+    return right_forward_up_ ? "lidar to ins, the INS axes turned from x forward, y left to x right, y forward"
                              : "lidar to ins (header.frame_id from child_frame_id)";
   }
   std::string_view file_name() const override { return "lidar_novatel_extrinsics.yaml"; }
@@ -90,10 +91,10 @@ class ApolloExporter final : public Exporter {
                {x.translation().x(), x.translation().y(), x.translation().z()});
     add_vector(transform.add("rotation", DocumentNode::map()), {"x", "y", "z", "w"}, {q.x(), q.y(), q.z(), q.w()});
     root.add("child_frame_id", DocumentNode::string(names.lidar_frame.empty() ? "lidar" : names.lidar_frame));
-    return with_header(
-        root, *this, result,
-        {right_forward_up_ ? "The numbers below are in axes x right, y forward, z up."
-                           : "Apollo's own novatel frame has x right, y forward, z up; for it use apollo-rfu."});
+    return with_header(root, *this, result,
+                       {right_forward_up_ ? "The numbers below are in axes x right, y forward, z up."
+                                          : "Apollo's own novatel frame has x right, y forward, z up: use apollo-rfu "
+                                            "unless the log has these axes too."});
   }
 
   RigidTransform read(std::string_view text, const std::string& where) const override {
