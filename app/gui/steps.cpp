@@ -77,7 +77,7 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     step(Step::Pairs) = {pairs > 0 ? StepState::Done : StepState::Attention, text("%1 pairs").arg(pairs)};
   step(Step::Align) = {counts.aligned > 0 ? StepState::Done : StepState::Attention,
                        text("%1 of %2 aligned").arg(counts.aligned).arg(pairs)};
-  step(Step::Review) = {counts.accepted > 0 ? StepState::Done : StepState::Attention,
+  step(Step::Review) = {counts.accepted > counts.rejected ? StepState::Done : StepState::Attention,
                         text("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)};
   const Status status = output->result.status;
   if (workbench.solving())

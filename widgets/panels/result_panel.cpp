@@ -225,6 +225,11 @@ void ResultPanel::show_words(const PipelineOutput& output) {
                    .arg(1e3 * result.time_offset.offset_s, 0, 'f', 1)
                    .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 1)
                    .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
+  const bool joint = std::any_of(result.candidates.begin(), result.candidates.end(),
+                                 [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
+  if (has_numbers(result.status) && !output.pairs.empty())
+    figures << (joint ? tr("the clouds of all accepted pairs were aligned together as the last step")
+                      : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
   html +=
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   words_->setText(html);

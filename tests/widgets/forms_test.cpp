@@ -1,0 +1,140 @@
+// Forms, panels and the chart, each on its own.
+#include <gtest/gtest.h>
+
+#include <QDoubleSpinBox>
+#include <QRadioButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/widgets/support/sample_world.h"
+#include "widgets/charts/error_bar_chart.h"
+#include "widgets/forms/option_form.h"
+#include "widgets/panels/nominal_panel.h"
+#include "widgets/panels/progress_strip.h"
+#include "widgets/panels/range_panel.h"
+#include "widgets/panels/result_panel.h"
+
+namespace remount {
+namespace {
+
+TEST(OptionAccess, every_option_can_be_read_and_set) {
+  const Settings defaults;
+  for (const OptionField& field : option_fields(defaults)) {
+    Settings changed;
+    QVariant other = field.value;
+    if (field.kind == OptionKind::Switch) other = !field.value.toBool();
+    if (field.kind == OptionKind::Integer)
+      other =
+          field.value.toInt() == static_cast<int>(field.maximum) ? field.value.toInt() - 1 : field.value.toInt() + 1;
+    if (field.kind == OptionKind::Real) other = 0.5 * (field.minimum + field.maximum) + 0.001;
+    if (field.kind == OptionKind::Choice) other = field.value.toInt() == 0 ? 1 : 0;
+    ASSERT_TRUE(set_option(changed, field.section, field.name, other)) << field.name.toStdString();
+    int differing = 0;
+    const auto before = option_fields(defaults), after = option_fields(changed);
+    for (std::size_t i = 0; i < before.size(); ++i) differing += before[i].value != after[i].value;
+    EXPECT_EQ(differing, 1) << field.section.toStdString() << "." << field.name.toStdString();
+  }
+  Settings settings;
+  EXPECT_FALSE(set_option(settings, "run", "no_such_option", 1));
+}
+
+TEST(OptionForm, shows_a_value_without_sending_it_back) {
+  Settings settings;
+  OptionForm form("pairing", settings);
+  QSignalSpy edited(&form, &OptionForm::edited);
+  settings.pairing.max_gap_s = 2.5;
+  form.show_settings(settings);
+  EXPECT_EQ(edited.count(), 0);
+  auto* spin = form.findChild<QDoubleSpinBox*>("pairing.max_gap_s");
+  ASSERT_TRUE(spin);
+  EXPECT_DOUBLE_EQ(spin->value(), 2.5);
+  spin->setValue(3.0);
+  ASSERT_EQ(edited.count(), 1);
+  EXPECT_EQ(edited[0][1].toString(), "max_gap_s");
+  EXPECT_DOUBLE_EQ(edited[0][2].toDouble(), 3.0);
+}
+
+TEST(OptionForm, no_default_is_rounded_away) {
+  const Settings settings;
+  for (const OptionField& field : option_fields(settings)) {
+    if (field.kind != OptionKind::Real) continue;
+    OptionForm form(field.section, settings);
+    EXPECT_DOUBLE_EQ(form.findChild<QDoubleSpinBox*>(field.section + '.' + field.name)->value(), field.value.toDouble())
+        << field.name.toStdString();
+  }
+}
+
+TEST(RangePanel, shows_degrees_and_sends_radians) {
+  RangePanel panel;
+  QSignalSpy edited(&panel, &RangePanel::edited);
+  auto* spin = panel.findChild<QDoubleSpinBox*>("range.yaw_min_rad");
+  ASSERT_TRUE(spin);
+  spin->setValue(-90.0);
+  ASSERT_EQ(edited.count(), 1);
+  EXPECT_EQ(edited[0][1].toString(), "yaw_min_rad");
+  EXPECT_NEAR(edited[0][2].toDouble(), -0.5 * kPi, 1e-9);
+}
+
+TEST(NominalPanel, sends_what_it_shows_and_unknown_as_nothing) {
+  NominalPanel panel;
+  std::vector<std::optional<RigidTransform>> sent;
+  QObject::connect(&panel, &NominalPanel::nominal_edited, [&](const auto& nominal) { sent.push_back(nominal); });
+  const RigidTransform shown =
+      rigid_from_six({1.2, -0.3, 0.5, degrees_to_radians(-90.0), degrees_to_radians(2.0), degrees_to_radians(1.0)});
+  panel.show_nominal(shown);
+  EXPECT_TRUE(sent.empty());
+  panel.findChild<QDoubleSpinBox*>("nominal.x")->setValue(1.3);
+  ASSERT_EQ(sent.size(), 1U);
+  ASSERT_TRUE(sent[0]);
+  EXPECT_LT(rotation_angle_between_rad(*sent[0], shown), 1e-9);
+  EXPECT_NEAR(sent[0]->translation().x(), 1.3, 1e-12);
+  panel.findChildren<QRadioButton*>().at(0)->click();
+  ASSERT_EQ(sent.size(), 2U);
+  EXPECT_FALSE(sent[1]);
+}
+
+TEST(ErrorBarChart, a_click_finds_its_pair_and_the_arrows_the_next) {
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
+  ErrorBarChart chart;
+  chart.resize(600, 200);
+  chart.show_output(std::make_shared<const PipelineOutput>(testing::sample_output(input, 50)));
+  QSignalSpy clicked(&chart, &ErrorBarChart::pair_clicked);
+  int last = -1;
+  for (int x = 0; x < 600; ++x) {
+    const int pair = chart.pair_at({x, 100});
+    if (pair < 0) continue;
+    EXPECT_TRUE(pair == last || pair == last + 1) << "at " << x << ": " << pair << " after " << last;
+    last = pair;
+  }
+  EXPECT_EQ(last, 49);
+  chart.show_selected(20);
+  QTest::keyClick(&chart, Qt::Key_Right);
+  QTest::keyClick(&chart, Qt::Key_Left);
+  ASSERT_EQ(clicked.count(), 2);
+  EXPECT_EQ(clicked[0][0].toInt(), 21);
+  EXPECT_EQ(clicked[1][0].toInt(), 19);
+  chart.grab();  // paints
+}
+
+TEST(ResultPanel, never_prints_a_sigma_for_what_is_not_observed) {
+  CalibrationResult result;
+  result.status = Status::Degenerate;
+  result.observed = {true, true, false, true, true, true};
+  result.covariance.setIdentity();
+  result.covariance *= 1e-6;
+  const QStringList lines = result_as_text(result).split('\n');
+  ASSERT_EQ(lines.size(), 8);
+  EXPECT_TRUE(lines[2].startsWith("x = ") && lines[2].contains("±")) << lines[2].toStdString();
+  EXPECT_TRUE(lines[4].startsWith("z = ") && !lines[4].contains("±")) << lines[4].toStdString();
+}
+
+TEST(ProgressStrip, says_how_long_only_when_it_can_know) {
+  EXPECT_TRUE(remaining_text(500, 10, 100).isEmpty());
+  EXPECT_TRUE(remaining_text(5000, 0, 100).isEmpty());
+  EXPECT_EQ(remaining_text(10000, 50, 100), "about 10 s left");
+  EXPECT_EQ(remaining_text(60000, 25, 100), "about 3 min left");
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/widgets/support/sample_world.h"
+#include "widgets/scene/framing.h"
+#include "widgets/scene/pair_scene.h"
+
+namespace remount {
+namespace {
+
+TEST(Framing, one_bad_coordinate_does_not_move_the_camera) {
+  PointCloud cloud = testing::street_cloud(rigid_from_six(testing::kTruth), 1);
+  const Framing before = robust_framing(cloud.points, RigidTransform::Identity());
+  cloud.points.emplace_back(1e9F, 0.0F, 0.0F);
+  cloud.points.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0.0F, 0.0F);
+  const Framing after = robust_framing(cloud.points, RigidTransform::Identity());
+  EXPECT_NEAR(after.radius_m, before.radius_m, 0.05 * before.radius_m);
+  EXPECT_LT((after.centre_m - before.centre_m).norm(), 0.05 * before.radius_m);
+}
+
+TEST(Framing, an_empty_cloud_has_a_view_all_the_same) {
+  EXPECT_GT(robust_framing({}, RigidTransform::Identity()).radius_m, 0.0);
+}
+
+TEST(PairTransforms, agree_under_the_true_mounting_and_differ_under_a_wrong_one) {
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
+  PipelineOutput output = testing::sample_output(input, 20);
+  output.result.ins_from_lidar = rigid_from_six(testing::kTruth);
+  const PairTransforms transforms = pair_transforms(output, 6);
+  const auto apart = [](const RigidTransform& first, const RigidTransform& second) {
+    return difference(first, second).norm();
+  };
+  EXPECT_LT(apart(transforms.current_lidar_b_from_lidar_a, transforms.registered_lidar_b_from_lidar_a), 1e-9);
+  EXPECT_GT(apart(transforms.before_lidar_b_from_lidar_a, transforms.registered_lidar_b_from_lidar_a), 1e-3);
+  output.pairs[6].registration.attempted = false;
+  EXPECT_LT(apart(pair_transforms(output, 6).registered_lidar_b_from_lidar_a, transforms.before_lidar_b_from_lidar_a),
+            1e-12)
+      << "without an alignment the prediction is shown";
+}
+
+}  // namespace
+}  // namespace remount
