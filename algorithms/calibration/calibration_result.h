@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/calibration/noise_model.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/trajectory/pair.h"
 
@@ -66,6 +67,7 @@ struct CalibrationResult {
   std::array<double, 6> bootstrap_sigma{};
   std::vector<ObservabilityDirection> directions;
 
+  NoiseModel noise;  ///< as estimated from the residuals: what the sigmas rest on
   int pairs_proposed = 0, pairs_accepted = 0, pairs_rejected = 0;
   double frobenius_sum = 0.0;
   double rotation_rms_rad = 0.0;

@@ -21,31 +21,43 @@ struct NormalEquations {
   double log_information = 0.0;  // sum of log |information| of all terms and priors
 };
 
-// Where the shared unknowns lie.
+// Where the unknowns lie: of each keyframe its white error and, where the INS drifts, its drift; then what is shared.
 struct Layout {
   int sessions = 0;
-  bool bias = false, clock = false;
+  bool bias = false, clock = false, drift = false;
+  int node_size() const { return drift ? 12 : 6; }
+  int node_at(std::size_t node) const { return node_size() * static_cast<int>(node); }
   int size() const { return 6 + (bias ? 3 * sessions : 0) + (clock ? sessions : 0); }
   int bias_at(int session) const { return 6 + 3 * session; }
   int clock_at(int session) const { return 6 + (bias ? 3 * sessions : 0) + session; }
 };
 
-Layout layout_of(const JointProblem& problem) {
+Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   Layout layout;
   layout.sessions = static_cast<int>(problem.session_attitude_bias_sigma_rad.size());
   for (const double sigma : problem.session_attitude_bias_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   layout.clock = problem.estimate_time_offset;
+  layout.drift = noise.drifts();
   return layout;
 }
 
 struct State {
   RigidTransform ins_from_lidar;
-  std::vector<Vector6d> errors;  // of each node
+  std::vector<Vector6d> errors;  // of each node, independent; body axes
+  std::vector<Vector6d> drifts;  // of each node, local axes for position, body axes for attitude; empty without drift
   Eigen::VectorXd shared;        // biases and offsets; the first six are not used
 };
 
+// A drift in body axes: its position part is kept in the axes of the trajectory, where it accumulates.
+Matrix6d drift_in_body(const JointNode& node) {
+  Matrix6d turn = Matrix6d::Identity();
+  turn.topLeftCorner<3, 3>() = node.local_from_ins.linear().transpose();
+  return turn;
+}
+
 RigidTransform corrected(const JointNode& node, std::size_t index, const State& state, const Layout& layout) {
   Vector6d step = state.errors[index];
+  if (layout.drift) step += drift_in_body(node) * state.drifts[index];
   if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
   if (layout.clock) step += node.body_velocity * state.shared[layout.clock_at(node.session)];
   return moved_in_body(node.local_from_ins, step);
@@ -72,17 +84,55 @@ Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a
   return jacobian;
 }
 
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+void add_block(int row, int column, const Matrix6d& block, Entries& entries) {
+  for (int c = 0; c < 6; ++c)
+    for (int r = 0; r < 6; ++r) entries.emplace_back(row + r, column + c, block(r, c));
+}
+
+// The drift walks from each keyframe to the next; that of a session's first is zero, for only differences matter.
+void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
+                     NormalEquations& equations, Entries& entries) {
+  constexpr double kStart = 1e-6;           // m and rad: zero for all purposes
+  constexpr double kLeastStep_s = 1e-3;     // keyframes at the same time
+  constexpr double kLeastVariance = 1e-14;  // of a component that does not drift
+  for (std::size_t k = 0; k < problem.nodes.size(); ++k) {
+    const bool first = k == 0 || problem.nodes[k - 1].session != problem.nodes[k].session;
+    Vector6d variances = Vector6d::Constant(kStart * kStart);
+    if (!first)
+      variances = noise.drift_covariance(std::max(kLeastStep_s, problem.nodes[k].time_s - problem.nodes[k - 1].time_s))
+                      .diagonal()
+                      .cwiseMax(kLeastVariance);
+    const Vector6d information = variances.cwiseInverse();
+    const Vector6d change = first ? state.drifts[k] : Vector6d(state.drifts[k] - state.drifts[k - 1]);
+    const int here = layout.node_at(k) + 6;
+    const Matrix6d block = information.asDiagonal();
+    add_block(here, here, block, entries);
+    equations.keyframe_side.segment<6>(here) -= information.cwiseProduct(change);
+    if (!first) {
+      const int before = layout.node_at(k - 1) + 6;
+      add_block(before, before, block, entries);
+      add_block(here, before, -block, entries);
+      equations.keyframe_side.segment<6>(before) += information.cwiseProduct(change);
+    }
+    equations.cost += change.dot(information.cwiseProduct(change));
+    equations.log_information += information.array().log().sum();
+  }
+}
+
 void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
-                NormalEquations& equations, std::vector<Eigen::Triplet<double>>& entries) {
+                NormalEquations& equations, Entries& entries) {
   const Vector6d ins_information = noise.ins_covariance().diagonal().cwiseInverse();
   const double ins_log = ins_information.array().log().sum();
   for (std::size_t k = 0; k < state.errors.size(); ++k) {
-    const auto at = static_cast<int>(6 * k);
+    const int at = layout.node_at(k);
     for (int i = 0; i < 6; ++i) entries.emplace_back(at + i, at + i, ins_information[i]);
     equations.keyframe_side.segment<6>(at) -= ins_information.cwiseProduct(state.errors[k]);
     equations.cost += state.errors[k].dot(ins_information.cwiseProduct(state.errors[k]));
     equations.log_information += ins_log;
   }
+  if (layout.drift) add_drift_prior(problem, noise, state, layout, equations, entries);
   const auto prior = [&](int at, double sigma, double value) {
     const double information = 1.0 / (sigma * sigma);
     equations.shared(at, at) += information;
@@ -105,8 +155,54 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
   equations.cost += from_prior.dot(weighted);
 }
 
+// One keyframe's part in a pair: its block of unknowns and their Jacobian.
+struct NodePart {
+  int at;
+  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> jacobian;
+};
+
+NodePart node_part(const JointNode& node, std::size_t index, const Matrix6d& body_jacobian, const Layout& layout) {
+  NodePart part{layout.node_at(index), {}};
+  part.jacobian.resize(6, layout.node_size());
+  part.jacobian.leftCols<6>() = body_jacobian;
+  if (layout.drift) part.jacobian.rightCols<6>() = body_jacobian * drift_in_body(node);
+  return part;
+}
+
+// The lower triangle of J' L J for two parts.
+void add_parts(const NodePart& row, const NodePart& column, const Matrix6d& information, Entries& entries) {
+  const Eigen::MatrixXd block = row.jacobian.transpose() * information * column.jacobian;
+  for (int c = 0; c < block.cols(); ++c)
+    for (int r = 0; r < block.rows(); ++r)
+      if (row.at + r >= column.at + c) entries.emplace_back(row.at + r, column.at + c, block(r, c));
+}
+
+void add_term(const JointProblem& problem, const JointTerm& term, const NoiseModel& noise, const State& state,
+              const std::vector<RigidTransform>& poses, const Layout& layout, NormalEquations& equations,
+              Entries& entries) {
+  const auto a = static_cast<std::size_t>(term.node_a), b = static_cast<std::size_t>(term.node_b);
+  const PairEquation pair =
+      linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
+  const Matrix6d information = term.weight * noise.registration_information(term.information);
+  const NodePart part_a = node_part(problem.nodes[a], a, pair.d_a, layout),
+                 part_b = node_part(problem.nodes[b], b, pair.d_b, layout);
+  const Eigen::MatrixXd shared = shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout);
+  add_parts(part_a, part_a, information, entries);
+  add_parts(part_b, part_b, information, entries);
+  add_parts(part_a.at > part_b.at ? part_a : part_b, part_a.at > part_b.at ? part_b : part_a, information, entries);
+  const Vector6d weighted = information * pair.residual;
+  for (const NodePart* part : {&part_a, &part_b}) {
+    equations.coupling.middleRows(part->at, layout.node_size()) += part->jacobian.transpose() * information * shared;
+    equations.keyframe_side.segment(part->at, layout.node_size()) -= part->jacobian.transpose() * weighted;
+  }
+  equations.shared += shared.transpose() * information * shared;
+  equations.shared_side -= shared.transpose() * weighted;
+  equations.cost += pair.residual.dot(weighted);
+  equations.log_information += log_determinant(information);
+}
+
 NormalEquations build(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout) {
-  const auto unknowns = static_cast<int>(6 * problem.nodes.size());
+  const int unknowns = layout.node_at(problem.nodes.size());
   NormalEquations equations;
   equations.coupling = Eigen::MatrixXd::Zero(unknowns, layout.size());
   equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
@@ -114,40 +210,13 @@ NormalEquations build(const JointProblem& problem, const NoiseModel& noise, cons
   equations.shared_side = Eigen::VectorXd::Zero(layout.size());
   std::vector<RigidTransform> poses;
   for (std::size_t k = 0; k < problem.nodes.size(); ++k) poses.push_back(corrected(problem.nodes[k], k, state, layout));
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(problem.terms.size() * 108 + poses.size() * 6);
-  const auto add_block = [&](int row, int column, const Matrix6d& block) {
-    for (int c = 0; c < 6; ++c)
-      for (int r = 0; r < 6; ++r) entries.emplace_back(row + r, column + c, block(r, c));
-  };
-  for (const JointTerm& term : problem.terms) {
-    if (!(term.weight > 0.0)) continue;
-    const auto a = static_cast<std::size_t>(term.node_a), b = static_cast<std::size_t>(term.node_b);
-    const PairEquation pair =
-        linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
-    const Matrix6d information = term.weight * noise.registration_information(term.information);
-    const Matrix6d a_side = pair.d_a.transpose() * information, b_side = pair.d_b.transpose() * information;
-    const Eigen::MatrixXd shared = shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout);
-    const int at_a = 6 * term.node_a, at_b = 6 * term.node_b;
-    add_block(at_a, at_a, a_side * pair.d_a);
-    add_block(at_b, at_b, b_side * pair.d_b);
-    if (at_a > at_b)
-      add_block(at_a, at_b, a_side * pair.d_b);
-    else
-      add_block(at_b, at_a, b_side * pair.d_a);
-    equations.coupling.middleRows<6>(at_a) += a_side * shared;
-    equations.coupling.middleRows<6>(at_b) += b_side * shared;
-    equations.shared += shared.transpose() * information * shared;
-    equations.keyframe_side.segment<6>(at_a) -= a_side * pair.residual;
-    equations.keyframe_side.segment<6>(at_b) -= b_side * pair.residual;
-    equations.shared_side -= shared.transpose() * (information * pair.residual);
-    equations.cost += pair.residual.dot(information * pair.residual);
-    equations.log_information += log_determinant(information);
-  }
+  Entries entries;
+  for (const JointTerm& term : problem.terms)
+    if (term.weight > 0.0) add_term(problem, term, noise, state, poses, layout, equations, entries);
   add_priors(problem, noise, state, layout, equations, entries);
   equations.keyframes.resize(unknowns, unknowns);
-  equations.keyframes.setFromTriplets(entries.begin(),
-                                      entries.end());  // the lower half is what the factorisation reads
+  // Only the lower half is filled in: it is what the factorisation reads.
+  equations.keyframes.setFromTriplets(entries.begin(), entries.end());
   return equations;
 }
 
@@ -180,14 +249,19 @@ void eliminate(const NormalEquations& equations, Eliminated& out) {
 }
 
 State start_state(const JointProblem& problem, const Layout& layout, const RigidTransform& start) {
-  return {start, std::vector<Vector6d>(problem.nodes.size(), Vector6d::Zero()), Eigen::VectorXd::Zero(layout.size())};
+  State state{
+      start, std::vector<Vector6d>(problem.nodes.size(), Vector6d::Zero()), {}, Eigen::VectorXd::Zero(layout.size())};
+  if (layout.drift) state.drifts = state.errors;
+  return state;
 }
 
-void take_step(const Eliminated& step, State& state) {
+void take_step(const Eliminated& step, const Layout& layout, State& state) {
   state.ins_from_lidar = perturbed(state.ins_from_lidar, step.shared_step.head<6>());
   state.shared.tail(state.shared.size() - 6) += step.shared_step.tail(state.shared.size() - 6);
-  for (std::size_t k = 0; k < state.errors.size(); ++k)
-    state.errors[k] += step.keyframe_step.segment<6>(static_cast<int>(6 * k));
+  for (std::size_t k = 0; k < state.errors.size(); ++k) {
+    state.errors[k] += step.keyframe_step.segment<6>(layout.node_at(k));
+    if (layout.drift) state.drifts[k] += step.keyframe_step.segment<6>(layout.node_at(k) + 6);
+  }
 }
 
 void describe(const JointProblem& problem, const Layout& layout, const State& state, const Eliminated& last,
@@ -207,6 +281,8 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
         without_prior.topRightCorner(6, rest) *
         without_prior.bottomRightCorner(rest, rest).ldlt().solve(without_prior.bottomLeftCorner(rest, 6));
   solution.node_errors = state.errors;
+  for (std::size_t k = 0; layout.drift && k < state.drifts.size(); ++k)
+    solution.node_errors[k] += drift_in_body(problem.nodes[k]) * state.drifts[k];
   solution.minus_two_log_likelihood = last.minus_two_log_likelihood;
   for (int s = 0; s < layout.sessions; ++s) {
     if (layout.bias) solution.attitude_bias_rad.push_back(state.shared.segment<3>(layout.bias_at(s)));
@@ -221,7 +297,7 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
 
 JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, const RigidTransform& start,
                           int max_iterations, const Progress& progress) {
-  const Layout layout = layout_of(problem);
+  const Layout layout = layout_of(problem, noise);
   State state = start_state(problem, layout, start);
   JointSolution solution;
   solution.ins_from_lidar = start;
@@ -229,7 +305,7 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
   for (int iteration = 0; iteration < max_iterations && !progress.cancelled(); ++iteration) {
     eliminate(build(problem, noise, state, layout), step);
     if (!step.valid) return solution;
-    take_step(step, state);
+    take_step(step, layout, state);
     // In units of sigma: a direction that the data hardly show needs no more digits than it has.
     if (step.shared_step.dot(step.reduced * step.shared_step) < 1e-8) {
       solution.converged = true;
@@ -241,35 +317,36 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
 }
 
 NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expected,
-                          const std::array<double, 5>& log_spread, const RigidTransform& ins_from_lidar,
+                          const std::array<double, 7>& log_spread, const RigidTransform& ins_from_lidar,
                           const Progress& progress) {
-  const Layout layout = layout_of(problem);
+  const Layout layout = layout_of(problem, expected);
   const State state = start_state(problem, layout, ins_from_lidar);
-  const auto with = [&](const std::array<double, 5>& logs) {
+  const auto with = [&](const std::array<double, 7>& logs) {
     return NoiseModel{
-        expected.ins_position_sigma_m * std::exp(logs[0]), expected.ins_attitude_sigma_rad * std::exp(logs[1]),
-        expected.registration_scale * std::exp(logs[2]), expected.registration_floor_m * std::exp(logs[3]),
-        expected.registration_floor_rad * std::exp(logs[4])};
+        expected.ins_position_sigma_m * std::exp(logs[0]),   expected.ins_attitude_sigma_rad * std::exp(logs[1]),
+        expected.registration_scale * std::exp(logs[2]),     expected.registration_floor_m * std::exp(logs[3]),
+        expected.registration_floor_rad * std::exp(logs[4]), expected.ins_position_drift * std::exp(logs[5]),
+        expected.ins_attitude_drift * std::exp(logs[6])};
   };
-  const auto objective = [&](const std::array<double, 5>& logs) {
+  const auto objective = [&](const std::array<double, 7>& logs) {
     double value = 0.0;
-    for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t i = 0; i < logs.size(); ++i)
       if (log_spread[i] > 0.0) value += logs[i] * logs[i] / (log_spread[i] * log_spread[i]);
     Eliminated solved;
     eliminate(build(problem, with(logs), state, layout), solved);
     return solved.valid ? value + solved.minus_two_log_likelihood : std::numeric_limits<double>::infinity();
   };
-  // Coordinate search with shrinking steps: five smooth, weakly coupled logarithms do not need more.
-  std::array<double, 5> best{};
+  // Coordinate search with shrinking steps: a few smooth, weakly coupled logarithms do not need more.
+  std::array<double, 7> best{};
   double least = objective(best);
   for (double step = 0.8; step > 0.04; step *= 0.5) {
     bool moved = true;
     for (int round = 0; moved && round < 6 && !progress.cancelled(); ++round) {
       moved = false;
-      for (std::size_t i = 0; i < 5; ++i) {
+      for (std::size_t i = 0; i < best.size(); ++i) {
         if (!(log_spread[i] > 0.0)) continue;
         for (const double direction : {step, -step}) {
-          std::array<double, 5> trial = best;
+          std::array<double, 7> trial = best;
           trial[i] += direction;
           const double value = objective(trial);
           if (value >= least) continue;

@@ -18,6 +18,7 @@ namespace remount {
 /// A keyframe's INS pose.
 struct JointNode {
   int session = 0;
+  double time_s = 0.0;  ///< since the start of its session; ascending within a session
   RigidTransform local_from_ins = RigidTransform::Identity();
   Vector6d body_velocity = Vector6d::Zero();  ///< m/s, rad/s in INS axes; for the clock offset
 };
@@ -60,9 +61,10 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
                           int max_iterations, const Progress& progress);
 
 /// Restricted maximum likelihood of the noise model (variance components): starts from and is drawn towards `expected`,
-/// with `log_spread` the 1-sigma of the logarithm of each component in the order of NoiseModel's members; 0 holds it.
+/// with `log_spread` the 1-sigma of the logarithm of each component in the order of NoiseModel's members; 0 holds it. A
+/// component that is zero stays zero.
 NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expected,
-                          const std::array<double, 5>& log_spread, const RigidTransform& ins_from_lidar,
+                          const std::array<double, 7>& log_spread, const RigidTransform& ins_from_lidar,
                           const Progress& progress);
 
 }  // namespace remount

@@ -11,6 +11,13 @@ Matrix6d NoiseModel::ins_covariance() const {
   return variances.asDiagonal();
 }
 
+Matrix6d NoiseModel::drift_covariance(double gap_s) const {
+  Vector6d variances;
+  variances << Eigen::Vector3d::Constant(ins_position_drift * ins_position_drift * gap_s),
+      Eigen::Vector3d::Constant(ins_attitude_drift * ins_attitude_drift * gap_s);
+  return variances.asDiagonal();
+}
+
 Matrix6d NoiseModel::registration_information(const Matrix6d& information) const {
   // (s^2 L^-1 + F)^-1 = F^-1 - F^-1 (F^-1 + L / s^2)^-1 F^-1 needs no inverse of L.
   Vector6d floor_information;

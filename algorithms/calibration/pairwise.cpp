@@ -24,25 +24,36 @@ double known_or(double value, double otherwise) { return std::isfinite(value) ? 
 
 struct NoisePrior {
   NoiseModel expected;
-  std::array<double, 5> log_spread{};
+  std::array<double, 7> log_spread{};
 };
 
-// Declared sigmas are believed within some 30%, assumed ones within a factor of three to five.
+// Declared sigmas are believed within some 30%, assumed ones within a factor of three to five. Data that declare their
+// white noise and no drift have none.
 NoisePrior noise_prior(const PairwiseInput& input) {
   NoisePrior prior;
-  double position = 0.0, attitude = 0.0;
+  NoiseModel sum;
+  sum.ins_position_sigma_m = sum.ins_attitude_sigma_rad = 0.0;
   bool declared = true;
   for (const SessionNoise& session : input.sessions) {
-    declared =
-        declared && std::isfinite(session.position_white_sigma_m) && std::isfinite(session.attitude_white_sigma_rad);
-    position += known_or(session.position_white_sigma_m, input.options.ins_position_sigma_m);
-    attitude += known_or(session.attitude_white_sigma_rad, degrees_to_radians(input.options.ins_attitude_sigma_deg));
+    const bool here = std::isfinite(session.position_white_sigma_m) && std::isfinite(session.attitude_white_sigma_rad);
+    declared = declared && here;
+    const SolveOptions& assumed = input.options;
+    sum.ins_position_sigma_m += known_or(session.position_white_sigma_m, assumed.ins_position_sigma_m);
+    sum.ins_attitude_sigma_rad +=
+        known_or(session.attitude_white_sigma_rad, degrees_to_radians(assumed.ins_attitude_sigma_deg));
+    sum.ins_position_drift += known_or(session.position_drift, here ? 0.0 : assumed.ins_position_drift_m);
+    sum.ins_attitude_drift +=
+        known_or(session.attitude_drift, here ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
   }
   const double sessions = std::max<double>(1.0, static_cast<double>(input.sessions.size()));
-  prior.expected.ins_position_sigma_m = position / sessions;
-  prior.expected.ins_attitude_sigma_rad = attitude / sessions;
+  prior.expected.ins_position_sigma_m = sum.ins_position_sigma_m / sessions;
+  prior.expected.ins_attitude_sigma_rad = sum.ins_attitude_sigma_rad / sessions;
+  prior.expected.ins_position_drift = sum.ins_position_drift / sessions;
+  prior.expected.ins_attitude_drift = sum.ins_attitude_drift / sessions;
   const double ins_spread = declared ? 0.3 : 1.5;
-  prior.log_spread = {ins_spread, ins_spread, 1.0, 1.0, 1.0};
+  const double position_drift_spread = prior.expected.ins_position_drift > 0.0 ? 0.7 : 0.0;
+  const double attitude_drift_spread = prior.expected.ins_attitude_drift > 0.0 ? 0.7 : 0.0;
+  prior.log_spread = {ins_spread, ins_spread, 1.0, 1.0, 1.0, position_drift_spread, attitude_drift_spread};
   return prior;
 }
 
@@ -52,6 +63,8 @@ NoiseModel scaled(NoiseModel noise, double factor) {
   noise.registration_scale *= factor;
   noise.registration_floor_m *= factor;
   noise.registration_floor_rad *= factor;
+  noise.ins_position_drift *= factor;
+  noise.ins_attitude_drift *= factor;
   return noise;
 }
 
@@ -88,16 +101,29 @@ std::string outlier_reason(const Pair& pair, double score) {
   return text;
 }
 
+// How much larger the typical residual of all usable pairs is than the noise model says, at least 1. Judging by the
+// model alone would spiral: fewer pairs, less noise, fewer pairs.
+double residual_scale2(const std::vector<double>& distances2) {
+  constexpr double kMedianChi2 = 5.348;  // of six degrees of freedom
+  std::vector<double> sorted = distances2;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return std::max(1.0, *middle / kMedianChi2);
+}
+
 // Residuals, weights and, unless the user decided, states of all usable pairs under X. Returns how many states changed.
 int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& x,
                 const NoiseModel& noise, double threshold) {
   int changed = 0;
-  for (const int i : usable) {
-    Pair& pair = pairs[static_cast<std::size_t>(i)];
+  std::vector<double> distances2;
+  for (const int i : usable) distances2.push_back(pair_distance2(pairs[static_cast<std::size_t>(i)], x, noise));
+  const double scale2 = residual_scale2(distances2);
+  for (std::size_t k = 0; k < usable.size(); ++k) {
+    Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
     const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
     pair.residual_translation_m = residual.head<3>().norm();
     pair.residual_rotation_rad = residual.tail<3>().norm();
-    const double score = sigma_equivalent(pair_distance2(pair, x, noise));
+    const double score = sigma_equivalent(distances2[k] / scale2);
     pair.weight = pair.decided_by == DecidedBy::User ? 1.0 : score <= threshold ? 1.0 : 0.0;
     if (pair.decided_by == DecidedBy::User) continue;
     const PairState state = pair.weight > 0.0 ? PairState::Accepted : PairState::Rejected;
@@ -169,8 +195,8 @@ double block_length_s(const PairwiseInput& input) {
       last(input.sessions.size(), 0.0);
   for (std::size_t k = 0; k < input.nodes.size(); ++k) {
     const auto s = static_cast<std::size_t>(input.nodes[k].session);
-    first[s] = std::min(first[s], input.node_times_s[k]);
-    last[s] = std::max(last[s], input.node_times_s[k]);
+    first[s] = std::min(first[s], input.nodes[k].time_s);
+    last[s] = std::max(last[s], input.nodes[k].time_s);
   }
   double total_s = 0.0;
   for (std::size_t s = 0; s < first.size(); ++s) total_s += std::max(0.0, last[s] - first[s]);
@@ -186,7 +212,7 @@ std::vector<PairInfluence> influences(const PairwiseInput& input, const std::vec
     const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
     const Matrix6d information = residual_information(pair, equation, noise);
     const auto node = static_cast<std::size_t>(pair.keyframe_a);
-    const int block = input.nodes[node].session * 1'000'000 + static_cast<int>(input.node_times_s[node] / block_s);
+    const int block = input.nodes[node].session * 1'000'000 + static_cast<int>(input.nodes[node].time_s / block_s);
     out.push_back({equation.d_x.transpose() * information * equation.d_x,
                    -equation.d_x.transpose() * information * equation.residual, block});
   }
@@ -252,27 +278,32 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
   }
 }
 
-// Solves once more with the parameters that are not observed held at `kept`, so that the others agree with them.
+// Solves once more with what is not observed held at `kept`, so that the others agree with it. Translations are held
+// only where a nominal is known: without one, averaging over what they may be serves the others better than any single
+// value, and the reported zero stands for "not known".
 RigidTransform solve_with_held(JointProblem problem, const PairwiseDetails& details,
-                               const std::array<bool, 6>& observed, const RigidTransform& kept,
+                               const std::array<bool, 6>& observed, const RigidTransform& kept, bool nominal_known,
                                const Progress& progress) {
   const SixParameters solved = six_from_rigid(details.joint.ins_from_lidar), held = six_from_rigid(kept);
   SixParameters start = solved;
-  if (!observed[0]) start.x_m = held.x_m;
-  if (!observed[1]) start.y_m = held.y_m;
-  if (!observed[2]) start.z_m = held.z_m;
   if (!observed[3]) start.yaw_rad = held.yaw_rad;
   if (!observed[4]) start.pitch_rad = held.pitch_rad;
   if (!observed[5]) start.roll_rad = held.roll_rad;
+  if (!observed[0]) start.x_m = held.x_m;
+  if (!observed[1]) start.y_m = held.y_m;
+  if (!observed[2]) start.z_m = held.z_m;
   problem.prior_ins_from_lidar = rigid_from_six(start);
   Matrix6d to_parameters = Matrix6d::Identity();
   to_parameters.bottomRightCorner<3, 3>() =
       yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(problem.prior_ins_from_lidar.linear()));
   constexpr double kHeld = 1e12;  // a micrometre, a microradian
-  for (int i = 0; i < 6; ++i)
+  for (int i = nominal_known ? 0 : 3; i < 6; ++i)
     if (!observed[static_cast<std::size_t>(i)])
       problem.prior_information += kHeld * to_parameters.row(i).transpose() * to_parameters.row(i);
-  return solve_joint(problem, details.noise, problem.prior_ins_from_lidar, 10, progress).ins_from_lidar;
+  RigidTransform x = solve_joint(problem, details.noise, problem.prior_ins_from_lidar, 10, progress).ins_from_lidar;
+  for (int i = 0; i < 3; ++i)
+    if (!observed[static_cast<std::size_t>(i)]) x.translation()[i] = kept.translation()[i];
+  return x;
 }
 
 void count_pairs(const std::vector<Pair>& pairs, CalibrationResult& result) {
@@ -401,6 +432,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
 
   CalibrationResult result;
   result.ins_from_lidar = x;
+  result.noise = details.noise;
   if (progress.cancelled()) {
     count_pairs(pairs, result);
     result.status = Status::Cancelled;
@@ -410,7 +442,8 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   describe_uncertainty(input, pairs, details, progress, result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
-        solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
+        solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x),
+                        input.nominal_ins_from_lidar.has_value(), progress);
   estimate_clock_offset(problem, input, details, progress, result);
   list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(x), result);
   trim_candidates(input.options.max_listed_candidates, result);

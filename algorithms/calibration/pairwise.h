@@ -16,6 +16,8 @@ struct SessionNoise {
   double position_white_sigma_m = std::numeric_limits<double>::quiet_NaN();
   double attitude_white_sigma_rad = std::numeric_limits<double>::quiet_NaN();
   double attitude_bias_sigma_rad = std::numeric_limits<double>::quiet_NaN();
+  double position_drift = std::numeric_limits<double>::quiet_NaN();  ///< m per root of a second
+  double attitude_drift = std::numeric_limits<double>::quiet_NaN();  ///< rad per root of a second
 };
 
 struct PairwiseInput {

@@ -38,6 +38,8 @@ struct SolveOptions {
   double ins_position_sigma_m = 0.01;
   double ins_attitude_sigma_deg = 0.03;
   double ins_attitude_bias_sigma_deg = 0.05;
+  double ins_position_drift_m = 0.02;
+  double ins_attitude_drift_deg = 0.01;
   double max_translation_sigma_m = 0.30;
   double max_rotation_sigma_deg = 1.0;
   double outlier_threshold = 4.0;
@@ -64,6 +66,16 @@ struct SolveOptions {
              "state it.",
              0.0, 10.0},
             self.ins_attitude_bias_sigma_deg);
+    visitor({"ins_position_drift_m", "m",
+             "INS position error that builds up in one second, growing with the root of time, where the "
+             "log does not state its errors.",
+             0.0, 10.0},
+            self.ins_position_drift_m);
+    visitor({"ins_attitude_drift_deg", "deg",
+             "INS attitude error that builds up in one second, growing with the root of time, where "
+             "the log does not state its errors.",
+             0.0, 10.0},
+            self.ins_attitude_drift_deg);
     visitor({"max_translation_sigma_m", "m", "A translation with a larger sigma counts as not observed.", 0.001, 10.0},
             self.max_translation_sigma_m);
     visitor({"max_rotation_sigma_deg", "deg", "A rotation with a larger sigma counts as not observed.", 0.001, 45.0},

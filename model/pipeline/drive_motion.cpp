@@ -37,6 +37,7 @@ std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes
   for (const Keyframe& keyframe : keyframes) {
     JointNode node;
     node.session = keyframe.session;
+    node.time_s = static_cast<double>(keyframe.stamp_ns - track(keyframe.session).samples().front().stamp_ns) * 1e-9;
     const auto shift_ns = static_cast<std::int64_t>(std::llround(offset_s(keyframe.session) * 1e9));
     if (const auto pose = track(keyframe.session).at(keyframe.stamp_ns + shift_ns))
       node.local_from_ins = *pose;
@@ -47,14 +48,6 @@ std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes
     out.push_back(node);
   }
   return out;
-}
-
-std::vector<double> DriveMotion::node_times_s(const std::vector<Keyframe>& keyframes) const {
-  std::vector<double> times_s;
-  for (const Keyframe& keyframe : keyframes)
-    times_s.push_back(static_cast<double>(keyframe.stamp_ns - track(keyframe.session).samples().front().stamp_ns) *
-                      1e-9);
-  return times_s;
 }
 
 std::vector<SessionNoise> DriveMotion::noise() const {

@@ -32,7 +32,6 @@ class DriveMotion {
   /// The solver's nodes and times for keyframes; poses that the present clock offset moves out of the data keep
   /// identity velocity and the pose without offset.
   std::vector<JointNode> nodes(const std::vector<Keyframe>& keyframes) const;
-  std::vector<double> node_times_s(const std::vector<Keyframe>& keyframes) const;
   std::vector<SessionNoise> noise() const;
 
  private:

@@ -51,7 +51,6 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
   const std::vector<Keyframe>& keyframes = output.keyframes;
   PairwiseInput out;
   out.nodes = motion.nodes(keyframes);
-  out.node_times_s = motion.node_times_s(keyframes);
   out.sessions = motion.noise();
   out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
@@ -381,15 +380,16 @@ CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& s
   // error common to all cannot be told from X, so none is assumed.
   input.sessions.push_back({});
   input.sessions.back().attitude_bias_sigma_rad = 0.0;
+  input.sessions.back().position_drift = input.sessions.back().attitude_drift = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Pair& pair = pairs[i];
     JointNode node;
+    node.time_s = static_cast<double>(i);
     input.nodes.push_back(node);
     pair.keyframe_b = static_cast<int>(2 * i);
     node.local_from_ins = pair.ins_b_from_ins_a;
     input.nodes.push_back(node);
     pair.keyframe_a = static_cast<int>(2 * i + 1);
-    input.node_times_s.insert(input.node_times_s.end(), 2, static_cast<double>(i));
     pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();
     pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
     pair.registration.attempted = pair.registration.converged = true;
