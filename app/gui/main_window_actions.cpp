@@ -63,6 +63,7 @@ void MainWindow::make_review_menu() {
   calibrate_ = add_action(menu, tr("&Calibrate"), tr("F5"), [this] { workbench_.calibrate(); });
   cancel_ = add_action(menu, tr("C&ancel"), tr("Esc"), [this] { workbench_.cancel(); });
   menu.addSeparator();
+  add_action(menu, tr("Use the result as &nominal mounting"), {}, [this] { workbench_.use_result_as_nominal(); });
   obstacles_ = add_action(menu, tr("Check &obstacles…"), tr("Ctrl+B"), [this] { show_obstacles(); });
   QMenu& review = *menuBar()->addMenu(tr("&Review"));
   const auto add = [&](const QString& text, const char* key, const std::function<void()>& act) {

@@ -54,6 +54,7 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::output_changed, this, &MainWindow::show_output);
   connect(&workbench_, &Workbench::state_changed, this, &MainWindow::show_state);
   connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
+  connect(&workbench_, &Workbench::logged, log_, &LogPanel::add);
   connect(&workbench_, &Workbench::job_progressed, progress_, &ProgressStrip::show_progress);
   connect(&workbench_, &Workbench::selection_changed, this, [this](int pair) {
     pairs_->show_selected(pair);
@@ -99,7 +100,10 @@ void MainWindow::show_output() {
 
 void MainWindow::show_state() {
   const bool busy = workbench_.opening() || workbench_.calibrating();
-  if (busy && !was_busy_) progress_->start(workbench_.opening() ? tr("Opening sessions…") : tr("Calibrating…"));
+  if (busy && !was_busy_) {
+    banner_->hide();  // what it says is answered by what was started
+    progress_->start(workbench_.opening() ? tr("Opening sessions…") : tr("Calibrating…"));
+  }
   if (!busy && was_busy_) {
     progress_->stop(tr("Ready"));
     if (workbench_.output()) pairs_->table()->setFocus();
@@ -168,7 +172,7 @@ void MainWindow::show_clouds(int pair, const CloudsPtr& clouds) {
 void MainWindow::show_message(Severity severity, const QString& where, const QString& what) {
   if (what.isEmpty()) return;
   log_->add(severity, where, what);
-  if (severity == Severity::Problem)
+  if (severity != Severity::Note)
     banner_->show_message(severity, where, what);
   else
     progress_text(where.isEmpty() ? what : where + QStringLiteral(": ") + what);

@@ -107,8 +107,7 @@ void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> session
     }
     emit message(Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
     for (const Finding& finding : session->findings)
-      emit message(finding.severity == Severity::Problem ? Severity::Warning : Severity::Note,
-                   QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
+      emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
     if (session->nominal_ins_from_lidar && !nominal_) {
       apply_nominal(session->nominal_ins_from_lidar);
       emit message(Severity::Note, path, tr("its nominal mounting is used"));
@@ -195,8 +194,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   exported_ = false;
   undo_.clear();
   for (const Finding& finding : output_->findings)
-    emit message(finding.severity == Severity::Problem ? Severity::Warning : finding.severity,
-                 QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
+    emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
   emit message(Severity::Note, tr("Result"), QString::fromStdString(output_->result.message));
   emit output_changed();
   selected_ = -1;
@@ -346,6 +344,10 @@ void Workbench::apply_settings(const Settings& settings) {
 
 void Workbench::edit_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
   undo_.push(new NominalCommand(*this, tr("change the nominal mounting"), ins_from_lidar));
+}
+
+void Workbench::use_result_as_nominal() {
+  if (output_ && is_usable(output_->result)) edit_nominal(output_->result.ins_from_lidar);
 }
 
 void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lidar) {

@@ -64,6 +64,7 @@ class Workbench : public QObject {
   void reset_range();
   void reset_settings();
   void edit_nominal(const std::optional<RigidTransform>& ins_from_lidar);
+  void use_result_as_nominal();
   void mark_exported();
   void say(Severity severity, const QString& where, const QString& what) { emit message(severity, where, what); }
 
@@ -95,7 +96,10 @@ class Workbench : public QObject {
   void clouds_loaded(int pair, remount::CloudsPtr clouds);
   void clouds_failed(int pair, const QString& why);
   void job_progressed(const QString& stage, qulonglong done, qulonglong total);
+  /// For the user to read now: what they asked for failed, cannot be done, or is done.
   void message(remount::Severity severity, const QString& where, const QString& what);
+  /// What was found in the data; shown where the data are listed.
+  void logged(remount::Severity severity, const QString& where, const QString& what);
 
  private:
   using DecisionKey = std::tuple<std::string, int, int>;  // session path, scan a, scan b

@@ -5,9 +5,11 @@
 #include <QApplication>
 #include <QDir>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
+#include <QToolButton>
 
 #include "app/gui/main_window.h"
 #include "app/gui/result_files.h"
@@ -107,6 +109,38 @@ TEST_F(WindowFlow, table_chart_and_keys_share_one_selection) {
   pairs.table()->selectRow(8);
   trigger("U");
   EXPECT_EQ(workbench_.selected_pair(), 10) << "pair 9 has been decided by the user";
+}
+
+TEST_F(WindowFlow, letters_decide_pairs_but_not_while_text_is_typed) {
+  if (!missing_gl_reason().isEmpty()) GTEST_SKIP() << "shortcuts need a window that can be active";
+  show();
+  window_.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window_, kPatience_ms));
+  calibrate_drive();
+  auto& pairs = child<PairsPanel>();
+  pairs.table()->selectRow(6);
+  QTest::keyClick(pairs.table(), Qt::Key_R);
+  EXPECT_EQ(pair(6).decided_by, DecidedBy::User);
+  ASSERT_TRUE(settle());
+  auto* filter = pairs.findChild<QLineEdit*>();
+  filter->setFocus();
+  pairs.table()->selectRow(8);
+  QTest::keyClicks(filter, "ra");
+  EXPECT_EQ(filter->text(), "ra");
+  EXPECT_NE(pair(8).decided_by, DecidedBy::User);
+  filter->clear();
+  auto& view = child<PairView>();
+  const PairAlignment before = view.alignment();
+  pairs.table()->setFocus();
+  QTest::keyClick(pairs.table(), Qt::Key_Space);
+  EXPECT_NE(view.alignment(), before) << "Space flips in the table";
+  auto* top = view.findChildren<QToolButton*>().last();
+  top->setFocus();
+  const PairAlignment flipped = view.alignment();
+  QSignalSpy pressed(top, &QToolButton::clicked);
+  QTest::keyClick(top, Qt::Key_Space);
+  EXPECT_EQ(pressed.count(), 1) << "Space still presses a button";
+  EXPECT_EQ(view.alignment(), flipped);
 }
 
 TEST_F(WindowFlow, several_marked_pairs_are_one_edit) {
