@@ -2,10 +2,12 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/core/error.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
 #include "model/result_file.h"
 #include "model/settings_file.h"
+#include "remount_version.h"
 
 namespace remount {
 namespace {
@@ -109,7 +111,12 @@ PairRecord pair_of(const DocumentView& item) {
 
 void read_provenance(const DocumentView& view, ResultFile& file) {
   file.version = view.at("version").string();
-  file.settings = settings_from_document(view.at("settings"));
+  try {
+    file.settings = settings_from_document(view.at("settings"));
+  } catch (const Error&) {
+    // Another version may have other settings; its X is no worse for that.
+    if (file.version == kVersion) throw;
+  }
   for (const DocumentView& item : view.at("inputs").items()) {
     InputFile input;
     input.session = item.at("session").string();

@@ -140,6 +140,15 @@ TEST(result_file, damaged_files_are_refused_with_the_place) {
   }
 }
 
+TEST(result_file, settings_of_another_version_do_not_make_a_result_unreadable) {
+  DocumentNode node = result_document(example());
+  DocumentNode& provenance = at(node, "provenance");
+  at(provenance, "settings").items[0].keys[0] = "setting_of_the_future";
+  EXPECT_NE(error_of(node).find("setting_of_the_future"), std::string::npos) << error_of(node);
+  at(provenance, "version").text = "99.0";
+  EXPECT_EQ(error_of(node), "");
+}
+
 TEST(result_file, mutated_files_never_crash) {
   const std::string good = to_yaml(result_document(example()));
   std::mt19937 random(11);
