@@ -89,11 +89,22 @@ void Workbench::open(const QStringList& paths) {
         }
         return [this, opened, failures] {
           add_sessions(opened);
-          for (const JobFailure& failure : failures) emit message(Severity::Problem, failure.where, failure.what);
+          if (failures.size() == 1) emit message(Severity::Problem, failures[0].where, failures[0].what);
+          if (failures.size() > 1) say_several_failed(failures);
         };
       },
       report_failure());
   emit state_changed();
+}
+
+void Workbench::say_several_failed(const std::vector<JobFailure>& failures) {
+  QStringList lines;
+  for (const JobFailure& failure : failures) {
+    emit logged(Severity::Problem, failure.where, failure.what);
+    lines << failure.where + QStringLiteral(": ") + failure.what.section('\n', 0, 0);
+  }
+  emit message(Severity::Problem, tr("%1 paths could not be opened (more in the log)").arg(failures.size()),
+               lines.join('\n'));
 }
 
 void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> sessions) {

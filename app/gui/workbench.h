@@ -109,6 +109,7 @@ class Workbench : public QObject {
   /// Takes over the user's earlier decisions on the same pairs of scans; true where there was one.
   static bool carry_over(const PipelineInput& input, const Decisions& decisions, PipelineOutput& output);
   void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
+  void say_several_failed(const std::vector<JobFailure>& failures);
   void take_run(const PipelineInput& input, OutputPtr output);
   void start_solve();
   void load_clouds();
