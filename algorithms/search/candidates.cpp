@@ -127,7 +127,9 @@ std::optional<RigidTransform> dual_quaternion(const std::vector<MotionPair>& pai
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 8, 8>> eigen(gram);
   const auto& values = eigen.eigenvalues();
-  if (!(values[2] > 0.0) || values[1] > 0.2 * values[2]) return std::nullopt;
+  // Parallel axes leave four dimensions: on exact data the third value then is nothing but rounding.
+  constexpr double kRounding = 1e-12;
+  if (!(values[2] > kRounding * values[7]) || values[1] > 0.2 * values[2]) return std::nullopt;
   const Eigen::Matrix<double, 8, 1> first = eigen.eigenvectors().col(0), second = eigen.eigenvectors().col(1);
   const Eigen::Vector4d u1 = first.head<4>(), v1 = first.tail<4>(), u2 = second.head<4>(), v2 = second.tail<4>();
   // l1 first + l2 second must have a unit real part orthogonal to its dual part: a quadratic in s = l1 / l2.

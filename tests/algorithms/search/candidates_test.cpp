@@ -1,0 +1,162 @@
+#include "algorithms/search/candidates.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/algorithms/support/random_motion.h"
+
+namespace remount {
+namespace {
+
+constexpr double kMinRotation_rad = 0.01, kMinAxisAngle_rad = 0.09;
+
+double equation_error(const MotionPair& pair, const RigidTransform& x) { return frobenius_sum({pair}, x, 1.0); }
+
+TEST(SinglePair, SatisfiesItsPairAndNoMemberOfTheFamilyIsNearerToTheNominal) {
+  std::mt19937_64 random(1);
+  for (int trial = 0; trial < 40; ++trial) {
+    const RigidTransform truth = random_rigid(random, 1.0), nominal = perturbed(truth, random_step(random, 0.5, 0.3));
+    const MotionPair pair = exact_pairs(random, truth, 1).front();
+    const RigidTransform x = single_pair_candidate(pair, nominal, kMinRotation_rad);
+    EXPECT_LT(equation_error(pair, x), 1e-9);
+    const Eigen::Vector3d axis = so3_log(pair.ins_b_from_ins_a.linear()).normalized();
+    const double turn_rad = rotation_angle_between_rad(x, nominal);
+    const double shift_m = (x.translation() - nominal.translation()).norm();
+    for (double step = -3.0; step <= 3.0; step += 0.1) {
+      const RigidTransform turned = make_rigid(so3_exp(step * axis) * x.linear(), x.translation());
+      EXPECT_GE(rotation_angle_between_rad(turned, nominal), turn_rad - 1e-9);
+      const RigidTransform shifted = make_rigid(x.linear(), x.translation() + step * axis);
+      EXPECT_LT(equation_error(pair, shifted), 1e-9) << "the family's free translation";
+      EXPECT_GE((shifted.translation() - nominal.translation()).norm(), shift_m - 1e-9);
+    }
+  }
+}
+
+TEST(SinglePair, WithoutATurnTheDirectionOfTravelIsUsedAndTheTranslationKept) {
+  std::mt19937_64 random(2);
+  const RigidTransform truth = random_rigid(random, 1.0), nominal = perturbed(truth, random_step(random, 0.5, 0.2));
+  const MotionPair pair = exact_pair(make_rigid(Eigen::Matrix3d::Identity(), {-6, 0.3, 0.1}), truth);
+  const RigidTransform x = single_pair_candidate(pair, nominal, kMinRotation_rad);
+  EXPECT_LT(equation_error(pair, x), 1e-9);
+  EXPECT_EQ((x.translation() - nominal.translation()).norm(), 0.0);
+  const MotionPair still = exact_pair(RigidTransform::Identity(), truth);
+  EXPECT_LT(distance_of(single_pair_candidate(still, nominal, kMinRotation_rad), nominal), 1e-12);
+}
+
+TEST(TwoPairs, AreExactAndRefusedForParallelAxesOrSmallTurns) {
+  std::mt19937_64 random(3);
+  int tested = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    const RigidTransform truth = random_rigid(random, 1.0);
+    const std::vector<MotionPair> pairs = exact_pairs(random, truth, 2);
+    const auto x =
+        two_pair_candidate(pairs[0], pairs[1], RigidTransform::Identity(), kMinRotation_rad, kMinAxisAngle_rad);
+    if (!x) continue;
+    ++tested;
+    EXPECT_LT(distance_of(*x, truth), 1e-7);
+    const std::vector<MotionPair> parallel = exact_pairs(random, truth, 2, {0, 0, 1});
+    EXPECT_FALSE(two_pair_candidate(parallel[0], parallel[1], truth, kMinRotation_rad, kMinAxisAngle_rad));
+    EXPECT_FALSE(two_pair_candidate(pairs[0], pairs[1], truth, 4.0, kMinAxisAngle_rad));
+  }
+  EXPECT_GT(tested, 30);
+}
+
+TEST(AllPairs, ClosedFormsAreExactOnExactData) {
+  std::mt19937_64 random(4);
+  for (int trial = 0; trial < 40; ++trial) {
+    const RigidTransform truth = random_rigid(random, 1.0);
+    const std::vector<MotionPair> pairs = exact_pairs(random, truth, 3 + trial);
+    const auto by_logarithms = park_martin(pairs, RigidTransform::Identity());
+    const auto by_dual_quaternions = dual_quaternion(pairs);
+    ASSERT_TRUE(by_logarithms && by_dual_quaternions) << trial;
+    EXPECT_LT(distance_of(*by_logarithms, truth), 1e-8);
+    EXPECT_LT(distance_of(*by_dual_quaternions, truth), 1e-6);
+  }
+}
+
+TEST(AllPairs, ClosedFormsAreRefusedWhereAllAxesAreParallel) {
+  std::mt19937_64 random(5);
+  for (int trial = 0; trial < 200; ++trial) {
+    const RigidTransform truth = random_rigid(random, 1.0);
+    const std::vector<MotionPair> pairs = exact_pairs(random, truth, 2 + trial % 20, {0, 0, 1}, {1, 1, 0});
+    EXPECT_FALSE(park_martin(pairs, truth)) << trial;
+    EXPECT_FALSE(dual_quaternion(pairs)) << trial;
+  }
+  EXPECT_FALSE(park_martin({}, RigidTransform::Identity()));
+  EXPECT_FALSE(dual_quaternion({}));
+}
+
+std::vector<Eigen::Matrix3d> hard_orientations() {
+  std::vector<Eigen::Matrix3d> out;
+  for (const double yaw_deg : {0.0, 90.0, 180.0, -135.0})
+    for (const double pitch_deg : {0.0, 45.0, 89.9, 90.0, -90.0})
+      for (const double roll_deg : {0.0, 180.0, 67.5})
+        out.push_back(rotation_from_yaw_pitch_roll(
+            {degrees_to_radians(yaw_deg), degrees_to_radians(pitch_deg), degrees_to_radians(roll_deg)}));
+  return out;
+}
+
+TEST(JointQuadratic, IsExactForAnyOrientation) {
+  std::mt19937_64 random(6);
+  for (const Eigen::Matrix3d& rotation : hard_orientations()) {
+    const RigidTransform truth = make_rigid(rotation, random_vector(random, 1.0));
+    const RigidTransform x = joint_quadratic(QuadraticForm(exact_pairs(random, truth, 20), 10.0), {0, 0, 0});
+    EXPECT_LT(distance_of(x, truth), 1e-5) << six_from_rigid(truth).yaw_rad << " " << six_from_rigid(truth).pitch_rad;
+  }
+}
+
+TEST(JointQuadratic, IsExactForPlanarMotionExceptForTheHeightThatStaysNear) {
+  std::mt19937_64 random(7);
+  for (const Eigen::Matrix3d& rotation : hard_orientations()) {
+    const RigidTransform truth = make_rigid(rotation, random_vector(random, 1.0));
+    const QuadraticForm form(exact_pairs(random, truth, 20, {0, 0, 1}, {1, 1, 0}), 10.0);
+    const RigidTransform x = joint_quadratic(form, {0.0, 0.0, 1.25});
+    EXPECT_LT(rotation_angle_between_rad(x, truth), 1e-5);
+    EXPECT_LT((x.translation() - truth.translation()).head<2>().norm(), 1e-5);
+    EXPECT_NEAR(x.translation().z(), 1.25, 1e-6);
+  }
+}
+
+TEST(SearchRangeWords, NameEveryParameterThatIsOutsideAndByHowMuch) {
+  SearchRange range;
+  EXPECT_EQ(outside_range(RigidTransform::Identity(), range), "");
+  range.yaw_max_rad = degrees_to_radians(10.0);
+  range.pitch_min_rad = degrees_to_radians(-10.0);
+  SixParameters six;
+  six.x_m = 6.2;
+  EXPECT_EQ(outside_range(rigid_from_six(six), range), "x 6.20 m above 5.00 m");
+  six.z_m = -7.0;
+  six.yaw_rad = degrees_to_radians(20.0);
+  six.pitch_rad = degrees_to_radians(-30.0);
+  EXPECT_EQ(outside_range(rigid_from_six(six), range),
+            "x 6.20 m above 5.00 m, z -7.00 m below -5.00 m, yaw 20.00 deg above 10.00 deg, pitch -30.00 deg below "
+            "-10.00 deg");
+}
+
+TEST(Ranking, InRangeFirstThenByErrorAndTheTruthWins) {
+  std::mt19937_64 random(8);
+  const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 0.3}), {1.0, 0.5, 1.5});
+  const std::vector<MotionPair> pairs = exact_pairs(random, truth, 10);
+  std::vector<int> names;
+  for (int i = 0; i < 10; ++i) names.push_back(100 + i);
+  SearchRange range;
+  const std::vector<Candidate> ranked = find_candidates(pairs, names, RigidTransform::Identity(), range, {});
+  ASSERT_GT(ranked.size(), 20U);
+  EXPECT_LT(distance_of(ranked.front().ins_from_lidar, truth), 1e-5) << ranked.front().source;
+  const auto before = [](const Candidate& left, const Candidate& right) {
+    return left.in_range != right.in_range ? left.in_range : left.frobenius_sum < right.frobenius_sum;
+  };
+  EXPECT_TRUE(std::is_sorted(ranked.begin(), ranked.end(), before));
+  EXPECT_TRUE(std::any_of(ranked.begin(), ranked.end(), [](const Candidate& c) { return c.source == "pair 103"; }));
+  range.x_max_m = 0.5;  // now the truth is outside: kept, in words, after all that are inside
+  const std::vector<Candidate> outside = find_candidates(pairs, names, RigidTransform::Identity(), range, {});
+  EXPECT_EQ(outside.size(), ranked.size());
+  EXPECT_TRUE(std::is_sorted(outside.begin(), outside.end(), before));
+  EXPECT_FALSE(outside.back().in_range);
+  EXPECT_FALSE(outside.back().out_of_range.empty());
+}
+
+}  // namespace
+}  // namespace remount

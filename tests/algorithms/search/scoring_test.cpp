@@ -1,0 +1,98 @@
+#include "algorithms/search/scoring.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "tests/algorithms/support/random_motion.h"
+
+namespace remount {
+namespace {
+
+// Pairs that no X satisfies, with different weights.
+std::vector<MotionPair> inconsistent_pairs(std::mt19937_64& random, int count) {
+  std::vector<MotionPair> pairs = exact_pairs(random, random_rigid(random, 1.0), count);
+  for (MotionPair& pair : pairs) {
+    pair.lidar_b_from_lidar_a = perturbed(pair.lidar_b_from_lidar_a, random_step(random, 0.3, 0.1));
+    pair.weight = 0.2 + std::abs(random_vector(random, 1.0).x());
+  }
+  return pairs;
+}
+
+// ||P X - X Q||_F^2 of the 4 x 4 matrices, the translation column over the length: the definition.
+double squared_norm(const MotionPair& pair, const RigidTransform& x, double length_m) {
+  Eigen::Matrix4d error = pair.ins_b_from_ins_a.matrix() * x.matrix() - x.matrix() * pair.lidar_b_from_lidar_a.matrix();
+  error.col(3) /= length_m;
+  return error.squaredNorm();
+}
+
+TEST(Scoring, FrobeniusSumIsTheSumOfTheNormsOfItsDefinition) {
+  std::mt19937_64 random(1);
+  const std::vector<MotionPair> pairs = inconsistent_pairs(random, 30);
+  for (const double length_m : {1.0, 10.0}) {
+    const RigidTransform x = random_rigid(random, 2.0);
+    double sum = 0.0;
+    for (const MotionPair& pair : pairs) sum += std::sqrt(squared_norm(pair, x, length_m));
+    EXPECT_NEAR(frobenius_sum(pairs, x, length_m), sum, 1e-10);
+  }
+  const RigidTransform x = random_rigid(random, 2.0);
+  EXPECT_LT(frobenius_sum(exact_pairs(random, x, 30), x, 1.0), 1e-12);
+}
+
+TEST(Scoring, TheQuadraticFormIsTheWeightedSumOfSquares) {
+  std::mt19937_64 random(2);
+  const std::vector<MotionPair> pairs = inconsistent_pairs(random, 40);
+  for (const double length_m : {1.0, 10.0}) {
+    const QuadraticForm form(pairs, length_m);
+    for (int i = 0; i < 20; ++i) {
+      const RigidTransform x = random_rigid(random, 2.0);
+      double sum = 0.0;
+      for (const MotionPair& pair : pairs) sum += pair.weight * squared_norm(pair, x, length_m);
+      EXPECT_NEAR(form.value(x) / sum, 1.0, 1e-9);
+    }
+  }
+}
+
+TEST(Scoring, BestTranslationIsTheMinimumForItsRotation) {
+  std::mt19937_64 random(3);
+  const QuadraticForm form(inconsistent_pairs(random, 40), 1.0);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix3d rotation = random_rotation(random);
+    const Eigen::Vector3d best_m = form.best_translation_m(rotation, random_vector(random, 5.0));
+    const double least = form.value(make_rigid(rotation, best_m));
+    EXPECT_NEAR(form.reduced(rotation).value / least, 1.0, 1e-9);
+    for (int other = 0; other < 10; ++other)
+      EXPECT_GT(form.value(make_rigid(rotation, best_m + random_vector(random, 0.1))), least);
+  }
+}
+
+TEST(Scoring, WhatThePairsDoNotDetermineStaysNear) {
+  std::mt19937_64 random(4);
+  const RigidTransform x = random_rigid(random, 1.0);
+  const QuadraticForm planar(exact_pairs(random, x, 30, {0, 0, 1}, {1, 1, 0}), 1.0);
+  const Eigen::Vector3d best_m = planar.best_translation_m(x.linear(), {7.0, 8.0, 9.0});
+  EXPECT_LT((best_m.head<2>() - x.translation().head<2>()).norm(), 1e-9);
+  EXPECT_NEAR(best_m.z(), 9.0, 1e-9);
+}
+
+TEST(Scoring, ReducedGradientAgreesWithPerturbation) {
+  std::mt19937_64 random(5);
+  constexpr double kStep = 1e-5;
+  const QuadraticForm form(inconsistent_pairs(random, 40), 10.0);
+  for (int i = 0; i < 20; ++i) {
+    const Eigen::Matrix3d rotation = random_rotation(random);
+    const QuadraticForm::Reduced at = form.reduced(rotation);
+    Eigen::Vector3d numeric;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d d = kStep * Eigen::Vector3d::Unit(axis);
+      numeric[axis] =
+          (form.reduced(so3_exp(d) * rotation).value - form.reduced(so3_exp(-d) * rotation).value) / (2.0 * kStep);
+    }
+    EXPECT_LT((at.gradient - numeric).norm(), 1e-6 * (1.0 + at.gradient.norm())) << numeric.transpose();
+    EXPECT_GE(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(at.curvature).eigenvalues()[0], -1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace remount
