@@ -1,0 +1,220 @@
+#include "algorithms/calibration/pairwise.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tests/algorithms/support/simulated_drive.h"
+
+namespace remount {
+namespace {
+
+const RigidTransform kNominal = perturbed(mounting(), (Vector6d() << 0.1, -0.1, 0.1, 0.03, -0.02, 0.03).finished());
+
+struct Solved {
+  CalibrationResult result;
+  std::vector<Pair> pairs;
+};
+
+Solved solve(const SimulatedDrive& drive, const DriveOptions& options, const std::vector<Pair>& pairs,
+             bool with_nominal = true, const Progress& progress = {}) {
+  PairwiseInput input = input_of(drive, options);
+  if (with_nominal) input.nominal_ins_from_lidar = kNominal;
+  Solved solved{{}, pairs};
+  solved.result = solve_pairwise(input, solved.pairs, progress);
+  return solved;
+}
+
+Solved solve(const DriveOptions& options, int seed, bool with_nominal = true) {
+  const SimulatedDrive drive = simulate(options, seed);
+  return solve(drive, options, pairs_of(drive), with_nominal);
+}
+
+double error_m(const CalibrationResult& result) {
+  return (result.ins_from_lidar.translation() - mounting().translation()).norm();
+}
+double error_rad(const CalibrationResult& result) {
+  return rotation_angle_between_rad(result.ins_from_lidar, mounting());
+}
+
+TEST(Pairwise, IsExactOnExactDataWithAndWithoutANominal) {
+  DriveOptions options;
+  options.noise = no_noise();
+  for (const bool with_nominal : {true, false}) {
+    const CalibrationResult result = solve(options, 1, with_nominal).result;
+    EXPECT_EQ(result.status, Status::Ok) << result.message;
+    EXPECT_LT(error_m(result), 1e-6);
+    EXPECT_LT(error_rad(result), 1e-7);
+    EXPECT_EQ(result.pairs_rejected, 0);
+    EXPECT_LT(result.translation_rms_m, 1e-6);
+    EXPECT_LT(result.frobenius_sum, 1e-5);
+  }
+}
+
+TEST(Pairwise, NoisyErrorsAreWithinTheSigmasAndEveryParameterIsObserved) {
+  DriveOptions options;
+  options.keyframes = 80;
+  double sum = 0.0;
+  constexpr int kProblems = 8;
+  for (int seed = 1; seed <= kProblems; ++seed) {
+    const CalibrationResult result = solve(options, seed).result;
+    ASSERT_EQ(result.status, Status::Ok) << result.message;
+    const SixParameters found = six_from_rigid(result.ins_from_lidar), truth = six_from_rigid(mounting());
+    const double errors[] = {found.x_m - truth.x_m,
+                             found.y_m - truth.y_m,
+                             found.z_m - truth.z_m,
+                             found.yaw_rad - truth.yaw_rad,
+                             found.pitch_rad - truth.pitch_rad,
+                             found.roll_rad - truth.roll_rad};
+    for (std::size_t i = 0; i < 6; ++i) {
+      ASSERT_TRUE(result.sigma(i)) << kParameterNames[i];
+      const double ratio = errors[i] / *result.sigma(i);
+      EXPECT_LT(std::abs(ratio), 4.0) << kParameterNames[i] << ", seed " << seed;
+      sum += ratio * ratio;
+    }
+  }
+  EXPECT_GT(sum / (6 * kProblems), 0.3);
+  EXPECT_LT(sum / (6 * kProblems), 1.8);
+}
+
+TEST(Pairwise, ThirtyPercentOutliersAreRejectedEachWithAReason) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 2);
+  for (const bool with_nominal : {true, false}) {
+    std::vector<Pair> pairs = pairs_of(drive);
+    std::mt19937_64 random(9);
+    std::set<std::size_t> wrong;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      if (i % 10 < 3) {
+        wrong.insert(i);
+        pairs[i].lidar_b_from_lidar_a = perturbed(pairs[i].lidar_b_from_lidar_a, random_step(random, 1.0, 0.1));
+      }
+    const Solved solved = solve(drive, options, pairs, with_nominal);
+    int good_rejected = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const Pair& pair = solved.pairs[i];
+      if (!wrong.contains(i)) {
+        good_rejected += pair.state == PairState::Rejected ? 1 : 0;
+        continue;
+      }
+      EXPECT_EQ(pair.state, PairState::Rejected) << i;
+      EXPECT_EQ(pair.weight, 0.0) << i;
+      EXPECT_NE(pair.reason.find("contradicts the INS motion"), std::string::npos) << i << ": " << pair.reason;
+    }
+    EXPECT_LE(good_rejected, 3);
+    EXPECT_LT(error_m(solved.result), 0.05) << solved.result.message;
+    EXPECT_LT(error_rad(solved.result), 2e-3);
+    EXPECT_EQ(solved.result.pairs_accepted + solved.result.pairs_rejected, solved.result.pairs_proposed);
+  }
+}
+
+TEST(Pairwise, WhatTheUserDecidedStays) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 3);
+  std::vector<Pair> pairs = pairs_of(drive);
+  pairs[4].state = PairState::Rejected;  // a good one
+  pairs[4].decided_by = DecidedBy::User;
+  pairs[4].reason = "rain";
+  pairs[7].state = PairState::Accepted;  // a wrong one
+  pairs[7].decided_by = DecidedBy::User;
+  pairs[7].lidar_b_from_lidar_a.translation().x() += 0.5;
+  const Solved solved = solve(drive, options, pairs);
+  EXPECT_EQ(solved.pairs[4].state, PairState::Rejected);
+  EXPECT_EQ(solved.pairs[4].reason, "rain");
+  EXPECT_EQ(solved.pairs[7].state, PairState::Accepted);
+  EXPECT_EQ(solved.pairs[7].decided_by, DecidedBy::User);
+  EXPECT_GT(solved.pairs[7].weight, 0.0);
+  EXPECT_EQ(solved.pairs[5].decided_by, DecidedBy::Program);
+}
+
+TEST(Pairwise, FlatDrivingKeepsTheNominalHeightAndSaysSo) {
+  DriveOptions options;
+  options.tilt_rad = 0.0;
+  for (const bool noisy : {false, true}) {
+    if (!noisy)
+      options.noise = no_noise();
+    else
+      options.noise = NoiseModel{};
+    const CalibrationResult result = solve(options, 4).result;
+    EXPECT_EQ(result.status, Status::Degenerate) << result.message;
+    EXPECT_FALSE(result.observed[2]);
+    EXPECT_FALSE(result.sigma(2));
+    EXPECT_TRUE(std::isnan(result.covariance(2, 2)) && std::isnan(result.bootstrap_sigma[2]));
+    EXPECT_NEAR(result.ins_from_lidar.translation().z(), kNominal.translation().z(), 1e-9);
+    EXPECT_TRUE(result.observed[0] && result.observed[1] && result.observed[3]);
+    EXPECT_LT((result.ins_from_lidar.translation() - mounting().translation()).head<2>().norm(), 0.1);
+    EXPECT_NE(result.message.find(" z"), std::string::npos) << result.message;
+    ASSERT_FALSE(result.advice.empty());
+    EXPECT_NE(result.advice.front().find("Height"), std::string::npos) << result.advice.front();
+    EXPECT_FALSE(result.directions.front().observed);
+  }
+}
+
+TEST(Pairwise, StraightDrivingShowsNoTranslationAndNoRoll) {
+  DriveOptions options;
+  options.tilt_rad = options.turn_rad = 0.0;
+  const CalibrationResult result = solve(options, 5).result;
+  EXPECT_EQ(result.status, Status::Degenerate) << result.message;
+  for (const std::size_t i : {0, 1, 2, 5}) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
+  EXPECT_LT((result.ins_from_lidar.translation() - kNominal.translation()).norm(), 1e-9) << "kept at the nominal";
+  EXPECT_FALSE(result.advice.empty());
+}
+
+TEST(Pairwise, TooFewPairsIsAResultWithAdvice) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 6);
+  std::vector<Pair> pairs = pairs_of(drive);
+  for (std::size_t i = 2; i < pairs.size(); ++i) pairs[i].registration.failure = "overlap too small: 0.1, limit 0.3";
+  const Solved failed = solve(drive, options, pairs);
+  EXPECT_EQ(failed.result.status, Status::TooFewPairs);
+  EXPECT_NE(failed.result.message.find("2 usable"), std::string::npos) << failed.result.message;
+  EXPECT_FALSE(failed.result.advice.empty());
+  EXPECT_EQ(solve(drive, options, {}).result.status, Status::TooFewPairs);
+}
+
+TEST(Pairwise, ASolutionOutsideTheSearchRangeSaysWhichParameter) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 7);
+  PairwiseInput input = input_of(drive, options);
+  input.range.z_max_m = 1.0;
+  std::vector<Pair> pairs = pairs_of(drive);
+  const CalibrationResult result = solve_pairwise(input, pairs, {});
+  EXPECT_EQ(result.status, Status::OutOfRange);
+  EXPECT_NE(result.message.find("z 1.6"), std::string::npos) << result.message;
+}
+
+TEST(Pairwise, CancelledIsAResult) {
+  std::stop_source stop;
+  stop.request_stop();
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 8);
+  EXPECT_EQ(solve(drive, options, pairs_of(drive), true, Progress(stop.get_token())).result.status, Status::Cancelled);
+}
+
+TEST(Pairwise, SameInputSameBytes) {
+  const DriveOptions options;
+  const CalibrationResult first = solve(options, 9).result, second = solve(options, 9).result;
+  EXPECT_TRUE(first.ins_from_lidar.matrix() == second.ins_from_lidar.matrix());
+  EXPECT_TRUE(first.covariance == second.covariance);
+  EXPECT_EQ(first.bootstrap_sigma, second.bootstrap_sigma);
+  ASSERT_EQ(first.candidates.size(), second.candidates.size());
+  for (std::size_t i = 0; i < first.candidates.size(); ++i)
+    EXPECT_EQ(first.candidates[i].source, second.candidates[i].source);
+}
+
+TEST(Pairwise, TheListOfCandidatesIsLimitedAndHoldsTheRefinedOne) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 10);
+  PairwiseInput input = input_of(drive, options);
+  input.options.max_listed_candidates = 5;
+  std::vector<Pair> pairs = pairs_of(drive);
+  const CalibrationResult result = solve_pairwise(input, pairs, {});
+  ASSERT_EQ(result.candidates.size(), 5U);
+  EXPECT_TRUE(std::any_of(result.candidates.begin(), result.candidates.end(),
+                          [](const Candidate& candidate) { return candidate.source == "refined"; }));
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,48 @@
+#include "algorithms/core/options.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "algorithms/calibration/solve_options.h"
+#include "algorithms/core/error.h"
+#include "algorithms/registration/registration_options.h"
+#include "algorithms/trajectory/keyframes.h"
+#include "algorithms/trajectory/pairing.h"
+
+namespace remount {
+namespace {
+
+TEST(Options, DefaultsAreValid) {
+  EXPECT_TRUE(option_problems(SolveOptions{}).empty());
+  EXPECT_TRUE(option_problems(SearchRange{}).empty());
+  EXPECT_TRUE(option_problems(RegistrationOptions{}).empty());
+  EXPECT_TRUE(option_problems(KeyframeOptions{}).empty());
+  EXPECT_TRUE(option_problems(PairingOptions{}).empty());
+}
+
+TEST(Options, EveryProblemIsNamedNotOnlyTheFirst) {
+  RegistrationOptions options;
+  options.voxel_m = -1.0;
+  options.max_iterations = 0;
+  options.min_overlap = std::numeric_limits<double>::quiet_NaN();
+  options.algorithm = static_cast<RegistrationAlgorithm>(9);
+  const std::vector<std::string> problems = option_problems(options);
+  ASSERT_EQ(problems.size(), 4U);
+  std::string all;
+  for (const std::string& problem : problems) all += problem + "\n";
+  for (const char* name : {"voxel_m", "max_iterations", "min_overlap", "algorithm"})
+    EXPECT_NE(all.find(name), std::string::npos) << all;
+}
+
+TEST(Error, TellsWhereBeforeWhatAndKeepsBoth) {
+  const Error error(ErrorCode::Format, "scan.pcd:7", "expected a number");
+  EXPECT_STREQ(error.what(), "scan.pcd:7: expected a number");
+  EXPECT_EQ(error.where(), "scan.pcd:7");
+  EXPECT_EQ(error.what_happened(), "expected a number");
+  EXPECT_EQ(error.code(), ErrorCode::Format);
+  EXPECT_STREQ(Error(ErrorCode::Io, "", "disk full").what(), "disk full");
+}
+
+}  // namespace
+}  // namespace remount

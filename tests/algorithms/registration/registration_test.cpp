@@ -1,0 +1,164 @@
+#include "algorithms/registration/registration.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "tests/algorithms/support/random_motion.h"
+#include "tests/algorithms/support/room.h"
+
+namespace remount {
+namespace {
+
+constexpr double kNoise_m = 0.005;
+const RigidTransform kTargetFromSource = make_rigid(so3_exp({0.02, -0.03, 0.12}), {1.0, 0.4, -0.05});
+const RigidTransform kStartError = make_rigid(so3_exp({0.01, 0.01, -0.02}), {0.15, -0.12, 0.08});
+
+// What a sensor sees that stands at the origin, and from where `kTargetFromSource` takes it.
+struct Scans {
+  PreparedCloud source, target;
+};
+
+Scans scans_in(const std::vector<Rectangle>& world, double noise_m, const RegistrationOptions& options = {}) {
+  return {PreparedCloud(scan_of(world, kTargetFromSource, noise_m, 1), options),
+          PreparedCloud(scan_of(world, RigidTransform::Identity(), noise_m, 2), options)};
+}
+
+const Scans& room_scans() {
+  static const Scans scans = scans_in(room(), kNoise_m);
+  return scans;
+}
+
+RegistrationResult align(const Scans& scans, const RegistrationOptions& options = {}, const Progress& progress = {}) {
+  return align_scans(scans.source, scans.target, kStartError * kTargetFromSource, options, progress);
+}
+
+std::string describe(const RegistrationResult& result) {
+  const Vector6d error = difference(kTargetFromSource, result.target_from_source);
+  return "error " + std::to_string(1000.0 * error.head<3>().norm()) + " mm, " +
+         std::to_string(radians_to_degrees(error.tail<3>().norm())) + " deg; overlap " +
+         std::to_string(result.quality.overlap) + ", rmse " + std::to_string(result.quality.rmse_m) + " m, " +
+         std::to_string(result.quality.iterations) + " iterations; " + result.quality.failure;
+}
+
+TEST(Registration, RecoversAMotionInARoomToMillimetres) {
+  const RegistrationResult result = align(room_scans());
+  const Vector6d error = difference(kTargetFromSource, result.target_from_source);
+  EXPECT_TRUE(result.quality.attempted && result.quality.converged) << describe(result);
+  EXPECT_EQ(result.quality.failure, "");
+  EXPECT_LT(error.head<3>().norm(), 2e-3) << describe(result);
+  EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.02)) << describe(result);
+  EXPECT_GT(result.quality.overlap, 0.8) << describe(result);
+  EXPECT_LT(result.quality.rmse_m, 2.0 * kNoise_m) << describe(result);
+}
+
+TEST(Registration, OfAScanWithItselfIsExact) {
+  const PreparedCloud cloud(scan_of(room(), RigidTransform::Identity(), kNoise_m, 1), {});
+  const RegistrationResult result = align_scans(cloud, cloud, kStartError, {}, {});
+  EXPECT_TRUE(result.quality.converged);
+  EXPECT_LT(distance_of(result.target_from_source, RigidTransform::Identity()), 2e-6)
+      << distance_of(result.target_from_source, RigidTransform::Identity());
+  EXPECT_GT(result.quality.overlap, 0.99);
+}
+
+TEST(Registration, ErrorsOfManyRoomsAreAsLargeAsTheInformationSaysWithinItsScale) {
+  // The information counts every point as independent; the noise model scales it (about three).
+  double sum = 0.0;
+  constexpr int kRooms = 12;
+  for (int i = 0; i < kRooms; ++i) {
+    const PreparedCloud source(scan_of(room(), kTargetFromSource, kNoise_m, 10 + i), {}),
+        target(scan_of(room(), RigidTransform::Identity(), kNoise_m, 50 + i), {});
+    const RegistrationResult result = align_scans(source, target, kTargetFromSource, {}, {});
+    const Vector6d error = difference(kTargetFromSource, result.target_from_source);
+    sum += error.dot(result.quality.information * error);
+  }
+  const double scale = std::sqrt(sum / (6.0 * kRooms));
+  EXPECT_GT(scale, 0.2);
+  EXPECT_LT(scale, 5.0);
+}
+
+TEST(Registration, ACorridorIsWeakAlongItselfAndStaysWhereItStarted) {
+  const Scans scans = scans_in(corridor(), kNoise_m);
+  const RegistrationResult result = align(scans);
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(result.quality.information);
+  EXPECT_GT(std::abs(eigen.eigenvectors()(0, 0)), 0.98) << eigen.eigenvectors().col(0).transpose();
+  EXPECT_LT(eigen.eigenvalues()[0], 0.01 * eigen.eigenvalues()[1]) << eigen.eigenvalues().transpose();
+  const Vector6d error = difference(kTargetFromSource, result.target_from_source);
+  EXPECT_LT(error.segment<2>(1).norm(), 3e-3) << describe(result);
+  EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.05)) << describe(result);
+  EXPECT_LT(std::abs(error.x()), 0.5) << "not driven away: " << describe(result);
+}
+
+TEST(Registration, SaysWhyThereIsNoResult) {
+  const Scans& scans = room_scans();
+  const PreparedCloud empty({}, {});
+  const RegistrationResult few = align_scans(empty, scans.target, RigidTransform::Identity(), {}, {});
+  EXPECT_TRUE(few.quality.attempted);
+  EXPECT_FALSE(few.quality.converged);
+  EXPECT_EQ(few.quality.failure, "too few points with a surface: 0");
+  EXPECT_FALSE(align_scans(scans.source, empty, RigidTransform::Identity(), {}, {}).quality.failure.empty());
+
+  const RigidTransform far = make_rigid(Eigen::Matrix3d::Identity(), {500, 0, 0});
+  for (int algorithm = 0; algorithm < 4; ++algorithm) {
+    RegistrationOptions options;
+    options.algorithm = static_cast<RegistrationAlgorithm>(algorithm);
+    options.max_iterations = 5;
+    const RegistrationResult apart = align_scans(scans.source, scans.target, far, options, {});
+    EXPECT_FALSE(apart.quality.failure.empty()) << algorithm;
+    EXPECT_LT(apart.quality.overlap, 0.01) << algorithm;
+  }
+  RegistrationOptions strict;
+  strict.max_rmse_m = 0.001;
+  EXPECT_NE(align(scans, strict).quality.failure.find("residual too large"), std::string::npos);
+  strict.max_rmse_m = 1.0;
+  strict.min_overlap = 1.0;
+  EXPECT_NE(align(scans, strict).quality.failure.find("overlap too small"), std::string::npos);
+  strict.max_iterations = 1;
+  EXPECT_EQ(align(scans, strict).quality.failure, "registration did not converge");
+}
+
+TEST(Registration, EveryAlgorithmOfTheListIsSelectableAndClose) {
+  ASSERT_EQ(registration_methods().size(), 4U);
+  RegistrationOptions options;
+  const double limits_m[] = {0.002, 0.06, 0.01, 0.06};
+  for (int algorithm = 0; algorithm < 4; ++algorithm) {
+    options.algorithm = static_cast<RegistrationAlgorithm>(algorithm);
+    const RegistrationResult result = align(room_scans(), options);
+    const Vector6d error = difference(kTargetFromSource, result.target_from_source);
+    EXPECT_LT(error.head<3>().norm(), limits_m[algorithm])
+        << registration_methods()[static_cast<std::size_t>(algorithm)].id << ": " << describe(result);
+    EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(algorithm == 0 ? 0.02 : 0.5)) << describe(result);
+    EXPECT_GT(result.quality.information.diagonal().minCoeff(), 0.0) << "information for every algorithm";
+  }
+}
+
+TEST(Registration, CancelledIsAResult) {
+  std::stop_source stop;
+  stop.request_stop();
+  const RegistrationResult result = align(room_scans(), {}, Progress(stop.get_token()));
+  EXPECT_EQ(result.quality.failure, "cancelled");
+  EXPECT_FALSE(result.quality.converged);
+}
+
+TEST(Registration, SameScansSameBytes) {
+  const RegistrationResult first = align(room_scans()), second = align(scans_in(room(), kNoise_m));
+  EXPECT_TRUE(first.target_from_source.matrix() == second.target_from_source.matrix());
+  EXPECT_TRUE(first.quality.information == second.quality.information);
+  EXPECT_EQ(first.quality.iterations, second.quality.iterations);
+}
+
+TEST(AlignmentEquations, GradientAgreesWithItsHessianNearTheMinimum) {
+  // The equations are linear in the step as long as the neighbours stay: g(x + d) = g(x) + H d.
+  const PreparedCloud cloud(scan_of(room(), RigidTransform::Identity(), 0.0, 1), {});
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 10; ++i) {
+    const Vector6d step = random_step(random, 2e-4, 2e-5);
+    const AlignmentEquations at = alignment_equations(cloud, cloud, perturbed(RigidTransform::Identity(), step), 0.5);
+    const Vector6d expected = at.hessian * step;
+    EXPECT_LT((at.gradient - expected).norm(), 0.02 * expected.norm());
+  }
+}
+
+}  // namespace
+}  // namespace remount
