@@ -171,48 +171,68 @@ NodePart node_part(const JointNode& node, std::size_t index, const Matrix6d& bod
 
 // The lower triangle of J' L J for two parts.
 void add_parts(const NodePart& row, const NodePart& column, const Matrix6d& information, Entries& entries) {
-  const Eigen::MatrixXd block = row.jacobian.transpose() * information * column.jacobian;
+  const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> weighted = information * column.jacobian;
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 12> block = row.jacobian.transpose() * weighted;
   for (int c = 0; c < block.cols(); ++c)
     for (int r = 0; r < block.rows(); ++r)
       if (row.at + r >= column.at + c) entries.emplace_back(row.at + r, column.at + c, block(r, c));
 }
 
-void add_term(const JointProblem& problem, const JointTerm& term, const NoiseModel& noise, const State& state,
-              const std::vector<RigidTransform>& poses, const Layout& layout, NormalEquations& equations,
-              Entries& entries) {
-  const auto a = static_cast<std::size_t>(term.node_a), b = static_cast<std::size_t>(term.node_b);
-  const PairEquation pair =
-      linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
-  const Matrix6d information = term.weight * noise.registration_information(term.information);
-  const NodePart part_a = node_part(problem.nodes[a], a, pair.d_a, layout),
-                 part_b = node_part(problem.nodes[b], b, pair.d_b, layout);
-  const Eigen::MatrixXd shared = shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout);
-  add_parts(part_a, part_a, information, entries);
-  add_parts(part_b, part_b, information, entries);
-  add_parts(part_a.at > part_b.at ? part_a : part_b, part_a.at > part_b.at ? part_b : part_a, information, entries);
-  const Vector6d weighted = information * pair.residual;
-  for (const NodePart* part : {&part_a, &part_b}) {
-    equations.coupling.middleRows(part->at, layout.node_size()) += part->jacobian.transpose() * information * shared;
-    equations.keyframe_side.segment(part->at, layout.node_size()) -= part->jacobian.transpose() * weighted;
+// A term at one state: what does not depend on the noise model, so that many models are compared at one linearisation.
+struct LinearTerm {
+  const JointTerm* term;
+  Vector6d residual;
+  NodePart a, b;
+  Eigen::MatrixXd shared;
+};
+
+std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout) {
+  std::vector<RigidTransform> poses;
+  for (std::size_t k = 0; k < problem.nodes.size(); ++k) poses.push_back(corrected(problem.nodes[k], k, state, layout));
+  std::vector<LinearTerm> out;
+  for (const JointTerm& term : problem.terms) {
+    if (!(term.weight > 0.0)) continue;
+    const auto a = static_cast<std::size_t>(term.node_a), b = static_cast<std::size_t>(term.node_b);
+    const PairEquation pair =
+        linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
+    out.push_back({&term, pair.residual, node_part(problem.nodes[a], a, pair.d_a, layout),
+                   node_part(problem.nodes[b], b, pair.d_b, layout),
+                   shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout)});
   }
-  equations.shared += shared.transpose() * information * shared;
-  equations.shared_side -= shared.transpose() * weighted;
-  equations.cost += pair.residual.dot(weighted);
+  return out;
+}
+
+void add_term(const LinearTerm& linear, const NoiseModel& noise, const Layout& layout, NormalEquations& equations,
+              Entries& entries) {
+  const Matrix6d information = linear.term->weight * noise.registration_information(linear.term->information);
+  add_parts(linear.a, linear.a, information, entries);
+  add_parts(linear.b, linear.b, information, entries);
+  const bool a_later = linear.a.at > linear.b.at;
+  add_parts(a_later ? linear.a : linear.b, a_later ? linear.b : linear.a, information, entries);
+  const Vector6d weighted = information * linear.residual;
+  const Eigen::MatrixXd weighted_shared = information * linear.shared;
+  for (const NodePart* part : {&linear.a, &linear.b}) {
+    equations.coupling.middleRows(part->at, layout.node_size()).noalias() +=
+        part->jacobian.transpose() * weighted_shared;
+    equations.keyframe_side.segment(part->at, layout.node_size()).noalias() -= part->jacobian.transpose() * weighted;
+  }
+  equations.shared.noalias() += linear.shared.transpose() * weighted_shared;
+  equations.shared_side.noalias() -= linear.shared.transpose() * weighted;
+  equations.cost += linear.residual.dot(weighted);
   equations.log_information += log_determinant(information);
 }
 
-NormalEquations build(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout) {
+NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
+                      const State& state, const Layout& layout) {
   const int unknowns = layout.node_at(problem.nodes.size());
   NormalEquations equations;
   equations.coupling = Eigen::MatrixXd::Zero(unknowns, layout.size());
   equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
   equations.keyframe_side = Eigen::VectorXd::Zero(unknowns);
   equations.shared_side = Eigen::VectorXd::Zero(layout.size());
-  std::vector<RigidTransform> poses;
-  for (std::size_t k = 0; k < problem.nodes.size(); ++k) poses.push_back(corrected(problem.nodes[k], k, state, layout));
   Entries entries;
-  for (const JointTerm& term : problem.terms)
-    if (term.weight > 0.0) add_term(problem, term, noise, state, poses, layout, equations, entries);
+  entries.reserve(terms.size() * 300 + problem.nodes.size() * 120);
+  for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, entries);
   add_priors(problem, noise, state, layout, equations, entries);
   equations.keyframes.resize(unknowns, unknowns);
   // Only the lower half is filled in: it is what the factorisation reads.
@@ -303,7 +323,7 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
   solution.ins_from_lidar = start;
   Eliminated step;
   for (int iteration = 0; iteration < max_iterations && !progress.cancelled(); ++iteration) {
-    eliminate(build(problem, noise, state, layout), step);
+    eliminate(build(problem, linearise(problem, state, layout), noise, state, layout), step);
     if (!step.valid) return solution;
     take_step(step, layout, state);
     // In units of sigma: a direction that the data hardly show needs no more digits than it has.
@@ -316,9 +336,24 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
   return solution;
 }
 
+namespace {
+
+std::array<double, 7> log_ratios(const NoiseModel& noise, const NoiseModel& expected) {
+  const auto ratio = [](double value, double reference) { return reference > 0.0 ? std::log(value / reference) : 0.0; };
+  return {ratio(noise.ins_position_sigma_m, expected.ins_position_sigma_m),
+          ratio(noise.ins_attitude_sigma_rad, expected.ins_attitude_sigma_rad),
+          ratio(noise.registration_scale, expected.registration_scale),
+          ratio(noise.registration_floor_m, expected.registration_floor_m),
+          ratio(noise.registration_floor_rad, expected.registration_floor_rad),
+          ratio(noise.ins_position_drift, expected.ins_position_drift),
+          ratio(noise.ins_attitude_drift, expected.ins_attitude_drift)};
+}
+
+}  // namespace
+
 NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expected,
                           const std::array<double, 7>& log_spread, const RigidTransform& ins_from_lidar,
-                          const Progress& progress) {
+                          const std::optional<NoiseModel>& start, const Progress& progress) {
   const Layout layout = layout_of(problem, expected);
   const State state = start_state(problem, layout, ins_from_lidar);
   const auto with = [&](const std::array<double, 7>& logs) {
@@ -328,18 +363,19 @@ NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expecte
         expected.registration_floor_rad * std::exp(logs[4]), expected.ins_position_drift * std::exp(logs[5]),
         expected.ins_attitude_drift * std::exp(logs[6])};
   };
+  const std::vector<LinearTerm> terms = linearise(problem, state, layout);
   const auto objective = [&](const std::array<double, 7>& logs) {
     double value = 0.0;
     for (std::size_t i = 0; i < logs.size(); ++i)
       if (log_spread[i] > 0.0) value += logs[i] * logs[i] / (log_spread[i] * log_spread[i]);
     Eliminated solved;
-    eliminate(build(problem, with(logs), state, layout), solved);
+    eliminate(build(problem, terms, with(logs), state, layout), solved);
     return solved.valid ? value + solved.minus_two_log_likelihood : std::numeric_limits<double>::infinity();
   };
   // Coordinate search with shrinking steps: a few smooth, weakly coupled logarithms do not need more.
-  std::array<double, 7> best{};
+  std::array<double, 7> best = start ? log_ratios(*start, expected) : std::array<double, 7>{};
   double least = objective(best);
-  for (double step = 0.8; step > 0.04; step *= 0.5) {
+  for (double step = start ? 0.2 : 0.8; step > 0.04; step *= 0.5) {
     bool moved = true;
     for (int round = 0; moved && round < 6 && !progress.cancelled(); ++round) {
       moved = false;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "algorithms/calibration/noise_model.h"
@@ -63,8 +64,10 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
 /// Restricted maximum likelihood of the noise model (variance components): starts from and is drawn towards `expected`,
 /// with `log_spread` the 1-sigma of the logarithm of each component in the order of NoiseModel's members; 0 holds it. A
 /// component that is zero stays zero.
+/// @param start where the search begins, with small steps (an estimate from nearly the same pairs); nothing: at
+/// `expected`
 NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expected,
                           const std::array<double, 7>& log_spread, const RigidTransform& ins_from_lidar,
-                          const Progress& progress);
+                          const std::optional<NoiseModel>& start, const Progress& progress);
 
 }  // namespace remount

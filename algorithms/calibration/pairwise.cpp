@@ -222,10 +222,18 @@ std::vector<PairInfluence> influences(const PairwiseInput& input, const std::vec
 // Mean of [v]x' M [v]x over isotropic noise v of unit variance.
 Eigen::Matrix3d cross_noise(const Eigen::Matrix3d& m) { return m.trace() * Eigen::Matrix3d::Identity() - m; }
 
-SpuriousInformation spurious_information(const std::vector<Pair>& pairs, const RigidTransform& x,
-                                         const NoiseModel& noise) {
+// Logs that do not state their errors come from vehicles with springs, flexing mounts and filters: turns this small
+// follow the braking and steering that cause them too closely to show a lever arm.
+constexpr double kUndeclaredAttitude_rad = 0.005;
+
+SpuriousInformation spurious_information(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                                         const RigidTransform& x, const NoiseModel& noise) {
   SpuriousInformation out;
-  const double attitude2 = 2.0 * noise.ins_attitude_sigma_rad * noise.ins_attitude_sigma_rad;
+  const bool declared = std::all_of(input.sessions.begin(), input.sessions.end(), [](const SessionNoise& session) {
+    return std::isfinite(session.attitude_white_sigma_rad);
+  });
+  const double white2 = 2.0 * noise.ins_attitude_sigma_rad * noise.ins_attitude_sigma_rad;
+  const double attitude2 = declared ? white2 : std::max(white2, kUndeclaredAttitude_rad * kUndeclaredAttitude_rad);
   const double position2 = 2.0 * noise.ins_position_sigma_m * noise.ins_position_sigma_m;
   for (const Pair& pair : pairs) {
     if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
@@ -263,8 +271,8 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
                           const Progress& progress, CalibrationResult& result) {
   const RigidTransform& x = details.joint.ins_from_lidar;
   const MotionSummary motion = summarise_motion(pairs);
-  result.directions = observed_directions(details.joint.information, spurious_information(pairs, x, details.noise),
-                                          motion, input.options);
+  result.directions = observed_directions(details.joint.information,
+                                          spurious_information(input, pairs, x, details.noise), motion, input.options);
   const Matrix6d covariance = inverse(trusted_information(result.directions, input.options) + weak_prior());
   const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), weak_prior(),
                                                   input.options.bootstrap_samples, input.options.seed, progress);
@@ -423,7 +431,8 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   for (int round = 0; round < 4 && !progress.cancelled(); ++round) {
     problem = make_problem(input, pairs, usable, prior_x);
     if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
-    details.noise = estimate_noise(problem, prior.expected, prior.log_spread, x, progress);
+    details.noise = estimate_noise(problem, prior.expected, prior.log_spread, x,
+                                   round == 0 ? std::nullopt : std::optional(details.noise), progress);
     details.joint = solve_joint(problem, details.noise, x, 10, progress);
     x = details.joint.ins_from_lidar;
     const int changed = judge_pairs(pairs, usable, x, details.noise, input.options.outlier_threshold);

@@ -17,7 +17,7 @@ struct PairingOptions {
   double max_distance_m = 10.0;
   double min_distance_m = 0.3;
   double min_rotation_deg = 1.0;
-  int max_partners = 6;
+  int max_partners = 8;
   int min_shared_objects = 3;
 
   template <class Self, class Visitor>

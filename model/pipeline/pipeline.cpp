@@ -65,6 +65,19 @@ void update_ins_motion(const std::vector<JointNode>& nodes, std::vector<Pair>& p
                             nodes[static_cast<std::size_t>(pair.keyframe_a)].local_from_ins;
 }
 
+// Poses of an odometry are consistent with themselves: the motion from a to c is that from a to b and b to c, and
+// adding it adds nothing but false confidence. Each keyframe keeps its nearest partner.
+void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
+                               std::vector<Pair>& pairs) {
+  std::vector<Pair> kept;
+  for (const Pair& pair : pairs) {
+    const bool scans = motion.session(keyframes[static_cast<std::size_t>(pair.keyframe_a)].session).scans != nullptr;
+    const bool first = kept.empty() || kept.back().keyframe_a != pair.keyframe_a;
+    if (scans || first) kept.push_back(pair);
+  }
+  pairs = std::move(kept);
+}
+
 // Sessions with poses of somebody's odometry instead of scans: Q is the motion between two of them.
 void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs) {
   // No odometry states its errors: a centimetre and a twentieth of a degree, growing with the distance; the noise
@@ -286,6 +299,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
   output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
   output.pairs = propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
+  keep_independent_odometry(motion, output.keyframes, output.pairs);
   output.nominal_known = input.nominal_ins_from_lidar.has_value();
   output.initial_known = output.nominal_known;
   if (input.nominal_ins_from_lidar) output.initial_ins_from_lidar = *input.nominal_ins_from_lidar;
@@ -380,6 +394,8 @@ CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& s
   // error common to all cannot be told from X, so none is assumed.
   input.sessions.push_back({});
   input.sessions.back().attitude_bias_sigma_rad = 0.0;
+  // Taken at their word: what is given is P and Q, not a log.
+  input.sessions.back().attitude_white_sigma_rad = degrees_to_radians(settings.solve.ins_attitude_sigma_deg);
   input.sessions.back().position_drift = input.sessions.back().attitude_drift = 0.0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Pair& pair = pairs[i];

@@ -1,0 +1,88 @@
+// Whole calibrations of recorded drives, against what is known of their mounting. Skipped where the data are absent.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "model/io/session_reader.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+const std::filesystem::path kData = std::filesystem::path(REMOUNT_SOURCE_DIR) / ".." / "shared" / "data";
+
+PipelineOutput calibrate(const std::vector<std::filesystem::path>& folders, const Settings& settings = {}) {
+  Progress progress;
+  PipelineInput input;
+  input.settings = settings;
+  for (const auto& folder : folders)
+    input.sessions.push_back(std::make_shared<Session>(open_session(folder, progress)));
+  return run_pipeline(input, progress);
+}
+
+RigidTransform kitti_truth() {
+  RigidTransform truth = RigidTransform::Identity();
+  truth.matrix().topRows<3>() << 0.999997642, -0.000785403, 0.002024406, 0.810543938, 0.000755307, 0.999889825,
+      0.014824542, -0.307054366, -0.002035826, -0.014822978, 0.999888061, 0.802724026;
+  return truth;
+}
+
+TEST(kitti, four_short_drives_without_nominal_agree_with_the_published_calibration) {
+  if (!std::filesystem::exists(kData / "kitti")) GTEST_SKIP() << "no recorded data at " << kData;
+  const PipelineOutput output =
+      calibrate({kData / "kitti/00", kData / "kitti/05", kData / "kitti/07", kData / "kitti/10"});
+  const CalibrationError error = error_of(output.result, kitti_truth());
+  EXPECT_LE(error.rotation_deg, 0.3);
+  EXPECT_LE(std::abs(error.x_m), 0.15);
+  EXPECT_LE(std::abs(error.y_m), 0.15);
+  EXPECT_FALSE(output.result.observed[2]) << "ten scans on flat roads do not show the height";
+  expect_within_sigma(output.result, kitti_truth(), 3.5);
+  int rejected = 0, of_first = 0;
+  for (const Pair& pair : output.pairs) {
+    if (output.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session != 0) continue;
+    ++of_first;
+    if (pair.state != PairState::Rejected) continue;
+    ++rejected;
+    EXPECT_NE(pair.reason.find("contradicts the INS motion"), std::string::npos) << pair.reason;
+  }
+  EXPECT_GT(rejected, of_first / 2) << "the INS of the first drive contradicts its scans";
+}
+
+// The stated angles "yaw -90.443 pitch 0.619 roll 0.134" reproduce the drives' own motion pairs as Rx(roll) Ry(pitch)
+// Rz(yaw) (0.28 deg rms) and not as Rz Ry Rx (0.81 deg rms).
+RigidTransform zxl19_reference() {
+  const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(degrees_to_radians(0.134), Eigen::Vector3d::UnitX()) *
+                                    Eigen::AngleAxisd(degrees_to_radians(0.619), Eigen::Vector3d::UnitY()) *
+                                    Eigen::AngleAxisd(degrees_to_radians(-90.443), Eigen::Vector3d::UnitZ()))
+                                       .toRotationMatrix();
+  return make_rigid(rotation, {-0.004, 0.379, 0.13});
+}
+
+TEST(zxl19, three_drives_from_raw_logs_agree_with_the_reference_and_with_each_other) {
+  if (!std::filesystem::exists(kData / "zxl19")) GTEST_SKIP() << "no recorded data at " << kData;
+  Settings settings;
+  settings.solve.apply_time_offset = true;
+  std::vector<CalibrationResult> alone;
+  for (const char* bag : {"bag1", "bag2", "bag4"}) {
+    alone.push_back(calibrate({kData / "zxl19" / bag}, settings).result);
+    error_of(alone.back(), zxl19_reference());
+  }
+  for (std::size_t a = 0; a < alone.size(); ++a)
+    for (std::size_t b = a + 1; b < alone.size(); ++b)
+      for (std::size_t i = 0; i < 6; ++i) {
+        if (!alone[a].sigma(i) || !alone[b].sigma(i)) continue;
+        const std::array<double, 6> in_sigma_a = normalised_errors(alone[a], alone[b].ins_from_lidar);
+        const double difference = in_sigma_a[i] * *alone[a].sigma(i);
+        EXPECT_LT(std::abs(difference), 3.0 * std::hypot(*alone[a].sigma(i), *alone[b].sigma(i)))
+            << kParameterNames[i] << " of drives " << a << " and " << b;
+      }
+  const PipelineOutput together =
+      calibrate({kData / "zxl19/bag1", kData / "zxl19/bag2", kData / "zxl19/bag4"}, settings);
+  const CalibrationError error = error_of(together.result, zxl19_reference());
+  EXPECT_LE(error.rotation_deg, 0.5);
+  EXPECT_LE(std::abs(error.x_m), 0.08);
+  EXPECT_LE(std::abs(error.y_m), 0.08);
+}
+
+}  // namespace
+}  // namespace remount

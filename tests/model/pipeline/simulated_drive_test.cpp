@@ -1,0 +1,191 @@
+// Whole calibrations of simulated drives with known truth.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "algorithms/core/error.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+struct Run {
+  SimulatedDrive drive;
+  PipelineOutput output;
+};
+
+Run calibrate(SimulationOptions options, const Settings& settings = {}, std::optional<RigidTransform> nominal = {}) {
+  Run run{simulate_drive(options), {}};
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(run.drive.session));
+  input.settings = settings;
+  input.nominal_ins_from_lidar = nominal;
+  Progress progress;
+  run.output = run_pipeline(input, progress);
+  return run;
+}
+
+SimulationOptions small(ScenarioKind scenario) {
+  SimulationOptions options;
+  options.scenario = scenario;
+  options.beams = 32;
+  options.azimuth_steps = 600;
+  return options;
+}
+
+TEST(simulated_street, reaches_the_stated_accuracy_with_64_beams_and_no_nominal) {
+  const Run run = calibrate({});
+  const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
+  EXPECT_EQ(run.output.result.status, Status::Ok) << run.output.result.message;
+  EXPECT_LE(error.rotation_deg, 0.02);
+  EXPECT_LE(std::abs(error.x_m), 0.005);
+  EXPECT_LE(std::abs(error.y_m), 0.005);
+  EXPECT_LE(std::abs(error.z_m), 0.03);
+  expect_within_sigma(run.output.result, run.drive.ins_from_lidar, 3.5);
+  EXPECT_FALSE(run.output.result.candidates.empty());
+}
+
+TEST(simulated_street, is_solved_for_a_sensor_turned_by_180_degrees) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.ins_from_lidar = rigid_from_six({-0.4, 0.3, 0.9, degrees_to_radians(179.0), 0.02, -0.03});
+  const Run run = calibrate(options);
+  const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
+  EXPECT_LE(error.rotation_deg, 0.03);
+  EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
+}
+
+TEST(simulated_street, is_solved_for_a_sensor_turned_by_90_degrees) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.ins_from_lidar = rigid_from_six({0.2, 0.1, 0.8, degrees_to_radians(-90.0), 0.0, 0.03});
+  const Run run = calibrate(options);
+  const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
+  EXPECT_LE(error.rotation_deg, 0.03);
+  EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
+}
+
+TEST(simulated_flat_ground, leaves_height_unobserved_and_the_rest_accurate_with_a_wrong_nominal) {
+  SimulationOptions options = small(ScenarioKind::Flat);
+  SixParameters nominal = six_from_rigid(options.ins_from_lidar);
+  nominal.x_m += 0.1;
+  nominal.y_m -= 0.1;
+  nominal.z_m += 0.15;
+  nominal.yaw_rad += 0.02;
+  nominal.pitch_rad -= 0.02;
+  nominal.roll_rad += 0.015;
+  const Run run = calibrate(options, {}, rigid_from_six(nominal));
+  const CalibrationResult& result = run.output.result;
+  const CalibrationError error = error_of(result, run.drive.ins_from_lidar);
+  EXPECT_EQ(result.status, Status::Degenerate);
+  EXPECT_FALSE(result.observed[2]);
+  EXPECT_FALSE(result.sigma(2).has_value());
+  EXPECT_NEAR(result.ins_from_lidar.translation().z(), nominal.z_m, 1e-4) << "z stays at the nominal";
+  EXPECT_LE(error.rotation_deg, 0.03);
+  EXPECT_LE(std::abs(error.x_m), 0.008);
+  EXPECT_LE(std::abs(error.y_m), 0.008);
+  EXPECT_FALSE(result.advice.empty());
+  expect_within_sigma(result, run.drive.ins_from_lidar, 3.5);
+}
+
+TEST(simulated_straight_drive, claims_no_translation_and_no_roll) {
+  const Run run = calibrate(small(ScenarioKind::Straight));
+  const CalibrationResult& result = run.output.result;
+  error_of(result, run.drive.ins_from_lidar);
+  for (const std::size_t i : {0, 1, 2, 5}) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
+  EXPECT_TRUE(result.observed[3] && result.observed[4]) << "yaw and pitch follow from the direction of travel";
+  expect_within_sigma(result, run.drive.ins_from_lidar, 3.5);
+}
+
+TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anywhere) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.latitude_deg = 55.0;
+  options.longitude_deg = 11.9997;
+  options.heading_deg = 0.0;
+  const Run run = calibrate(options);
+  const auto& ins = run.drive.session.ins;
+  ASSERT_TRUE(ins.front().longitude_rad < degrees_to_radians(12.0) &&
+              ins.back().longitude_rad > degrees_to_radians(12.0))
+      << "the drive must cross the boundary: it ends at " << radians_to_degrees(ins.back().longitude_rad);
+  const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
+  EXPECT_LE(error.rotation_deg, 0.02);
+  EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.007);
+}
+
+TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.lidar_clock_offset_s = 0.04;
+  const Run without = calibrate(options);
+  const CalibrationError before = error_of(without.output.result, without.drive.ins_from_lidar);
+  EXPECT_NEAR(without.output.result.time_offset.offset_s, 0.04, 0.005);
+  EXPECT_FALSE(without.output.result.time_offset.applied);
+  Settings settings;
+  settings.solve.apply_time_offset = true;
+  const Run with = calibrate(options, settings);
+  const CalibrationError after = error_of(with.output.result, with.drive.ins_from_lidar);
+  EXPECT_NEAR(with.output.result.time_offset.offset_s, 0.04, 0.005);
+  EXPECT_TRUE(with.output.result.time_offset.applied);
+  EXPECT_LE(after.rotation_deg, 0.03);
+  EXPECT_LE(std::hypot(after.x_m, after.y_m), 0.012);
+  EXPECT_LT(std::hypot(after.x_m, after.y_m), std::hypot(before.x_m, before.y_m));
+}
+
+// A source whose scan 30 cannot be read.
+class BrokenScan final : public ScanSource {
+ public:
+  explicit BrokenScan(std::shared_ptr<const ScanSource> source) : source_(std::move(source)) {}
+  std::size_t size() const override { return source_->size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
+  std::string name(std::size_t scan) const override { return source_->name(scan); }
+  PointCloud load(std::size_t scan) const override {
+    if (scan % 20 == 10) throw Error(ErrorCode::Format, "000010.pcd:3", "WIDTH is not a number");
+    return source_->load(scan);
+  }
+
+ private:
+  std::shared_ptr<const ScanSource> source_;
+};
+
+TEST(a_bad_scan, is_reported_and_skipped) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.duration_s = 8.0;
+  SimulatedDrive drive = simulate_drive(options);
+  drive.session.scans = std::make_shared<BrokenScan>(drive.session.scans);
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  input.settings.keyframes.distance_m = 0.5;
+  input.nominal_ins_from_lidar = drive.ins_from_lidar;
+  Progress progress;
+  const PipelineOutput output = run_pipeline(input, progress);
+  EXPECT_GT(output.result.pairs_accepted, 50);
+  EXPECT_TRUE(std::any_of(output.findings.begin(), output.findings.end(), [](const Finding& finding) {
+    return finding.code == "scan-unreadable" && finding.explanation.find("WIDTH") != std::string::npos;
+  }));
+}
+
+TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.duration_s = 4.0;
+  options.beams = 16;
+  const SimulatedDrive drive = simulate_drive(options);
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  Progress progress;
+  input.threads = 1;
+  const PipelineOutput one = run_pipeline(input, progress);
+  input.threads = 3;
+  const PipelineOutput three = run_pipeline(input, progress);
+  EXPECT_EQ(one.result.ins_from_lidar.matrix(), three.result.ins_from_lidar.matrix());
+  EXPECT_EQ(one.pairs.size(), three.pairs.size());
+}
+
+TEST(the_pipeline, stops_when_cancelled) {
+  std::stop_source stop;
+  stop.request_stop();
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(simulate_drive(small(ScenarioKind::Street)).session));
+  Progress progress(stop.get_token());
+  EXPECT_EQ(run_pipeline(input, progress).result.status, Status::Cancelled);
+}
+
+}  // namespace
+}  // namespace remount
