@@ -100,7 +100,7 @@ void Console::show(const ProgressUpdate& update) {
   shown_ = now;
   std::string line = stage_;
   if (update.total > 0) {
-    line += " " + std::to_string(update.done) + "/" + std::to_string(update.total);
+    line.append(" ").append(std::to_string(update.done)).append("/").append(std::to_string(update.total));
     const double spent_s = seconds(now - stage_started_);
     if (update.done > 0 && update.done < update.total && spent_s > 1.0)
       line +=
