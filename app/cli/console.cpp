@@ -89,7 +89,9 @@ void Console::clear_line() {
 void Console::show(const ProgressUpdate& update) {
   const std::scoped_lock lock(mutex_);
   const Clock::time_point now = Clock::now();
-  const bool new_stage = update.stage != stage_;
+  // A stage may come twice in a row; workers report a little out of order, but never half a stage.
+  const bool new_stage = update.stage != stage_ || update.done < last_done_ / 2;
+  last_done_ = update.done;
   if (new_stage) {
     stage_ = update.stage;
     stage_started_ = now;

@@ -62,6 +62,7 @@ class Console {
   bool terminal_ = false;
   bool line_shown_ = false;
   std::string stage_;
+  std::size_t last_done_ = 0;
   std::chrono::steady_clock::time_point started_, stage_started_, shown_;
   std::mutex mutex_;
   Progress progress_;
