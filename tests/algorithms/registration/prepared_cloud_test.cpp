@@ -101,8 +101,9 @@ TEST(VoxelCentroids, AreTheMeansOfTheirVoxelsInAnOrderThatDoesNotDependOnThePoin
 }
 
 TEST(VoxelCentroids, FarPointsDoNotWrapAround) {
-  const float far = 3e6f;
-  const std::vector<Eigen::Vector3f> centroids = voxel_centroids({{far, 0, 0}, {-far, 0, 0}, {0, 0, 0}}, 0.02f);
+  // 2^21 voxels away: the first that an index of 21 bits would take for a neighbour.
+  const std::vector<Eigen::Vector3f> centroids =
+      voxel_centroids({{2097152.5f, 0.5f, 0.5f}, {0.5f, 1.5f, 0.5f}, {-3e6f, 0.5f, 0.5f}}, 1.0f);
   EXPECT_EQ(centroids.size(), 3U);
 }
 

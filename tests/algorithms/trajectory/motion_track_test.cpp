@@ -75,6 +75,12 @@ TEST(MotionTrack, KnowsNothingInAGapAndDoesNotReachAcrossIt) {
   EXPECT_TRUE(track.at(nanoseconds(1.9)));
   EXPECT_TRUE(track.at(nanoseconds(3.0)));
   EXPECT_LT((track.at(nanoseconds(3.05))->translation() - on_circle(3.05).translation()).norm(), 0.005);
+  // The solution restarts fifty metres aside: the steps next to the gap do not know of it.
+  const Eigen::Vector3d aside(0, 50, 0);
+  for (std::size_t i = 20; i < samples.size(); ++i) samples[i].pose.translation() += aside;
+  const MotionTrack restarted(samples);
+  EXPECT_LT((restarted.at(nanoseconds(1.85))->translation() - on_circle(1.85).translation()).norm(), 0.01);
+  EXPECT_LT((restarted.at(nanoseconds(3.05))->translation() - on_circle(3.05).translation() - aside).norm(), 0.01);
   EXPECT_FALSE(MotionTrack(circle(10.0, 60), 0.05).at(nanoseconds(1.05)));  // a limit of one's own
   EXPECT_TRUE(MotionTrack(samples, 2.0).at(nanoseconds(2.5)));
 }
