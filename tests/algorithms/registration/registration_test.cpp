@@ -48,7 +48,7 @@ TEST(Registration, RecoversAMotionInARoomToMillimetres) {
   EXPECT_TRUE(result.quality.attempted && result.quality.converged) << describe(result);
   EXPECT_EQ(result.quality.failure, "");
   EXPECT_LT(error.head<3>().norm(), 2e-3) << describe(result);
-  EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.02)) << describe(result);
+  EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.01)) << describe(result);
   EXPECT_GT(result.quality.overlap, 0.8) << describe(result);
   EXPECT_LT(result.quality.rmse_m, 2.0 * kNoise_m) << describe(result);
 }
@@ -63,7 +63,7 @@ TEST(Registration, OfAScanWithItselfIsExact) {
 }
 
 TEST(Registration, ErrorsOfManyRoomsAreAsLargeAsTheInformationSaysWithinItsScale) {
-  // The information counts every point as independent; the noise model scales it (about three).
+  // The information counts every point as independent, which the shared normals are not: near one is good enough.
   double sum = 0.0;
   constexpr int kRooms = 12;
   for (int i = 0; i < kRooms; ++i) {
@@ -74,8 +74,8 @@ TEST(Registration, ErrorsOfManyRoomsAreAsLargeAsTheInformationSaysWithinItsScale
     sum += error.dot(result.quality.information * error);
   }
   const double scale = std::sqrt(sum / (6.0 * kRooms));
-  EXPECT_GT(scale, 0.2);
-  EXPECT_LT(scale, 5.0);
+  EXPECT_GT(scale, 0.4);
+  EXPECT_LT(scale, 2.5);
 }
 
 TEST(Registration, ACorridorIsWeakAlongItselfAndStaysWhereItStarted) {
