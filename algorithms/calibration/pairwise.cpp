@@ -249,16 +249,13 @@ SpuriousInformation spurious_information(const PairwiseInput& input, const std::
   return out;
 }
 
-// Where resampling whole blocks of time scatters X clearly more than the noise model allows, errors are correlated in
-// ways that the model does not hold: the larger sigma is the honest one. Below this ratio the difference is the
-// bootstrap's own scatter.
-constexpr double kBelievedRatio = 1.5;
-
+// Where resampling whole blocks of time scatters X more than the noise model allows, errors are correlated in ways that
+// the model does not hold (pairs share scans, and so what is wrong with a scan): the larger sigma is the honest one.
 Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& bootstrap) {
   Vector6d factors = Vector6d::Ones();
   for (int i = 0; i < 6; ++i) {
     const double ratio = std::sqrt(bootstrap(i, i) / covariance(i, i));
-    if (ratio > kBelievedRatio) factors[i] = ratio;
+    if (ratio > 1.0) factors[i] = ratio;
   }
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }

@@ -130,39 +130,55 @@ void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<
                           objects[k].failure + " The scan is skipped."});
 }
 
-// Solves; where the clock offset is to be applied, moves the INS poses by it and solves again until it is gone.
-CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
-                                   PairwiseDetails& details, const Progress& progress) {
-  std::vector<Pair>& pairs = output.pairs;
-  PairwiseInput solver = solver_input(input, motion, output);
-  CalibrationResult result = solve_pairwise(solver, pairs, details, progress);
-  if (!input.settings.solve.apply_time_offset) return result;
-  for (int round = 0; round < 3 && result.session_time_offset_s.size() == input.sessions.size(); ++round) {
+bool clock_differs(const TimeOffset& clock) {
+  return std::isfinite(clock.offset_s) && std::abs(clock.offset_s) >= std::max(4.0 * clock.sigma_s, 0.002);
+}
+
+// Moves the INS poses by the estimated clock offset and solves again until no offset is left. A single estimate falls
+// short: what the offset distorts also passes for noise.
+CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                                       CalibrationResult result, PairwiseDetails& details, const Progress& progress) {
+  for (int round = 0; round < 4 && result.session_time_offset_s.size() == input.sessions.size(); ++round) {
     double largest_s = 0.0;
     for (int s = 0; s < motion.session_count(); ++s) {
       const double more_s = result.session_time_offset_s[static_cast<std::size_t>(s)];
       motion.set_offset_s(s, motion.offset_s(s) + more_s);
       largest_s = std::max(largest_s, std::abs(more_s));
     }
-    solver = solver_input(input, motion, output);
-    update_ins_motion(solver.nodes, pairs);
-    result = solve_pairwise(solver, pairs, details, progress);
-    if (largest_s < 2e-4) break;
+    const PairwiseInput solver = solver_input(input, motion, output);
+    update_ins_motion(solver.nodes, output.pairs);
+    result = solve_pairwise(solver, output.pairs, details, progress);
+    if (largest_s < 5e-4) break;
   }
   // What was applied is the offset; what is left is noise of the estimate.
   double mean_s = 0.0;
   for (int s = 0; s < motion.session_count(); ++s) mean_s += motion.offset_s(s) / motion.session_count();
   result.time_offset.offset_s = mean_s;
-  for (int s = 0; s < motion.session_count() && s < static_cast<int>(result.session_time_offset_s.size()); ++s)
-    result.session_time_offset_s[static_cast<std::size_t>(s)] = motion.offset_s(s);
+  for (std::size_t s = 0; s < result.session_time_offset_s.size(); ++s)
+    result.session_time_offset_s[s] = motion.offset_s(static_cast<int>(s));
+  return result;
+}
+
+CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                                   PairwiseDetails& details, const Progress& progress) {
+  CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
+  if (input.settings.solve.apply_time_offset)
+    return solve_without_offset(input, motion, output, std::move(result), details, progress);
+  if (clock_differs(result.time_offset)) {
+    // Only the estimate is wanted: the pairs and the solution stay without it.
+    DriveMotion shifted = motion;
+    PipelineOutput copy = output;
+    PairwiseDetails unused;
+    const CalibrationResult estimate = solve_without_offset(input, shifted, copy, result, unused, progress);
+    result.time_offset = estimate.time_offset;
+    result.session_time_offset_s = estimate.session_time_offset_s;
+  }
   return result;
 }
 
 void report_clock(const CalibrationResult& result, std::vector<Finding>& findings) {
   const TimeOffset& clock = result.time_offset;
-  if (!std::isfinite(clock.offset_s) || clock.applied ||
-      std::abs(clock.offset_s) < std::max(4.0 * clock.sigma_s, 0.002))
-    return;
+  if (clock.applied || !clock_differs(clock)) return;
   char text[240];
   std::snprintf(text, sizeof text,
                 "The lidar's stamps are %s by %.1f ms (sigma %.1f ms) against the INS. X is biased by it while the "
