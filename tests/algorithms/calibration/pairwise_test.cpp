@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -75,7 +77,10 @@ TEST(Pairwise, NoisyErrorsAreWithinTheSigmasAndEveryParameterIsObserved) {
       sum += ratio * ratio;
     }
   }
-  EXPECT_GT(sum / (6 * kProblems), 0.3);
+  // These drives have exactly the modelled errors; the stated sigma allows 1.3 times as much and a millimetre for what real
+  // registrations add (see honest_sigma_test), so the mean lies well below one here.
+  std::printf("  mean squared normalised error %.2f\n", sum / (6 * kProblems));
+  EXPECT_GT(sum / (6 * kProblems), 0.1);
   EXPECT_LT(sum / (6 * kProblems), 1.8);
 }
 
