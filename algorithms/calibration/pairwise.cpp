@@ -5,10 +5,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "algorithms/calibration/bootstrap.h"
-#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/robust_start.h"
+#include "algorithms/calibration/uncertainty.h"
 #include "algorithms/search/candidates.h"
 #include "algorithms/trajectory/screw.h"
 
@@ -16,9 +15,6 @@ namespace remount {
 namespace {
 
 constexpr int kFewestPairs = 3;
-// How far the truth may lie from the nominal in directions that the data do not show.
-constexpr double kPriorTranslation_m = 2.0;
-constexpr double kPriorRotation_rad = 0.1;
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
@@ -135,13 +131,6 @@ int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const 
   return changed;
 }
 
-Matrix6d weak_prior() {
-  Vector6d information;
-  information << Eigen::Vector3d::Constant(1.0 / (kPriorTranslation_m * kPriorTranslation_m)),
-      Eigen::Vector3d::Constant(1.0 / (kPriorRotation_rad * kPriorRotation_rad));
-  return information.asDiagonal();
-}
-
 JointProblem make_problem(const PairwiseInput& input, const std::vector<Pair>& pairs, const std::vector<int>& usable,
                           const RigidTransform& prior_x) {
   JointProblem problem;
@@ -176,121 +165,6 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseInput& inp
   result.time_offset.sigma_s = 1.0 / std::sqrt(information);
   result.time_offset.applied = input.options.apply_time_offset;
   result.session_time_offset_s = solution.time_offset_s;
-}
-
-// Information of a pair's residual with both INS errors and the registration's error marginalised: (M + L^-1)^-1
-// without the inverse of L, which may be singular.
-Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise) {
-  const Matrix6d ins = noise.ins_covariance();
-  const Matrix6d from_ins =
-      equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins * equation.d_b.transpose();
-  const Matrix6d ins_information = from_ins.ldlt().solve(Matrix6d::Identity());
-  const Matrix6d sum = ins_information + noise.registration_information(pair.registration.information);
-  return ins_information - ins_information * sum.ldlt().solve(ins_information);
-}
-
-// Blocks of the bootstrap: the options' length, shortened so that a short drive still has some twenty.
-double block_length_s(const PairwiseInput& input) {
-  std::vector<double> first(input.sessions.size(), std::numeric_limits<double>::infinity()),
-      last(input.sessions.size(), 0.0);
-  for (std::size_t k = 0; k < input.nodes.size(); ++k) {
-    const auto s = static_cast<std::size_t>(input.nodes[k].session);
-    first[s] = std::min(first[s], input.nodes[k].time_s);
-    last[s] = std::max(last[s], input.nodes[k].time_s);
-  }
-  double total_s = 0.0;
-  for (std::size_t s = 0; s < first.size(); ++s) total_s += std::max(0.0, last[s] - first[s]);
-  return std::clamp(total_s / 20.0, 1e-3, input.options.bootstrap_block_s);
-}
-
-std::vector<PairInfluence> influences(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                      const RigidTransform& x, const NoiseModel& noise) {
-  std::vector<PairInfluence> out;
-  const double block_s = block_length_s(input);
-  for (const Pair& pair : pairs) {
-    if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
-    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
-    const Matrix6d information = residual_information(pair, equation, noise);
-    const auto node = static_cast<std::size_t>(pair.keyframe_a);
-    const int block = input.nodes[node].session * 1'000'000 + static_cast<int>(input.nodes[node].time_s / block_s);
-    out.push_back({equation.d_x.transpose() * information * equation.d_x,
-                   -equation.d_x.transpose() * information * equation.residual, block});
-  }
-  return out;
-}
-
-// Mean of [v]x' M [v]x over isotropic noise v of unit variance.
-Eigen::Matrix3d cross_noise(const Eigen::Matrix3d& m) { return m.trace() * Eigen::Matrix3d::Identity() - m; }
-
-// Logs that do not state their errors come from vehicles with springs, flexing mounts and filters: turns this small
-// follow the braking and steering that cause them too closely to show a lever arm.
-constexpr double kUndeclaredAttitude_rad = 0.005;
-
-SpuriousInformation spurious_information(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                         const RigidTransform& x, const NoiseModel& noise) {
-  SpuriousInformation out;
-  const bool declared = std::all_of(input.sessions.begin(), input.sessions.end(), [](const SessionNoise& session) {
-    return std::isfinite(session.attitude_white_sigma_rad);
-  });
-  const double white2 = 2.0 * noise.ins_attitude_sigma_rad * noise.ins_attitude_sigma_rad;
-  const double attitude2 = declared ? white2 : std::max(white2, kUndeclaredAttitude_rad * kUndeclaredAttitude_rad);
-  const double position2 = 2.0 * noise.ins_position_sigma_m * noise.ins_position_sigma_m;
-  for (const Pair& pair : pairs) {
-    if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
-    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
-    const Matrix6d information = residual_information(pair, equation, noise);
-    out.apparent += equation.d_x.transpose() * information * equation.d_x;
-    const Eigen::Matrix3d to_ins = x.linear();
-    const Eigen::Matrix3d translation = to_ins * information.topLeftCorner<3, 3>() * to_ins.transpose();
-    const Eigen::Matrix3d rotation = to_ins * information.bottomRightCorner<3, 3>() * to_ins.transpose();
-    out.spurious.topLeftCorner<3, 3>() += attitude2 * cross_noise(translation);
-    out.spurious.bottomRightCorner<3, 3>() += attitude2 * cross_noise(rotation) + position2 * cross_noise(translation);
-  }
-  return out;
-}
-
-// Where resampling whole blocks of time scatters X more than the noise model allows, errors are correlated in ways that
-// the model does not hold (pairs share scans, and so what is wrong with a scan): the larger sigma is the honest one.
-Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& bootstrap) {
-  Vector6d factors = Vector6d::Ones();
-  for (int i = 0; i < 6; ++i) {
-    const double ratio = std::sqrt(bootstrap(i, i) / covariance(i, i));
-    if (ratio > 1.0) factors[i] = ratio;
-  }
-  return factors.asDiagonal() * covariance * factors.asDiagonal();
-}
-
-// Registrations of pairs that share scans are not independent, and all share the bias of voxels and beams: neither
-// shows in residuals. Over thirty simulated drives errors came out 1.3 times the model's sigma, and a millimetre on top
-// (tests/model/pipeline/honest_sigma_test.cpp keeps this true).
-Matrix6d with_unseen_errors(const Matrix6d& covariance) {
-  constexpr double kSharedScans = 1.3, kBias_m = 0.001;
-  Matrix6d out = kSharedScans * kSharedScans * covariance;
-  out.diagonal().head<3>().array() += kBias_m * kBias_m;
-  return out;
-}
-
-Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
-
-// Adds the constant attitude errors, which resampling cannot see: what the joint covariance has beyond that of a
-// problem without them.
-void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const PairwiseDetails& details,
-                          const Progress& progress, CalibrationResult& result) {
-  const RigidTransform& x = details.joint.ins_from_lidar;
-  const MotionSummary motion = summarise_motion(pairs);
-  result.directions = observed_directions(details.joint.information,
-                                          spurious_information(input, pairs, x, details.noise), motion, input.options);
-  const Matrix6d covariance = inverse(trusted_information(result.directions, input.options) + weak_prior());
-  const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), weak_prior(),
-                                                  input.options.bootstrap_samples, input.options.seed, progress);
-  judge_parameters(with_unseen_errors(inflated_by_bootstrap(covariance, bootstrap)), motion, input.options, result);
-  const Matrix6d parameters = parameter_covariance(x, bootstrap);
-  for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    result.bootstrap_sigma[at] = result.observed[at] && parameters(i, i) > 0.0
-                                     ? std::sqrt(parameters(i, i))
-                                     : std::numeric_limits<double>::quiet_NaN();
-  }
 }
 
 // Solves once more with what is not observed held at `kept`, so that the others agree with it. Translations are held

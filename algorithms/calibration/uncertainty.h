@@ -1,0 +1,21 @@
+// Step 9: sigma of X, from the joint solution, from resampling, and from what neither can see.
+#pragma once
+
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/pairwise.h"
+
+namespace remount {
+
+/// Information of the weak prior on X under `perturbed`: how far the truth may lie from the nominal in directions that
+/// the data do not show (2 m, 0.1 rad).
+Matrix6d weak_prior();
+
+/// Information of a pair's residual with both INS errors and the registration's error marginalised: (M + L^-1)^-1
+/// without the inverse of L, which may be singular.
+Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise);
+
+/// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma` and `advice` of the result from the joint solution.
+void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const PairwiseDetails& details,
+                          const Progress& progress, CalibrationResult& result);
+
+}  // namespace remount

@@ -1,0 +1,88 @@
+#include "model/pipeline/solve_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace remount {
+namespace {
+
+void update_ins_motion(const std::vector<JointNode>& nodes, std::vector<Pair>& pairs) {
+  for (Pair& pair : pairs)
+    pair.ins_b_from_ins_a = nodes[static_cast<std::size_t>(pair.keyframe_b)].local_from_ins.inverse() *
+                            nodes[static_cast<std::size_t>(pair.keyframe_a)].local_from_ins;
+}
+
+bool clock_differs(const TimeOffset& clock) {
+  return std::isfinite(clock.offset_s) && std::abs(clock.offset_s) >= std::max(4.0 * clock.sigma_s, 0.002);
+}
+
+// Moves the INS poses by the estimated clock offset and solves again until no offset is left. A single estimate falls
+// short: what the offset distorts also passes for noise.
+CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                                       CalibrationResult result, PairwiseDetails& details, const Progress& progress) {
+  for (int round = 0; round < 4 && result.session_time_offset_s.size() == input.sessions.size(); ++round) {
+    double largest_s = 0.0;
+    for (int s = 0; s < motion.session_count(); ++s) {
+      const double more_s = result.session_time_offset_s[static_cast<std::size_t>(s)];
+      motion.set_offset_s(s, motion.offset_s(s) + more_s);
+      largest_s = std::max(largest_s, std::abs(more_s));
+    }
+    const PairwiseInput solver = solver_input(input, motion, output);
+    update_ins_motion(solver.nodes, output.pairs);
+    result = solve_pairwise(solver, output.pairs, details, progress);
+    if (largest_s < 5e-4) break;
+  }
+  // What was applied is the offset; what is left is noise of the estimate.
+  double mean_s = 0.0;
+  for (int s = 0; s < motion.session_count(); ++s) mean_s += motion.offset_s(s) / motion.session_count();
+  result.time_offset.offset_s = mean_s;
+  for (std::size_t s = 0; s < result.session_time_offset_s.size(); ++s)
+    result.session_time_offset_s[s] = motion.offset_s(static_cast<int>(s));
+  return result;
+}
+
+}  // namespace
+
+PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output) {
+  const std::vector<Keyframe>& keyframes = output.keyframes;
+  PairwiseInput out;
+  out.nodes = motion.nodes(keyframes);
+  out.sessions = motion.noise();
+  out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
+  if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
+  out.range = input.settings.range;
+  out.options = input.settings.solve;
+  return out;
+}
+
+CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                                   PairwiseDetails& details, const Progress& progress) {
+  CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
+  if (input.settings.solve.apply_time_offset)
+    return solve_without_offset(input, motion, output, std::move(result), details, progress);
+  if (clock_differs(result.time_offset)) {
+    // Only the estimate is wanted: the pairs and the solution stay without it.
+    DriveMotion shifted = motion;
+    PipelineOutput copy = output;
+    PairwiseDetails unused;
+    const CalibrationResult estimate = solve_without_offset(input, shifted, copy, result, unused, progress);
+    result.time_offset = estimate.time_offset;
+    result.session_time_offset_s = estimate.session_time_offset_s;
+  }
+  return result;
+}
+
+void report_clock(const CalibrationResult& result, std::vector<Finding>& findings) {
+  const TimeOffset& clock = result.time_offset;
+  if (clock.applied || !clock_differs(clock)) return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "The lidar's stamps are %s by %.1f ms (sigma %.1f ms) against the INS. X is biased by it while the "
+                "vehicle turns: "
+                "set solve.apply_time_offset to correct it.",
+                clock.offset_s > 0.0 ? "early" : "late", std::abs(clock.offset_s) * 1e3, clock.sigma_s * 1e3);
+  findings.push_back({Severity::Warning, "clock-offset", "lidar and INS", text});
+}
+
+}  // namespace remount

@@ -1,0 +1,21 @@
+// From registered pairs to X, with the clock offset between lidar and INS.
+#pragma once
+
+#include "algorithms/calibration/pairwise.h"
+#include "model/pipeline.h"
+#include "model/pipeline/drive_motion.h"
+
+namespace remount {
+
+/// The solver's input for the keyframes of `output` at the present clock offsets of `motion`.
+PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output);
+
+/// Solves the pairs of `output` and estimates the clock offset to convergence. Where the settings ask for it, the
+/// offset is applied: to `motion`, to P of every pair and to the result; otherwise it is only reported.
+CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
+                                   PairwiseDetails& details, const Progress& progress);
+
+/// A finding where an offset was found and not applied.
+void report_clock(const CalibrationResult& result, std::vector<Finding>& findings);
+
+}  // namespace remount
