@@ -28,7 +28,8 @@ struct PipelineOutput {
   std::vector<Pair> pairs;
   CalibrationResult result;
   std::vector<Finding> findings;  ///< of every stage, the readers' included
-  /// The X under which scans were deskewed and predictions made: the nominal, or the coarse X found without one.
+  /// The X under which objects and starts of registrations were predicted: the nominal, or the coarse X found without
+  /// one.
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
   /// The X through which motion within scans was compensated in the end.
   RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();

@@ -80,6 +80,8 @@ DocumentNode calibration_document(const Project& project) {
   DocumentNode node = DocumentNode::map();
   node.add("result", result_document(file));
   node.add("initial_ins_from_lidar", transform_document(output.initial_ins_from_lidar));
+  node.add("compensation_ins_from_lidar", transform_document(output.compensation_ins_from_lidar));
+  node.add("initial_known", DocumentNode::boolean(output.initial_known));
   node.add("nominal_known", DocumentNode::boolean(output.nominal_known));
   node.add("findings", findings_document(output.findings));
   DocumentNode& keyframes = node.add("keyframes", DocumentNode::sequence());
@@ -95,6 +97,8 @@ PipelineOutput calibration_from(const DocumentView& view, std::size_t session_co
   output.result = std::move(file.result);
   inputs = std::move(file.inputs);
   output.initial_ins_from_lidar = transform_from_document(view.at("initial_ins_from_lidar"));
+  output.compensation_ins_from_lidar = transform_from_document(view.at("compensation_ins_from_lidar"));
+  output.initial_known = view.at("initial_known").boolean();
   output.nominal_known = view.at("nominal_known").boolean();
   for (const DocumentView& item : view.at("findings").items())
     output.findings.push_back({static_cast<Severity>(item.at("severity").integer(0, 2)), item.at("code").string(),
@@ -126,6 +130,9 @@ int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& out
     const Keyframe& b = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
     const auto found = wanted.find({a.session, a.stamp_ns, b.stamp_ns});
     if (found == wanted.end()) continue;
+    // What has no usable registration cannot be accepted, whatever was decided about an earlier one.
+    const bool registered = pair.registration.attempted && pair.registration.failure.empty();
+    if (found->second->state == PairState::Accepted && !registered) continue;
     pair.state = found->second->state;
     pair.reason = found->second->reason;
     pair.decided_by = DecidedBy::User;

@@ -43,7 +43,7 @@ struct Candidate {
 /// One direction of the six-dimensional parameter space, from the eigen-decomposition of the information.
 struct ObservabilityDirection {
   Vector6d direction = Vector6d::Zero();  ///< unit length after scaling; translation first, rotation about INS axes
-  double sigma = 0.0;                     ///< along it, m-equivalent; infinite where nothing is known
+  double sigma = 0.0;  ///< along it, in units of the limits of what counts as observed; infinite: unknown
   bool observed = true;
   std::string words;  ///< "height z: not observable, flat driving"
 };

@@ -157,13 +157,13 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseInput& inp
   if (solution.time_offset_s.empty()) return;
   double information = 0.0, sum = 0.0;
   for (std::size_t s = 0; s < solution.time_offset_s.size(); ++s) {
+    if (!(solution.time_offset_sigma_s[s] > 0.0)) return;
     const double weight = 1.0 / (solution.time_offset_sigma_s[s] * solution.time_offset_sigma_s[s]);
     information += weight;
     sum += weight * solution.time_offset_s[s];
   }
   result.time_offset.offset_s = sum / information;
   result.time_offset.sigma_s = 1.0 / std::sqrt(information);
-  result.time_offset.applied = input.options.apply_time_offset;
   result.session_time_offset_s = solution.time_offset_s;
 }
 
@@ -269,6 +269,12 @@ void set_status(const SearchRange& range, CalibrationResult& result) {
   }
 }
 
+CalibrationResult cancelled(CalibrationResult result) {
+  result.status = Status::Cancelled;
+  result.message = "Cancelled.";
+  return result;
+}
+
 CalibrationResult too_few(std::vector<Pair>& pairs, std::size_t usable) {
   CalibrationResult result;
   count_pairs(pairs, result);
@@ -284,7 +290,8 @@ CalibrationResult too_few(std::vector<Pair>& pairs, std::size_t usable) {
 
 double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise) {
   const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, ins_from_lidar);
-  return std::max(0.0, equation.residual.dot(residual_information(pair, equation, noise) * equation.residual));
+  const double distance2 = equation.residual.dot(residual_information(pair, equation, noise) * equation.residual);
+  return std::isfinite(distance2) ? std::max(0.0, distance2) : std::numeric_limits<double>::max();
 }
 
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
@@ -325,9 +332,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   result.noise = details.noise;
   if (progress.cancelled()) {
     count_pairs(pairs, result);
-    result.status = Status::Cancelled;
-    result.message = "Cancelled.";
-    return result;
+    return cancelled(result);
   }
   describe_uncertainty(input, pairs, details, progress, result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
@@ -344,6 +349,8 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     result.status = Status::NotConverged;
     result.message = "The joint solution did not converge.";
   }
+  // A stop on the way leaves numbers that look complete and are not.
+  if (progress.cancelled()) return cancelled(result);
   return result;
 }
 

@@ -66,12 +66,12 @@ struct SolveOptions {
              "state it.",
              0.0, 10.0},
             self.ins_attitude_bias_sigma_deg);
-    visitor({"ins_position_drift_m", "m",
+    visitor({"ins_position_drift_m", "m/sqrt(s)",
              "INS position error that builds up in one second, growing with the root of time, where the "
              "log does not state its errors.",
              0.0, 10.0},
             self.ins_position_drift_m);
-    visitor({"ins_attitude_drift_deg", "deg",
+    visitor({"ins_attitude_drift_deg", "deg/sqrt(s)",
              "INS attitude error that builds up in one second, growing with the root of time, where "
              "the log does not state its errors.",
              0.0, 10.0},

@@ -22,6 +22,9 @@ PairDecision user_decision(int pair, PairState state) {
 /// Whether a change needs more than a new solution from the pairs that are there.
 bool needs_new_run(const Settings& before, const Settings& after) {
   const auto first = option_fields(before), second = option_fields(after);
+  if (before.solve.apply_time_offset != after.solve.apply_time_offset ||
+      before.solve.joint_clouds != after.solve.joint_clouds)
+    return true;
   for (std::size_t i = 0; i < first.size(); ++i)
     if (first[i].value != second[i].value && first[i].section != QLatin1String("range") &&
         first[i].section != QLatin1String("solve"))

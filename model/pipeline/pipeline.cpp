@@ -113,6 +113,10 @@ void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<
                           objects[k].failure + " The scan is skipped."});
 }
 
+bool solved(const CalibrationResult& result) {
+  return result.status == Status::Ok || result.status == Status::Degenerate;
+}
+
 void align_all_clouds(const StageContext& context, const PipelineInput& input, DriveMotion& motion, ScanStore& scans,
                       const std::vector<KeyframeObjects>& objects, PairwiseDetails& details, PipelineOutput& output,
                       Progress& progress) {
@@ -132,7 +136,7 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   const CalibrationResult before = output.result;
   PairwiseInput solver = solver_input(input, motion, output);
   CalibrationResult joint = solve_pairwise(solver, relinearised, details, progress);
-  if (joint.status == Status::Cancelled || joint.status == Status::TooFewPairs) return;
+  if (!solved(joint)) return;  // a good solution is not given up for a worse one
   joint.time_offset = before.time_offset;
   joint.session_time_offset_s = before.session_time_offset_s;
   for (Candidate& candidate : joint.candidates)
@@ -163,10 +167,6 @@ void reconsider(std::vector<Pair>& pairs) {
       pair.decided_by = DecidedBy::Nobody;
       pair.reason.clear();
     }
-}
-
-bool solved(const CalibrationResult& result) {
-  return result.status == Status::Ok || result.status == Status::Degenerate;
 }
 
 // Whether X moved so far that compensating the scans through the old one leaves an error worth a second pass.
@@ -274,25 +274,29 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   return output;
 }
 
+namespace {
+
+// The INS motion at the clock offsets that the last solution applied.
+DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output) {
+  DriveMotion motion(input.sessions);
+  const bool known = output.result.session_time_offset_s.size() == input.sessions.size();
+  for (int s = 0; output.result.time_offset.applied && known && s < motion.session_count(); ++s)
+    motion.set_offset_s(s, output.result.session_time_offset_s[static_cast<std::size_t>(s)]);
+  return motion;
+}
+
+}  // namespace
+
 void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
-  const DriveMotion motion(input.sessions);
-  PairwiseDetails details;
-  PairwiseInput solver = solver_input(input, motion, output);
-  // The pairs' own P may hold an applied clock offset: the nodes follow the sessions' offsets of the last result.
-  DriveMotion shifted(input.sessions);
-  if (output.result.time_offset.applied && output.result.session_time_offset_s.size() == input.sessions.size()) {
-    for (int s = 0; s < shifted.session_count(); ++s)
-      shifted.set_offset_s(s, output.result.session_time_offset_s[static_cast<std::size_t>(s)]);
-    solver = solver_input(input, shifted, output);
-  }
-  const TimeOffset clock = output.result.time_offset;
-  const std::vector<double> clocks = output.result.session_time_offset_s;
-  CalibrationResult result = solve_pairwise(solver, output.pairs, details, progress);
+  const DriveMotion motion = motion_as_solved(input, output);
+  std::vector<Pair> pairs = output.pairs;  // a cancelled call leaves the output as it was
+  CalibrationResult result = solve_pairwise(solver_input(input, motion, output), pairs, progress);
   if (result.status == Status::Cancelled) return;
-  if (clock.applied) {
-    result.time_offset = clock;
-    result.session_time_offset_s = clocks;
+  if (output.result.time_offset.applied) {
+    result.time_offset = output.result.time_offset;
+    result.session_time_offset_s = output.result.session_time_offset_s;
   }
+  output.pairs = std::move(pairs);
   output.result = std::move(result);
 }
 
@@ -302,7 +306,7 @@ PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& ou
   const Keyframe& b = output.keyframes[static_cast<std::size_t>(pair.keyframe_b)];
   PairClouds clouds;
   if (!input.sessions.at(static_cast<std::size_t>(a.session))->scans) return clouds;
-  const DriveMotion motion(input.sessions);
+  const DriveMotion motion = motion_as_solved(input, output);
   const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
   ScanStore scans(motion, input.settings.registration, 0);
   if (input.settings.run.deskew != DeskewMode::Off) {

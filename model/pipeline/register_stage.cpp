@@ -15,6 +15,11 @@ namespace {
 
 constexpr float kMovingMargin_m = 0.3f;
 
+// Sessions with somebody's lidar poses take part in the solution, not in what is done with scans.
+bool has_scans(const StageContext& context, int keyframe) {
+  return context.motion.session(context.keyframes[static_cast<std::size_t>(keyframe)].session).scans != nullptr;
+}
+
 std::vector<LidarBox> moving_boxes(const KeyframeObjects& scan) {
   std::vector<LidarBox> boxes;
   for (std::size_t i = 0; i < scan.objects.size(); ++i)
@@ -71,7 +76,7 @@ std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, 
   std::vector<KeyframeObjects> out(context.keyframes.size());
   Counter counter("finding objects", context.keyframes.size(), progress);
   parallel_for(context.keyframes.size(), context.threads, [&](std::size_t k) {
-    if (used[k] && !progress.cancelled()) {
+    if (used[k] && has_scans(context, static_cast<int>(k)) && !progress.cancelled()) {
       try {
         out[k].objects = find_objects(scans.load(context.keyframes[k]), up_in_lidar(context, context.keyframes[k]),
                                       context.settings.objects);
@@ -97,8 +102,10 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
                       objects[static_cast<std::size_t>(pair.keyframe_b)].objects,
                       predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar), context.settings.objects);
   });
+  if (progress.cancelled()) return;  // missing matches are no reason to reject anything
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     Pair& pair = pairs[i];
+    if (!has_scans(context, pair.keyframe_a)) continue;
     KeyframeObjects& a = objects[static_cast<std::size_t>(pair.keyframe_a)];
     KeyframeObjects& b = objects[static_cast<std::size_t>(pair.keyframe_b)];
     pair.shared_objects = pair.moving_objects = 0;
@@ -121,7 +128,7 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
   Counter counter("registering pairs", pairs.size(), progress);
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
     Pair& pair = pairs[i];
-    if (pair.state != PairState::Rejected && !progress.cancelled()) {
+    if (pair.state != PairState::Rejected && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
       try {
         const auto a = prepare(context, scans, objects, pair.keyframe_a),
                    b = prepare(context, scans, objects, pair.keyframe_b);
@@ -170,7 +177,7 @@ bool sweep_compensation_helps(const StageContext& context, int session, const st
         if (!result.quality.failure.empty()) return;
         rmse_m[store == &raw ? 0 : 1] = result.quality.rmse_m;
       }
-      log_ratios[i] = std::log(rmse_m[1] / rmse_m[0]);
+      if (rmse_m[0] > 0.0 && rmse_m[1] > 0.0) log_ratios[i] = std::log(rmse_m[1] / rmse_m[0]);
     } catch (const Error&) {
       // A scan that cannot be read is reported where all pairs are registered.
     }
@@ -187,20 +194,24 @@ void relinearise_pairs(const StageContext& context, ScanStore& scans, const std:
   Counter counter("aligning all clouds", pairs.size(), progress);
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
     Pair& pair = pairs[i];
-    if (pair.state == PairState::Accepted && !progress.cancelled()) {
-      const auto a = prepare(context, scans, objects, pair.keyframe_a),
-                 b = prepare(context, scans, objects, pair.keyframe_b);
-      const RigidTransform& at = predicted_lidar_b_from_lidar_a[i];
-      const AlignmentEquations equations =
-          alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m);
-      // The weakest directions are damped by a spread of 0.1 m and 0.3 deg around the prediction.
-      Matrix6d damped = equations.hessian;
-      damped.diagonal().head<3>().array() += 1.0 / (0.1 * 0.1);
-      damped.diagonal().tail<3>().array() += 1.0 / (0.005 * 0.005);
-      pair.lidar_b_from_lidar_a = perturbed(at, damped.ldlt().solve(-equations.gradient));
-      pair.registration.information = equations.hessian;
-      pair.registration.rmse_m = equations.rmse_m;
-      pair.registration.overlap = equations.overlap;
+    if (pair.state == PairState::Accepted && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
+      try {
+        const auto a = prepare(context, scans, objects, pair.keyframe_a),
+                   b = prepare(context, scans, objects, pair.keyframe_b);
+        const RigidTransform& at = predicted_lidar_b_from_lidar_a[i];
+        const AlignmentEquations equations =
+            alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m);
+        // The weakest directions are damped by a spread of 0.1 m and 0.3 deg around the prediction.
+        Matrix6d damped = equations.hessian;
+        damped.diagonal().head<3>().array() += 1.0 / (0.1 * 0.1);
+        damped.diagonal().tail<3>().array() += 1.0 / (0.005 * 0.005);
+        pair.lidar_b_from_lidar_a = perturbed(at, damped.ldlt().solve(-equations.gradient));
+        pair.registration.information = equations.hessian;
+        pair.registration.rmse_m = equations.rmse_m;
+        pair.registration.overlap = equations.overlap;
+      } catch (const Error&) {
+        // A scan that has become unreadable since its registration: the pair keeps what it has.
+      }
     }
     counter.finished();
   });

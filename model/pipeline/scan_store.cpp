@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/cloud/deskew.h"
+#include "algorithms/core/error.h"
 
 namespace remount {
 
@@ -13,6 +14,7 @@ void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const st
 
 PointCloud ScanStore::load(const Keyframe& keyframe) const {
   const Session& session = motion_.session(keyframe.session);
+  if (!session.scans) throw Error(ErrorCode::Contract, session.name, "the session has lidar poses and no scans");
   PointCloud cloud = session.scans->load(static_cast<std::size_t>(keyframe.scan));
   if (!compensation_ || cloud.points.empty()) return cloud;
   std::vector<float> times;

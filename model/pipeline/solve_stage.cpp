@@ -37,6 +37,7 @@ CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& 
   double mean_s = 0.0;
   for (int s = 0; s < motion.session_count(); ++s) mean_s += motion.offset_s(s) / motion.session_count();
   result.time_offset.offset_s = mean_s;
+  result.time_offset.applied = true;
   for (std::size_t s = 0; s < result.session_time_offset_s.size(); ++s)
     result.session_time_offset_s[s] = motion.offset_s(static_cast<int>(s));
   return result;
@@ -68,6 +69,7 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
     PairwiseDetails unused;
     const CalibrationResult estimate = solve_without_offset(input, shifted, copy, result, unused, progress);
     result.time_offset = estimate.time_offset;
+    result.time_offset.applied = false;
     result.session_time_offset_s = estimate.session_time_offset_s;
   }
   return result;

@@ -163,6 +163,52 @@ TEST(a_bad_scan, is_reported_and_skipped) {
   }));
 }
 
+TEST(the_pipeline, calibrates_scans_and_lidar_poses_of_one_vehicle_together) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.beams = 16;
+  options.duration_s = 6.0;
+  const SimulatedDrive drive = simulate_drive(options);
+  // The same drive as exact lidar poses: as somebody's odometry would deliver it.
+  Session poses = drive.session;
+  poses.name = "poses";
+  poses.scans.reset();
+  for (const StampedPose& pose : drive.enu_from_ins)
+    poses.odometry_from_lidar.push_back({pose.stamp_ns, pose.pose * drive.ins_from_lidar});
+  PipelineInput input;
+  input.sessions = {std::make_shared<Session>(drive.session), std::make_shared<Session>(poses)};
+  Progress progress;
+  const PipelineOutput output = run_pipeline(input, progress);
+  const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
+  EXPECT_LE(error.rotation_deg, 0.05);
+  EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.02);
+  int from_poses = 0;
+  for (const Pair& pair : output.pairs)
+    from_poses +=
+        output.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session == 1 && pair.state == PairState::Accepted;
+  EXPECT_GT(from_poses, 10);
+}
+
+TEST(solving_again, leaves_the_output_as_it_was_when_cancelled) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.beams = 16;
+  options.duration_s = 4.0;
+  const Calibrated run = calibrate(options);
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(run.drive.session));
+  PipelineOutput output = run.output;
+  output.pairs[3].state = PairState::Rejected;
+  output.pairs[3].decided_by = DecidedBy::User;
+  std::stop_source stop;
+  stop.request_stop();
+  Progress cancelled(stop.get_token());
+  solve_again(input, output, cancelled);
+  EXPECT_EQ(output.result.ins_from_lidar.matrix(), run.output.result.ins_from_lidar.matrix());
+  Progress progress;
+  solve_again(input, output, progress);
+  EXPECT_EQ(output.pairs[3].state, PairState::Rejected) << "a user's decision stays";
+  EXPECT_LT(rotation_angle_between_rad(output.result.ins_from_lidar, run.drive.ins_from_lidar), 1e-3);
+}
+
 TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.duration_s = 4.0;
