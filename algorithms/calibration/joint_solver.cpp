@@ -327,10 +327,9 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
     if (!step.valid) return solution;
     take_step(step, layout, state);
     // In units of sigma: a direction that the data hardly show needs no more digits than it has.
-    if (step.shared_step.dot(step.reduced * step.shared_step) < 1e-8) {
-      solution.converged = true;
-      break;
-    }
+    const double squared_sigmas = step.shared_step.dot(step.reduced * step.shared_step);
+    solution.converged = squared_sigmas < 1e-3;
+    if (squared_sigmas < 1e-8) break;
   }
   if (step.valid) describe(problem, layout, state, step, solution);
   return solution;

@@ -15,6 +15,7 @@ namespace remount {
 namespace {
 
 constexpr int kFewestPairs = 3;
+constexpr int kIterations = 30;  // of the joint solution; a handful where everything is observed
 
 double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
 
@@ -153,7 +154,8 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseInput& inp
                            const Progress& progress, CalibrationResult& result) {
   JointProblem with_clock = problem;
   with_clock.estimate_time_offset = true;
-  const JointSolution solution = solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, 10, progress);
+  const JointSolution solution =
+      solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, kIterations, progress);
   if (solution.time_offset_s.empty()) return;
   double information = 0.0, sum = 0.0;
   for (std::size_t s = 0; s < solution.time_offset_s.size(); ++s) {
@@ -167,29 +169,27 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseInput& inp
   result.session_time_offset_s = solution.time_offset_s;
 }
 
-// Solves once more with what is not observed held at `kept`, so that the others agree with it. Translations are held
-// only where a nominal is known: without one, averaging over what they may be serves the others better than any single
-// value, and the reported zero stands for "not known".
+// Solves once more with the rotations that are not observed held at `kept`, for the others turn with them. Translations
+// are not held: averaging over what they may be serves the others better than any single value, which may contradict
+// the data where these say more than they are trusted with. They are reported as `kept`.
 RigidTransform solve_with_held(JointProblem problem, const PairwiseDetails& details,
-                               const std::array<bool, 6>& observed, const RigidTransform& kept, bool nominal_known,
+                               const std::array<bool, 6>& observed, const RigidTransform& kept,
                                const Progress& progress) {
   const SixParameters solved = six_from_rigid(details.joint.ins_from_lidar), held = six_from_rigid(kept);
   SixParameters start = solved;
   if (!observed[3]) start.yaw_rad = held.yaw_rad;
   if (!observed[4]) start.pitch_rad = held.pitch_rad;
   if (!observed[5]) start.roll_rad = held.roll_rad;
-  if (!observed[0]) start.x_m = held.x_m;
-  if (!observed[1]) start.y_m = held.y_m;
-  if (!observed[2]) start.z_m = held.z_m;
-  problem.prior_ins_from_lidar = rigid_from_six(start);
+  const RigidTransform from = rigid_from_six(start);
+  problem.prior_ins_from_lidar.linear() = from.linear();
   Matrix6d to_parameters = Matrix6d::Identity();
   to_parameters.bottomRightCorner<3, 3>() =
       yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(problem.prior_ins_from_lidar.linear()));
   constexpr double kHeld = 1e12;  // a micrometre, a microradian
-  for (int i = nominal_known ? 0 : 3; i < 6; ++i)
+  for (int i = 3; i < 6; ++i)
     if (!observed[static_cast<std::size_t>(i)])
       problem.prior_information += kHeld * to_parameters.row(i).transpose() * to_parameters.row(i);
-  RigidTransform x = solve_joint(problem, details.noise, problem.prior_ins_from_lidar, 10, progress).ins_from_lidar;
+  RigidTransform x = solve_joint(problem, details.noise, from, kIterations, progress).ins_from_lidar;
   for (int i = 0; i < 3; ++i)
     if (!observed[static_cast<std::size_t>(i)]) x.translation()[i] = kept.translation()[i];
   return x;
@@ -321,7 +321,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
     details.noise = estimate_noise(problem, prior.expected, prior.log_spread, x,
                                    round == 0 ? std::nullopt : std::optional(details.noise), progress);
-    details.joint = solve_joint(problem, details.noise, x, 10, progress);
+    details.joint = solve_joint(problem, details.noise, x, kIterations, progress);
     x = details.joint.ins_from_lidar;
     const int changed = judge_pairs(pairs, usable, x, details.noise, input.options.outlier_threshold);
     if (changed == 0) break;
@@ -337,8 +337,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   describe_uncertainty(input, pairs, details, progress, result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
-        solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x),
-                        input.nominal_ins_from_lidar.has_value(), progress);
+        solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
   estimate_clock_offset(problem, input, details, progress, result);
   list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(x), result);
   trim_candidates(input.options.max_listed_candidates, result);

@@ -32,7 +32,7 @@ std::string parameters(const CalibrationResult& result) {
     text += format("  %-5s  %10.4f %s  ", std::string(kParameterNames[i]).c_str(), values[i], unit);
     const auto sigma = result.sigma(i);
     if (!sigma)
-      text += "not observed: this is the value it started from, not a measurement\n";
+      text += "not observed: do not rely on this value\n";
     else
       text += sigma_text(angle ? radians_to_degrees(*sigma) : *sigma) + (angle ? " deg\n" : " m\n");
   }
