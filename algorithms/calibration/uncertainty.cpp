@@ -83,7 +83,8 @@ Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& boots
 
 // Registrations of pairs that share scans are not independent, and all share the bias of voxels and beams: neither
 // shows in residuals. Over thirty simulated drives errors came out 1.3 times the model's sigma, and a millimetre on top
-// (tests/model/pipeline/honest_sigma_test.cpp keeps this true).
+// (tests/model/pipeline/honest_sigma_test.cpp keeps this true; docs/adr/0006-honest-sigma.md says what it does not
+// prove).
 Matrix6d with_unseen_errors(const Matrix6d& covariance) {
   constexpr double kSharedScans = 1.3, kBias_m = 0.001;
   Matrix6d out = kSharedScans * kSharedScans * covariance;

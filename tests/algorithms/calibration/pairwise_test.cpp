@@ -2,10 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdio>
-
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "tests/algorithms/support/simulated_drive.h"
@@ -72,15 +71,17 @@ TEST(Pairwise, NoisyErrorsAreWithinTheSigmasAndEveryParameterIsObserved) {
                              found.roll_rad - truth.roll_rad};
     for (std::size_t i = 0; i < 6; ++i) {
       ASSERT_TRUE(result.sigma(i)) << kParameterNames[i];
-      const double ratio = errors[i] / *result.sigma(i);
+      // These drives have exactly the modelled errors, so the allowance for what real registrations add is taken off
+      // again.
+      const double allowance2 = i < 3 ? 1e-6 : 0.0;
+      const double modelled_sigma = std::sqrt(*result.sigma(i) * *result.sigma(i) - allowance2) / 1.3;
+      const double ratio = errors[i] / modelled_sigma;
       EXPECT_LT(std::abs(ratio), 4.0) << kParameterNames[i] << ", seed " << seed;
       sum += ratio * ratio;
     }
   }
-  // These drives have exactly the modelled errors; the stated sigma allows 1.3 times as much and a millimetre for what real
-  // registrations add (see honest_sigma_test), so the mean lies well below one here.
   std::printf("  mean squared normalised error %.2f\n", sum / (6 * kProblems));
-  EXPECT_GT(sum / (6 * kProblems), 0.1);
+  EXPECT_GT(sum / (6 * kProblems), 0.3);
   EXPECT_LT(sum / (6 * kProblems), 1.8);
 }
 
