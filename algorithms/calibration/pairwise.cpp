@@ -43,8 +43,10 @@ NoisePrior noise_prior(const PairwiseInput& input) {
         known_or(session.attitude_drift, here ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
   }
   const double sessions = std::max<double>(1.0, static_cast<double>(input.sessions.size()));
-  prior.expected.ins_position_sigma_m = sum.ins_position_sigma_m / sessions;
-  prior.expected.ins_attitude_sigma_rad = sum.ins_attitude_sigma_rad / sessions;
+  // No INS is exact, whatever its log says.
+  constexpr double kLeastPosition_m = 1e-4, kLeastAttitude_rad = 1e-6;
+  prior.expected.ins_position_sigma_m = std::max(kLeastPosition_m, sum.ins_position_sigma_m / sessions);
+  prior.expected.ins_attitude_sigma_rad = std::max(kLeastAttitude_rad, sum.ins_attitude_sigma_rad / sessions);
   prior.expected.ins_position_drift = sum.ins_position_drift / sessions;
   prior.expected.ins_attitude_drift = sum.ins_attitude_drift / sessions;
   const double ins_spread = declared ? 0.3 : 1.5;
@@ -150,8 +152,8 @@ JointProblem make_problem(const PairwiseInput& input, const std::vector<Pair>& p
   return problem;
 }
 
-void estimate_clock_offset(const JointProblem& problem, const PairwiseInput& input, const PairwiseDetails& details,
-                           const Progress& progress, CalibrationResult& result) {
+void estimate_clock_offset(const JointProblem& problem, const PairwiseDetails& details, const Progress& progress,
+                           CalibrationResult& result) {
   JointProblem with_clock = problem;
   with_clock.estimate_time_offset = true;
   const JointSolution solution =
@@ -338,7 +340,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
         solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
-  estimate_clock_offset(problem, input, details, progress, result);
+  estimate_clock_offset(problem, details, progress, result);
   list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(x), result);
   trim_candidates(input.options.max_listed_candidates, result);
   count_pairs(pairs, result);

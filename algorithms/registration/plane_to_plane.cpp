@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "algorithms/registration/registration.h"
 
@@ -117,6 +118,14 @@ float robust_kernel_m(std::vector<float>& residuals, float smallest_m, float lar
   return std::clamp(4.0f * 1.4826f * *middle, smallest_m, largest_m);
 }
 
+std::uint64_t cell_of(const Eigen::Vector3f& point) {
+  constexpr float kCell_m = 2.0f;
+  const auto index = [&](float v) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / kCell_m)) + (1LL << 20));
+  };
+  return (index(point.z()) << 42) | (index(point.y()) << 21) | index(point.x());
+}
+
 }  // namespace
 
 RegistrationResult align_plane_to_plane(const PreparedCloud& source, const PreparedCloud& target,
@@ -164,6 +173,7 @@ AlignmentEquations alignment_equations(const PreparedCloud& source, const Prepar
     Vector6d row;
     double residual_m;
     double weight;
+    std::uint64_t cell;
   };
   std::vector<Term> terms;
   std::vector<float> residuals;
@@ -178,7 +188,8 @@ AlignmentEquations alignment_equations(const PreparedCloud& source, const Prepar
     if (n.dot(m) < 0.7f) continue;
     const Eigen::Vector3d normal = (n + m).normalized().cast<double>();
     const double along = normal.dot((query - target.points()[t]).cast<double>());
-    Term term{Vector6d::Zero(), along, static_cast<double>(source.planarity()[i] * target.planarity()[t])};
+    Term term{Vector6d::Zero(), along, static_cast<double>(source.planarity()[i] * target.planarity()[t]),
+              cell_of(query)};
     term.row << normal, arm.cast<double>().cross(normal);
     terms.push_back(term);
     residuals.push_back(static_cast<float>(std::abs(along)));
@@ -202,6 +213,20 @@ AlignmentEquations alignment_equations(const PreparedCloud& source, const Prepar
     equations.hessian.noalias() += term.weight / variance * term.row * term.row.transpose();
     equations.gradient.noalias() += term.weight / variance * term.residual_m * term.row;
   }
+  // Errors on one surface are alike, and few surfaces face a direction: the scatter of the cells' gradients says how
+  // well the minimum is known, the number of points does not.
+  Matrix6d damped = equations.hessian;
+  damped.diagonal().head<3>().array() += 1.0 / (0.1 * 0.1);
+  damped.diagonal().tail<3>().array() += 1.0 / (0.005 * 0.005);
+  const Vector6d step = damped.ldlt().solve(-equations.gradient);
+  std::unordered_map<std::uint64_t, Vector6d> cells;
+  for (const Term& term : terms) {
+    const auto found = cells.try_emplace(term.cell, Vector6d::Zero()).first;
+    found->second += term.weight / variance * (term.residual_m + term.row.dot(step)) * term.row;
+  }
+  Matrix6d scatter = 0.3 * equations.hessian;
+  for (const auto& [cell, gradient] : cells) scatter.noalias() += gradient * gradient.transpose();
+  equations.information = equations.hessian * scatter.ldlt().solve(equations.hessian);
   return equations;
 }
 

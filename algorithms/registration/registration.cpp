@@ -53,7 +53,7 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
       alignment_equations(source, target, result.target_from_source, 0.5 * options.max_correspondence_m);
   result.quality.rmse_m = equations.rmse_m;
   result.quality.overlap = equations.overlap;
-  result.quality.information = equations.hessian;
+  result.quality.information = equations.information;
   result.quality.failure = progress.cancelled() ? "cancelled" : judge(result.quality, options);
   return result;
 }

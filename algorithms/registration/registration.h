@@ -42,6 +42,8 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
 struct AlignmentEquations {
   Matrix6d hessian = Matrix6d::Zero();
   Vector6d gradient = Vector6d::Zero();
+  /// Inverse covariance of the minimum: H B^-1 H with the scatter B of the gradient's parts from separate surfaces.
+  Matrix6d information = Matrix6d::Zero();
   double rmse_m = 0.0;   ///< of inlier residuals along the normals
   double overlap = 0.0;  ///< share of source points with an inlier neighbour
 };

@@ -10,8 +10,29 @@
 
 namespace remount {
 
+/// The motion of a body near one time: what a scan needs that is taken while the body moves.
+class Passage {
+ public:
+  /// world_from_body at `time_s` from the middle; nothing where the trajectory does not know.
+  std::optional<RigidTransform> at(double time_s) const;
+  RigidTransform pose() const { return *at(0.0); }
+
+ private:
+  friend class MotionTrack;
+  using Parabola = Eigen::Matrix3d;  // columns: value, slope, half the curvature
+  const class MotionTrack* track_ = nullptr;
+  std::int64_t stamp_ns_ = 0;
+  std::optional<Parabola> position_, turn_;  // nothing: interpolated
+  Eigen::Matrix3d turned_from_ = Eigen::Matrix3d::Identity();
+};
+
 /// Stamped poses world_from_body with interpolation: attitude by slerp, position by a cubic through the neighbours (so
 /// that a curve is not cut short), never outside the data and never across a gap.
+///
+/// Logs whose samples carry independent noise would shake the points of a scan with it: worse, the noise of the pose at
+/// the scan's stamp would enter the motion of the INS and, through the compensation of the scan, the motion of the
+/// LiDAR alike, where it passes for excitation. Such noise is told from motion by third differences, and then `around`
+/// fits a parabola to 0.1 s on either side. Filtered logs, whose samples differ by true motion, are left as they are.
 class MotionTrack {
  public:
   MotionTrack() = default;
@@ -20,8 +41,16 @@ class MotionTrack {
   ///        at least 0.25 s
   explicit MotionTrack(const std::vector<StampedPose>& world_from_body, double max_gap_s = 0.0);
 
-  /// world_from_body at a time, or nothing outside the data or in a gap.
+  /// world_from_body at a time, interpolated; nothing outside the data or in a gap.
   std::optional<RigidTransform> at(std::int64_t stamp_ns) const;
+
+  /// The motion around a time, with sample noise averaged out where the log has any; nothing outside the data or in a
+  /// gap.
+  std::optional<Passage> around(std::int64_t stamp_ns) const;
+
+  /// How much of the samples' white noise is left in `around(t)->pose()`: 1 where the log is not smoothed.
+  double position_noise_factor() const { return position_.noise_factor; }
+  double attitude_noise_factor() const { return attitude_.noise_factor; }
 
   /// Velocity of the body at a time, in body axes: [m/s; rad/s] as a perturbation in body axes per second.
   std::optional<Vector6d> body_velocity(std::int64_t stamp_ns) const;
@@ -31,8 +60,17 @@ class MotionTrack {
   double max_gap_s() const { return max_gap_s_; }
 
  private:
+  struct Smoothing {
+    bool on = false;
+    double noise_factor = 1.0;
+  };
+  struct Window;
+  Window window(std::int64_t stamp_ns) const;
+  void choose_smoothing();
+
   std::vector<StampedPose> samples_;
   double max_gap_s_ = 0.0;
+  Smoothing position_, attitude_;
 };
 
 }  // namespace remount

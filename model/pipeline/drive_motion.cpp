@@ -27,9 +27,13 @@ std::vector<std::int64_t> DriveMotion::lidar_stamps_ns(int index) const {
   return stamps;
 }
 
-std::optional<RigidTransform> DriveMotion::ins_pose(int index, std::int64_t lidar_stamp_ns, double later_s) const {
-  const auto shift_ns = static_cast<std::int64_t>(std::llround((offset_s(index) + later_s) * 1e9));
-  return track(index).at(lidar_stamp_ns + shift_ns);
+std::optional<RigidTransform> DriveMotion::ins_pose(int index, std::int64_t lidar_stamp_ns) const {
+  const auto here = passage(index, lidar_stamp_ns);
+  return here ? std::optional(here->pose()) : std::nullopt;
+}
+
+std::optional<Passage> DriveMotion::passage(int index, std::int64_t lidar_stamp_ns) const {
+  return track(index).around(lidar_stamp_ns + std::llround(offset_s(index) * 1e9));
 }
 
 std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes) const {
@@ -39,10 +43,10 @@ std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes
     node.session = keyframe.session;
     node.time_s = static_cast<double>(keyframe.stamp_ns - track(keyframe.session).samples().front().stamp_ns) * 1e-9;
     const auto shift_ns = static_cast<std::int64_t>(std::llround(offset_s(keyframe.session) * 1e9));
-    if (const auto pose = track(keyframe.session).at(keyframe.stamp_ns + shift_ns))
-      node.local_from_ins = *pose;
-    else if (const auto unshifted = track(keyframe.session).at(keyframe.stamp_ns))
-      node.local_from_ins = *unshifted;
+    if (const auto shifted = track(keyframe.session).around(keyframe.stamp_ns + shift_ns))
+      node.local_from_ins = shifted->pose();
+    else if (const auto unshifted = track(keyframe.session).around(keyframe.stamp_ns))
+      node.local_from_ins = unshifted->pose();
     if (const auto velocity = track(keyframe.session).body_velocity(keyframe.stamp_ns + shift_ns))
       node.body_velocity = *velocity;
     out.push_back(node);
@@ -52,9 +56,10 @@ std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes
 
 std::vector<SessionNoise> DriveMotion::noise() const {
   std::vector<SessionNoise> out;
-  for (const auto& session : sessions_)
-    out.push_back({session->ins_position_white_sigma_m, session->ins_attitude_white_sigma_rad,
-                   session->ins_attitude_bias_sigma_rad});
+  for (std::size_t s = 0; s < sessions_.size(); ++s)
+    out.push_back({tracks_[s].position_noise_factor() * sessions_[s]->ins_position_white_sigma_m,
+                   tracks_[s].attitude_noise_factor() * sessions_[s]->ins_attitude_white_sigma_rad,
+                   sessions_[s]->ins_attitude_bias_sigma_rad});
   return out;
 }
 

@@ -26,8 +26,10 @@ class DriveMotion {
 
   /// Stamps of what the lidar delivers: scans, or poses of its odometry.
   std::vector<std::int64_t> lidar_stamps_ns(int session) const;
-  /// local_from_ins at a lidar stamp, `later_s` seconds later; nothing outside the data or in a gap.
-  std::optional<RigidTransform> ins_pose(int session, std::int64_t lidar_stamp_ns, double later_s = 0.0) const;
+  /// local_from_ins at a lidar stamp; nothing outside the data or in a gap.
+  std::optional<RigidTransform> ins_pose(int session, std::int64_t lidar_stamp_ns) const;
+  /// The motion of the INS during the scan with this stamp; its middle is `ins_pose`.
+  std::optional<Passage> passage(int session, std::int64_t lidar_stamp_ns) const;
 
   /// The solver's nodes and times for keyframes; poses that the present clock offset moves out of the data keep
   /// identity velocity and the pose without offset.

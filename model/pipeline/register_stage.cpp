@@ -206,7 +206,7 @@ void relinearise_pairs(const StageContext& context, ScanStore& scans, const std:
         damped.diagonal().head<3>().array() += 1.0 / (0.1 * 0.1);
         damped.diagonal().tail<3>().array() += 1.0 / (0.005 * 0.005);
         pair.lidar_b_from_lidar_a = perturbed(at, damped.ldlt().solve(-equations.gradient));
-        pair.registration.information = equations.hessian;
+        pair.registration.information = equations.information;
         pair.registration.rmse_m = equations.rmse_m;
         pair.registration.overlap = equations.overlap;
       } catch (const Error&) {

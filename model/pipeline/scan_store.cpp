@@ -25,12 +25,12 @@ PointCloud ScanStore::load(const Keyframe& keyframe) const {
     times = sweep_times(cloud, session.sweep.period_s, session.sweep.stamp_azimuth_rad, session.sweep.clockwise);
   else
     return cloud;
-  const auto at_stamp = motion_.ins_pose(keyframe.session, keyframe.stamp_ns);
-  if (!at_stamp) return cloud;
-  const RigidTransform lidar_at_stamp_from_world = (*at_stamp * *compensation_).inverse();
+  const auto passage = motion_.passage(keyframe.session, keyframe.stamp_ns);
+  if (!passage) return cloud;
+  const RigidTransform lidar_at_stamp_from_world = (passage->pose() * *compensation_).inverse();
   // Beyond the ends of the trajectory the last known motion is held: part of a sweep at most.
   const auto motion = [&](double time_s) {
-    const auto pose = motion_.ins_pose(keyframe.session, keyframe.stamp_ns, time_s);
+    const auto pose = passage->at(time_s);
     return pose ? RigidTransform(lidar_at_stamp_from_world * *pose * *compensation_) : RigidTransform::Identity();
   };
   return deskew(cloud, times, motion);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace remount {
 namespace {
@@ -111,6 +112,89 @@ TEST(MotionTrack, VelocityIsInBodyAxesAlsoAtTheEnds) {
     EXPECT_LT((*velocity - truth).norm(), 0.2) << velocity->transpose();
   }
   EXPECT_FALSE(track.body_velocity(nanoseconds(6.0)));
+}
+
+std::vector<StampedPose> noisy_circle(double rate_hz, int count, double position_sigma_m, double attitude_sigma_rad,
+                                      unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  const auto vector = [&](double sigma) -> Eigen::Vector3d {
+    return sigma * Eigen::Vector3d(normal(random), normal(random), normal(random));
+  };
+  std::vector<StampedPose> samples = circle(rate_hz, count);
+  for (StampedPose& sample : samples) {
+    sample.pose.translation() += vector(position_sigma_m);
+    sample.pose.linear() *= so3_exp(vector(attitude_sigma_rad));
+  }
+  return samples;
+}
+
+TEST(motion_around_a_time, averages_the_noise_of_samples_as_far_as_it_says) {
+  constexpr double kPosition_m = 0.005, kAttitude_rad = 3.5e-4;
+  const MotionTrack track(noisy_circle(100.0, 2000, kPosition_m, kAttitude_rad, 1));
+  EXPECT_LT(track.position_noise_factor(), 0.5);
+  EXPECT_LT(track.attitude_noise_factor(), 0.5);
+  double position2 = 0.0, attitude2 = 0.0;
+  int count = 0;
+  for (double t = 0.5; t < 19.5; t += 0.0937, ++count) {
+    const RigidTransform pose = track.around(nanoseconds(t))->pose();
+    position2 += (pose.translation() - on_circle(t).translation()).squaredNorm() / 3.0;
+    attitude2 += so3_log(on_circle(t).linear().transpose() * pose.linear()).squaredNorm() / 3.0;
+  }
+  EXPECT_NEAR(std::sqrt(position2 / count) / (track.position_noise_factor() * kPosition_m), 1.0, 0.15);
+  EXPECT_NEAR(std::sqrt(attitude2 / count) / (track.attitude_noise_factor() * kAttitude_rad), 1.0, 0.15);
+}
+
+// Noise of the pose at the stamp must not enter the motion over the sweep: compensation would hand it to the lidar.
+TEST(motion_around_a_time, keeps_the_noise_of_the_middle_out_of_the_motion_over_a_sweep) {
+  constexpr double kAttitude_rad = 3.5e-4;
+  const MotionTrack track(noisy_circle(100.0, 2000, 0.005, kAttitude_rad, 2));
+  double middle2 = 0.0, product = 0.0, worst_rad = 0.0;
+  for (double t = 0.5; t < 19.5; t += 0.1037) {
+    const Passage passage = *track.around(nanoseconds(t));
+    const Eigen::Vector3d middle = so3_log(on_circle(t).linear().transpose() * passage.pose().linear());
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (int k = -5; k <= 5; ++k) {
+      const Eigen::Matrix3d moved = passage.pose().linear().transpose() * passage.at(0.01 * k)->linear();
+      const Eigen::Matrix3d truth = on_circle(t).linear().transpose() * on_circle(t + 0.01 * k).linear();
+      mean += so3_log(truth.transpose() * moved) / 11.0;
+      worst_rad = std::max(worst_rad, so3_log(truth.transpose() * moved).norm());
+    }
+    middle2 += middle.squaredNorm();
+    product += middle.dot(mean);
+  }
+  // Interpolated samples would carry all of it: a share of -1.
+  EXPECT_LT(std::abs(product / middle2), 0.25);
+  EXPECT_LT(worst_rad, 1.5 * kAttitude_rad);
+}
+
+TEST(motion_around_a_time, leaves_motion_without_noise_as_it_is) {
+  // A vehicle that shakes at 9 Hz: a parabola over 0.2 s would flatten it.
+  std::vector<StampedPose> shaking = circle(100.0, 1000);
+  for (std::size_t i = 0; i < shaking.size(); ++i) {
+    const double phase = 2.0 * kPi * 9.0 * 0.01 * static_cast<double>(i);
+    shaking[i].pose.translation().z() += 0.004 * std::sin(phase);
+    shaking[i].pose.linear() *= so3_exp({0.0, 0.001 * std::sin(phase + 1.0), 0.0});
+  }
+  for (const MotionTrack& track : {MotionTrack(circle(10.0, 200)), MotionTrack(shaking)}) {
+    EXPECT_EQ(track.position_noise_factor(), 1.0);
+    EXPECT_EQ(track.attitude_noise_factor(), 1.0);
+    for (double t = 0.31; t < 9.0; t += 0.137)
+      EXPECT_TRUE(track.around(nanoseconds(t))->pose().matrix() == track.at(nanoseconds(t))->matrix()) << t;
+  }
+}
+
+TEST(motion_around_a_time, knows_the_ends_and_stops_at_gaps) {
+  std::vector<StampedPose> samples = noisy_circle(100.0, 1000, 0.005, 3.5e-4, 3);
+  samples.erase(samples.begin() + 400, samples.begin() + 480);
+  for (std::size_t i = 400; i < samples.size(); ++i) samples[i].pose.translation() += Eigen::Vector3d(0, 50, 0);
+  const MotionTrack track(samples);
+  EXPECT_LT(track.position_noise_factor(), 0.5);
+  EXPECT_FALSE(track.around(nanoseconds(4.4)));
+  EXPECT_FALSE(track.around(nanoseconds(-0.001)));
+  EXPECT_LT((track.around(0)->pose().translation() - on_circle(0.0).translation()).norm(), 0.02);
+  EXPECT_LT((track.around(nanoseconds(3.98))->pose().translation() - on_circle(3.98).translation()).norm(), 0.02);
+  EXPECT_TRUE(track.around(nanoseconds(3.98))->at(0.05)) << "beyond the end of the data the parabola goes on";
 }
 
 }  // namespace
