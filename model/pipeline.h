@@ -33,13 +33,16 @@ struct PipelineOutput {
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
   /// The X through which motion within scans was compensated in the end.
   RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();
+  /// Whether motion within the scans of each session was compensated by the sweep's azimuth; empty before that is
+  /// decided.
+  std::vector<bool> session_uses_sweep;
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };
 
 /// load -> keyframes -> pairs -> objects -> register -> motions -> candidates -> rank -> refine -> joint clouds ->
 /// report. Scans that cannot be read are skipped and become findings. Throws Error only for a broken contract (no
-/// sessions, settings out of range, no INS motion at all).
+/// sessions, settings out of range, a nominal outside the search range, no INS motion at all).
 PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress);
 
 /// Solves again from pairs that are already registered, with their present states and the present search range:
@@ -56,7 +59,8 @@ struct PairClouds {
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair);
 
 /// Solves P X = X Q from motion pairs alone (no scans): the `solve` verb. `pairs` carry P and Q; where
-/// `registration.information` is zero all pairs weigh alike.
+/// `registration.information` is zero all pairs weigh alike. Throws Error(Contract) for a nominal outside the search
+/// range.
 CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& settings,
                                      const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress);
 

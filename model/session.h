@@ -27,14 +27,15 @@ struct Finding {
 enum class ScanTiming {
   Instant,       ///< already compensated, or taken at once
   PerPoint,      ///< time_from_stamp_s is filled
-  SweepAzimuth,  ///< one clockwise turn; time follows from the azimuth (see SweepModel)
+  SweepAzimuth,  ///< one turn; time follows from the azimuth (see SweepModel)
 };
 
-/// A spinning sensor's turn: time_from_stamp = clockwise turn since `stamp_azimuth_rad` / 2 pi * period, in (-period/2, period/2].
+/// A spinning sensor's turn, in either direction: time_from_stamp = (angle turned since `stamp_azimuth_rad`) / 2 pi *
+/// period, in (-period/2, period/2].
 struct SweepModel {
   double period_s = 0.1;
   double stamp_azimuth_rad = 0.0;  ///< azimuth (atan2(y, x)) that the sensor faces at the stamp
-  bool clockwise = true;           ///< seen from above
+  bool clockwise = true;           ///< the direction of the turn, seen from above
   bool certain = true;             ///< false: the format does not say whether scans are already compensated
 };
 

@@ -7,6 +7,7 @@
 
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/cloud/objects.h"
+#include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/registration/registration_options.h"
 #include "algorithms/trajectory/keyframes.h"
 #include "algorithms/trajectory/pairing.h"
@@ -52,5 +53,9 @@ struct Settings {
   /// Every problem, prefixed by its section ("range.x_min_m ..."); includes ranges whose minimum exceeds the maximum.
   std::vector<std::string> check() const;
 };
+
+/// What is wrong with starting from this nominal: which parameter lies outside the search range, in m and degrees.
+/// Empty where nothing is, or where there is no nominal.
+std::string nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range);
 
 }  // namespace remount

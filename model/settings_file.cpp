@@ -65,9 +65,7 @@ struct OptionReader {
             view.integer(static_cast<std::int64_t>(info.minimum), static_cast<std::int64_t>(info.maximum)));
       } else if constexpr (std::is_floating_point_v<T>) {
         const double number = view.number();
-        if (number < info.minimum || number > info.maximum)
-          view.fail(shortest(number) + " is outside " + shortest(info.minimum) + " to " + shortest(info.maximum) +
-                    (info.unit.empty() ? "" : " " + std::string(info.unit)));
+        if (number < info.minimum || number > info.maximum) view.fail(outside_bounds(info, number));
         value = number;
       } else {
         value = view.string();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -17,6 +18,23 @@ struct OptionInfo {
   double minimum = 0.0;
   double maximum = 0.0;
 };
+
+/// "-4 rad (-229.183 deg) is outside -3.15 to 3.15 rad (-180.482 to 180.482 deg)": degrees as well, since people type
+/// those.
+inline std::string outside_bounds(const OptionInfo& info, double value) {
+  constexpr double kToDeg = 57.295779513082323;
+  const bool angle = info.unit == "rad";
+  std::string unit(info.unit);
+  if (!unit.empty()) unit.insert(unit.begin(), ' ');
+  char text[320];
+  if (angle)
+    std::snprintf(text, sizeof text, "%.6g rad (%.6g deg) is outside %.6g to %.6g rad (%.6g to %.6g deg)", value,
+                  value * kToDeg, info.minimum, info.maximum, info.minimum * kToDeg, info.maximum * kToDeg);
+  else
+    std::snprintf(text, sizeof text, "%.6g%s is outside %.6g to %.6g%s", value, unit.c_str(), info.minimum,
+                  info.maximum, unit.c_str());
+  return text;
+}
 
 /// An enumeration as an option: `index` refers to `names`.
 struct ChoiceRef {
@@ -35,9 +53,7 @@ struct OptionChecker {
     if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
       const double number = static_cast<double>(value);
       if (!std::isfinite(number) || number < info.minimum || number > info.maximum)
-        problems.push_back(std::string(info.name) + " = " + std::to_string(number) + " is outside " +
-                           std::to_string(info.minimum) + " to " + std::to_string(info.maximum) + " " +
-                           std::string(info.unit));
+        problems.push_back(std::string(info.name) + " = " + outside_bounds(info, number));
     }
   }
   template <class T>

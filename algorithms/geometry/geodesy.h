@@ -36,7 +36,8 @@ class UtmGrid {
 /// local_from_ins for each sample: axes of the UTM grid, origin at the first sample. Attitude is turned from true to
 /// grid north by the convergence; each step of the trajectory is divided by the grid's point scale and carried from the
 /// ellipsoid to the vehicle's height, so that differences of positions are true metres.
-/// Source: seeds' claim 4 completed; projection by GeographicLib (Karney 2011).
+/// Without convergence and scale, the motion P of the INS would be off by up to degrees and parts in a thousand.
+/// Projection by GeographicLib (Karney 2011).
 std::vector<StampedPose> local_from_ins(std::span<const InsSample> samples);
 
 }  // namespace remount

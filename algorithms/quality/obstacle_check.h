@@ -1,4 +1,4 @@
-// What X is for (claim 1 of the source): how far the obstacles of a scan are from the vehicle, and whether to stop.
+// What X is for: how far the obstacles of a scan are from the vehicle, and whether to stop.
 #pragma once
 
 #include <limits>

@@ -1,11 +1,11 @@
 #include "app/cli/arguments.h"
 
-#include <unistd.h>
-
 #include <array>
 
 #include "algorithms/core/error.h"
 #include "model/exporters/exporter.h"
+#include "model/io/atomic_save.h"
+#include "model/io/document.h"
 #include "model/io/input_file.h"
 #include "model/settings_file.h"
 
@@ -29,6 +29,28 @@ std::vector<std::string> split(const std::string& text, char separator) {
       "expected six pairs min:max for x,y,z (m), yaw,pitch,roll (degrees), or some by name as in x=-1:1,yaw=-10:10");
 }
 
+/// The bounds of SearchRange's members in its own order: minimum and maximum of x, y, z, yaw, pitch, roll.
+struct BoundsReader {
+  std::vector<std::pair<double, double>>& bounds;
+  void operator()(const OptionInfo& info, double&) { bounds.emplace_back(info.minimum, info.maximum); }
+};
+
+/// In the units that were typed, before anything becomes radians. Throws Error(Contract).
+void check_typed(SearchRange& range, std::size_t parameter, double minimum, double maximum, const std::string& where) {
+  std::vector<std::pair<double, double>> bounds;
+  SearchRange::visit(range, BoundsReader{bounds});
+  const double unit = parameter < 3 ? 1.0 : 180.0 / kPi;
+  OptionInfo info{kParameterNames[parameter], parameter < 3 ? "m" : "deg", "", bounds[2 * parameter].first * unit,
+                  bounds[2 * parameter].second * unit};
+  for (const double value : {minimum, maximum})
+    if (value < info.minimum || value > info.maximum)
+      throw Error(ErrorCode::Contract, where, std::string(info.name) + " " + outside_bounds(info, value));
+  if (minimum > maximum)
+    throw Error(ErrorCode::Contract, where,
+                std::string(info.name) + ": the minimum " + shortest(minimum) + " exceeds the maximum " +
+                    shortest(maximum) + " " + std::string(info.unit));
+}
+
 void set_range(SearchRange& range, std::size_t parameter, const std::string& pair, const std::string& whole) {
   const std::array<std::pair<double*, double*>, 6> members{{{&range.x_min_m, &range.x_max_m},
                                                             {&range.y_min_m, &range.y_max_m},
@@ -41,6 +63,7 @@ void set_range(SearchRange& range, std::size_t parameter, const std::string& pai
   const auto minimum = parse_number(ends[0]), maximum = parse_number(ends[1]);
   if (!minimum || !maximum) wrong_range(whole);
   const double unit = parameter < 3 ? 1.0 : kPi / 180.0;
+  check_typed(range, parameter, *minimum, *maximum, "--range " + whole);
   *members[parameter].first = *minimum * unit;
   *members[parameter].second = *maximum * unit;
 }
@@ -119,11 +142,7 @@ void SolveArguments::check_output() const {
   const auto ending = path.extension();
   if (ending != ".yaml" && ending != ".yml" && ending != ".json")
     throw Error(ErrorCode::Contract, "--output " + output, "expected a name that ends in .yaml, .yml or .json");
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  if (!is_folder(folder))
-    throw Error(ErrorCode::Contract, "--output " + output, "there is no folder " + folder.string());
-  if (::access(folder.c_str(), W_OK) != 0 || is_folder(path))
-    throw Error(ErrorCode::Contract, "--output " + output, "cannot be written");
+  check_can_save(path);
 }
 
 }  // namespace remount

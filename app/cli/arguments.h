@@ -35,7 +35,8 @@ struct SolveArguments {
   Settings settings(const Settings& base = {}) const;
   /// The nominal of the command line; nothing where it is not given or "none".
   std::optional<RigidTransform> nominal_ins_from_lidar() const;
-  /// Throws Error before a long run for an output that could not be written after it.
+  /// Before a long run whose result could not be written after it. Throws Error(Contract) for a name that ends in
+  /// nothing known, Error(Io) where the file cannot be written.
   void check_output() const;
 };
 

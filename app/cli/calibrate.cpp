@@ -4,6 +4,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/verbs.h"
+#include "model/io/atomic_save.h"
 #include "model/io/session_reader.h"
 #include "model/project.h"
 
@@ -37,6 +38,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (project.sessions.empty())
     throw Error(ErrorCode::Contract, "calibrate", "no session is given; name one, or a --project that holds some");
   arguments.solve.check_output();
+  if (!arguments.save_project.empty()) check_can_save(arguments.save_project);
 
   PipelineInput input;
   input.settings = arguments.solve.settings(project.settings);

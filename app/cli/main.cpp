@@ -12,7 +12,8 @@ namespace remount {
 namespace {
 
 constexpr const char* kFooter =
-    "Exit codes: 0 solved (what is not observed is named); 1 wrong usage; 2 input cannot be read; 3 no usable result.\n"
+    "Exit codes: 0 solved (what is not observed is named); 1 wrong usage; 2 input cannot be read "
+    "or output not written; 3 no usable result.\n"
     "remount-cli VERB --help explains a verb.";
 
 int exit_code_of(const Error& error) { return error.code() == ErrorCode::Contract ? kUsage : kUnreadable; }
@@ -24,6 +25,16 @@ void add_common_options(CLI::App& app, Console& console) {
                  "Threads; 0: one per core. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
+}
+
+/// What CLI11 calls "a subcommand is required" says neither what was typed nor what would have been right.
+std::string no_verb(const CLI::App& app) {
+  std::string typed, verbs;
+  for (const std::string& word : app.remaining())
+    if (typed.empty() && !word.starts_with('-')) typed = word;
+  for (const CLI::App* verb : app.get_subcommands({})) verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
+  return (typed.empty() ? "no verb is given" : "there is no verb \"" + typed.substr(0, 60) + "\"") +
+         "; the verbs are " + verbs + ". remount-cli --help explains them.";
 }
 
 int run_main(int argc, char** argv) {
@@ -42,7 +53,10 @@ int run_main(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& problem) {
-    app.exit(problem);
+    if (app.get_subcommands().empty())
+      console.complain(no_verb(app));
+    else
+      app.exit(problem);
     return kUsage;
   }
   try {

@@ -17,7 +17,7 @@ namespace {
 
 struct ObstacleArguments {
   std::string session, result, nominal;
-  std::size_t scan = 0;
+  std::int64_t scan = 0;
   ObstacleOptions options;
 };
 
@@ -28,22 +28,30 @@ std::string metres(double distance_m) {
   return text;
 }
 
-std::string table(const ObstacleComparison& comparison, const ObstacleOptions& options) {
-  std::string text = "object  shape           nominal     calibrated\n";
+/// Without a nominal there is nothing to compare with: one column.
+std::string table(const ObstacleComparison& comparison, const ObstacleOptions& options, bool with_nominal) {
+  std::string text =
+      with_nominal ? "object  shape           nominal     calibrated\n" : "object  shape        calibrated\n";
   for (const ObstacleDifference& row : comparison.rows) {
     char line[64];
     std::snprintf(line, sizeof(line), "%6d  %-14s", row.object, std::string(to_string(row.shape)).c_str());
-    text += line + metres(row.nominal_distance_m) + "   " + metres(row.calibrated_distance_m) + "\n";
+    text += line + (with_nominal ? metres(row.nominal_distance_m) + "   " : std::string()) +
+            metres(row.calibrated_distance_m) + "\n";
   }
   const auto decision = [&](const char* name, const ObstacleCheck& check) {
     return std::string(name) + ": nearest " + metres(check.nearest_m) + " from the outline, decision at " +
            shortest(options.stop_distance_m) + " m: " + std::string(to_string(check.decision)) + "\n";
   };
-  text += decision("nominal   ", comparison.nominal) + decision("calibrated", comparison.calibrated);
+  if (with_nominal) text += decision("nominal   ", comparison.nominal);
+  text += decision("calibrated", comparison.calibrated);
+  if (!with_nominal)
+    text += "Neither the result nor the session knows a nominal mounting: give --nominal to compare with it.\n";
   return text + (comparison.decision_differs() ? "The two mountings lead to different decisions.\n" : "");
 }
 
 int obstacles(const ObstacleArguments& arguments, Console& console) {
+  if (arguments.scan < 0)
+    throw Error(ErrorCode::Contract, "--scan " + std::to_string(arguments.scan), "scans are numbered from 0");
   const ResultFile result = load_result(arguments.result);
   if (!is_usable(result.result)) {
     console.complain(arguments.result + ": holds no usable result (" + std::string(to_string(result.result.status)) +
@@ -55,12 +63,11 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   std::optional<RigidTransform> nominal = result.nominal_ins_from_lidar;
   if (!nominal) nominal = session->nominal_ins_from_lidar;
   if (!arguments.nominal.empty()) nominal = parse_nominal(arguments.nominal);
-  if (!nominal)
-    throw Error(ErrorCode::Contract, "obstacles",
-                "neither the result nor the session knows the nominal mounting; give --nominal");
-  const ObstacleComparison comparison = compare_obstacles_of_scan(
-      session, arguments.scan, *nominal, result.result.ins_from_lidar, result.settings, arguments.options);
-  console.print(table(comparison, arguments.options));
+  const RigidTransform& calibrated = result.result.ins_from_lidar;
+  const ObstacleComparison comparison =
+      compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),
+                                calibrated, result.settings, arguments.options);
+  console.print(table(comparison, arguments.options, nominal.has_value()));
   return kSolved;
 }
 
@@ -75,7 +82,8 @@ void add_obstacles(CLI::App& app, Console& console, Run& run) {
   verb->add_option("--result", arguments->result, "Result file")->type_name("RESULT")->required();
   verb->add_option(
           "--nominal", arguments->nominal,
-          "Where the LiDAR was thought to be: x,y,z,yaw,pitch,roll (m, degrees), or a file; default: the result's")
+          "Where the LiDAR was thought to be: x,y,z,yaw,pitch,roll (m, degrees), or a file; default: the result's, "
+          "or the session's; without any, only the calibrated distances are given")
       ->type_name("SIX|FILE");
   ObstacleOptions::visit(arguments->options, OptionAdder{*verb});
   verb->callback(

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <map>
 
+#include "model/display_units.h"
+
 namespace remount {
 namespace {
 
@@ -18,23 +20,17 @@ std::string format(const char* pattern, auto... values) {
 std::string sigma_text(double sigma) { return format(sigma < 1e-3 ? "1-sigma %.1e" : "1-sigma %.4f", sigma); }
 
 std::string parameters(const CalibrationResult& result) {
-  const SixParameters six = six_from_rigid(result.ins_from_lidar);
-  const std::array<double, 6> values{six.x_m,
-                                     six.y_m,
-                                     six.z_m,
-                                     radians_to_degrees(six.yaw_rad),
-                                     radians_to_degrees(six.pitch_rad),
-                                     radians_to_degrees(six.roll_rad)};
+  const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
   std::string text = "ins_from_lidar (pose of the lidar in the ins frame)\n";
   for (std::size_t i = 0; i < 6; ++i) {
-    const bool angle = i >= 3;
+    const bool angle = is_angle(i);
     const char* unit = angle ? "deg" : "m  ";
     text += format("  %-5s  %10.4f %s  ", std::string(kParameterNames[i]).c_str(), values[i], unit);
     const auto sigma = result.sigma(i);
     if (!sigma)
       text += "not observed: do not rely on this value\n";
     else
-      text += sigma_text(angle ? radians_to_degrees(*sigma) : *sigma) + (angle ? " deg\n" : " m\n");
+      text += sigma_text(on_screen(i, *sigma)) + (angle ? " deg\n" : " m\n");
   }
   return text;
 }
@@ -86,7 +82,7 @@ std::string summary(const ResultFile& file) {
                    radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
   }
   text += pairs(file);
-  if (std::isfinite(result.time_offset.offset_s))
+  if (is_usable(result) && std::isfinite(result.time_offset.offset_s))
     text += format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", result.time_offset.offset_s,
                    result.time_offset.sigma_s, result.time_offset.applied ? "applied" : "not applied");
   for (const std::string& advice : result.advice) text += "advice: " + advice + "\n";

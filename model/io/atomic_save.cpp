@@ -58,6 +58,10 @@ void flush_folder(const std::filesystem::path& folder) {
   if (descriptor.get() >= 0) ::fsync(descriptor.get());
 }
 
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
 std::filesystem::path resolved(const std::filesystem::path& path) {
   std::error_code problem;
   if (!std::filesystem::is_symlink(path, problem)) return path;
@@ -67,14 +71,19 @@ std::filesystem::path resolved(const std::filesystem::path& path) {
   return target;
 }
 
-}  // namespace
+/// Where the bytes will lie in the end, and with which permissions.
+struct Target {
+  std::filesystem::path path;
+  mode_t mode = 0;
+};
 
-void save_atomically(const std::filesystem::path& path, std::string_view bytes) {
+Target examined(const std::filesystem::path& path) {
   if (path.empty() || !path.has_filename())
     throw Error(ErrorCode::Io, path.string(), "is no name of a file to save to");
-  const std::filesystem::path target = resolved(path);
-  const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
-
+  const std::filesystem::path target = resolved(path), folder = folder_of(target);
+  std::error_code problem;
+  if (!std::filesystem::is_directory(folder, problem))
+    throw Error(ErrorCode::Io, path.string(), "cannot be saved, there is no folder " + folder.string());
   struct stat existing {};
   const bool exists = ::stat(target.c_str(), &existing) == 0;
   if (exists && !S_ISREG(existing.st_mode))
@@ -82,18 +91,26 @@ void save_atomically(const std::filesystem::path& path, std::string_view bytes) 
         ErrorCode::Io, path.string(),
         S_ISDIR(existing.st_mode) ? "cannot be saved, it is a folder" : "cannot be saved, it is no regular file");
   if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, "cannot be saved", errno);
-
-  TemporaryFile temporary(target);
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  const mode_t mode = exists ? existing.st_mode & 07777 : 0666 & ~mask;
-  if (::fchmod(temporary.file().get(), mode) != 0) fail(path, "cannot be saved, its permissions cannot be set", errno);
+  return {target, exists ? existing.st_mode & 07777 : 0666 & ~mask};
+}
+
+}  // namespace
+
+void check_can_save(const std::filesystem::path& path) { const TemporaryFile removed_at_once(examined(path).path); }
+
+void save_atomically(const std::filesystem::path& path, std::string_view bytes) {
+  const Target target = examined(path);
+  TemporaryFile temporary(target.path);
+  if (::fchmod(temporary.file().get(), target.mode) != 0)
+    fail(path, "cannot be saved, its permissions cannot be set", errno);
   write_in_full(temporary.file().get(), bytes, path);
   if (::fsync(temporary.file().get()) != 0) fail(path, "cannot be saved", errno);
   if (temporary.file().close() != 0) fail(path, "cannot be saved", errno);
-  if (::rename(temporary.name(), target.c_str()) != 0) fail(path, "cannot be saved", errno);
+  if (::rename(temporary.name(), target.path.c_str()) != 0) fail(path, "cannot be saved", errno);
   temporary.renamed();
-  flush_folder(folder);
+  flush_folder(folder_of(target.path));
 }
 
 }  // namespace remount

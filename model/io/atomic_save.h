@@ -12,4 +12,8 @@ namespace remount {
 /// that is not a regular file.
 void save_atomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// Throws now what save_atomically would throw for the path itself, before long work whose result is to be saved there:
+/// makes a temporary file beside it and removes it again.
+void check_can_save(const std::filesystem::path& path);
+
 }  // namespace remount

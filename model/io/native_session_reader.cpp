@@ -274,11 +274,13 @@ void require_one_of(const DocumentView& root, const char* first, const char* sec
 int NativeSessionReader::probe(const fs::path& path) const {
   const fs::path manifest = manifest_of(path);
   if (!is_file(manifest)) return 0;
+  // A broken session.yaml is ours where nothing else is: open() then says what is wrong with it, and where.
+  const int by_name = manifest.filename() == "session.yaml" ? 10 : 0;
   try {
     const std::string head = read_file_head(manifest, 64 * 1024);
-    return head.find("remount-session/") != std::string::npos ? 100 : 0;
+    return head.find("remount-session/") != std::string::npos ? 100 : by_name;
   } catch (const Error&) {
-    return 0;
+    return by_name;
   }
 }
 
@@ -286,10 +288,13 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
   const DocumentNode document = read_document(manifest);
   const DocumentView root(document, manifest.string());
-  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks"});
+  const std::string expected = "expected \"format: " + std::string(kFormat) + "\"";
+  if (!root.is_map()) root.fail("is no map of keys and values; " + expected + " and the rest of a session");
+  if (!root.has("format")) root.fail("the key \"format\" is missing; " + expected);
   const DocumentView& format = root.at("format");
   if (format.string() != kFormat)
     format.fail("is '" + format.string().substr(0, 60) + "', expected " + std::string(kFormat));
+  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks"});
   require_one_of(root, "scans", "lidar_poses");
   require_one_of(root, "ins", "ins_poses");
   Session session;

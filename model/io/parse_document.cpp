@@ -86,8 +86,9 @@ class TreeBuilder {
 class YamlEvents : public YAML::EventHandler {
  public:
   explicit YamlEvents(TreeBuilder& tree) : tree_(tree) {}
+  int first_line() const { return first_line_; }
 
-  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentStart(const YAML::Mark& mark) override { first_line_ = mark.line + 1; }
   void OnDocumentEnd() override {}
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     check(mark, "", anchor);
@@ -126,6 +127,7 @@ class YamlEvents : public YAML::EventHandler {
   }
 
   TreeBuilder& tree_;
+  int first_line_ = 0;
 };
 
 class JsonEvents : public nlohmann::json::json_sax_t {
@@ -190,10 +192,11 @@ DocumentNode parse_yaml(std::string_view text, const std::string& where, const D
   try {
     YAML::Parser parser(stream);
     YamlEvents events(tree);
-    if (!parser.HandleNextDocument(events)) tree.fail(0, "is empty");
+    if (!parser.HandleNextDocument(events)) tree.fail(1, "is empty, expected keys and values");
     TreeBuilder rest(where, limits);
     YamlEvents rest_events(rest);
-    if (parser.HandleNextDocument(rest_events)) tree.fail(0, "holds more than one YAML document");
+    if (parser.HandleNextDocument(rest_events))
+      tree.fail(rest_events.first_line(), "a second YAML document begins, only one is expected");
   } catch (const YAML::Exception& problem) {
     tree.fail(problem.mark.line + 1, "is not YAML here: " + problem.msg);
   }

@@ -31,6 +31,8 @@ Session open_session(const std::filesystem::path& path, Progress& progress) {
     if (score > best_score) best = reader.get(), best_score = score;
   }
   if (best) return best->open(path, progress);
+  if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
+    throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
   std::string known;
   for (const auto& reader : session_readers()) known += "\n  " + std::string(reader->description());
   throw Error(ErrorCode::Unsupported, path.string(), "is no session that Remount knows. It looks for:" + known);

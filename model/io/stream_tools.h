@@ -45,7 +45,8 @@ struct ScanFile {
   std::int64_t stamp_ns = 0;
 };
 
-/// Scans that are files, each with its stamp. load() reads the file every time (see scan_cache.h).
+/// Scans that are files, each with its stamp. load() reads the file every time: what is kept in memory is
+/// the pipeline's business (ScanStore).
 class FileScanSource final : public ScanSource {
  public:
   explicit FileScanSource(std::vector<ScanFile> files, CloudFormat format = CloudFormat::Auto)

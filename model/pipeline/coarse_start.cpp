@@ -21,7 +21,7 @@ std::pair<std::size_t, std::size_t> busiest_stretch(const DriveMotion& motion, i
   if (stamps.size() <= kMostScans) return {0, stamps.size()};
   std::vector<double> turned_rad(stamps.size(), 0.0);
   for (std::size_t i = 1; i < stamps.size(); ++i) {
-    const auto from = motion.ins_pose(session, stamps[i - 1]), to = motion.ins_pose(session, stamps[i]);
+    const auto from = motion.local_from_ins(session, stamps[i - 1]), to = motion.local_from_ins(session, stamps[i]);
     turned_rad[i] = turned_rad[i - 1] + (from && to ? rotation_angle_between_rad(*from, *to) : 0.0);
   }
   std::size_t best = 0;
@@ -79,7 +79,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
       previous.reset();
       continue;
     }
-    if (!motion.ins_pose(session, stamps[i])) {
+    if (!motion.local_from_ins(session, stamps[i])) {
       previous.reset();
       continue;
     }
@@ -104,10 +104,11 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
 }
 
 std::vector<Pair> pairs_of_chain(const DriveMotion& motion, const Chain& chain, const PairingOptions& options) {
-  std::vector<RigidTransform> ins_poses;
+  std::vector<RigidTransform> local_from_ins;
   for (const Keyframe& keyframe : chain.keyframes)
-    ins_poses.push_back(motion.ins_pose(keyframe.session, keyframe.stamp_ns).value_or(RigidTransform::Identity()));
-  std::vector<Pair> pairs = propose_pairs(chain.keyframes, ins_poses, options);
+    local_from_ins.push_back(
+        motion.local_from_ins(keyframe.session, keyframe.stamp_ns).value_or(RigidTransform::Identity()));
+  std::vector<Pair> pairs = propose_pairs(chain.keyframes, local_from_ins, options);
   for (Pair& pair : pairs) {
     pair.lidar_b_from_lidar_a = chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_b)].inverse() *
                                 chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_a)];

@@ -9,7 +9,7 @@ namespace remount {
 
 DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions) : sessions_(std::move(sessions)) {
   for (const auto& session : sessions_) {
-    tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : local_from_ins(session->ins));
+    tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : remount::local_from_ins(session->ins));
     if (tracks_.back().empty())
       throw Error(ErrorCode::Contract, session->path.string(),
                   "the session has no INS poses: X needs the motion of the INS");
@@ -27,7 +27,7 @@ std::vector<std::int64_t> DriveMotion::lidar_stamps_ns(int index) const {
   return stamps;
 }
 
-std::optional<RigidTransform> DriveMotion::ins_pose(int index, std::int64_t lidar_stamp_ns) const {
+std::optional<RigidTransform> DriveMotion::local_from_ins(int index, std::int64_t lidar_stamp_ns) const {
   const auto here = passage(index, lidar_stamp_ns);
   return here ? std::optional(here->pose()) : std::nullopt;
 }

@@ -27,8 +27,8 @@ class DriveMotion {
   /// Stamps of what the lidar delivers: scans, or poses of its odometry.
   std::vector<std::int64_t> lidar_stamps_ns(int session) const;
   /// local_from_ins at a lidar stamp; nothing outside the data or in a gap.
-  std::optional<RigidTransform> ins_pose(int session, std::int64_t lidar_stamp_ns) const;
-  /// The motion of the INS during the scan with this stamp; its middle is `ins_pose`.
+  std::optional<RigidTransform> local_from_ins(int session, std::int64_t lidar_stamp_ns) const;
+  /// The motion of the INS during the scan with this stamp; its middle is `local_from_ins`.
   std::optional<Passage> passage(int session, std::int64_t lidar_stamp_ns) const;
 
   /// The solver's nodes and times for keyframes; poses that the present clock offset moves out of the data keep

@@ -11,17 +11,23 @@
 #include "model/pipeline/coarse_start.h"
 #include "model/pipeline/register_stage.h"
 #include "model/pipeline/solve_stage.h"
+#include "model/result_file.h"
 
 namespace remount {
 namespace {
 
+void check_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range) {
+  const std::string problem = nominal_problem(nominal_ins_from_lidar, range);
+  if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
+}
+
 void check_input(const PipelineInput& input) {
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
   const std::vector<std::string> problems = input.settings.check();
-  if (problems.empty()) return;
   std::string all;
   for (const std::string& problem : problems) all += (all.empty() ? "" : "; ") + problem;
-  throw Error(ErrorCode::Contract, "settings", all);
+  if (!problems.empty()) throw Error(ErrorCode::Contract, "settings", all);
+  check_nominal(input.nominal_ins_from_lidar, input.settings.range);
 }
 
 std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOptions& options,
@@ -29,8 +35,8 @@ std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOpt
   std::vector<Keyframe> keyframes;
   for (int s = 0; s < motion.session_count(); ++s) {
     const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(s);
-    const auto outside = static_cast<std::size_t>(
-        std::count_if(stamps.begin(), stamps.end(), [&](std::int64_t stamp) { return !motion.ins_pose(s, stamp); }));
+    const auto outside = static_cast<std::size_t>(std::count_if(
+        stamps.begin(), stamps.end(), [&](std::int64_t stamp) { return !motion.local_from_ins(s, stamp); }));
     if (outside > 0)
       findings.push_back({outside == stamps.size() ? Severity::Problem : Severity::Warning, "scan-without-ins",
                           motion.session(s).name,
@@ -117,6 +123,24 @@ bool solved(const CalibrationResult& result) {
   return result.status == Status::Ok || result.status == Status::Degenerate;
 }
 
+// An estimate of the clocks stands and falls with X: residuals under a wrong one say nothing about them. An offset that
+// was applied is no estimate any more but part of the pairs.
+void drop_clock_of_failed(CalibrationResult& result) {
+  if (is_usable(result) || result.time_offset.applied) return;
+  result.time_offset = {};
+  result.session_time_offset_s.clear();
+}
+
+// The X that is exported stays in the list wherever it ranks.
+void trim_candidates(int limit, const std::string& exported, std::vector<Candidate>& candidates) {
+  const auto most = static_cast<std::size_t>(limit);
+  if (candidates.size() <= most) return;
+  const auto found = std::find_if(candidates.begin() + static_cast<std::ptrdiff_t>(most), candidates.end(),
+                                  [&](const Candidate& candidate) { return candidate.source == exported; });
+  if (found != candidates.end()) candidates[most - 1] = *found;
+  candidates.resize(most);
+}
+
 void align_all_clouds(const StageContext& context, const PipelineInput& input, DriveMotion& motion, ScanStore& scans,
                       const std::vector<KeyframeObjects>& objects, PairwiseDetails& details, PipelineOutput& output,
                       Progress& progress) {
@@ -149,13 +173,14 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   for (const Pair& pair : relinearised)
     if (pair.state == PairState::Accepted) accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
   rank_candidates(joint.candidates, accepted, input.settings.range, input.settings.solve);
+  trim_candidates(input.settings.solve.max_listed_candidates, "joint clouds", joint.candidates);
   output.pairs = std::move(relinearised);
   output.result = std::move(joint);
 }
 
-bool any_distortion(const PipelineInput& input, const std::vector<bool>& uses_sweep) {
+bool any_distortion(const PipelineInput& input, const std::vector<bool>& session_uses_sweep) {
   for (std::size_t s = 0; s < input.sessions.size(); ++s)
-    if (input.sessions[s]->scan_timing == ScanTiming::PerPoint || uses_sweep[s]) return true;
+    if (input.sessions[s]->scan_timing == ScanTiming::PerPoint || session_uses_sweep[s]) return true;
   return false;
 }
 
@@ -181,7 +206,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
                      Progress& progress) {
   RigidTransform x = output.initial_ins_from_lidar;
   std::vector<KeyframeObjects> objects;
-  std::vector<bool> uses_sweep;
+  std::vector<bool>& uses_sweep = output.session_uses_sweep;
   for (int pass = 0; pass < 2 && !progress.cancelled(); ++pass) {
     const StageContext context{motion, input.settings, output.keyframes, x, input.threads};
     ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
@@ -218,10 +243,16 @@ CalibrationResult without_pairs(const std::string& message) {
   return result;
 }
 
-CalibrationResult cancelled_result() {
+// What was found until then is counted: it tells how far the run had come.
+CalibrationResult cancelled_result(const std::vector<Pair>& pairs) {
   CalibrationResult result;
   result.status = Status::Cancelled;
   result.message = "Cancelled.";
+  result.pairs_proposed = static_cast<int>(pairs.size());
+  for (const Pair& pair : pairs) {
+    result.pairs_accepted += pair.state == PairState::Accepted;
+    result.pairs_rejected += pair.state == PairState::Rejected;
+  }
   return result;
 }
 
@@ -257,7 +288,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
       const CoarseStart coarse = find_coarse_start(motion, input.settings, input.threads, progress);
       if (!coarse.ins_from_lidar) {
         output.result = progress.cancelled()
-                            ? cancelled_result()
+                            ? cancelled_result(output.pairs)
                             : without_pairs("No first estimate of the mounting: " + coarse.problem + ".");
         return output;
       }
@@ -269,7 +300,8 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     use_odometry(motion, output.keyframes, output.pairs);
     output.result = solve_with_clock(input, motion, output, details, progress);
   }
-  if (progress.cancelled()) output.result = cancelled_result();
+  if (progress.cancelled()) output.result = cancelled_result(output.pairs);
+  drop_clock_of_failed(output.result);
   report_clock(output.result, output.findings);
   return output;
 }
@@ -296,6 +328,7 @@ void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
     result.time_offset = output.result.time_offset;
     result.session_time_offset_s = output.result.session_time_offset_s;
   }
+  drop_clock_of_failed(result);
   output.pairs = std::move(pairs);
   output.result = std::move(result);
 }
@@ -310,13 +343,8 @@ PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& ou
   const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
   ScanStore scans(motion, input.settings.registration, 0);
   if (input.settings.run.deskew != DeskewMode::Off) {
-    std::vector<bool> uses_sweep;
-    for (const auto& session : input.sessions) {
-      const bool off = std::any_of(output.findings.begin(), output.findings.end(), [&](const Finding& finding) {
-        return finding.code == "deskew-off" && finding.where == session->name;
-      });
-      uses_sweep.push_back(!off);
-    }
+    std::vector<bool> uses_sweep = output.session_uses_sweep;
+    uses_sweep.resize(input.sessions.size(), false);
     scans.compensate_motion(output.compensation_ins_from_lidar, uses_sweep);
   }
   clouds.cloud_a = scans.load(a);
@@ -331,6 +359,7 @@ PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& ou
 
 CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& settings,
                                      const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress) {
+  check_nominal(nominal_ins_from_lidar, settings.range);
   PairwiseInput input;
   input.nominal_ins_from_lidar = nominal_ins_from_lidar;
   input.range = settings.range;

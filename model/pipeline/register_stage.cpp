@@ -61,7 +61,7 @@ std::shared_ptr<const PreparedCloud> prepare(const StageContext& context, ScanSt
 }  // namespace
 
 Eigen::Vector3f up_in_lidar(const StageContext& context, const Keyframe& keyframe) {
-  const auto pose = context.motion.ins_pose(keyframe.session, keyframe.stamp_ns);
+  const auto pose = context.motion.local_from_ins(keyframe.session, keyframe.stamp_ns);
   const Eigen::Matrix3d lidar_from_local =
       context.ins_from_lidar.linear().transpose() *
       (pose ? Eigen::Matrix3d(pose->linear().transpose()) : Eigen::Matrix3d::Identity());

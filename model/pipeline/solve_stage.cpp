@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/result_file.h"
+
 namespace remount {
 namespace {
 
@@ -77,7 +79,7 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
 
 void report_clock(const CalibrationResult& result, std::vector<Finding>& findings) {
   const TimeOffset& clock = result.time_offset;
-  if (clock.applied || !clock_differs(clock)) return;
+  if (clock.applied || !is_usable(result) || !clock_differs(clock)) return;
   char text[240];
   std::snprintf(text, sizeof text,
                 "The lidar's stamps are %s by %.1f ms (sigma %.1f ms) against the INS. X is biased by it while the "

@@ -33,6 +33,16 @@ std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
+/// Asks until the answer is yes, for a minute at most.
+template <class Question>
+bool eventually(Question&& question) {
+  for (int i = 0; i < 6000; ++i) {
+    if (question()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
+
 class cli : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -86,11 +96,9 @@ TEST_F(cli, wrong_usage_is_exit_code_1) {
   for (const std::string& arguments : std::vector<std::string>{
            "", "nothing", "calibrate", "calibrate " + path("drive") + " --range 1:2",
            "calibrate " + path("drive") + " --range x=2:1", "calibrate " + path("drive") + " --set solve.nothing=1",
-           "calibrate " + path("drive") + " -o " + path("r.txt"),
-           "calibrate " + path("drive") + " -o " + path("none/r.yaml"),
-           "calibrate " + path("drive") + " --nominal 1,2,3", "calibrate " + path("drive") + " --unknown",
-           "simulate nowhere " + path("x"), "simulate street " + path("x") + " --beams 0",
-           "solve " + pairs_file("p.csv", false) + " -j -3"}) {
+           "calibrate " + path("drive") + " -o " + path("r.txt"), "calibrate " + path("drive") + " --nominal 1,2,3",
+           "calibrate " + path("drive") + " --unknown", "simulate nowhere " + path("x"),
+           "simulate street " + path("x") + " --beams 0", "solve " + pairs_file("p.csv", false) + " -j -3"}) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 1) << arguments << "\n" << outcome.err;
     EXPECT_FALSE(outcome.err.empty()) << arguments;
@@ -123,6 +131,63 @@ TEST_F(cli, unreadable_input_is_exit_code_2_and_named) {
     EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.err;
     EXPECT_NE(outcome.err.find(named), std::string::npos) << arguments << "\n" << outcome.err;
   }
+}
+
+TEST_F(cli, an_output_that_cannot_be_written_is_exit_code_2_before_any_work) {
+  std::filesystem::create_directories(path("folder.yaml"));
+  for (const std::string& output : {" -o " + path("none/r.yaml"), " -o " + path("folder.yaml"),
+                                    std::string(" -o /proc/r.yaml"), " --save-project " + path("none/r.remount")}) {
+    const std::string log = path("unwritable.log");
+    const Outcome outcome = run("calibrate " + path("drive") + output + " --log " + log);
+    EXPECT_EQ(outcome.code, 2) << output << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find("cannot be saved"), std::string::npos) << output << "\n" << outcome.err;
+    EXPECT_EQ(text_of(log).find("reading"), std::string::npos) << output << "\n" << text_of(log);
+  }
+  EXPECT_EQ(run("solve " + pairs_file("w.csv", false) + " -o " + path("none/r.yaml")).code, 2);
+}
+
+TEST_F(cli, a_nominal_outside_the_search_range_is_refused_in_the_units_typed) {
+  for (const std::string& verb : {"calibrate " + path("drive"), "solve " + pairs_file("n.csv", false)}) {
+    const Outcome outcome = run(verb + " --nominal 1.2,-0.3,0.8,50,0,0 --range yaw=-10:10");
+    EXPECT_EQ(outcome.code, 1) << verb << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find("yaw 50.00 deg above 10.00 deg"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("search range"), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(cli, errors_of_a_range_speak_the_units_that_were_typed) {
+  const std::string verb = "calibrate " + path("drive");
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {" --range yaw=-200:10", "--range yaw=-200:10: yaw -200 deg is outside -180.482 to 180.482 deg"},
+      {" --range pitch=20:10", "pitch: the minimum 20 exceeds the maximum 10 deg"},
+      {" --range x=0:2000", "x 2000 m is outside -1000 to 1000 m"},
+      {" --set range.yaw_min_rad=-4", "-4 rad (-229.183 deg) is outside -3.15 to 3.15 rad (-180.482 to 180.482 deg)"},
+      {" --set range.roll_max_rad=-3.14 --range roll=-10:10 --set range.yaw_max_rad=-3.1 --set range.yaw_min_rad=0",
+       "range.yaw: the minimum 0 deg exceeds the maximum -177.617 deg"}};
+  for (const auto& [arguments, said] : cases) {
+    const Outcome outcome = run(verb + arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find(said), std::string::npos) << arguments << "\n" << outcome.err;
+  }
+}
+
+TEST_F(cli, a_wrong_verb_is_answered_with_the_right_ones) {
+  for (const std::string& arguments : std::vector<std::string>{"calibrat " + path("drive"), "-q calibrat", ""}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 1);
+    for (const char* said : {arguments.empty() ? "no verb is given" : "there is no verb \"calibrat\"",
+                             "inspect, calibrate, solve, export, obstacles, simulate, settings"})
+      EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(cli, a_failed_solve_says_nothing_of_clocks) {
+  const Outcome outcome = run("calibrate " + path("drive") + " --range x=4:5 -o " + path("failed.yaml"));
+  ASSERT_EQ(outcome.code, 3) << outcome.out << outcome.err;
+  for (const std::string& text : {outcome.out, outcome.err})
+    for (const char* word : {"clock", "time offset", "early", "late by", "apply_time_offset"})
+      EXPECT_EQ(text.find(word), std::string::npos) << word << "\n" << text;
+  EXPECT_FALSE(std::isfinite(load_result(path("failed.yaml")).result.time_offset.offset_s));
 }
 
 TEST_F(cli, calibrates_and_writes_the_same_bytes_for_any_number_of_threads) {
@@ -163,8 +228,16 @@ TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {
       run("obstacles " + path("drive") + " --scan 2 --result " + path("r.yaml") + " --nominal 1.2,-0.3,0.8,0,0,0");
   EXPECT_EQ(obstacles.code, 0) << obstacles.err;
   EXPECT_NE(obstacles.out.find("decision at 2 m"), std::string::npos) << obstacles.out;
-  EXPECT_EQ(
-      run("obstacles " + path("drive") + " --scan 999 --result " + path("r.yaml") + " --nominal 0,0,0,0,0,0").code, 1);
+  const Outcome alone = run("obstacles " + path("drive") + " --scan 2 --result " + path("r.yaml"));
+  EXPECT_EQ(alone.code, 0) << alone.err;
+  EXPECT_NE(alone.out.find("calibrated: nearest"), std::string::npos) << alone.out;
+  EXPECT_NE(alone.out.find("give --nominal to compare"), std::string::npos) << alone.out;
+  EXPECT_EQ(alone.out.find("nominal   "), std::string::npos) << alone.out;
+  for (const auto& [scan, said] : {std::pair("999", "scans are 0 to 14"), std::pair("-1", "numbered from 0")}) {
+    const Outcome none = run("obstacles " + path("drive") + " --scan " + scan + " --result " + path("r.yaml"));
+    EXPECT_EQ(none.code, 1) << scan;
+    EXPECT_NE(none.err.find(said), std::string::npos) << scan << "\n" << none.err;
+  }
 
   const Project project = load_project(path("r.remount"));
   ASSERT_TRUE(project.output);
@@ -233,15 +306,17 @@ TEST_F(cli, logs_and_stays_silent_without_a_terminal) {
 TEST_F(cli, a_stop_signal_cancels_cleanly) {
   // Long enough that the signal always comes in the middle.
   ASSERT_EQ(run("simulate street " + path("long") + " --duration-s 12 --beams 48 --azimuth-steps 900").code, 0);
-  const std::string drive = path("long"), output = path("cancelled.yaml"), error = path("err2.txt");
+  const std::string drive = path("long"), output = path("cancelled.yaml"), error = path("err2.txt"),
+                    log = path("cancelled.log");
   const pid_t child = ::fork();
   if (child == 0) {
     if (std::freopen(error.c_str(), "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr)
       ::_exit(99);
-    ::execl(REMOUNT_CLI, REMOUNT_CLI, "calibrate", drive.c_str(), "-o", output.c_str(), static_cast<char*>(nullptr));
+    ::execl(REMOUNT_CLI, REMOUNT_CLI, "calibrate", drive.c_str(), "-o", output.c_str(), "--log", log.c_str(),
+            static_cast<char*>(nullptr));
     ::_exit(98);
   }
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
+  ASSERT_TRUE(eventually([&] { return text_of(log).find("registering") != std::string::npos; })) << text_of(log);
   ::kill(child, SIGTERM);
   const auto asked = std::chrono::steady_clock::now();
   int status = 0;
@@ -250,7 +325,9 @@ TEST_F(cli, a_stop_signal_cancels_cleanly) {
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 3) << text_of(error);
   EXPECT_LT(seconds, 20.0);
-  EXPECT_EQ(load_result(output).result.status, Status::Cancelled);
+  const CalibrationResult result = load_result(output).result;
+  EXPECT_EQ(result.status, Status::Cancelled);
+  EXPECT_GT(result.pairs_proposed, 0) << "what was found until then is counted";
   EXPECT_NE(text_of(error).find("cancelled"), std::string::npos) << text_of(error);
 }
 
