@@ -123,14 +123,15 @@ void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const
 
 void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
                 NormalEquations& equations, Entries& entries) {
-  const Vector6d ins_information = noise.ins_covariance().diagonal().cwiseInverse();
-  const double ins_log = ins_information.array().log().sum();
   for (std::size_t k = 0; k < state.errors.size(); ++k) {
+    const Eigen::LDLT<Matrix6d> covariance(noise.node_covariance(problem.nodes[k].scan_covariance));
+    const Matrix6d information = covariance.solve(Matrix6d::Identity());
+    const Vector6d weighted = information * state.errors[k];
     const int at = layout.node_at(k);
-    for (int i = 0; i < 6; ++i) entries.emplace_back(at + i, at + i, ins_information[i]);
-    equations.keyframe_side.segment<6>(at) -= ins_information.cwiseProduct(state.errors[k]);
-    equations.cost += state.errors[k].dot(ins_information.cwiseProduct(state.errors[k]));
-    equations.log_information += ins_log;
+    add_block(at, at, information, entries);
+    equations.keyframe_side.segment<6>(at) -= weighted;
+    equations.cost += state.errors[k].dot(weighted);
+    equations.log_information -= covariance.vectorD().array().log().sum();
   }
   if (layout.drift) add_drift_prior(problem, noise, state, layout, equations, entries);
   const auto prior = [&](int at, double sigma, double value) {
@@ -184,6 +185,7 @@ struct LinearTerm {
   Vector6d residual;
   NodePart a, b;
   Eigen::MatrixXd shared;
+  double share;  // of the registration's variance that is its own
 };
 
 std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout) {
@@ -197,14 +199,16 @@ std::vector<LinearTerm> linearise(const JointProblem& problem, const State& stat
         linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
     out.push_back({&term, pair.residual, node_part(problem.nodes[a], a, pair.d_a, layout),
                    node_part(problem.nodes[b], b, pair.d_b, layout),
-                   shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout)});
+                   shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout),
+                   problem.nodes[a].scan_covariance.isZero(0.0) ? 1.0 : 1.0 - NoiseModel::kScanShare});
   }
   return out;
 }
 
 void add_term(const LinearTerm& linear, const NoiseModel& noise, const Layout& layout, NormalEquations& equations,
               Entries& entries) {
-  const Matrix6d information = linear.term->weight * noise.registration_information(linear.term->information);
+  const Matrix6d information =
+      linear.term->weight * noise.registration_information(linear.term->information, linear.share);
   add_parts(linear.a, linear.a, information, entries);
   add_parts(linear.b, linear.b, information, entries);
   const bool a_later = linear.a.at > linear.b.at;

@@ -1,7 +1,7 @@
 // The joint solution of all pairs: X, the corrections of every INS pose, and what is shared by a drive.
 //
-// A generalized least-squares problem. Unknowns: X (6), for each keyframe the error of its INS pose (6), for each
-// session a constant attitude error (3) and, on request, the clock offset (1). Every pair couples X and its two
+// A generalized least-squares problem. Unknowns: X (6), for each keyframe the error of its INS pose and scan (6), for
+// each session a constant attitude error (3) and, on request, the clock offset (1). Every pair couples X and its two
 // keyframes, so that the error of one fix that enters many pairs is counted once. The keyframes' block is sparse and
 // eliminated; what is left is the small system of X and the sessions.
 #pragma once
@@ -22,6 +22,9 @@ struct JointNode {
   double time_s = 0.0;  ///< since the start of its session; ascending within a session
   RigidTransform local_from_ins = RigidTransform::Identity();
   Vector6d body_velocity = Vector6d::Zero();  ///< m/s, rad/s in INS axes; for the clock offset
+  /// What the scan taken here brings to each of its registrations, as an error of this pose [nu; omega]: before the
+  /// noise model's scale, half of a typical registration's covariance. Zero where pairs share no scans.
+  Matrix6d scan_covariance = Matrix6d::Zero();
 };
 
 /// A registered pair with its own weight.

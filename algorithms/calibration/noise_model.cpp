@@ -18,12 +18,16 @@ Matrix6d NoiseModel::drift_covariance(double gap_s) const {
   return variances.asDiagonal();
 }
 
-Matrix6d NoiseModel::registration_information(const Matrix6d& information) const {
+Matrix6d NoiseModel::node_covariance(const Matrix6d& scan_covariance) const {
+  return ins_covariance() + kScanShare * registration_scale * registration_scale * scan_covariance;
+}
+
+Matrix6d NoiseModel::registration_information(const Matrix6d& information, double share) const {
   // (s^2 L^-1 + F)^-1 = F^-1 - F^-1 (F^-1 + L / s^2)^-1 F^-1 needs no inverse of L.
   Vector6d floor_information;
   floor_information << Eigen::Vector3d::Constant(1.0 / (registration_floor_m * registration_floor_m)),
       Eigen::Vector3d::Constant(1.0 / (registration_floor_rad * registration_floor_rad));
-  Matrix6d sum = information / (registration_scale * registration_scale);
+  Matrix6d sum = information / (share * registration_scale * registration_scale);
   sum.diagonal() += floor_information;
   // Symmetric scaling keeps the difference of large numbers accurate.
   const Vector6d root = floor_information.cwiseSqrt();

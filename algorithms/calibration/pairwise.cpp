@@ -134,8 +134,40 @@ int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const 
   return changed;
 }
 
+// Error of an INS pose that a small motion of the lidar amounts to (both [nu; omega] in body axes).
+Matrix6d ins_from_lidar_motion(const RigidTransform& ins_from_lidar) {
+  Matrix6d out = Matrix6d::Zero();
+  out.topLeftCorner<3, 3>() = out.bottomRightCorner<3, 3>() = ins_from_lidar.linear();
+  out.topRightCorner<3, 3>() = skew(ins_from_lidar.translation()) * ins_from_lidar.linear();
+  return out;
+}
+
+// Half of the mean covariance of each scan's registrations, as an error of its pose.
+void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransform& ins_from_lidar,
+                          std::vector<JointNode>& nodes) {
+  constexpr double kMost_m = 0.02, kMost_rad = 2e-3;  // where a registration does not determine a direction
+  std::vector<int> counts(nodes.size(), 0);
+  for (const JointTerm& term : terms) {
+    Matrix6d information = term.information;
+    information.diagonal().head<3>().array() += 1.0 / (kMost_m * kMost_m);
+    information.diagonal().tail<3>().array() += 1.0 / (kMost_rad * kMost_rad);
+    const Matrix6d half = 0.5 * information.ldlt().solve(Matrix6d::Identity());
+    // A motion [nu; omega] of b changes Q by -[nu + omega x t; omega], one of a by R_Q [nu; omega].
+    Matrix6d from_b = Matrix6d::Identity(), from_a = Matrix6d::Zero();
+    from_b.topRightCorner<3, 3>() = skew(term.lidar_b_from_lidar_a.translation());
+    from_a.topLeftCorner<3, 3>() = from_a.bottomRightCorner<3, 3>() = term.lidar_b_from_lidar_a.linear().transpose();
+    for (const auto& [node, part] : {std::pair{term.node_a, from_a}, std::pair{term.node_b, from_b}}) {
+      const Matrix6d to_ins = ins_from_lidar_motion(ins_from_lidar) * part;
+      nodes[static_cast<std::size_t>(node)].scan_covariance += to_ins * half * to_ins.transpose();
+      ++counts[static_cast<std::size_t>(node)];
+    }
+  }
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (counts[k] > 0) nodes[k].scan_covariance /= counts[k];
+}
+
 JointProblem make_problem(const PairwiseInput& input, const std::vector<Pair>& pairs, const std::vector<int>& usable,
-                          const RigidTransform& prior_x) {
+                          const RigidTransform& prior_x, const RigidTransform& x) {
   JointProblem problem;
   problem.nodes = input.nodes;
   for (const int i : usable) {
@@ -144,6 +176,7 @@ JointProblem make_problem(const PairwiseInput& input, const std::vector<Pair>& p
       problem.terms.push_back(
           {pair.keyframe_a, pair.keyframe_b, pair.lidar_b_from_lidar_a, pair.registration.information, pair.weight});
   }
+  if (input.pairs_share_scans) set_scan_covariances(problem.terms, x, problem.nodes);
   for (const SessionNoise& session : input.sessions)
     problem.session_attitude_bias_sigma_rad.push_back(
         known_or(session.attitude_bias_sigma_rad, degrees_to_radians(input.options.ins_attitude_bias_sigma_deg)));
@@ -319,7 +352,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   RigidTransform x = start.ins_from_lidar;
   JointProblem problem;
   for (int round = 0; round < 4 && !progress.cancelled(); ++round) {
-    problem = make_problem(input, pairs, usable, prior_x);
+    problem = make_problem(input, pairs, usable, prior_x, x);
     if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
     details.noise = estimate_noise(problem, prior.expected, prior.log_spread, x,
                                    round == 0 ? std::nullopt : std::optional(details.noise), progress);
@@ -336,7 +369,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     count_pairs(pairs, result);
     return cancelled(result);
   }
-  describe_uncertainty(input, pairs, details, progress, result);
+  describe_uncertainty(input, pairs, problem, details, progress, result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
         solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);

@@ -24,6 +24,7 @@ struct PairwiseInput {
   std::vector<JointNode> nodes;      ///< one for each keyframe, same indices as in the pairs
   std::vector<double> node_times_s;  ///< since the start of its session; for blocks of the bootstrap
   std::vector<SessionNoise> sessions;
+  bool pairs_share_scans = true;  ///< false: every motion stands for itself
   std::optional<RigidTransform> nominal_ins_from_lidar;
   /// An earlier estimate where there is no nominal: settles rotations that the motion does not determine.
   std::optional<RigidTransform> initial_ins_from_lidar;

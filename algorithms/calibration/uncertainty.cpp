@@ -82,13 +82,22 @@ Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& boots
 }
 
 // What registration leaves behind however quiet the data: beams and voxels sample the same surface differently from
-// different places. Simulated drives without any noise show this much in X; it does not shrink with more pairs.
-// (docs/adr/0006-honest-sigma.md)
-Matrix6d with_registration_limit(Matrix6d covariance) {
+// different places, and distances come out a little long or short, the same way in every pair. Neither shows in
+// residuals nor shrinks with more pairs; sizes from simulated drives (docs/adr/0006-honest-sigma.md).
+Matrix6d with_registration_limits(Matrix6d covariance, const Vector6d& response_to_scale) {
   constexpr double kLimit_m = 3e-4, kLimit_rad = 2e-5;
   covariance.diagonal().head<3>().array() += kLimit_m * kLimit_m;
   covariance.diagonal().tail<3>().array() += kLimit_rad * kLimit_rad;
-  return covariance;
+  return covariance + response_to_scale * response_to_scale.transpose();
+}
+
+// How X moves where all distances that the lidar measures are too long by `kScale`.
+Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& details, const Progress& progress) {
+  constexpr double kScale = 6e-5, kEnlarged = 1e-3;
+  JointProblem longer = problem;
+  for (JointTerm& term : longer.terms) term.lidar_b_from_lidar_a.translation() *= 1.0 + kEnlarged;
+  const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 3, progress);
+  return kScale / kEnlarged * difference(details.joint.ins_from_lidar, solution.ins_from_lidar);
 }
 
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
@@ -112,8 +121,8 @@ Matrix6d residual_information(const Pair& pair, const PairEquation& equation, co
   return ins_information - ins_information * sum.ldlt().solve(ins_information);
 }
 
-void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const PairwiseDetails& details,
-                          const Progress& progress, CalibrationResult& result) {
+void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
+                          const PairwiseDetails& details, const Progress& progress, CalibrationResult& result) {
   const RigidTransform& x = details.joint.ins_from_lidar;
   const MotionSummary motion = summarise_motion(pairs);
   result.directions = observed_directions(details.joint.information,
@@ -121,8 +130,9 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
   const Matrix6d covariance = inverse(trusted_information(result.directions, input.options) + weak_prior());
   const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), weak_prior(),
                                                   input.options.bootstrap_samples, input.options.seed, progress);
-  judge_parameters(with_registration_limit(inflated_by_bootstrap(covariance, bootstrap)), motion, input.options,
-                   result);
+  judge_parameters(with_registration_limits(inflated_by_bootstrap(covariance, bootstrap),
+                                            response_to_scale(problem, details, progress)),
+                   motion, input.options, result);
   const Matrix6d parameters = parameter_covariance(x, bootstrap);
   for (int i = 0; i < 6; ++i) {
     const auto at = static_cast<std::size_t>(i);

@@ -15,7 +15,7 @@ Matrix6d weak_prior();
 Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise);
 
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma` and `advice` of the result from the joint solution.
-void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const PairwiseDetails& details,
-                          const Progress& progress, CalibrationResult& result);
+void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
+                          const PairwiseDetails& details, const Progress& progress, CalibrationResult& result);
 
 }  // namespace remount
