@@ -366,6 +366,7 @@ CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& s
   input.options = settings.solve;
   // Nothing is known of which fixes the pairs share, nor of the INS: each pair has its own two poses, and an attitude
   // error common to all cannot be told from X, so none is assumed.
+  input.pairs_share_scans = false;
   input.sessions.push_back({});
   input.sessions.back().attitude_bias_sigma_rad = 0.0;
   // Taken at their word: what is given is P and Q, not a log.
