@@ -2,7 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <array>
 #include <cmath>
+
+#include "algorithms/core/error.h"
 
 namespace remount {
 namespace {
@@ -18,6 +21,23 @@ Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& symmetric, double relative
     if (eigen.eigenvalues()[i] > relative_floor * eigen.eigenvalues()[2] && eigen.eigenvalues()[i] > 0.0)
       inverse[i] = 1.0 / eigen.eigenvalues()[i];
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+}
+
+// Candidates side by side, one entry of [vec R; t] after the other: every operation then serves a whole block.
+constexpr std::size_t kBlock = 8;
+using Block = Eigen::Array<double, kBlock, 1>;
+
+std::array<Block, 12> gather(std::span<const RigidTransform> candidates) {
+  std::array<Block, 12> entries_of;
+  for (std::size_t lane = 0; lane < kBlock; ++lane) {
+    const double* column = candidates[std::min(lane, candidates.size() - 1)].data();
+    for (std::size_t i = 0; i < 12; ++i) entries_of[i][static_cast<Eigen::Index>(lane)] = column[4 * (i / 3) + i % 3];
+  }
+  return entries_of;
+}
+
+void same_size(std::size_t candidates, std::size_t out) {
+  if (candidates != out) throw Error(ErrorCode::Contract, "scoring", "as many values as candidates are expected");
 }
 
 }  // namespace
@@ -65,6 +85,48 @@ double QuadraticForm::value(const RigidTransform& ins_from_lidar) const {
   Vector13d x;
   x << entries(ins_from_lidar.linear()), ins_from_lidar.translation(), 1.0;
   return x.dot(form_ * x);
+}
+
+void QuadraticForm::values(std::span<const RigidTransform> ins_from_lidar, std::span<double> out) const {
+  same_size(ins_from_lidar.size(), out.size());
+  for (std::size_t first = 0; first < out.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, out.size() - first);
+    const std::array<Block, 12> x = gather(ins_from_lidar.subspan(first, count));
+    Block sum = Block::Constant(form_(12, 12));
+    for (int row = 0; row < 12; ++row) {
+      // The form is symmetric: the diagonal once, the upper triangle twice.
+      Block line = Block::Constant(form_(row, 12));
+      for (int column = row + 1; column < 12; ++column)
+        line += form_(row, column) * x[static_cast<std::size_t>(column)];
+      const Block& here = x[static_cast<std::size_t>(row)];
+      sum += here * (form_(row, row) * here + 2.0 * line);
+    }
+    for (std::size_t lane = 0; lane < count; ++lane) out[first + lane] = sum[static_cast<Eigen::Index>(lane)];
+  }
+}
+
+TranslationGrid QuadraticForm::prepare_grid(std::span<const Eigen::Vector3d> translations_m) const {
+  const auto count = static_cast<Eigen::Index>(translations_m.size());
+  TranslationGrid grid{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Vector3d& t = translations_m[static_cast<std::size_t>(i)];
+    grid.x_m[i] = t.x();
+    grid.y_m[i] = t.y();
+    grid.z_m[i] = t.z();
+    grid.quadratic[i] = t.dot(form_.block<3, 3>(9, 9) * t);
+  }
+  return grid;
+}
+
+void QuadraticForm::values_on_grid(const Eigen::Matrix3d& rotation, const TranslationGrid& grid,
+                                   std::span<double> out) const {
+  same_size(static_cast<std::size_t>(grid.quadratic.size()), out.size());
+  const Vector9d r = entries(rotation);
+  const Vector9d r_constant = form_.block<9, 1>(0, 12);
+  const double constant = r.dot(form_.block<9, 9>(0, 0) * r + 2.0 * r_constant) + form_(12, 12);
+  const Eigen::Vector3d slope = 2.0 * (form_.block<3, 9>(9, 0) * r + form_.block<3, 1>(9, 12));
+  Eigen::Map<Eigen::ArrayXd>(out.data(), grid.quadratic.size()) =
+      grid.quadratic + slope.x() * grid.x_m + slope.y() * grid.y_m + slope.z() * grid.z_m + constant;
 }
 
 Eigen::Vector3d QuadraticForm::best_translation_m(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& near_m,

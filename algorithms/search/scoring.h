@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "algorithms/geometry/rigid_transform.h"
@@ -20,12 +21,31 @@ struct MotionPair {
 double frobenius_sum(const std::vector<MotionPair>& pairs, const RigidTransform& ins_from_lidar,
                      double characteristic_length_m);
 
+/// Translations (m) to be scored with every rotation of a grid, prepared once by a quadratic form.
+struct TranslationGrid {
+  Eigen::ArrayXd x_m, y_m, z_m;
+  Eigen::ArrayXd quadratic;  ///< the part of the score that depends on the translation alone
+};
+
 /// E2(X) = sum_i w_i ||P_i X - X Q_i||_F^2 as one quadratic form in the twelve entries of (R, t): accumulated once,
 /// then O(1) for each candidate whatever the number of pairs.
 class QuadraticForm {
  public:
   QuadraticForm(const std::vector<MotionPair>& pairs, double characteristic_length_m);
   double value(const RigidTransform& ins_from_lidar) const;
+
+  /// The value of every candidate, many at a time. Throws Error(Contract) where the sizes differ.
+  void values(std::span<const RigidTransform> ins_from_lidar, std::span<double> out) const;
+
+  /// The value of one rotation with every translation of a grid: four multiplications a candidate. Throws
+  /// Error(Contract) where the sizes differ.
+  TranslationGrid prepare_grid(std::span<const Eigen::Vector3d> translations_m) const;
+  void values_on_grid(const Eigen::Matrix3d& rotation, const TranslationGrid& grid, std::span<double> out) const;
+
+  using Matrix13d = Eigen::Matrix<double, 13, 13>;
+  using Vector13d = Eigen::Matrix<double, 13, 1>;
+  /// The form itself, of [vec R; t; 1] with R by columns.
+  const Matrix13d& matrix() const { return form_; }
 
   /// The translation that minimises E2 for a rotation, pulled to `near_m` where the pairs do not determine it
   /// (directions whose curvature is below `relative_floor` of the largest).
@@ -41,9 +61,8 @@ class QuadraticForm {
   Reduced reduced(const Eigen::Matrix3d& rotation) const;
 
  private:
-  using Vector13d = Eigen::Matrix<double, 13, 1>;
-  Eigen::Matrix<double, 13, 13> form_ = Eigen::Matrix<double, 13, 13>::Zero();  // of [vec R; t; 1], column-major R
-  Eigen::Matrix3d translation_inverse_ = Eigen::Matrix3d::Zero();               // pseudo-inverse of the t block
+  Matrix13d form_ = Matrix13d::Zero();
+  Eigen::Matrix3d translation_inverse_ = Eigen::Matrix3d::Zero();  // pseudo-inverse of the t block
   Eigen::Matrix<double, 9, 9> reduced_quadratic_ = Eigen::Matrix<double, 9, 9>::Zero();
   Eigen::Matrix<double, 9, 1> reduced_linear_ = Eigen::Matrix<double, 9, 1>::Zero();
   double reduced_constant_ = 0.0;

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "algorithms/core/error.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount {
@@ -52,6 +53,60 @@ TEST(Scoring, TheQuadraticFormIsTheWeightedSumOfSquares) {
       EXPECT_NEAR(form.value(x) / sum, 1.0, 1e-9);
     }
   }
+}
+
+TEST(Scoring, ManyAtATimeAndOnAGridAgreeWithTheSumOfSquares) {
+  std::mt19937_64 random(6);
+  const std::vector<MotionPair> pairs = inconsistent_pairs(random, 40);
+  const QuadraticForm form(pairs, 1.0);
+  const auto naive = [&](const RigidTransform& x) {
+    double sum = 0.0;
+    for (const MotionPair& pair : pairs) sum += pair.weight * squared_norm(pair, x, 1.0);
+    return sum;
+  };
+  for (const std::size_t count : {0UL, 1UL, 7UL, 8UL, 9UL, 61UL}) {
+    std::vector<RigidTransform> candidates;
+    std::vector<Eigen::Vector3d> translations;
+    for (std::size_t i = 0; i < count; ++i) {
+      candidates.push_back(random_rigid(random, 2.0));
+      translations.emplace_back(random_vector(random, 2.0));
+    }
+    std::vector<double> values(count), on_grid(count);
+    form.values(candidates, values);
+    const Eigen::Matrix3d rotation = random_rotation(random);
+    form.values_on_grid(rotation, form.prepare_grid(translations), on_grid);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_NEAR(values[i] / naive(candidates[i]), 1.0, 1e-9);
+      EXPECT_NEAR(on_grid[i] / naive(make_rigid(rotation, translations[i])), 1.0, 1e-9);
+    }
+  }
+  std::vector<RigidTransform> three(3);
+  std::vector<double> two(2);
+  EXPECT_THROW(form.values(three, two), Error);
+  EXPECT_THROW(form.values_on_grid(random_rotation(random), form.prepare_grid({}), two), Error);
+}
+
+TEST(Scoring, TheSumOfNormsAndTheSumOfSquaresAgreeWhereTheyMust) {
+  std::mt19937_64 random(7);
+  // One pair of weight 1: the square of the norm. Several: between the square over their number and the square.
+  for (int count = 1; count <= 5; ++count) {
+    std::vector<MotionPair> pairs = inconsistent_pairs(random, count);
+    for (MotionPair& pair : pairs) pair.weight = 1.0;
+    const QuadraticForm form(pairs, 1.0);
+    for (int i = 0; i < 20; ++i) {
+      const RigidTransform x = random_rigid(random, 2.0);
+      const double sum = frobenius_sum(pairs, x, 1.0), squares = form.value(x);
+      EXPECT_LE(squares, sum * sum * (1.0 + 1e-9));
+      EXPECT_GE(squares, sum * sum / count * (1.0 - 1e-9));
+    }
+  }
+  // On exact pairs both vanish at the truth and nowhere else, so that their best candidate is the same.
+  const RigidTransform truth = random_rigid(random, 1.0);
+  const std::vector<MotionPair> exact = exact_pairs(random, truth, 20);
+  const QuadraticForm form(exact, 1.0);
+  EXPECT_LT(frobenius_sum(exact, truth, 1.0), 1e-12);
+  EXPECT_LT(std::abs(form.value(truth)), 1e-10);
+  EXPECT_GT(form.value(perturbed(truth, random_step(random, 0.1, 0.1))), 1e-3);
 }
 
 TEST(Scoring, BestTranslationIsTheMinimumForItsRotation) {
