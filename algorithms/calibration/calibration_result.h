@@ -38,6 +38,9 @@ struct Candidate {
       0.0;  ///< E(X) = sum over accepted pairs of ||P X - X Q||_F, translation over characteristic length
   bool in_range = true;
   std::string out_of_range;  ///< which parameters, in words; empty where in_range
+  /// How much less than this one the best X of the range can have for its sum of squares at most, as a share; NaN where
+  /// nothing was proved.
+  double certified_gap = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// One direction of the six-dimensional parameter space, from the eigen-decomposition of the information.

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <numeric>
 
+#include "algorithms/search/certified_search.h"
+
 namespace remount {
 namespace {
 
@@ -224,7 +226,7 @@ void rank_candidates(std::vector<Candidate>& candidates, const std::vector<Motio
 
 std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<int>& pair_names,
                                        const RigidTransform& nominal, const SearchRange& range,
-                                       const SolveOptions& options) {
+                                       const SolveOptions& options, const Progress& progress) {
   std::vector<Candidate> candidates;
   const auto add = [&](std::string source, const std::optional<RigidTransform>& found) {
     if (!found || !found->matrix().allFinite()) return;
@@ -251,8 +253,14 @@ std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, con
   if (!pairs.empty()) {
     add("all pairs: Park-Martin", park_martin(pairs, nominal));
     add("all pairs: dual quaternion", dual_quaternion(pairs));
-    add("all pairs: joint quadratic",
-        joint_quadratic(QuadraticForm(pairs, options.characteristic_length_m), nominal.translation()));
+    const QuadraticForm form(pairs, options.characteristic_length_m);
+    add("all pairs: joint quadratic", joint_quadratic(form, nominal.translation()));
+    const SearchResult searched = certified_search(form, range, nominal, {}, progress);
+    if (searched.outcome == SearchOutcome::Certified || searched.outcome == SearchOutcome::GapOpen) {
+      const bool proved = searched.outcome == SearchOutcome::Certified;
+      add(proved ? "all pairs: certified optimum" : "all pairs: best found in range", searched.ins_from_lidar);
+      candidates.back().certified_gap = searched.relative_gap();
+    }
   }
   rank_candidates(candidates, pairs, range, options);
   return candidates;

@@ -6,6 +6,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/solve_options.h"
+#include "algorithms/core/progress.h"
 #include "algorithms/search/scoring.h"
 
 namespace remount {
@@ -35,10 +36,11 @@ RigidTransform joint_quadratic(const QuadraticForm& form, const Eigen::Vector3d&
 /// Parameters of X outside the range, in words ("x 6.20 m above 5.00 m"); empty where inside.
 std::string outside_range(const RigidTransform& ins_from_lidar, const SearchRange& range);
 
-/// All candidates of the accepted pairs, ranked: in range before out of range, then by the Frobenius sum.
+/// All candidates of the accepted pairs, ranked: in range before out of range, then by the Frobenius sum. Among them
+/// the optimum of the sum of squares within the range, with its certified gap.
 std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, const std::vector<int>& pair_names,
                                        const RigidTransform& nominal, const SearchRange& range,
-                                       const SolveOptions& options);
+                                       const SolveOptions& options, const Progress& progress = {});
 
 /// Judges range and error of each candidate and sorts: in range before out of range, then by the Frobenius sum.
 void rank_candidates(std::vector<Candidate>& candidates, const std::vector<MotionPair>& pairs, const SearchRange& range,

@@ -36,6 +36,8 @@ struct SearchResult {
   int regions = 0;  ///< examined
 
   double gap() const { return value - lower_bound; }
+  /// 0 where both are too small to tell from rounding.
+  double relative_gap() const { return value > allowed_gap ? gap() / value : 0.0; }
 };
 
 /// Branch and bound over yaw, pitch and roll. A rotation is in range where its canonical angles (pitch within +-pi/2)

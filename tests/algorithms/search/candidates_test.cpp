@@ -135,6 +135,32 @@ TEST(SearchRangeWords, NameEveryParameterThatIsOutsideAndByHowMuch) {
             "-10.00 deg");
 }
 
+TEST(Ranking, TheCertifiedOptimumIsACandidateInRangeWithItsGap) {
+  std::mt19937_64 random(9);
+  const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 0.3}), {1.0, 0.5, 1.5});
+  std::vector<MotionPair> pairs = exact_pairs(random, truth, 30);
+  for (MotionPair& pair : pairs)
+    pair.lidar_b_from_lidar_a = perturbed(pair.lidar_b_from_lidar_a, random_step(random, 0.01, 1e-3));
+  SearchRange range;
+  for (const double x_max_m : {5.0, 0.5}) {  // the truth inside, then outside
+    range.x_max_m = x_max_m;
+    const std::vector<Candidate> ranked =
+        find_candidates(pairs, std::vector<int>(pairs.size(), 1), RigidTransform::Identity(), range, {});
+    const auto certified = std::find_if(ranked.begin(), ranked.end(), [](const Candidate& candidate) {
+      return candidate.source == "all pairs: certified optimum";
+    });
+    ASSERT_NE(certified, ranked.end());
+    EXPECT_TRUE(certified->in_range) << certified->out_of_range;
+    EXPECT_GE(certified->certified_gap, 0.0);
+    EXPECT_LE(certified->certified_gap, 1e-6);
+    const QuadraticForm form(pairs, 1.0);
+    for (const Candidate& other : ranked) {
+      if (!other.in_range) continue;
+      EXPECT_GE(form.value(other.ins_from_lidar), form.value(certified->ins_from_lidar) * (1.0 - 2e-6)) << other.source;
+    }
+  }
+}
+
 TEST(Ranking, InRangeFirstThenByErrorAndTheTruthWins) {
   std::mt19937_64 random(8);
   const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 0.3}), {1.0, 0.5, 1.5});
