@@ -89,6 +89,22 @@ void judge(const Session& session, SessionReport& report) {
   const bool problems = std::any_of(report.findings.begin(), report.findings.end(),
                                     [](const Finding& finding) { return finding.severity == Severity::Problem; });
   report.usable = !problems && report.lidar_covered >= 2;
+  if (!report.usable) return;
+  report.outlook = motion_outlook(session);
+  if (report.outlook.judged && parameter_list(report.outlook, true).empty()) {
+    problem("no-motion", "the vehicle hardly moves while the LiDAR records: nothing can be determined");
+    report.usable = false;
+  }
+}
+
+/// What the motion can tell, and whether that is worth a calibration.
+std::string usable_lines(const SessionReport& report) {
+  if (!report.usable) return "  usable: no\n";
+  if (!report.outlook.judged) return "  usable: yes\n";
+  const std::string told = parameter_list(report.outlook, true), untold = parameter_list(report.outlook, false);
+  std::string text = "  the motion can tell: " + told + (untold.empty() ? "" : "; it cannot tell: " + untold) + "\n";
+  for (const std::string& advice : report.outlook.advice) text += "  advice: " + advice + "\n";
+  return text + (untold.empty() ? "  usable: yes\n" : "  usable: in part, for " + told + "; not for " + untold + "\n");
 }
 
 std::string stream_line(const std::string& name, const StreamReport& stream) {
@@ -179,7 +195,7 @@ std::string describe(const Session& session, const SessionReport& report) {
   for (const Finding& finding : report.findings)
     text += std::string("  ") + kSeverity[static_cast<int>(finding.severity)] + " [" + finding.code + "] " +
             finding.where + ": " + finding.explanation + "\n";
-  return text + "  usable: " + (report.usable ? "yes" : "no") + "\n";
+  return text + usable_lines(report);
 }
 
 }  // namespace remount

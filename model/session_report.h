@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "model/motion_outlook.h"
 #include "model/session.h"
 
 namespace remount {
@@ -31,6 +32,7 @@ struct SessionReport {
   std::vector<std::size_t> points;  ///< of the scans that were read as a sample (first, middle, last)
   std::vector<Finding> findings;    ///< those of the session, and what this report adds
   bool usable = false;              ///< enough for a calibration to be tried
+  MotionOutlook outlook;            ///< what of X the motion can tell
 };
 
 /// Reads at most three scans.

@@ -3,17 +3,29 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace remount {
 namespace {
 
-/// Poses of an INS at 100 Hz and of a LiDAR at 10 Hz, both along a straight line of 10 m.
-Session example(std::int64_t lidar_late_ns = 0) {
+enum class Road { Straight, Flat, Hilly, Parked };
+
+/// Poses of an INS at 100 Hz and of a LiDAR at 10 Hz, ten seconds at 6 m/s along a road; both clocks the same but for
+/// `lidar_late_ns`.
+Session example(std::int64_t lidar_late_ns = 0, Road road = Road::Straight) {
   Session session;
   session.name = "drive";
   session.format = "poses";
-  for (int i = 0; i <= 1000; ++i)
-    session.world_from_ins.push_back({i * 10'000'000LL, rigid_from_six({0.01 * i, 0, 0, 0, 0, 0})});
+  Eigen::Vector2d position(0, 0);
+  for (int i = 0; i <= 1000; ++i) {
+    const double time_s = 0.01 * i, speed_mps = road == Road::Parked ? 0.0 : 6.0;
+    const double yaw = road == Road::Flat || road == Road::Hilly ? std::sin(0.8 * time_s) : 0.0;
+    const double tilt = road == Road::Hilly ? 0.08 : 0.0;
+    position += 0.01 * speed_mps * Eigen::Vector2d(std::cos(yaw), std::sin(yaw));
+    session.world_from_ins.push_back(
+        {i * 10'000'000LL, rigid_from_six({position.x(), position.y(), 0, yaw, tilt * std::sin(1.3 * time_s),
+                                           tilt * std::cos(1.1 * time_s)})});
+  }
   for (int i = 0; i < 100; ++i)
     session.odometry_from_lidar.push_back({i * 100'000'000LL + lidar_late_ns, RigidTransform::Identity()});
   return session;
@@ -42,8 +54,30 @@ TEST(session_report, a_good_session_is_usable) {
   const SessionReport report = report_session(session, progress);
   EXPECT_TRUE(report.usable) << describe(session, report);
   EXPECT_EQ(report.lidar_covered, 100U);
-  EXPECT_NEAR(report.travelled_m, 10.0, 1e-9);
-  EXPECT_NE(describe(session, report).find("usable: yes"), std::string::npos);
+  EXPECT_NEAR(report.travelled_m, 60.0, 0.1);
+}
+
+// What the calibration of such drives comes to observe: tests/model/pipeline/simulated_drive_test.cpp.
+TEST(session_report, says_in_words_what_the_motion_can_tell) {
+  Progress progress;
+  const std::vector<std::pair<Road, std::string>> cases{
+      {Road::Straight, "usable: in part, for yaw, pitch; not for x, y, z, roll"},
+      {Road::Flat, "usable: in part, for x, y, yaw, pitch, roll; not for z"},
+      {Road::Hilly, "the motion can tell: x, y, z, yaw, pitch, roll\n  usable: yes\n"},
+      {Road::Parked, "usable: no"}};
+  for (const auto& [road, said] : cases) {
+    const Session session = example(0, road);
+    const SessionReport report = report_session(session, progress);
+    EXPECT_NE(describe(session, report).find(said), std::string::npos) << said << "\n" << describe(session, report);
+    EXPECT_EQ(report.usable, road != Road::Parked) << said;
+    if (road == Road::Straight) EXPECT_FALSE(report.outlook.advice.empty());
+  }
+}
+
+TEST(session_report, the_way_the_lidar_is_turned_does_not_change_what_can_be_told) {
+  Session session = example(0, Road::Flat);
+  session.nominal_ins_from_lidar = rigid_from_six({1, 0, 2, kPi / 2, 0, kPi / 6});
+  EXPECT_EQ(motion_outlook(session).determinable, (std::array<bool, 6>{true, true, false, true, true, true}));
 }
 
 TEST(session_report, clocks_that_do_not_meet_are_a_problem) {

@@ -1,0 +1,92 @@
+#include "model/motion_outlook.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/uncertainty.h"
+#include "algorithms/trajectory/pairing.h"
+#include "model/pipeline/drive_motion.h"
+
+namespace remount {
+namespace {
+
+/// What registrations of outdoor scans reach, taken together with what pairs of shared scans have in common.
+constexpr double kRegistration_m = 0.02, kRegistration_rad = 1e-3;
+/// Turns this small follow steering and braking too closely to show a lever arm, where the log states no errors.
+constexpr double kUndeclaredAttitude_rad = 0.005;
+
+struct ExpectedNoise {
+  double position2_m2, attitude2_rad2;  ///< of the difference of two INS poses
+  double spurious2_rad2;                ///< what turns of the vehicle must exceed to count as turns
+};
+
+ExpectedNoise expected_noise(const SessionNoise& stated, const SolveOptions& options) {
+  const bool declared = std::isfinite(stated.attitude_white_sigma_rad);
+  const double attitude_rad =
+      declared ? stated.attitude_white_sigma_rad : degrees_to_radians(options.ins_attitude_sigma_deg);
+  const double position_m =
+      std::isfinite(stated.position_white_sigma_m) ? stated.position_white_sigma_m : options.ins_position_sigma_m;
+  const double attitude2 = 2.0 * attitude_rad * attitude_rad;
+  return {2.0 * position_m * position_m, attitude2,
+          declared ? attitude2 : std::max(attitude2, kUndeclaredAttitude_rad * kUndeclaredAttitude_rad)};
+}
+
+/// Information that one pair would carry, and the share of it that noise of the INS feigns.
+void add_pair(const Pair& pair, const RigidTransform& ins_from_lidar, const ExpectedNoise& noise,
+              SpuriousInformation& sum) {
+  const RigidTransform q = predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar);
+  const Matrix6d d_x = linearise_pair(pair.ins_b_from_ins_a, q, ins_from_lidar).d_x;
+  const double translation = 1.0 / (noise.position2_m2 + kRegistration_m * kRegistration_m),
+               rotation = 1.0 / (noise.attitude2_rad2 + kRegistration_rad * kRegistration_rad);
+  Vector6d weights;
+  weights << Eigen::Vector3d::Constant(translation), Eigen::Vector3d::Constant(rotation);
+  sum.apparent += d_x.transpose() * weights.asDiagonal() * d_x;
+  // The mean of [v]x' M [v]x over noise v of unit variance is 2 m I for M = m I.
+  sum.spurious.diagonal().head<3>().array() += 2.0 * noise.spurious2_rad2 * translation;
+  sum.spurious.diagonal().tail<3>().array() +=
+      2.0 * (noise.spurious2_rad2 * rotation + noise.position2_m2 * translation);
+}
+
+}  // namespace
+
+MotionOutlook motion_outlook(const Session& session, const Settings& settings) {
+  MotionOutlook outlook;
+  if (session.ins.empty() && session.world_from_ins.empty()) return outlook;
+  // Not owned: the session outlives this call.
+  const DriveMotion motion({std::shared_ptr<const Session>(std::shared_ptr<void>(), &session)});
+  const std::vector<Keyframe> keyframes =
+      select_keyframes(0, motion.lidar_stamps_ns(0), motion.track(0), 0.0, settings.keyframes);
+  std::vector<RigidTransform> local_from_ins;
+  for (const JointNode& node : motion.nodes(keyframes)) local_from_ins.push_back(node.local_from_ins);
+  std::vector<Pair> pairs = propose_pairs(keyframes, local_from_ins, settings.pairing);
+  outlook.judged = !keyframes.empty();
+  CalibrationResult result;
+  result.ins_from_lidar = session.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
+  SpuriousInformation sum;
+  const ExpectedNoise noise = expected_noise(motion.noise().front(), settings.solve);
+  for (Pair& pair : pairs) {
+    pair.state = PairState::Accepted;
+    add_pair(pair, result.ins_from_lidar, noise, sum);
+  }
+  // Pairs of the same keyframes repeat each other: no more independent motions than keyframes.
+  const double independent =
+      pairs.empty() ? 0.0 : std::min(1.0, static_cast<double>(keyframes.size()) / static_cast<double>(pairs.size()));
+  const MotionSummary summary = summarise_motion(pairs);
+  const auto directions = observed_directions(independent * sum.apparent, sum, summary, settings.solve);
+  const Matrix6d covariance = (trusted_information(directions, settings.solve) + weak_prior()).inverse();
+  judge_parameters(covariance, summary, settings.solve, result);
+  outlook.determinable = result.observed;
+  outlook.advice = result.advice;
+  return outlook;
+}
+
+std::string parameter_list(const MotionOutlook& outlook, bool determinable) {
+  std::string list;
+  for (std::size_t i = 0; i < outlook.determinable.size(); ++i)
+    if (outlook.determinable[i] == determinable) list += (list.empty() ? "" : ", ") + std::string(kParameterNames[i]);
+  return list;
+}
+
+}  // namespace remount

@@ -1,0 +1,27 @@
+// What a drive will be able to tell about X, judged from the motion of the INS alone: before any scan is registered.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "model/session.h"
+#include "model/settings.h"
+
+namespace remount {
+
+struct MotionOutlook {
+  bool judged = false;                 ///< false: the INS does not cover the lidar's times
+  std::array<bool, 6> determinable{};  ///< order of kParameterNames
+  std::vector<std::string> advice;     ///< what to drive for the rest, one sentence each
+};
+
+/// Takes keyframes and pairs as the calibration will, supposes that each pair is registered to a few centimetres, and
+/// asks which parameters would then be observed. An outlook, no promise: registration may fail where there is little to
+/// see. Reads no scan.
+MotionOutlook motion_outlook(const Session& session, const Settings& settings = {});
+
+/// "x, y, yaw" of those that are (`determinable`) or are not; empty for none.
+std::string parameter_list(const MotionOutlook& outlook, bool determinable);
+
+}  // namespace remount
