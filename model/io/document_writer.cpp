@@ -1,6 +1,7 @@
 // Text of a document tree: JSON and YAML, the same bytes for the same tree.
 #include <array>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "model/io/document.h"
@@ -63,6 +64,14 @@ bool is_bare_word(const std::string& text) {
   return true;
 }
 
+/// What both formats hold without quotes. Other plain text ("-", "x/1") comes from files: one format's may break
+/// another.
+bool is_number_or_boolean(const std::string& text) {
+  if (text == "true" || text == "false") return true;
+  const bool begins = !text.empty() && (text.front() == '-' || (text.front() >= '0' && text.front() <= '9'));
+  return begins && nlohmann::json::accept(text);
+}
+
 std::string word(const std::string& text) { return is_bare_word(text) ? text : quoted(text); }
 
 bool is_container(const DocumentNode& node) { return node.kind == Kind::Sequence || node.kind == Kind::Map; }
@@ -77,7 +86,7 @@ bool on_one_line(const DocumentNode& node) {
 
 std::string scalar(const DocumentNode& node, bool yaml) {
   if (node.kind == Kind::Null) return "null";
-  if (node.kind == Kind::Plain) return node.text;
+  if (node.kind == Kind::Plain && is_number_or_boolean(node.text)) return node.text;
   return yaml ? word(node.text) : quoted(node.text);
 }
 

@@ -61,7 +61,7 @@ TEST_F(atomic_save, follows_a_link_and_keeps_it) {
 }
 
 TEST_F(atomic_save, names_path_and_reason) {
-  EXPECT_NE(error_of(folder_ / "none" / "a", "x").find("No such file"), std::string::npos);
+  EXPECT_NE(error_of(folder_ / "none" / "a", "x").find("there is no folder"), std::string::npos);
   EXPECT_NE(error_of(folder_, "x").find("it is a folder"), std::string::npos);
   EXPECT_NE(error_of("/dev/full", "x").find("no regular file"), std::string::npos);
   EXPECT_NE(error_of("", "x"), "");
@@ -77,6 +77,26 @@ int exit_code_of(const std::function<int()>& body) {
   int status = 0;
   ::waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 255;
+}
+
+TEST_F(atomic_save, a_check_says_what_saving_would_and_leaves_nothing) {
+  const auto refused = [](const std::filesystem::path& path) {
+    try {
+      check_can_save(path);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  save_atomically(folder_ / "old", "one");
+  EXPECT_EQ(refused(folder_ / "new"), "");
+  EXPECT_EQ(refused(folder_ / "old"), "");
+  EXPECT_EQ(files(), 1U);
+  EXPECT_EQ(read_regular_file(folder_ / "old", 100), "one");
+  for (const std::filesystem::path& path : {folder_, folder_ / "none" / "x", std::filesystem::path("/dev/null")}) {
+    EXPECT_NE(refused(path), "") << path;
+    EXPECT_EQ(refused(path), error_of(path, "x"));
+  }
 }
 
 TEST_F(atomic_save, a_full_disk_leaves_the_old_file) {

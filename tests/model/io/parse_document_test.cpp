@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -48,8 +49,8 @@ TEST(parse_document, refuses_what_can_grow_or_hide) {
   EXPECT_NE(yaml_error("a: 1\nb: 2\na: 3\n").find("in.yaml:3: the key \"a\" appears twice"), std::string::npos)
       << yaml_error("a: 1\nb: 2\na: 3\n");
   EXPECT_NE(yaml_error("? [1, 2]\n: 3\n").find("key of a map"), std::string::npos);
-  EXPECT_NE(yaml_error("a: 1\n---\nb: 2\n").find("more than one"), std::string::npos);
-  EXPECT_NE(yaml_error("").find("empty"), std::string::npos);
+  EXPECT_NE(yaml_error("a: 1\n---\nb: 2\n").find("in.yaml:2: a second YAML document"), std::string::npos);
+  EXPECT_NE(yaml_error("").find("in.yaml:1: is empty"), std::string::npos) << yaml_error("");
   EXPECT_NE(yaml_error("a: [1, 2\n").find("in.yaml:"), std::string::npos);
 }
 
@@ -69,7 +70,8 @@ TEST(parse_document, keeps_its_limits_quickly) {
   RecordProperty("seconds", std::to_string(seconds));
 }
 
-TEST(parse_document, survives_mutated_documents) {
+// What is accepted can be written and read again to the same; what is refused is refused with its file.
+TEST(parse_document, mutated_documents_are_read_whole_or_refused_with_the_place) {
   const std::string good = "format: x/1\nlist: [1, 2, {a: b}]\nmap:\n  k: \"v\\n\"\n  l: |\n    text\n  m: 'q'\n";
   std::mt19937 random(7);
   int accepted = 0;
@@ -78,10 +80,20 @@ TEST(parse_document, survives_mutated_documents) {
     for (int k = 0; k < 1 + i % 4; ++k)
       text[random() % text.size()] =
           static_cast<char>(i % 2 ? random() % 256 : "[]{}&*!|>-:,#\"'\n\t %@?"[random() % 22]);
-    accepted += yaml_error(text).empty();
-    error_of([&] { parse_json(text, "in.json"); });
+    const std::string error = error_of([&] {
+      const std::string written = to_yaml(parse_yaml(text, "in.yaml"));
+      ++accepted;
+      // Bytes that are not UTF-8 are replaced on writing, and two keys may become one.
+      if (std::any_of(text.begin(), text.end(), [](char c) { return c < 0; })) return;
+      EXPECT_EQ(to_yaml(parse_yaml(written, "again.yaml")), written) << text;
+    });
+    EXPECT_TRUE(error.empty() || error.starts_with("in.yaml:")) << error << "\n" << text;
+    const std::string json_error = error_of([&] { parse_json(text, "in.json"); });
+    EXPECT_TRUE(json_error.starts_with("in.json:")) << "no mutation makes JSON of it: " << json_error << "\n" << text;
+    if (HasFailure()) return;
   }
-  RecordProperty("accepted", accepted);
+  EXPECT_GT(accepted, 2000) << "the mutations are too wild to test reading";
+  EXPECT_LT(accepted, 18000) << "the mutations are too tame to test refusal";
 }
 
 TEST(parse_document, json_has_the_same_refusals) {

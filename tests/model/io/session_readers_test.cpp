@@ -249,6 +249,25 @@ TEST(OpenSession, SaysWhatEachReaderLooksFor) {
   EXPECT_ERROR(open("/dev/zero"), "is no session");
 }
 
+TEST(OpenSession, a_broken_or_empty_manifest_is_refused_with_its_place) {
+  const TemporaryFolder folder;
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"", "session.yaml:1: is empty"},
+      {"# only a comment\n", "session.yaml:1: is empty"},
+      {"hello world", "session.yaml:1: is no map of keys and values; expected \"format: remount-session/1\""},
+      {"\nname: x\n", "session.yaml:2: the key \"format\" is missing; expected \"format: remount-session/1\""},
+      {"format: other/1\n", "session.yaml:1: format: is 'other/1', expected remount-session/1"},
+      {"format: remount-session/1\nscans: [\n", "session.yaml:3: is not YAML here"},
+      {std::string("\0\1\2", 3), "session.yaml:1"}};
+  for (const auto& [manifest, said] : cases) {
+    folder.write("s/session.yaml", manifest);
+    EXPECT_ERROR(open(folder.path() / "s"), said);
+    EXPECT_ERROR(open(folder.path() / "s" / "session.yaml"), said);
+  }
+  folder.write("log.csv", "");
+  EXPECT_ERROR(open(folder.path() / "log.csv"), "log.csv: is empty (0 bytes), expected");
+}
+
 // Mutated sessions open or throw Error; nothing crashes or hangs.
 TEST(OpenSession, MutatedSessionsNeverCrash) {
   const TemporaryFolder folder;

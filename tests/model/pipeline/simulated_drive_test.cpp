@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "model/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
@@ -216,6 +217,7 @@ TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   const SimulatedDrive drive = simulate_drive(options);
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(drive.session));
+  input.settings.solve.max_listed_candidates = 7;
   Progress progress;
   input.threads = 1;
   const PipelineOutput one = run_pipeline(input, progress);
@@ -223,6 +225,12 @@ TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   const PipelineOutput three = run_pipeline(input, progress);
   EXPECT_EQ(one.result.ins_from_lidar.matrix(), three.result.ins_from_lidar.matrix());
   EXPECT_EQ(one.pairs.size(), three.pairs.size());
+  ASSERT_TRUE(is_usable(one.result)) << one.result.message;
+  EXPECT_EQ(one.result.candidates.size(), 7U) << "as many as the option allows";
+  EXPECT_EQ(std::count_if(one.result.candidates.begin(), one.result.candidates.end(),
+                          [](const Candidate& candidate) { return candidate.source == "joint clouds"; }),
+            1)
+      << "the X that is exported is listed wherever it ranks";
 }
 
 TEST(the_pipeline, stops_when_cancelled) {
@@ -231,7 +239,26 @@ TEST(the_pipeline, stops_when_cancelled) {
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(simulate_drive(small(ScenarioKind::Street)).session));
   Progress progress(stop.get_token());
-  EXPECT_EQ(run_pipeline(input, progress).result.status, Status::Cancelled);
+  const CalibrationResult result = run_pipeline(input, progress).result;
+  EXPECT_EQ(result.status, Status::Cancelled);
+  EXPECT_GT(result.pairs_proposed, 0) << "what was found until then is counted";
+}
+
+TEST(the_pipeline, refuses_a_nominal_outside_the_search_range) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.duration_s = 2.0;
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(simulate_drive(options).session));
+  input.settings.range.pitch_max_rad = 0.1;
+  input.nominal_ins_from_lidar = rigid_from_six({0, 0, 0, 0, degrees_to_radians(20.0), 0});
+  Progress progress;
+  try {
+    run_pipeline(input, progress);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::Contract);
+    EXPECT_NE(error.what_happened().find("pitch 20.00 deg above 5.73 deg"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace

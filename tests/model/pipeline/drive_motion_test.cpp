@@ -1,0 +1,126 @@
+#include "model/pipeline/drive_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "algorithms/core/error.h"
+
+namespace remount {
+namespace {
+
+constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
+
+std::int64_t at_ns(double time_s) { return kStart_ns + static_cast<std::int64_t>(std::llround(time_s * 1e9)); }
+
+RigidTransform on_curve(double time_s) {
+  return rigid_from_six({8.0 * time_s, 3.0 * std::sin(0.7 * time_s), 0.2 * std::sin(0.5 * time_s),
+                         0.3 * std::cos(0.7 * time_s), 0.02 * std::sin(0.9 * time_s), 0.01 * std::cos(time_s)});
+}
+
+/// 20 s at 100 Hz, with white noise on every sample; the lidar's odometry has a pose every 0.1 s.
+std::shared_ptr<Session> drive(double position_sigma_m = 0.0, double attitude_sigma_rad = 0.0) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> normal;
+  const auto vector = [&](double sigma) -> Eigen::Vector3d {
+    return sigma * Eigen::Vector3d(normal(random), normal(random), normal(random));
+  };
+  auto session = std::make_shared<Session>();
+  session->name = "drive";
+  for (int i = 0; i <= 2000; ++i) {
+    RigidTransform pose = on_curve(0.01 * i);
+    pose.translation() += vector(position_sigma_m);
+    pose.linear() *= so3_exp(vector(attitude_sigma_rad));
+    session->world_from_ins.push_back({at_ns(0.01 * i), pose});
+  }
+  for (int i = 0; i <= 200; ++i) session->odometry_from_lidar.push_back({at_ns(0.1 * i), RigidTransform::Identity()});
+  return session;
+}
+
+/// Root mean square over the drive of the errors of local_from_ins: position in m, attitude in rad, each per axis.
+std::pair<double, double> rms_error(const DriveMotion& motion) {
+  double position2 = 0.0, attitude2 = 0.0;
+  int count = 0;
+  for (double t = 0.5; t < 19.5; t += 0.0731, ++count) {
+    const RigidTransform pose = *motion.local_from_ins(0, at_ns(t));
+    position2 += (pose.translation() - on_curve(t).translation()).squaredNorm() / 3.0;
+    attitude2 += so3_log(on_curve(t).linear().transpose() * pose.linear()).squaredNorm() / 3.0;
+  }
+  return {std::sqrt(position2 / count), std::sqrt(attitude2 / count)};
+}
+
+TEST(drive_motion, poses_follow_the_ins_between_its_samples) {
+  const DriveMotion motion({drive()});
+  const auto [position_m, attitude_rad] = rms_error(motion);
+  EXPECT_LT(position_m, 1e-5);
+  EXPECT_LT(attitude_rad, 1e-5);
+  EXPECT_FALSE(motion.local_from_ins(0, at_ns(-0.1)));
+  EXPECT_FALSE(motion.local_from_ins(0, at_ns(20.1)));
+}
+
+TEST(drive_motion, noise_of_samples_is_averaged_and_the_noise_model_told_so) {
+  constexpr double kPosition_m = 0.02, kAttitude_rad = 1e-3;
+  const auto noisy = drive(kPosition_m, kAttitude_rad);
+  noisy->ins_position_white_sigma_m = kPosition_m;
+  noisy->ins_attitude_white_sigma_rad = kAttitude_rad;
+  const DriveMotion motion({noisy});
+  const auto [position_m, attitude_rad] = rms_error(motion);
+  EXPECT_LT(position_m, 0.5 * kPosition_m);
+  EXPECT_LT(attitude_rad, 0.5 * kAttitude_rad);
+  const SessionNoise said = motion.noise().at(0);
+  EXPECT_NEAR(position_m / said.position_white_sigma_m, 1.0, 0.2);
+  EXPECT_NEAR(attitude_rad / said.attitude_white_sigma_rad, 1.0, 0.2);
+  EXPECT_TRUE(std::isnan(said.attitude_bias_sigma_rad)) << "what the data do not state stays open";
+}
+
+TEST(drive_motion, the_clock_offset_moves_the_lidar_along_the_trajectory) {
+  DriveMotion motion({drive()});
+  motion.set_offset_s(0, 0.25);
+  const RigidTransform pose = *motion.local_from_ins(0, at_ns(3.0));
+  EXPECT_LT((pose.translation() - on_curve(3.25).translation()).norm(), 1e-5);
+  EXPECT_FALSE(motion.local_from_ins(0, at_ns(19.9)));
+}
+
+TEST(drive_motion, nodes_carry_pose_time_and_velocity_and_stay_where_the_offset_leaves_the_data) {
+  DriveMotion motion({drive()});
+  motion.set_offset_s(0, 0.25);
+  const std::vector<JointNode> nodes = motion.nodes({{0, 50, at_ns(5.0), 0.0}, {0, 199, at_ns(19.9), 0.0}});
+  ASSERT_EQ(nodes.size(), 2U);
+  EXPECT_NEAR(nodes[0].time_s, 5.0, 1e-9);
+  EXPECT_LT((nodes[0].local_from_ins.translation() - on_curve(5.25).translation()).norm(), 1e-5);
+  const RigidTransform step = on_curve(5.25).inverse() * on_curve(5.251);
+  EXPECT_LT((nodes[0].body_velocity.head<3>() - step.translation() * 1000.0).norm(), 0.02);
+  EXPECT_LT((nodes[1].local_from_ins.translation() - on_curve(19.9).translation()).norm(), 1e-5);
+  EXPECT_TRUE(nodes[1].body_velocity.isZero(0.0));
+}
+
+TEST(drive_motion, geodetic_samples_become_metres) {
+  auto session = std::make_shared<Session>();
+  for (int i = 0; i <= 100; ++i) {
+    InsSample sample;
+    sample.stamp_ns = at_ns(0.01 * i);
+    sample.latitude_rad = degrees_to_radians(48.0) + 0.1 * i / 6'362'000.0;  // northwards, 10 m in all
+    sample.longitude_rad = degrees_to_radians(9.0);
+    session->ins.push_back(sample);
+  }
+  const DriveMotion motion({session});
+  const double travelled_m =
+      (motion.local_from_ins(0, at_ns(1.0))->translation() - motion.local_from_ins(0, at_ns(0.0))->translation())
+          .norm();
+  EXPECT_NEAR(travelled_m, 10.0, 0.02);
+}
+
+TEST(drive_motion, a_session_without_ins_is_refused_with_its_path) {
+  auto session = std::make_shared<Session>();
+  session->path = "/data/drive7";
+  try {
+    const DriveMotion motion({session});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), "/data/drive7");
+  }
+}
+
+}  // namespace
+}  // namespace remount

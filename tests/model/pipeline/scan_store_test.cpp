@@ -1,0 +1,187 @@
+#include "model/pipeline/scan_store.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "algorithms/core/error.h"
+#include "model/pipeline.h"
+
+namespace remount {
+namespace {
+
+constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
+constexpr double kSpeed_mps = 10.0, kTurn_radps = 0.6;
+constexpr int kScans = 8;
+
+/// On a circle, forwards.
+RigidTransform world_from_ins(double time_s) {
+  const double radius_m = kSpeed_mps / kTurn_radps, angle = kTurn_radps * time_s;
+  return rigid_from_six({radius_m * std::sin(angle), radius_m * (1.0 - std::cos(angle)), 0.0, angle, 0.0, 0.0});
+}
+
+const RigidTransform& truth() {
+  static const RigidTransform ins_from_lidar = rigid_from_six({1.1, -0.2, 1.8, 0.4, 0.02, -0.01});
+  return ins_from_lidar;
+}
+
+double stamp_s(std::size_t scan) { return 0.3 + 0.2 * static_cast<double>(scan); }
+
+/// A floor around the sensor, seen by a sweep of 0.1 s about the stamp that turns counter-clockwise and faces forward
+/// (azimuth 0) at the stamp. Scan 5 cannot be read.
+class SweptFloor : public ScanSource {
+ public:
+  explicit SweptFloor(bool with_times) : with_times_(with_times) {}
+  std::size_t size() const override { return kScans; }
+  std::int64_t stamp_ns(std::size_t scan) const override {
+    return kStart_ns + static_cast<std::int64_t>(std::llround(stamp_s(scan) * 1e9));
+  }
+  std::string name(std::size_t scan) const override { return std::to_string(scan) + ".pcd"; }
+  PointCloud load(std::size_t scan) const override {
+    ++loads;
+    if (scan == 5) throw Error(ErrorCode::Io, name(scan), "cannot be read");
+    PointCloud cloud;
+    for (int i = 0; i < 3000; ++i) {
+      const double turn = 2.0 * kPi * (i / 3000.0 - 0.5), radius_m = 3.0 + 0.25 * (i % 40);
+      const Eigen::Vector3d at_stamp(radius_m * std::cos(turn), radius_m * std::sin(turn), -1.8);
+      const double time_s = 0.1 * turn / (2.0 * kPi);
+      const RigidTransform now_from_stamp =
+          (world_from_ins(stamp_s(scan) + time_s) * truth()).inverse() * world_from_ins(stamp_s(scan)) * truth();
+      cloud.points.push_back((now_from_stamp * at_stamp).cast<float>());
+      if (with_times_) cloud.time_from_stamp_s.push_back(static_cast<float>(time_s));
+    }
+    return cloud;
+  }
+  mutable std::atomic<int> loads{0};
+
+ private:
+  bool with_times_;
+};
+
+struct Drive {
+  explicit Drive(ScanTiming timing) : floor(std::make_shared<SweptFloor>(timing == ScanTiming::PerPoint)) {
+    Session made;
+    made.name = "drive";
+    for (int i = 0; i <= 300; ++i)
+      made.world_from_ins.push_back({kStart_ns + i * 10'000'000LL, world_from_ins(0.01 * i)});
+    made.scans = floor;
+    made.scan_timing = timing;
+    made.sweep = {0.1, 0.0, false, true};
+    session = std::make_shared<const Session>(std::move(made));
+    motion.emplace(std::vector<std::shared_ptr<const Session>>{session});
+  }
+  Keyframe keyframe(int scan) const {
+    return {0, scan, floor->stamp_ns(static_cast<std::size_t>(scan)),
+            kSpeed_mps * stamp_s(static_cast<std::size_t>(scan))};
+  }
+  ScanStore store(std::size_t bound_bytes = 1U << 30U) const { return {*motion, RegistrationOptions{}, bound_bytes}; }
+
+  std::shared_ptr<SweptFloor> floor;
+  std::shared_ptr<const Session> session;
+  std::optional<DriveMotion> motion;
+};
+
+/// The largest error of a point: all lie on the floor as it was seen from the sensor at the stamp.
+double worst_error_m(const PointCloud& cloud) {
+  double worst_m = 0.0;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const double turn = 2.0 * kPi * (static_cast<double>(i) / 3000.0 - 0.5), radius_m = 3.0 + 0.25 * (i % 40);
+    const Eigen::Vector3d at_stamp(radius_m * std::cos(turn), radius_m * std::sin(turn), -1.8);
+    worst_m = std::max(worst_m, (cloud.points[i].cast<double>() - at_stamp).norm());
+  }
+  return worst_m;
+}
+
+TEST(scan_store, a_compensated_scan_is_as_if_taken_at_its_stamp) {
+  const Drive drive(ScanTiming::PerPoint);
+  ScanStore store = drive.store();
+  EXPECT_GT(worst_error_m(store.load(drive.keyframe(2))), 0.4) << "without a call scans are used as they are";
+  store.compensate_motion(truth(), {false});
+  const PointCloud cloud = store.load(drive.keyframe(2));
+  EXPECT_LT(worst_error_m(cloud), 2e-3);
+  EXPECT_TRUE(cloud.time_from_stamp_s.empty()) << "it cannot be compensated twice";
+}
+
+TEST(scan_store, the_sweep_gives_times_only_where_the_session_uses_it) {
+  const Drive drive(ScanTiming::SweepAzimuth);
+  ScanStore store = drive.store();
+  store.compensate_motion(truth(), {false});
+  EXPECT_GT(worst_error_m(store.load(drive.keyframe(2))), 0.4);
+  store.compensate_motion(truth(), {true});
+  // The azimuth is that of the moved point: what is left is the square of the motion within a sweep.
+  EXPECT_LT(worst_error_m(store.load(drive.keyframe(2))), 0.05);
+}
+
+TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
+  const Drive drive(ScanTiming::PerPoint);
+  ScanStore store = drive.store();
+  std::vector<std::shared_ptr<const PreparedCloud>> seen(8);
+  {
+    std::vector<std::jthread> threads;
+    for (auto& mine : seen) threads.emplace_back([&] { mine = store.prepared(3, drive.keyframe(3), {}); });
+  }
+  EXPECT_EQ(drive.floor->loads, 1);
+  for (const auto& cloud : seen) EXPECT_EQ(cloud, seen.front());
+  EXPECT_GT(seen.front()->size(), 100U);
+}
+
+TEST(scan_store, beyond_the_bound_the_least_recently_used_goes_first) {
+  const Drive drive(ScanTiming::PerPoint);
+  const std::size_t one =
+      ScanStore(*drive.motion, RegistrationOptions{}, 0).prepared(0, drive.keyframe(0), {})->bytes();
+  ScanStore store = drive.store(2 * one + one / 2);
+  for (const int scan : {0, 1, 0, 2}) store.prepared(scan, drive.keyframe(scan), {});
+  const int before = drive.floor->loads;
+  store.prepared(0, drive.keyframe(0), {});
+  store.prepared(2, drive.keyframe(2), {});
+  EXPECT_EQ(drive.floor->loads, before) << "0 was used after 1 and is still there";
+  store.prepared(1, drive.keyframe(1), {});
+  EXPECT_EQ(drive.floor->loads, before + 1);
+}
+
+TEST(scan_store, an_unreadable_scan_fails_for_every_pair_with_its_name) {
+  const Drive drive(ScanTiming::PerPoint);
+  ScanStore store = drive.store();
+  for (int pair = 0; pair < 2; ++pair) {
+    try {
+      store.prepared(5, drive.keyframe(5), {});
+      FAIL() << "scan 5 cannot be read";
+    } catch (const Error& error) {
+      EXPECT_STREQ(error.what(), "5.pcd: cannot be read");
+    }
+  }
+  EXPECT_EQ(drive.floor->loads, 1) << "it is not tried again for every pair";
+}
+
+TEST(scan_store, points_within_a_box_are_left_out) {
+  const Drive drive(ScanTiming::PerPoint);
+  ScanStore store = drive.store();
+  const LidarBox ahead{{0.0F, -20.0F, -5.0F}, {20.0F, 20.0F, 5.0F}};
+  const auto cloud = store.prepared(1, drive.keyframe(1), {ahead});
+  ASSERT_GT(cloud->size(), 50U);
+  for (const Eigen::Vector3f& point : cloud->points()) EXPECT_LE(point.x(), 0.0F);
+}
+
+// What the window shows of a pair is what was aligned: whether by the sweep is remembered, not judged anew.
+TEST(load_pair_clouds, compensates_as_the_calibration_did) {
+  const Drive drive(ScanTiming::SweepAzimuth);
+  PipelineInput input;
+  input.sessions = {drive.session};
+  PipelineOutput output;
+  output.keyframes = {drive.keyframe(1), drive.keyframe(2)};
+  Pair pair;
+  pair.keyframe_b = 1;
+  output.pairs = {pair};
+  output.compensation_ins_from_lidar = truth();
+  output.session_uses_sweep = {false};
+  output.findings.push_back({Severity::Note, "deskew-on", "drive", "in words only"});
+  EXPECT_GT(worst_error_m(load_pair_clouds(input, output, 0).cloud_b), 0.4);
+  output.session_uses_sweep = {true};
+  output.findings[0].code = "deskew-off";
+  EXPECT_LT(worst_error_m(load_pair_clouds(input, output, 0).cloud_b), 0.05);
+}
+
+}  // namespace
+}  // namespace remount
