@@ -1,47 +1,47 @@
 // A scan prepared for registration: thinned, with normals and a search tree. Made once, shared by all its pairs.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "algorithms/cloud/point_cloud.h"
+#include "algorithms/registration/block_tree.h"
 #include "algorithms/registration/registration_options.h"
 
 namespace remount {
 
-/// Nearest neighbour of a query, and how far the next one is: what is needed to keep it without a new search.
+/// Nearest neighbour of a query, and how far the query may move before there can be a nearer one.
 struct Neighbour {
-  int index = -1;                ///< -1: none within the radius
-  float distance_m = 0.0f;       ///< to the neighbour
-  float next_distance_m = 0.0f;  ///< to the second nearest, or the radius where there is none within it
+  int index = -1;           ///< -1: none within the radius
+  float distance_m = 0.0f;  ///< to the neighbour
+  float reach_m = 0.0f;     ///< the neighbour stays the nearest while the query has moved by less; at least 0
 };
 
-/// Immutable and thread-safe. Points are in the lidar frame; those without a surface normal are left out.
+/// Immutable and thread-safe. Points are in the lidar frame, neighbours next to each other; those without a surface
+/// normal are left out.
 class PreparedCloud {
  public:
   /// Thins by voxels (centroids), drops points outside the range limits and fits normals to the neighbourhood.
+  /// Empty where `progress` is cancelled meanwhile.
   /// @param left_out true for points of the cloud not to be used (moving objects); empty for none
   PreparedCloud(const PointCloud& cloud_in_lidar, const RegistrationOptions& options,
-                const std::vector<bool>& left_out = {});
-  ~PreparedCloud();
+                const std::vector<bool>& left_out = {}, const Progress& progress = {});
   PreparedCloud(const PreparedCloud&) = delete;
   PreparedCloud& operator=(const PreparedCloud&) = delete;
 
-  std::size_t size() const { return points_.size(); }
-  const std::vector<Eigen::Vector3f>& points() const { return points_; }    ///< m
-  const std::vector<Eigen::Vector3f>& normals() const { return normals_; }  ///< unit length, towards the sensor
-  const std::vector<float>& planarity() const { return planarity_; }        ///< 0 (scattered) to 1 (a plane)
+  std::size_t size() const { return tree_.size(); }
+  Eigen::Vector3f point(std::size_t i) const;   ///< m
+  Eigen::Vector3f normal(std::size_t i) const;  ///< unit length, towards the sensor
+  float planarity(std::size_t i) const { return block_of(i).planarity[lane_of(i)]; }  ///< 0 (scattered) to 1 (a plane)
+  std::vector<Eigen::Vector3f> points() const;                                        ///< all of them, m
   Neighbour nearest(const Eigen::Vector3f& query, float radius_m) const;
+  const BlockTree& tree() const { return tree_; }
   std::size_t bytes() const;  ///< memory held, for cache bounds
 
  private:
-  struct Tree;
-  std::vector<Eigen::Vector3f> points_, normals_;
-  std::vector<float> planarity_;
-  std::unique_ptr<Tree> tree_;
-};
+  static std::size_t lane_of(std::size_t i) { return i % static_cast<std::size_t>(kBlockSize); }
+  const PointBlock& block_of(std::size_t i) const { return tree_.blocks()[i / static_cast<std::size_t>(kBlockSize)]; }
 
-/// Centroids of the points in each voxel, ordered by voxel; the same for any order of threads.
-std::vector<Eigen::Vector3f> voxel_centroids(const std::vector<Eigen::Vector3f>& points, float voxel_m);
+  BlockTree tree_;
+};
 
 }  // namespace remount

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "algorithms/core/options.h"
+#include "algorithms/registration/instruction_set.h"
 
 namespace remount {
 
@@ -16,6 +17,7 @@ struct RegistrationOptions {
   int max_iterations = 40;
   double min_overlap = 0.3;
   double max_rmse_m = 0.15;
+  InstructionSet instructions = InstructionSet::Best;  ///< for tests; the results are the same
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {

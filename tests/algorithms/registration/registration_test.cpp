@@ -141,6 +141,17 @@ TEST(Registration, CancelledIsAResult) {
   EXPECT_FALSE(result.quality.converged);
 }
 
+TEST(Registration, IsTheSameFromBothBuildsOfTheLoops) {
+  if (!has_fast_kernels()) GTEST_SKIP() << "this processor has no AVX2";
+  RegistrationOptions portable;
+  portable.instructions = InstructionSet::Portable;
+  const RegistrationResult first = align(room_scans()), second = align(room_scans(), portable);
+  const Vector6d apart = difference(first.target_from_source, second.target_from_source);
+  EXPECT_LE(apart.head<3>().norm(), 1e-9) << apart.transpose();
+  EXPECT_LE(apart.tail<3>().norm(), 1e-9) << apart.transpose();
+  EXPECT_TRUE(first.quality.information.isApprox(second.quality.information, 1e-9));
+}
+
 TEST(Registration, SameScansSameBytes) {
   const RegistrationResult first = align(room_scans()), second = align(scans_in(room(), kNoise_m));
   EXPECT_TRUE(first.target_from_source.matrix() == second.target_from_source.matrix());

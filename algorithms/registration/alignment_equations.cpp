@@ -1,0 +1,114 @@
+// The residuals between two scans at a given transform: how well they fit, and how well that determines the transform.
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include "algorithms/registration/matcher.h"
+#include "algorithms/registration/registration.h"
+#include "algorithms/registration/robust_scale.h"
+
+namespace remount {
+namespace {
+
+struct Term {
+  Vector6d row;
+  double residual_m;
+  double weight;
+  std::uint64_t cell;
+};
+
+std::uint64_t cell_of(const Eigen::Vector3f& point) {
+  constexpr float kCell_m = 2.0f;
+  const auto index = [&](float v) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(v / kCell_m)) + (1LL << 20));
+  };
+  return (index(point.z()) << 42) | (index(point.y()) << 21) | index(point.x());
+}
+
+std::vector<Term> residual_terms(const PreparedCloud& source, const PreparedCloud& target,
+                                 const RigidTransform& target_from_source, float radius_m,
+                                 std::vector<float>& residuals2_m2) {
+  Matcher matcher(source.tree().blocks(), target, radius_m, InstructionSet::Best);
+  matcher.update(target_from_source, 1, {});
+  const Eigen::Matrix3f rotation = target_from_source.linear().cast<float>();
+  const Eigen::Vector3f translation = target_from_source.translation().cast<float>();
+  std::vector<Term> terms;
+  terms.reserve(source.size());
+  residuals2_m2.reserve(source.size());
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const MatchBlock& match = matcher.matches()[i / static_cast<std::size_t>(kBlockSize)];
+    const std::size_t k = i % static_cast<std::size_t>(kBlockSize);
+    if (match.index[k] < 0) continue;
+    const PointBlock& near = match.target;
+    const Eigen::Vector3f arm = rotation * source.point(i), query = arm + translation;
+    const Eigen::Vector3f error = query - Eigen::Vector3f(near.x[k], near.y[k], near.z[k]);
+    const Eigen::Vector3f n(near.nx[k], near.ny[k], near.nz[k]);
+    Eigen::Vector3f m = rotation * source.normal(i);
+    if (n.dot(m) < 0.0f) m = -m;
+    if (error.squaredNorm() > radius_m * radius_m || n.dot(m) < 0.7f) continue;
+    const Eigen::Vector3d normal = (n + m).normalized().cast<double>();
+    const double along = normal.dot(error.cast<double>());
+    Term term{Vector6d::Zero(), along, static_cast<double>(source.planarity(i) * near.planarity[k]), cell_of(query)};
+    term.row << normal, arm.cast<double>().cross(normal);
+    terms.push_back(term);
+    residuals2_m2.push_back(static_cast<float>(along * along));
+  }
+  return terms;
+}
+
+// Errors on one surface are alike, and few surfaces face a direction: the scatter of the cells' gradients says how
+// well the minimum is known, the number of points does not.
+Matrix6d information_of(const AlignmentEquations& equations, const std::vector<Term>& terms, double variance) {
+  Matrix6d damped = equations.hessian;
+  damped.diagonal().head<3>().array() += 1.0 / (0.1 * 0.1);
+  damped.diagonal().tail<3>().array() += 1.0 / (0.005 * 0.005);
+  const Vector6d step = damped.ldlt().solve(-equations.gradient);
+  std::unordered_map<std::uint64_t, std::size_t> cells;
+  std::vector<Vector6d> gradients;
+  std::uint64_t last_cell = ~std::uint64_t{0};
+  std::size_t at = 0;
+  for (const Term& term : terms) {
+    if (term.cell != last_cell) {
+      at = cells.try_emplace(term.cell, gradients.size()).first->second;
+      last_cell = term.cell;
+      if (at == gradients.size()) gradients.push_back(Vector6d::Zero());
+    }
+    gradients[at] += term.weight / variance * (term.residual_m + term.row.dot(step)) * term.row;
+  }
+  Matrix6d scatter = 0.3 * equations.hessian;
+  for (const Vector6d& gradient : gradients) scatter.noalias() += gradient * gradient.transpose();
+  return equations.hessian * scatter.ldlt().solve(equations.hessian);
+}
+
+}  // namespace
+
+AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
+                                       const RigidTransform& target_from_source, double max_correspondence_m) {
+  const auto radius_m = static_cast<float>(max_correspondence_m);
+  std::vector<float> residuals2_m2;
+  std::vector<Term> terms = residual_terms(source, target, target_from_source, radius_m, residuals2_m2);
+  AlignmentEquations equations;
+  if (terms.empty()) return equations;
+  const double kernel_m = robust_kernel_m(residuals2_m2, kSmallestKernel_m, 0.5f * radius_m);
+  double squares = 0.0, weights = 0.0;
+  std::size_t inliers = 0;
+  for (Term& term : terms) {
+    const double ratio = term.residual_m / kernel_m;
+    if (std::abs(ratio) < 1.0) ++inliers;
+    term.weight /= (1.0 + ratio * ratio) * (1.0 + ratio * ratio);
+    squares += term.weight * term.residual_m * term.residual_m;
+    weights += term.weight;
+  }
+  equations.overlap = static_cast<double>(inliers) / static_cast<double>(source.size());
+  equations.rmse_m = weights > 0.0 ? std::sqrt(squares / weights) : 0.0;
+  const double variance = std::max(equations.rmse_m * equations.rmse_m, 25e-6);
+  for (const Term& term : terms) {
+    equations.hessian.noalias() += term.weight / variance * term.row * term.row.transpose();
+    equations.gradient.noalias() += term.weight / variance * term.residual_m * term.row;
+  }
+  equations.information = information_of(equations, terms, variance);
+  return equations;
+}
+
+}  // namespace remount

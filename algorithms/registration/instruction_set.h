@@ -1,0 +1,9 @@
+// Which of the two builds of the inner loops is used.
+#pragma once
+
+namespace remount {
+
+/// The results are the same; tests compare them.
+enum class InstructionSet { Best, Portable };
+
+}  // namespace remount

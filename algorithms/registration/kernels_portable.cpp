@@ -1,0 +1,7 @@
+#include "algorithms/registration/kernels_body.h"
+
+namespace remount {
+
+const Kernels kPortableKernels{match, accumulate, fit_normals};
+
+}  // namespace remount

@@ -1,0 +1,37 @@
+// Nearest neighbours of all points of one scan in another, kept from one transform to the next where they provably
+// stay.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/registration/prepared_cloud.h"
+
+namespace remount {
+
+FloatTransform float_transform(const RigidTransform& target_from_source);
+
+/// Blocks are worked on a few hundred at a time, with a look at the progress in between.
+inline constexpr std::int32_t kBlocksAtOnce = 256;
+
+class Matcher {
+ public:
+  Matcher(const std::vector<PointBlock>& source, const PreparedCloud& target, float radius_m,
+          InstructionSet instructions);
+
+  /// Neighbours at this transform of every `step`-th block of the source.
+  void update(const RigidTransform& target_from_source, std::int32_t step, const Progress& progress);
+  const std::vector<MatchBlock>& matches() const { return matches_; }
+  float radius_m() const { return radius_m_; }
+
+ private:
+  const std::vector<PointBlock>& source_;
+  BlockTreeView target_;
+  float radius_m_;
+  const Kernels& kernels_;
+  std::vector<MatchBlock> matches_;
+  std::vector<std::int32_t> scratch_;
+};
+
+}  // namespace remount
