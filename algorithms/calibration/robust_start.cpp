@@ -6,13 +6,14 @@
 #include <cmath>
 
 #include "algorithms/calibration/pair_equation.h"
-#include "algorithms/calibration/pairwise.h"
+#include "algorithms/calibration/pair_judgement.h"
 
 namespace remount {
 namespace {
 
-constexpr double kMedianChi2 = 5.348;  // of six degrees of freedom
-constexpr double kKernel2 = 16.0;      // squared distance at which a pair's weight has fallen to a quarter
+// More than half of the pairs may be wrong: the scale follows the better third.
+constexpr double kShare = 0.35, kShareChi2 = 4.197;  // that quantile of six degrees of freedom
+constexpr double kKernel2 = 16.0;  // squared distance at which a pair's weight has fallen to a quarter
 
 std::vector<double> distances2(const std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& x,
                                const NoiseModel& noise) {
@@ -22,18 +23,17 @@ std::vector<double> distances2(const std::vector<Pair>& pairs, const std::vector
   return out;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+// How much larger the better residuals are than the noise model says, at least 1.
+double residual_scale2(std::vector<double> values) {
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), place, values.end());
+  return std::max(1.0, *place / kShareChi2);
 }
 
-// Least truncated squares: the size of the better half of the residuals, robust up to half outliers.
-double better_half(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
+// Every pair counts, the wrong ones all alike: a few pairs that agree by chance, or that any X satisfies, do not win.
+double truncated_cost(const std::vector<double>& values, double scale2) {
   double sum = 0.0;
-  const std::size_t half = values.size() / 2 + 1;
-  for (std::size_t i = 0; i < std::min(half, values.size()); ++i) sum += values[i];
+  for (const double value : values) sum += std::min(value, kKernel2 * scale2);
   return sum;
 }
 
@@ -109,27 +109,31 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
                          const std::optional<RigidTransform>& nominal, const RotationReference& reference,
                          const Eigen::Vector3d& near_m) {
   RobustStart start;
-  double least = std::numeric_limits<double>::infinity();
+  std::vector<RigidTransform> tried;
+  std::vector<std::vector<double>> tried_d2;
   const auto consider = [&](const RigidTransform& x) {
-    const double cost = better_half(distances2(pairs, usable, x, noise));
-    if (!(cost < least)) return;
-    least = cost;
-    start.ins_from_lidar = x;
+    tried.push_back(x);
+    tried_d2.push_back(distances2(pairs, usable, x, noise));
   };
   if (nominal) consider(*nominal);
   std::vector<double> weights;
   for (const int i : usable) weights.push_back(pairs[static_cast<std::size_t>(i)].screw.passed ? 1.0 : 0.0);
   if (std::count(weights.begin(), weights.end(), 1.0) < 3) std::fill(weights.begin(), weights.end(), 1.0);
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < 8; ++round) {
     const QuadraticForm form(weighted_pairs(pairs, usable, weights), 10.0);
-    const RigidTransform x = settled(joint_quadratic(form, near_m), form, reference, near_m);
-    consider(x);
-    const std::vector<double> d2 = distances2(pairs, usable, x, noise);
-    weights = kernel_weights(d2, std::max(1.0, median(d2) / kMedianChi2));
+    consider(settled(joint_quadratic(form, near_m), form, reference, near_m));
+    weights = kernel_weights(tried_d2.back(), residual_scale2(tried_d2.back()));
+  }
+  double scale2 = std::numeric_limits<double>::infinity(), least = scale2;
+  for (const std::vector<double>& d2 : tried_d2) scale2 = std::min(scale2, residual_scale2(d2));
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    const double cost = truncated_cost(tried_d2[i], scale2);
+    if (cost < least) start.ins_from_lidar = tried[i];
+    least = std::min(least, cost);
   }
   for (int iteration = 0; iteration < 20; ++iteration) {
     const std::vector<double> d2 = distances2(pairs, usable, start.ins_from_lidar, noise);
-    const double scale2 = std::max(1.0, median(d2) / kMedianChi2);
+    scale2 = residual_scale2(d2);
     const RigidTransform next = weighted_step(pairs, usable, kernel_weights(d2, scale2), noise, start.ins_from_lidar);
     const Vector6d step = difference(start.ins_from_lidar, next);
     if (!step.allFinite()) break;

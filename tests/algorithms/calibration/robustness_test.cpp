@@ -1,0 +1,148 @@
+// Gross outliers: registrations that went wrong by 5 deg and a metre.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <ctime>
+
+#include "algorithms/calibration/pairwise.h"
+#include "algorithms/calibration/robust_start.h"
+#include "algorithms/trajectory/screw.h"
+#include "tests/algorithms/support/simulated_drive.h"
+
+namespace remount {
+namespace {
+
+// 200 pairs; each keyframe with the next few.
+DriveOptions two_hundred_pairs() {
+  DriveOptions options;
+  options.keyframes = 68;
+  options.partners = 3;
+  options.noise.ins_position_sigma_m = 0.003;
+  options.noise.ins_attitude_sigma_rad = 2e-4;
+  options.noise.registration_scale = 2.0;
+  return options;
+}
+
+// Wrong by 5 deg about any axis and by a metre in any direction.
+std::vector<Pair> with_outliers(std::vector<Pair> pairs, double share, int seed) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  std::vector<std::size_t> order(pairs.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(share * static_cast<double>(pairs.size())); ++k) {
+    Vector6d wrong;
+    wrong << random_vector(random, 1.0).normalized(), degrees_to_radians(5.0) * random_vector(random, 1.0).normalized();
+    RigidTransform& measured = pairs[order[k]].lidar_b_from_lidar_a;
+    measured = perturbed(measured, wrong);
+  }
+  for (Pair& pair : pairs) pair.screw = screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1e-3, 0.03, 5.0);
+  return pairs;
+}
+
+std::vector<int> all_of(const std::vector<Pair>& pairs) {
+  std::vector<int> all;
+  for (std::size_t i = 0; i < pairs.size(); ++i) all.push_back(static_cast<int>(i));
+  return all;
+}
+
+double error_m(const RigidTransform& x) { return (x.translation() - mounting().translation()).norm(); }
+double error_deg(const RigidTransform& x) { return radians_to_degrees(rotation_angle_between_rad(x, mounting())); }
+
+bool gives_an_answer(const CalibrationResult& result) {
+  return result.status == Status::Ok || result.status == Status::Degenerate;
+}
+
+TEST(Robustness, FortyPercentGrossOutliersLeaveFiveHundredthsOfADegreeAndACentimetre) {
+  const DriveOptions options = two_hundred_pairs();
+  for (int seed = 1; seed <= 4; ++seed)
+    for (const bool with_nominal : {true, false}) {
+      const SimulatedDrive drive = simulate(options, seed);
+      std::vector<Pair> pairs = with_outliers(pairs_of(drive), 0.4, 100 + seed);
+      PairwiseInput input = input_of(drive, options);
+      input.options.bootstrap_samples = 0;
+      if (with_nominal) input.nominal_ins_from_lidar = perturbed(mounting(), Vector6d::Constant(0.05));
+      const CalibrationResult result = solve_pairwise(input, pairs, {});
+      ASSERT_TRUE(gives_an_answer(result)) << result.message;
+      std::printf("  %zu pairs, %d rejected: %.4f deg, %.1f mm\n", pairs.size(), result.pairs_rejected,
+                  error_deg(result.ins_from_lidar), 1e3 * error_m(result.ins_from_lidar));
+      EXPECT_LE(error_deg(result.ins_from_lidar), 0.05) << "seed " << seed;
+      EXPECT_LE(error_m(result.ins_from_lidar), 0.01) << "seed " << seed;
+    }
+}
+
+TEST(RobustStart, SixtyPercentGrossOutliersDoNotPullIt) {
+  const DriveOptions options = two_hundred_pairs();
+  for (int seed = 1; seed <= 4; ++seed) {
+    const std::vector<Pair> pairs = with_outliers(pairs_of(simulate(options, seed)), 0.6, 200 + seed);
+    const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, std::nullopt, {}, {0, 0, 0});
+    std::printf("  %.4f deg, %.1f mm\n", error_deg(start.ins_from_lidar), 1e3 * error_m(start.ins_from_lidar));
+    EXPECT_LT(error_deg(start.ins_from_lidar), 0.1) << "seed " << seed;
+    EXPECT_LT(error_m(start.ins_from_lidar), 0.05) << "seed " << seed;
+  }
+}
+
+TEST(RobustStart, IsExactOnExactPairsWithOutliersOfAnyKind) {
+  DriveOptions options = two_hundred_pairs();
+  options.noise = no_noise();
+  const SimulatedDrive drive = simulate(options, 3);
+  for (const double share : {0.0, 0.2, 0.4, 0.6}) {
+    const std::vector<Pair> pairs = with_outliers(pairs_of(drive), share, 7);
+    const RobustStart start = robust_start(pairs, all_of(pairs), NoiseModel{}, std::nullopt, {}, {0, 0, 0});
+    EXPECT_LT(error_deg(start.ins_from_lidar), 0.01) << share;
+    EXPECT_LT(error_m(start.ins_from_lidar), 0.01) << share;
+  }
+}
+
+TEST(RobustStart, AWrongNominalDoesNotHoldItBack) {
+  const DriveOptions options = two_hundred_pairs();
+  const SimulatedDrive drive = simulate(options, 4);
+  const std::vector<Pair> pairs = with_outliers(pairs_of(drive), 0.4, 8);
+  const RigidTransform wrong = perturbed(mounting(), (Vector6d() << 2, -2, 1, 0.5, -0.5, 2.0).finished());
+  RotationReference reference;
+  reference.ins_from_lidar = wrong.linear();
+  const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, wrong, reference, wrong.translation());
+  EXPECT_LT(error_deg(start.ins_from_lidar), 0.2);
+  EXPECT_LT(error_m(start.ins_from_lidar), 0.05);
+}
+
+TEST(RobustStart, StraightDrivingTurnsAboutTheTrackAsTheReferenceSays) {
+  DriveOptions options = two_hundred_pairs();
+  options.tilt_rad = options.turn_rad = 0.0;
+  options.noise = no_noise();
+  const SimulatedDrive drive = simulate(options, 5);
+  const std::vector<Pair> pairs = pairs_of(drive);
+  RotationReference reference;
+  reference.ins_from_lidar = mounting().linear();
+  const RobustStart start =
+      robust_start(pairs, all_of(pairs), NoiseModel{}, std::nullopt, reference, mounting().translation());
+  EXPECT_LT(error_deg(start.ins_from_lidar), 0.01);
+}
+
+TEST(RobustStart, TheNoiseScaleSaysHowFarTheModelIsOff) {
+  DriveOptions options = two_hundred_pairs();
+  const SimulatedDrive drive = simulate(options, 6);
+  const std::vector<Pair> pairs = pairs_of(drive);
+  NoiseModel optimistic = options.noise;
+  optimistic.ins_position_sigma_m *= 0.1;
+  optimistic.ins_attitude_sigma_rad *= 0.1;
+  optimistic.registration_scale *= 0.1;
+  optimistic.registration_floor_m *= 0.1;
+  optimistic.registration_floor_rad *= 0.1;
+  EXPECT_NEAR(robust_start(pairs, all_of(pairs), options.noise, std::nullopt, {}, {0, 0, 0}).noise_scale, 1.0, 0.25);
+  EXPECT_NEAR(robust_start(pairs, all_of(pairs), optimistic, std::nullopt, {}, {0, 0, 0}).noise_scale, 10.0, 2.5);
+}
+
+TEST(RobustStart, TwoThousandPairsTakeMillisecondsAPass) {
+  DriveOptions options;
+  options.keyframes = 668;
+  const SimulatedDrive drive = simulate(options, 7);
+  const std::vector<Pair> pairs = with_outliers(pairs_of(drive), 0.4, 9);
+  const std::clock_t begin = std::clock();
+  const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, std::nullopt, {}, {0, 0, 0});
+  std::printf("  %zu pairs: %.1f ms in all\n", pairs.size(),
+              1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+  EXPECT_LT(error_deg(start.ins_from_lidar), 0.05);
+}
+
+}  // namespace
+}  // namespace remount
