@@ -11,6 +11,18 @@ Matrix6d NoiseModel::ins_covariance() const {
   return variances.asDiagonal();
 }
 
+NoiseModel NoiseModel::scaled(double factor) const {
+  NoiseModel noise = *this;
+  noise.ins_position_sigma_m *= factor;
+  noise.ins_attitude_sigma_rad *= factor;
+  noise.registration_scale *= factor;
+  noise.registration_floor_m *= factor;
+  noise.registration_floor_rad *= factor;
+  noise.ins_position_drift *= factor;
+  noise.ins_attitude_drift *= factor;
+  return noise;
+}
+
 Matrix6d NoiseModel::drift_covariance(double gap_s) const {
   Vector6d variances;
   variances << Eigen::Vector3d::Constant(ins_position_drift * ins_position_drift * gap_s),

@@ -44,8 +44,4 @@ struct PairwiseDetails {
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress);
 
-/// Squared Mahalanobis distance of a pair's residual under X, with the errors of both INS poses and of the
-/// registration.
-double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise);
-
 }  // namespace remount

@@ -1,0 +1,231 @@
+#include "algorithms/calibration/joint_equations.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+#include "algorithms/calibration/pair_equation.h"
+
+namespace remount {
+namespace {
+
+RigidTransform corrected(const JointNode& node, std::size_t index, const State& state, const Layout& layout) {
+  Vector6d step = state.errors[index];
+  if (layout.drift) step += drift_in_body(node) * state.drifts[index];
+  if (layout.bias) step.tail<3>() += state.shared.segment<3>(layout.bias_at(node.session));
+  if (layout.clock) step += node.body_velocity * state.shared[layout.clock_at(node.session)];
+  return moved_in_body(node.local_from_ins, step);
+}
+
+double log_determinant(const Matrix6d& matrix) {
+  const Eigen::LDLT<Matrix6d> factors(matrix);
+  return factors.vectorD().array().max(1e-300).log().sum();
+}
+
+// Jacobian of one term with respect to the shared unknowns.
+Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a, const JointNode& b,
+                                const Layout& layout) {
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(6, layout.size());
+  jacobian.leftCols<6>() = equation.d_x;
+  if (layout.bias) {
+    jacobian.middleCols<3>(layout.bias_at(a.session)) += equation.d_a.rightCols<3>();
+    jacobian.middleCols<3>(layout.bias_at(b.session)) += equation.d_b.rightCols<3>();
+  }
+  if (layout.clock) {
+    jacobian.col(layout.clock_at(a.session)) += equation.d_a * a.body_velocity;
+    jacobian.col(layout.clock_at(b.session)) += equation.d_b * b.body_velocity;
+  }
+  return jacobian;
+}
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+void add_block(int row, int column, const Matrix6d& block, Entries& entries) {
+  for (int c = 0; c < 6; ++c)
+    for (int r = 0; r < 6; ++r) entries.emplace_back(row + r, column + c, block(r, c));
+}
+
+// The drift walks from each keyframe to the next; that of a session's first is zero, for only differences matter.
+void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
+                     NormalEquations& equations, Entries& entries) {
+  constexpr double kStart = 1e-6;           // m and rad: zero for all purposes
+  constexpr double kLeastStep_s = 1e-3;     // keyframes at the same time
+  constexpr double kLeastVariance = 1e-14;  // of a component that does not drift
+  for (std::size_t k = 0; k < problem.nodes.size(); ++k) {
+    const bool first = k == 0 || problem.nodes[k - 1].session != problem.nodes[k].session;
+    Vector6d variances = Vector6d::Constant(kStart * kStart);
+    if (!first)
+      variances = noise.drift_covariance(std::max(kLeastStep_s, problem.nodes[k].time_s - problem.nodes[k - 1].time_s))
+                      .diagonal()
+                      .cwiseMax(kLeastVariance);
+    const Vector6d information = variances.cwiseInverse();
+    const Vector6d change = first ? state.drifts[k] : Vector6d(state.drifts[k] - state.drifts[k - 1]);
+    const int here = layout.node_at(k) + 6;
+    const Matrix6d block = information.asDiagonal();
+    add_block(here, here, block, entries);
+    equations.keyframe_side.segment<6>(here) -= information.cwiseProduct(change);
+    if (!first) {
+      const int before = layout.node_at(k - 1) + 6;
+      add_block(before, before, block, entries);
+      add_block(here, before, -block, entries);
+      equations.keyframe_side.segment<6>(before) += information.cwiseProduct(change);
+    }
+    equations.cost += change.dot(information.cwiseProduct(change));
+    equations.log_information += information.array().log().sum();
+  }
+}
+
+void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
+                NormalEquations& equations, Entries& entries) {
+  for (std::size_t k = 0; k < state.errors.size(); ++k) {
+    const Eigen::LDLT<Matrix6d> covariance(noise.node_covariance(problem.nodes[k].scan_covariance));
+    const Matrix6d information = covariance.solve(Matrix6d::Identity());
+    const Vector6d weighted = information * state.errors[k];
+    const int at = layout.node_at(k);
+    add_block(at, at, information, entries);
+    equations.keyframe_side.segment<6>(at) -= weighted;
+    equations.cost += state.errors[k].dot(weighted);
+    equations.log_information -= covariance.vectorD().array().log().sum();
+  }
+  if (layout.drift) add_drift_prior(problem, noise, state, layout, equations, entries);
+  const auto prior = [&](int at, double sigma, double value) {
+    const double information = 1.0 / (sigma * sigma);
+    equations.shared(at, at) += information;
+    equations.shared_side[at] -= information * value;
+    equations.cost += information * value * value;
+  };
+  constexpr double kHeldSigma_rad = 1e-9;  // a session without a bias beside one with: its columns stay regular
+  for (int s = 0; s < layout.sessions; ++s) {
+    if (layout.bias) {
+      const double sigma =
+          std::max(kHeldSigma_rad, problem.session_attitude_bias_sigma_rad[static_cast<std::size_t>(s)]);
+      for (int i = 0; i < 3; ++i) prior(layout.bias_at(s) + i, sigma, state.shared[layout.bias_at(s) + i]);
+    }
+    if (layout.clock) prior(layout.clock_at(s), problem.time_offset_prior_sigma_s, state.shared[layout.clock_at(s)]);
+  }
+  const Vector6d from_prior = difference(problem.prior_ins_from_lidar, state.ins_from_lidar);
+  const Vector6d weighted = problem.prior_information * from_prior;
+  equations.shared.topLeftCorner<6, 6>() += problem.prior_information;
+  equations.shared_side.head<6>() -= weighted;
+  equations.cost += from_prior.dot(weighted);
+}
+
+NodePart node_part(const JointNode& node, std::size_t index, const Matrix6d& body_jacobian, const Layout& layout) {
+  NodePart part{layout.node_at(index), {}};
+  part.jacobian.resize(6, layout.node_size());
+  part.jacobian.leftCols<6>() = body_jacobian;
+  if (layout.drift) part.jacobian.rightCols<6>() = body_jacobian * drift_in_body(node);
+  return part;
+}
+
+// The lower triangle of J' L J for two parts.
+void add_parts(const NodePart& row, const NodePart& column, const Matrix6d& information, Entries& entries) {
+  const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> weighted = information * column.jacobian;
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 12> block = row.jacobian.transpose() * weighted;
+  for (int c = 0; c < block.cols(); ++c)
+    for (int r = 0; r < block.rows(); ++r)
+      if (row.at + r >= column.at + c) entries.emplace_back(row.at + r, column.at + c, block(r, c));
+}
+
+void add_term(const LinearTerm& linear, const NoiseModel& noise, const Layout& layout, NormalEquations& equations,
+              Entries& entries) {
+  const Matrix6d information =
+      linear.term->weight * noise.registration_information(linear.term->information, linear.share);
+  add_parts(linear.a, linear.a, information, entries);
+  add_parts(linear.b, linear.b, information, entries);
+  const bool a_later = linear.a.at > linear.b.at;
+  add_parts(a_later ? linear.a : linear.b, a_later ? linear.b : linear.a, information, entries);
+  const Vector6d weighted = information * linear.residual;
+  const Eigen::MatrixXd weighted_shared = information * linear.shared;
+  for (const NodePart* part : {&linear.a, &linear.b}) {
+    equations.coupling.middleRows(part->at, layout.node_size()).noalias() +=
+        part->jacobian.transpose() * weighted_shared;
+    equations.keyframe_side.segment(part->at, layout.node_size()).noalias() -= part->jacobian.transpose() * weighted;
+  }
+  equations.shared.noalias() += linear.shared.transpose() * weighted_shared;
+  equations.shared_side.noalias() -= linear.shared.transpose() * weighted;
+  equations.cost += linear.residual.dot(weighted);
+  equations.log_information += log_determinant(information);
+}
+
+}  // namespace
+
+Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
+  Layout layout;
+  layout.sessions = static_cast<int>(problem.session_attitude_bias_sigma_rad.size());
+  for (const double sigma : problem.session_attitude_bias_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
+  layout.clock = problem.estimate_time_offset;
+  layout.drift = noise.drifts();
+  return layout;
+}
+
+Matrix6d drift_in_body(const JointNode& node) {
+  Matrix6d turn = Matrix6d::Identity();
+  turn.topLeftCorner<3, 3>() = node.local_from_ins.linear().transpose();
+  return turn;
+}
+
+State start_state(const JointProblem& problem, const Layout& layout, const RigidTransform& ins_from_lidar) {
+  State state{ins_from_lidar,
+              std::vector<Vector6d>(problem.nodes.size(), Vector6d::Zero()),
+              {},
+              Eigen::VectorXd::Zero(layout.size())};
+  if (layout.drift) state.drifts = state.errors;
+  return state;
+}
+
+std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout) {
+  std::vector<RigidTransform> poses;
+  for (std::size_t k = 0; k < problem.nodes.size(); ++k) poses.push_back(corrected(problem.nodes[k], k, state, layout));
+  std::vector<LinearTerm> out;
+  for (const JointTerm& term : problem.terms) {
+    if (!(term.weight > 0.0)) continue;
+    const auto a = static_cast<std::size_t>(term.node_a), b = static_cast<std::size_t>(term.node_b);
+    const PairEquation pair =
+        linearise_pair(poses[b].inverse() * poses[a], term.lidar_b_from_lidar_a, state.ins_from_lidar);
+    out.push_back({&term, pair.residual, node_part(problem.nodes[a], a, pair.d_a, layout),
+                   node_part(problem.nodes[b], b, pair.d_b, layout),
+                   shared_jacobian(pair, problem.nodes[a], problem.nodes[b], layout),
+                   problem.nodes[a].scan_covariance.isZero(0.0) ? 1.0 : 1.0 - NoiseModel::kScanShare});
+  }
+  return out;
+}
+
+NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
+                      const State& state, const Layout& layout) {
+  const int unknowns = layout.node_at(problem.nodes.size());
+  NormalEquations equations;
+  equations.coupling = Eigen::MatrixXd::Zero(unknowns, layout.size());
+  equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
+  equations.keyframe_side = Eigen::VectorXd::Zero(unknowns);
+  equations.shared_side = Eigen::VectorXd::Zero(layout.size());
+  Entries entries;
+  entries.reserve(terms.size() * 300 + problem.nodes.size() * 120);
+  for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, entries);
+  add_priors(problem, noise, state, layout, equations, entries);
+  equations.keyframes.resize(unknowns, unknowns);
+  // Only the lower half is filled in: it is what the factorisation reads.
+  equations.keyframes.setFromTriplets(entries.begin(), entries.end());
+  return equations;
+}
+
+void eliminate(const NormalEquations& equations, Eliminated& out) {
+  out.factors.compute(equations.keyframes);
+  out.valid = out.factors.info() == Eigen::Success;
+  if (!out.valid) return;
+  const Eigen::MatrixXd solved = out.factors.solve(equations.coupling);
+  out.reduced = equations.shared - equations.coupling.transpose() * solved;
+  out.reduced = 0.5 * (out.reduced + out.reduced.transpose().eval());
+  const Eigen::VectorXd solved_side = out.factors.solve(equations.keyframe_side);
+  const Eigen::LDLT<Eigen::MatrixXd> small(out.reduced);
+  out.shared_step = small.solve(equations.shared_side - equations.coupling.transpose() * solved_side);
+  out.keyframe_step = solved_side - solved * out.shared_step;
+  out.valid = out.shared_step.allFinite() && out.keyframe_step.allFinite();
+  // At this linearisation the minimum of the cost is known without taking the step.
+  const double least_cost =
+      equations.cost - equations.shared_side.dot(out.shared_step) - equations.keyframe_side.dot(out.keyframe_step);
+  out.minus_two_log_likelihood = least_cost - equations.log_information +
+                                 out.factors.vectorD().array().max(1e-300).log().sum() +
+                                 small.vectorD().array().abs().max(1e-300).log().sum();
+}
+
+}  // namespace remount

@@ -1,0 +1,97 @@
+#include "algorithms/calibration/pair_judgement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/uncertainty.h"
+#include "algorithms/trajectory/screw.h"
+
+namespace remount {
+namespace {
+
+// Normal score of a chi-square distance of six degrees of freedom (Fisher).
+double sigma_equivalent(double distance2) { return std::sqrt(2.0 * distance2) - std::sqrt(11.0); }
+
+std::string outlier_reason(const Pair& pair, double score) {
+  char text[200];
+  std::snprintf(text, sizeof text, "contradicts the INS motion by %.3f m, %.3f deg (%.1f sigma)%s",
+                pair.residual_translation_m, radians_to_degrees(pair.residual_rotation_rad), score,
+                pair.screw.passed ? "" : "; screw test failed");
+  return text;
+}
+
+// How much larger the typical residual of all usable pairs is than the noise model says, at least 1. Judging by the
+// model alone would spiral: fewer pairs, less noise, fewer pairs.
+double residual_scale2(const std::vector<double>& distances2) {
+  constexpr double kMedianChi2 = 5.348;  // of six degrees of freedom
+  std::vector<double> sorted = distances2;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return std::max(1.0, *middle / kMedianChi2);
+}
+
+}  // namespace
+
+std::vector<int> usable_pairs(const std::vector<Pair>& pairs) {
+  std::vector<int> usable;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Pair& pair = pairs[i];
+    if (pair.state == PairState::Rejected && pair.decided_by == DecidedBy::User) continue;
+    if (!pair.registration.attempted || !pair.registration.failure.empty()) continue;
+    usable.push_back(static_cast<int>(i));
+  }
+  return usable;
+}
+
+std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs) {
+  std::vector<MotionPair> accepted;
+  for (const Pair& pair : pairs)
+    if (pair.state == PairState::Accepted) accepted.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
+  return accepted;
+}
+
+double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise) {
+  const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, ins_from_lidar);
+  const double distance2 = equation.residual.dot(residual_information(pair, equation, noise) * equation.residual);
+  return std::isfinite(distance2) ? std::max(0.0, distance2) : std::numeric_limits<double>::max();
+}
+
+// Sigma of the two screw invariants from the noise of P and Q.
+void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold) {
+  const double rotation_sigma = std::hypot(std::sqrt(2.0) * noise.ins_attitude_sigma_rad, noise.registration_floor_rad);
+  const double translation_sigma = std::hypot(std::sqrt(2.0) * noise.ins_position_sigma_m, noise.registration_floor_m);
+  for (const int i : usable) {
+    Pair& pair = pairs[static_cast<std::size_t>(i)];
+    pair.screw =
+        screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, rotation_sigma, translation_sigma, threshold);
+  }
+}
+
+int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& ins_from_lidar,
+                const NoiseModel& noise, double threshold) {
+  int changed = 0;
+  std::vector<double> distances2;
+  for (const int i : usable)
+    distances2.push_back(pair_distance2(pairs[static_cast<std::size_t>(i)], ins_from_lidar, noise));
+  const double scale2 = residual_scale2(distances2);
+  for (std::size_t k = 0; k < usable.size(); ++k) {
+    Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
+    const Vector6d residual =
+        difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
+    pair.residual_translation_m = residual.head<3>().norm();
+    pair.residual_rotation_rad = residual.tail<3>().norm();
+    const double score = sigma_equivalent(distances2[k] / scale2);
+    pair.weight = pair.decided_by == DecidedBy::User ? 1.0 : score <= threshold ? 1.0 : 0.0;
+    if (pair.decided_by == DecidedBy::User) continue;
+    const PairState state = pair.weight > 0.0 ? PairState::Accepted : PairState::Rejected;
+    changed += state != pair.state ? 1 : 0;
+    pair.state = state;
+    pair.decided_by = DecidedBy::Program;
+    pair.reason = state == PairState::Accepted ? "" : outlier_reason(pair, score);
+  }
+  return changed;
+}
+
+}  // namespace remount

@@ -1,0 +1,31 @@
+// Which pairs take part: the screw test, residuals, weights, and states with their reasons.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/calibration/noise_model.h"
+#include "algorithms/search/scoring.h"
+#include "algorithms/trajectory/pair.h"
+
+namespace remount {
+
+/// Indices of the pairs that have a registration and that the user did not reject.
+std::vector<int> usable_pairs(const std::vector<Pair>& pairs);
+
+/// P and Q of the accepted pairs, in order.
+std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs);
+
+/// Squared Mahalanobis distance of a pair's residual under X, with the errors of both INS poses and of the
+/// registration.
+double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise);
+
+/// Fills `screw` of the usable pairs. @param threshold in sigma
+void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold);
+
+/// Fills residuals, weights and, unless the user decided, states and reasons of the usable pairs under X.
+/// @param threshold in sigma
+/// @return how many states changed
+int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& ins_from_lidar,
+                const NoiseModel& noise, double threshold);
+
+}  // namespace remount
