@@ -73,16 +73,19 @@ DocumentNode findings_document(const std::vector<Finding>& findings) {
 DocumentNode calibration_document(const Project& project) {
   const PipelineOutput& output = *project.output;
   PipelineInput input;
-  input.settings = project.settings;
-  input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
+  input.settings = project.basis.settings;
+  input.nominal_ins_from_lidar = project.basis.nominal_ins_from_lidar;
   ResultFile file = make_result_file(input, output, project.inputs);
   file.pairs.clear();  // they follow in full
   DocumentNode node = DocumentNode::map();
+  node.add("session_count", DocumentNode::integer(static_cast<std::int64_t>(project.basis.session_count)));
   node.add("result", result_document(file));
   node.add("initial_ins_from_lidar", transform_document(output.initial_ins_from_lidar));
   node.add("compensation_ins_from_lidar", transform_document(output.compensation_ins_from_lidar));
   node.add("initial_known", DocumentNode::boolean(output.initial_known));
   node.add("nominal_known", DocumentNode::boolean(output.nominal_known));
+  DocumentNode& sweeps = node.add("session_uses_sweep", DocumentNode::sequence());
+  for (const bool uses : output.session_uses_sweep) sweeps.add(DocumentNode::boolean(uses));
   node.add("findings", findings_document(output.findings));
   DocumentNode& keyframes = node.add("keyframes", DocumentNode::sequence());
   for (const Keyframe& keyframe : output.keyframes) keyframes.add(keyframe_document(keyframe));
@@ -91,26 +94,70 @@ DocumentNode calibration_document(const Project& project) {
   return node;
 }
 
-PipelineOutput calibration_from(const DocumentView& view, std::size_t session_count, std::vector<InputFile>& inputs) {
-  PipelineOutput output;
+void read_calibration(const DocumentView& view, Project& project) {
+  const std::size_t session_count = project.sessions.size();
+  PipelineOutput& output = project.output.emplace();
   ResultFile file = result_from_document(view.at("result"));
   output.result = std::move(file.result);
-  inputs = std::move(file.inputs);
+  project.inputs = std::move(file.inputs);
+  project.basis.settings = file.settings;
+  project.basis.nominal_ins_from_lidar = file.nominal_ins_from_lidar;
+  project.basis.session_count = session_count;
+  if (view.has("session_count"))
+    project.basis.session_count =
+        static_cast<std::size_t>(view.at("session_count").integer(0, static_cast<std::int64_t>(session_count)));
   output.initial_ins_from_lidar = transform_from_document(view.at("initial_ins_from_lidar"));
   output.compensation_ins_from_lidar = transform_from_document(view.at("compensation_ins_from_lidar"));
   output.initial_known = view.at("initial_known").boolean();
   output.nominal_known = view.at("nominal_known").boolean();
+  if (view.has("session_uses_sweep"))
+    for (const DocumentView& item : view.at("session_uses_sweep").items())
+      output.session_uses_sweep.push_back(item.boolean());
   for (const DocumentView& item : view.at("findings").items())
     output.findings.push_back({static_cast<Severity>(item.at("severity").integer(0, 2)), item.at("code").string(),
                                item.at("where").string(), item.at("explanation").string()});
   for (const DocumentView& item : view.at("keyframes").items())
-    output.keyframes.push_back(keyframe_from_document(item, session_count));
+    output.keyframes.push_back(keyframe_from_document(item, project.basis.session_count));
   for (const DocumentView& item : view.at("pairs").items())
     output.pairs.push_back(pair_from_document(item, output.keyframes.size()));
-  return output;
+}
+
+void add_setting_changes(const Settings& then, const Settings& now, std::vector<std::string>& changes) {
+  const DocumentNode before = settings_document(then), after = settings_document(now);
+  for (std::size_t s = 0; s < before.items.size(); ++s)
+    for (std::size_t i = 0; i < before.items[s].items.size(); ++i) {
+      const std::string key = before.keys[s] + "." + before.items[s].keys[i];
+      const std::string &old_value = before.items[s].items[i].text, &new_value = after.items[s].items[i].text;
+      if (old_value != new_value && key != "run.cache_mb")  // memory, not method
+        changes.push_back(key + " " + old_value + ", now " + new_value);
+    }
 }
 
 }  // namespace
+
+CalibrationBasis basis_of(const PipelineInput& input) {
+  return {input.sessions.size(), input.settings, input.nominal_ins_from_lidar};
+}
+
+std::vector<std::string> changes_since(const CalibrationBasis& calibration, const CalibrationBasis& now) {
+  std::vector<std::string> changes;
+  if (calibration.session_count != now.session_count)
+    changes.push_back(std::to_string(calibration.session_count) +
+                      (calibration.session_count == 1 ? " session, now " : " sessions, now ") +
+                      std::to_string(now.session_count));
+  const auto &then = calibration.nominal_ins_from_lidar, &present = now.nominal_ins_from_lidar;
+  if (then.has_value() != present.has_value())
+    changes.emplace_back(present ? "nominal mounting unknown, now given" : "nominal mounting given, now unknown");
+  else if (then && difference(*then, *present).norm() > 1e-9)
+    changes.emplace_back("another nominal mounting");
+  add_setting_changes(calibration.settings, now.settings, changes);
+  return changes;
+}
+
+std::vector<std::string> Project::changes_since_calibration() const {
+  if (!output) return {};
+  return changes_since(basis, {sessions.size(), settings, nominal_ins_from_lidar});
+}
 
 std::vector<PairVerdict> verdicts_of(const PipelineOutput& output) {
   std::vector<PairVerdict> verdicts;
@@ -176,8 +223,7 @@ Project load_project(const std::filesystem::path& path) {
   if (!root.at("nominal_ins_from_lidar").is_null())
     project.nominal_ins_from_lidar = transform_from_document(root.at("nominal_ins_from_lidar"));
   project.verdicts = verdicts_from(root.at("verdicts"));
-  if (!root.at("calibration").is_null())
-    project.output = calibration_from(root.at("calibration"), project.sessions.size(), project.inputs);
+  if (!root.at("calibration").is_null()) read_calibration(root.at("calibration"), project);
   return project;
 }
 

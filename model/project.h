@@ -19,13 +19,29 @@ struct PairVerdict {
   std::string reason;
 };
 
+/// What a calibration was made with. A project keeps it beside what is set now, since that can be edited afterwards.
+struct CalibrationBasis {
+  std::size_t session_count = 0;  ///< the first so many of the sessions
+  Settings settings;
+  std::optional<RigidTransform> nominal_ins_from_lidar;
+};
+CalibrationBasis basis_of(const PipelineInput& input);
+
+/// In words, one for each, what is set now and was not so for the calibration ("pairing.max_gap_s 1.5, now 2.5"); empty
+/// where the calibration would come out the same again.
+std::vector<std::string> changes_since(const CalibrationBasis& calibration, const CalibrationBasis& now);
+
 struct Project {
   std::vector<std::filesystem::path> sessions;  ///< absolute, or relative to the working directory
   Settings settings;
   std::optional<RigidTransform> nominal_ins_from_lidar;
   std::vector<PairVerdict> verdicts;
   std::optional<PipelineOutput> output;  ///< the last calibration, enough to review and solve again without scans
+  CalibrationBasis basis;                ///< what `output` was made with
   std::vector<InputFile> inputs;         ///< hashes of what that calibration read
+
+  /// changes_since of what is set in the project; empty without a calibration.
+  std::vector<std::string> changes_since_calibration() const;
 };
 
 /// The verdicts that the user has given in an output.

@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <map>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
@@ -186,6 +187,18 @@ std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Sessi
     progress.report("hashing inputs", ++done, files.size());
   });
   return inputs;
+}
+
+std::string changed_file(const std::vector<InputFile>& then, const std::vector<InputFile>& now) {
+  std::map<std::pair<std::string, std::string>, const InputFile*> present;
+  for (const InputFile& file : now) present[{file.session, file.file}] = &file;
+  for (const InputFile& file : then) {
+    const auto found = present.find({file.session, file.file});
+    const bool same =
+        found != present.end() && found->second->bytes == file.bytes && found->second->sha256 == file.sha256;
+    if (!same) return file.session + "/" + file.file;
+  }
+  return {};
 }
 
 bool is_usable(const CalibrationResult& result) {

@@ -63,6 +63,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     project.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
     project.inputs = inputs;
     project.output = output;
+    project.basis = basis_of(input);
     save_project(project, arguments.save_project);
   }
   return finish(make_result_file(input, output, std::move(inputs)), arguments.solve.output, console);

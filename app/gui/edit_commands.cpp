@@ -17,7 +17,7 @@ bool SettingsCommand::mergeWith(const QUndoCommand* other) {
 }
 
 NominalCommand::NominalCommand(Workbench& workbench, const QString& text, const std::optional<RigidTransform>& after)
-    : QUndoCommand(text), workbench_(workbench), before_(workbench.nominal()), after_(after) {}
+    : QUndoCommand(text), workbench_(workbench), before_(workbench.nominal_ins_from_lidar()), after_(after) {}
 
 bool NominalCommand::mergeWith(const QUndoCommand* other) {
   const auto* next = static_cast<const NominalCommand*>(other);

@@ -22,6 +22,16 @@
 #include "widgets/theme.h"
 
 namespace remount {
+namespace {
+
+/// The first of them; a hundred settings may have changed.
+QString in_short(const QStringList& changes) {
+  constexpr qsizetype kShown = 4;
+  const QString list = changes.first(std::min(kShown, changes.size())).join(QStringLiteral("; "));
+  return changes.size() <= kShown ? list : MainWindow::tr("%1 and %2 more").arg(list).arg(changes.size() - kShown);
+}
+
+}  // namespace
 
 void MainWindow::connect_intents() {
   connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
@@ -50,7 +60,8 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
   connect(&workbench_, &Workbench::project_changed, this, &MainWindow::show_project);
   connect(&workbench_, &Workbench::settings_changed, this, [this] { range_->show_settings(workbench_.settings()); });
-  connect(&workbench_, &Workbench::nominal_changed, this, [this] { nominal_->show_nominal(workbench_.nominal()); });
+  connect(&workbench_, &Workbench::nominal_changed, this,
+          [this] { nominal_->show_nominal(workbench_.nominal_ins_from_lidar()); });
   connect(&workbench_, &Workbench::output_changed, this, &MainWindow::show_output);
   connect(&workbench_, &Workbench::state_changed, this, &MainWindow::show_state);
   connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
@@ -130,8 +141,8 @@ void MainWindow::show_state() {
     note = tr("Solving again…");
   else if (output && workbench_.calibrating())
     note = tr("Calibrating; this is the result before.");
-  else if (output && workbench_.out_of_date())
-    note = tr("Sessions, nominal mounting or options changed since: calibrate again (F5).");
+  else if (const QStringList changes = workbench_.changes_since_output(); !changes.isEmpty())
+    note = tr("This result was made with other settings: %1. Calibrate again (F5).").arg(in_short(changes));
   result_->show_note(note);
 }
 

@@ -19,17 +19,15 @@ PairDecision user_decision(int pair, PairState state) {
   return {pair, state, DecidedBy::User, state == PairState::Accepted ? "accepted by the user" : "rejected by the user"};
 }
 
-/// Whether a change needs more than a new solution from the pairs that are there.
-bool needs_new_run(const Settings& before, const Settings& after) {
-  const auto first = option_fields(before), second = option_fields(after);
-  if (before.solve.apply_time_offset != after.solve.apply_time_offset ||
-      before.solve.joint_clouds != after.solve.joint_clouds)
-    return true;
-  for (std::size_t i = 0; i < first.size(); ++i)
-    if (first[i].value != second[i].value && first[i].section != QLatin1String("range") &&
-        first[i].section != QLatin1String("solve"))
-      return true;
-  return false;
+/// What a new solution from the pairs that are there takes over: the search range, and the solution's options but for
+/// those that only a whole calibration obeys.
+Settings solved_again_with(const Settings& of_pairs, const Settings& now) {
+  Settings settings = of_pairs;
+  settings.range = now.range;
+  settings.solve = now.solve;
+  settings.solve.apply_time_offset = of_pairs.solve.apply_time_offset;
+  settings.solve.joint_clouds = of_pairs.solve.joint_clouds;
+  return settings;
 }
 
 }  // namespace
@@ -54,15 +52,24 @@ PipelineInput Workbench::input_of_next_run() const {
   PipelineInput input;
   input.sessions = sessions_;
   input.settings = settings_;
-  input.nominal_ins_from_lidar = nominal_;
+  input.nominal_ins_from_lidar = nominal_ins_from_lidar_;
   return input;
 }
 
-PipelineInput Workbench::input_of_output() const {
+PipelineInput Workbench::input_of_next_solve() const {
   PipelineInput input = run_input_;
-  input.settings.range = settings_.range;
-  input.settings.solve = settings_.solve;
+  input.settings = solved_again_with(run_input_.settings, settings_);
   return input;
+}
+
+QStringList Workbench::changes_since_output() const {
+  QStringList changes;
+  if (!output_) return changes;
+  const CalibrationBasis shown = basis_of(solving() ? input_of_next_solve() : run_input_);
+  for (const std::string& change : changes_since(shown, basis_of(input_of_next_run())))
+    changes << QString::fromStdString(change);
+  if (data_changed_) changes << tr("other files in the sessions");
+  return changes;
 }
 
 JobRunner::Failed Workbench::report_failure() {
@@ -122,12 +129,11 @@ void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> session
     emit message(Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
     for (const Finding& finding : session->findings)
       emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
-    if (session->nominal_ins_from_lidar && !nominal_) {
+    if (session->nominal_ins_from_lidar && !nominal_ins_from_lidar_) {
       apply_nominal(session->nominal_ins_from_lidar);
       emit message(Severity::Note, path, tr("its nominal mounting is used"));
     }
     sessions_.push_back(std::move(session));
-    if (output_) out_of_date_ = true;
   }
   emit sessions_changed();
   emit state_changed();
@@ -171,6 +177,11 @@ void Workbench::calibrate() {
     emit message(Severity::Warning, {}, tr("There is nothing to calibrate yet: open a recorded session first."));
     return;
   }
+  const std::string nominal = nominal_problem(nominal_ins_from_lidar_, settings_.range);
+  if (!nominal.empty()) {
+    emit message(Severity::Problem, tr("Nominal mounting"), QString::fromStdString(nominal));
+    return;
+  }
   const std::vector<std::string> problems = settings_.check();
   if (!problems.empty()) {
     QStringList lines;
@@ -204,8 +215,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   run_input_ = input;
   output_before_ = output_solved_;
   output_ = output_solved_ = std::move(output);
-  out_of_date_ = needs_new_run(input.settings, settings_) || input.sessions.size() != sessions_.size();
-  exported_ = false;
+  data_changed_ = exported_ = false;
   undo_.clear();
   for (const Finding& finding : output_->findings)
     emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
@@ -313,15 +323,16 @@ void Workbench::start_solve() {
   jobs_.cancel(solve_job_);
   auto job = std::make_shared<int>(0);
   solve_job_ = jobs_.start(
-      [this, job, input = input_of_output(), output = *output_,
+      [this, job, input = input_of_next_solve(), output = *output_,
        solve = engine_.solve_again](Progress& progress) mutable -> JobRunner::Deliver {
         auto solved = std::make_shared<PipelineOutput>(std::move(output));
         solve(input, *solved, progress);
-        return [this, job, solved] {
+        return [this, job, solved, settings = input.settings] {
           if (*job != solve_job_ || solved->result.status == Status::Cancelled)
             return;  // a later decision is on its way
           output_before_ = output_solved_;
           output_ = output_solved_ = solved;
+          run_input_.settings = settings;
           exported_ = false;
           emit output_changed();
         };
@@ -348,12 +359,11 @@ void Workbench::reset_settings() {
 }
 
 void Workbench::apply_settings(const Settings& settings) {
-  const bool new_run = needs_new_run(settings_, settings);
   settings_ = settings;
   emit settings_changed();
   if (!output_) return;
-  if (new_run) set_out_of_date(needs_new_run(run_input_.settings, settings_));
   if (settings_.check().empty()) start_solve();
+  emit state_changed();
 }
 
 void Workbench::edit_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
@@ -365,13 +375,8 @@ void Workbench::use_result_as_nominal() {
 }
 
 void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
-  nominal_ = ins_from_lidar;
+  nominal_ins_from_lidar_ = ins_from_lidar;
   emit nominal_changed();
-  if (output_) set_out_of_date(true);
-}
-
-void Workbench::set_out_of_date(bool out_of_date) {
-  out_of_date_ = out_of_date;
   emit state_changed();
 }
 

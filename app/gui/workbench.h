@@ -12,6 +12,7 @@
 
 #include "app/gui/engine.h"
 #include "app/gui/job_runner.h"
+#include "model/project.h"
 #include "model/result_file.h"
 #include "model/session.h"
 
@@ -36,22 +37,24 @@ class Workbench : public QObject {
   const std::vector<std::shared_ptr<const Session>>& sessions() const { return sessions_; }
   QStringList session_names() const;
   const Settings& settings() const { return settings_; }
-  const std::optional<RigidTransform>& nominal() const { return nominal_; }
+  const std::optional<RigidTransform>& nominal_ins_from_lidar() const { return nominal_ins_from_lidar_; }
   OutputPtr output() const { return output_; }                ///< null before the first calibration
   OutputPtr output_before() const { return output_before_; }  ///< the result that the present one replaced
   int selected_pair() const { return selected_; }             ///< -1 for none
   bool opening() const { return jobs_.running(open_job_); }
   bool calibrating() const { return jobs_.running(run_job_); }
   bool solving() const { return jobs_.running(solve_job_); }
-  /// Sessions, nominal or options changed since the pairs were made: calibrate again.
-  bool out_of_date() const { return out_of_date_; }
+  /// What is set now and was not so for the result that is shown, in words, one for each: calibrate again. What a
+  /// solution under way will take up is not among them.
+  QStringList changes_since_output() const;
+  bool out_of_date() const { return !changes_since_output().isEmpty(); }
   const QString& stage() const { return stage_; }  ///< of the running calibration
   bool exported() const { return exported_; }
   /// Hashes of what was read, for provenance; made in the background after a calibration, empty until then.
   const std::vector<InputFile>& input_files() const { return input_files_; }
   QUndoStack& undo_stack() { return undo_; }
-  /// What the pairs were made from, with the present search range and solution options.
-  PipelineInput input_of_output() const;
+  /// What the output was made from, whatever is set now.
+  const PipelineInput& input_of_output() const { return run_input_; }
   PipelineInput input_of_next_run() const;
 
   void open(const QStringList& paths);
@@ -79,9 +82,8 @@ class Workbench : public QObject {
   void save_project(const QString& path, std::function<void()> saved = {});
   const QString& project_path() const { return project_path_; }  ///< empty where it has not been saved
   bool has_unsaved_decisions() const { return unsaved_ && !decisions_.empty(); }
-  /// Replaces everything.
-  void restore(std::vector<std::shared_ptr<const Session>> sessions, const Settings& settings,
-               const std::optional<RigidTransform>& nominal, OutputPtr output);
+  /// Replaces everything; the project's sessions are given opened, its paths are not used.
+  void restore(std::vector<std::shared_ptr<const Session>> sessions, const Project& project, OutputPtr output);
   JobRunner& jobs() { return jobs_; }
 
  signals:
@@ -114,21 +116,24 @@ class Workbench : public QObject {
   void start_solve();
   void load_clouds();
   void hash_input_files();
-  void set_out_of_date(bool out_of_date);
+  void compare_input_files();
+  /// The pairs as they are, with the present search range and solution options.
+  PipelineInput input_of_next_solve() const;
   void set_project(const QString& path, bool unsaved);
   JobRunner::Failed report_failure();
 
   Engine engine_;
   std::vector<std::shared_ptr<const Session>> sessions_;
   Settings settings_;
-  std::optional<RigidTransform> nominal_;
-  PipelineInput run_input_;  // of output_
+  std::optional<RigidTransform> nominal_ins_from_lidar_;
+  PipelineInput run_input_;  // of output_: what it was made with, solutions since then included
   OutputPtr output_, output_before_, output_solved_;
   Decisions decisions_;
   std::vector<InputFile> input_files_;
   int selected_ = -1;
   int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0;
-  bool out_of_date_ = false, exported_ = false, unsaved_ = false;
+  bool data_changed_ = false;  // the files on disk are not those that output_ was made from
+  bool exported_ = false, unsaved_ = false;
   QString stage_, project_path_;
   QUndoStack undo_;
   JobRunner jobs_;  // last: its threads end before anything they report to is gone

@@ -1,4 +1,6 @@
 // Projects: everything at once, from and to a file.
+#include <algorithm>
+
 #include "algorithms/core/error.h"
 #include "app/gui/workbench.h"
 #include "model/project.h"
@@ -15,10 +17,11 @@ void Workbench::save_project(const QString& path, std::function<void()> done) {
   Project project;
   for (const auto& session : sessions_) project.sessions.push_back(session->path);
   project.settings = settings_;
-  project.nominal_ins_from_lidar = nominal_;
+  project.nominal_ins_from_lidar = nominal_ins_from_lidar_;
   if (output_) {
     project.verdicts = verdicts_of(*output_);
     project.output = *output_;
+    project.basis = basis_of(run_input_);
   }
   project.inputs = input_files_;
   const OutputPtr saved = output_;
@@ -58,11 +61,15 @@ void Workbench::open_project(const QString& path) {
         OutputPtr output;
         if (project.output && failures.empty())
           output = std::make_shared<const PipelineOutput>(std::move(*project.output));
-        return [this, path, sessions, failures, output, settings = project.settings,
-                nominal = project.nominal_ins_from_lidar, inputs = project.inputs] {
-          restore(sessions, settings, nominal, output);
-          input_files_ = inputs;
+        project.output.reset();
+        return [this, path, sessions, failures, output, project = std::move(project)] {
+          restore(sessions, project, output);
           set_project(path, false);
+          if (const QStringList changes = changes_since_output(); !changes.isEmpty())
+            emit message(Severity::Warning, path,
+                         tr("holds a result that was made with other settings than it holds now: %1.\n"
+                            "Calibrate again (F5).")
+                             .arg(changes.join(QStringLiteral("; "))));
           for (const JobFailure& failure : failures) emit message(Severity::Problem, failure.where, failure.what);
         };
       },
@@ -70,21 +77,27 @@ void Workbench::open_project(const QString& path) {
   emit state_changed();
 }
 
-void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, const Settings& settings,
-                        const std::optional<RigidTransform>& nominal, OutputPtr output) {
+void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, const Project& project,
+                        OutputPtr output) {
   for (int job : {solve_job_, cloud_job_, hash_job_}) jobs_.cancel(job);
   solve_job_ = cloud_job_ = hash_job_ = 0;
   sessions_ = std::move(sessions);
-  settings_ = settings;
-  nominal_ = nominal;
+  settings_ = project.settings;
+  nominal_ins_from_lidar_ = project.nominal_ins_from_lidar;
   output_before_ = nullptr;
   output_ = output_solved_ = std::move(output);
   run_input_ = input_of_next_run();
+  if (output_) {
+    run_input_.settings = project.basis.settings;
+    run_input_.nominal_ins_from_lidar = project.basis.nominal_ins_from_lidar;
+    run_input_.sessions.resize(std::min(sessions_.size(), project.basis.session_count));
+  }
+  input_files_ = project.inputs;
   decisions_.clear();
   for (std::size_t i = 0; output_ && i < output_->pairs.size(); ++i)
     if (output_->pairs[i].decided_by == DecidedBy::User)
       decisions_[key_of(run_input_, *output_, output_->pairs[i])] = output_->pairs[i].state;
-  out_of_date_ = exported_ = false;
+  data_changed_ = exported_ = false;
   undo_.clear();
   emit sessions_changed();
   emit settings_changed();
@@ -93,6 +106,26 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   emit state_changed();
   selected_ = -1;
   select_pair(output_ && !output_->pairs.empty() ? 0 : -1);
+  if (output_) compare_input_files();
+}
+
+void Workbench::compare_input_files() {
+  if (input_files_.empty()) return;  // the calibration was made without hashes, or by another version
+  auto job = std::make_shared<int>(0);
+  hash_job_ = jobs_.start(
+      [this, job, sessions = run_input_.sessions, then = input_files_](Progress& progress) -> JobRunner::Deliver {
+        const std::vector<InputFile> now = hash_inputs(sessions, 1, progress);
+        const QString changed = progress.cancelled() ? QString() : QString::fromStdString(changed_file(then, now));
+        return [this, job, changed] {
+          if (*job != hash_job_ || changed.isEmpty()) return;
+          data_changed_ = true;
+          emit message(Severity::Warning, changed,
+                       tr("is not as it was when the result that is shown was made. Calibrate again (F5)."));
+          emit state_changed();
+        };
+      },
+      report_failure());
+  *job = hash_job_;
 }
 
 }  // namespace remount

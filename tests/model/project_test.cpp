@@ -62,7 +62,9 @@ Project example(const std::filesystem::path& folder) {
   output.findings.push_back({Severity::Warning, "ins-gap", "ins.csv", "a gap of 2 s"});
   output.initial_ins_from_lidar = *project.nominal_ins_from_lidar;
   output.nominal_known = true;
+  output.session_uses_sweep = {true, false};
   project.output = output;
+  project.basis = {2, project.settings, project.nominal_ins_from_lidar};
   project.inputs.push_back({"one", "ins.csv", 5, "abc"});
   return project;
 }
@@ -81,12 +83,35 @@ TEST_F(project, reads_back_what_it_saved) {
       (back.output->pairs[1].lidar_b_from_lidar_a.matrix() - rigid_from_six({3, 2, 1, -0.1, 0.2, 0.3}).matrix()).norm(),
       1e-14);
   EXPECT_EQ(back.output->findings.at(0).code, "ins-gap");
+  EXPECT_EQ(back.output->session_uses_sweep, (std::vector<bool>{true, false}));
   EXPECT_EQ(back.inputs.at(0).sha256, "abc");
   const std::string first = read_regular_file(path);
   save_project(back, path);
   const Project again = load_project(path);
   EXPECT_EQ(again.output->result.ins_from_lidar.matrix(), back.output->result.ins_from_lidar.matrix());
   EXPECT_EQ(read_regular_file(path).size(), first.size());
+}
+
+TEST_F(project, knows_that_a_calibration_was_made_with_other_settings) {
+  const auto path = folder_ / "a.remount";
+  Project edited = example(folder_);
+  EXPECT_TRUE(edited.changes_since_calibration().empty());
+  edited.settings.pairing.max_gap_s = 1.25;
+  edited.settings.run.cache_mb = 77;
+  edited.nominal_ins_from_lidar.reset();
+  edited.sessions.push_back(folder_ / "three");
+  save_project(edited, path);
+  const Project back = load_project(path);
+  EXPECT_EQ(back.settings.pairing.max_gap_s, 1.25);
+  EXPECT_EQ(back.basis.settings.pairing.max_gap_s, 2.5);
+  EXPECT_EQ(back.changes_since_calibration(),
+            (std::vector<std::string>{"2 sessions, now 3", "nominal mounting given, now unknown",
+                                      "pairing.max_gap_s 2.5, now 1.25"}));
+}
+
+TEST_F(project, an_untouched_project_reopens_as_current) {
+  save_project(example(folder_), folder_ / "a.remount");
+  EXPECT_TRUE(load_project(folder_ / "a.remount").changes_since_calibration().empty());
 }
 
 TEST_F(project, moves_with_its_data) {

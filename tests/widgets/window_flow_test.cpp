@@ -8,11 +8,13 @@
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTableView>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
 #include "app/gui/main_window.h"
 #include "app/gui/result_files.h"
+#include "model/io/parse_document.h"
 #include "tests/widgets/support/sample_world.h"
 #include "widgets/charts/error_bar_chart.h"
 #include "widgets/gl_support.h"
@@ -22,12 +24,18 @@
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/result_panel.h"
 #include "widgets/theme.h"
 
 namespace remount {
 namespace {
 
 constexpr int kPatience_ms = 20000;
+
+Settings load_result_settings(const QString& yaml) {
+  const DocumentNode document = parse_yaml(yaml.toStdString(), "result.yaml");
+  return result_from_document(DocumentView(document, "result.yaml")).settings;
+}
 
 class WindowFlow : public ::testing::Test {
  protected:
@@ -195,6 +203,51 @@ TEST_F(WindowFlow, a_change_of_the_search_range_solves_again_and_can_be_undone) 
   EXPECT_TRUE(workbench_.out_of_date()) << "alignments have to be made anew";
 }
 
+TEST_F(WindowFlow, a_result_made_with_other_settings_is_shown_as_such_also_after_reopening) {
+  QTemporaryDir folder;
+  const QString path = folder.filePath("job.remount");
+  show();
+  calibrate_drive();
+  const auto note = [&] {
+    for (const QLabel* label : child<ResultPanel>().findChildren<QLabel*>())
+      if (label->isVisible() && label->text().contains("other settings")) return label->text();
+    return QString();
+  };
+  EXPECT_EQ(note(), "");
+  workbench_.edit_option("registration", "voxel_m", 0.5);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(note().contains("registration.voxel_m") && note().contains("now 0.5")) << note().toStdString();
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(workbench_.out_of_date()) << "the edit was taken back";
+  workbench_.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  workbench_.edit_option("registration", "voxel_m", 0.5);
+  ASSERT_TRUE(settle());
+  workbench_.save_project(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kPatience_ms));
+
+  workbench_.open_project(path);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(workbench_.out_of_date());
+  EXPECT_TRUE(note().contains("nominal mounting") && note().contains("now 0.5")) << note().toStdString();
+  const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
+  EXPECT_TRUE(child<MessageBanner>().isVisible() && banner.contains("other settings")) << banner.toStdString();
+  EXPECT_EQ(load_result_settings(export_text(workbench_, "yaml")).registration.voxel_m, RegistrationOptions{}.voxel_m)
+      << "an exported result says with what it was made, not what is set now";
+  photograph(window_, "11-made-with-other-settings");
+}
+
+TEST_F(WindowFlow, a_nominal_outside_the_search_range_is_not_calibrated_with) {
+  show();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  workbench_.edit_nominal(rigid_from_six({6, 0, 1, 0, 0, 0}));
+  workbench_.calibrate();
+  EXPECT_FALSE(workbench_.calibrating());
+  const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
+  EXPECT_TRUE(banner.contains("x 6.00 m above 5.00 m")) << banner.toStdString();
+}
+
 TEST_F(WindowFlow, every_format_can_be_previewed_with_its_direction) {
   show();
   calibrate_drive();
@@ -265,6 +318,16 @@ TEST_F(WindowFlow, the_pair_is_shown_in_three_dimensions) {
   view.look(StandardView::Top);
   view.show_alignment(PairAlignment::Before);
   photograph(window_, "4-before-top");
+  const auto loads = loaded.count();
+  workbench_.select_pair(10);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > loads; }, kPatience_ms));
+  photograph(window_, "12-rejected-pair");
+  std::vector<int> nearly_all;
+  for (int index = 2; index < static_cast<int>(workbench_.output()->pairs.size()); ++index) nearly_all.push_back(index);
+  workbench_.decide(nearly_all, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.output()->result.status, Status::TooFewPairs);
+  photograph(window_, "13-not-solved");
 }
 
 TEST_F(WindowFlow, dark_palettes_are_followed) {
