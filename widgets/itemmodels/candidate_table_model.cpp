@@ -3,27 +3,14 @@
 #include <QBrush>
 #include <array>
 
+#include "model/display_units.h"
+
 namespace remount {
 namespace {
 
-double parameter(const Candidate& candidate, int column) {
-  const SixParameters six = six_from_rigid(candidate.ins_from_lidar);
-  switch (column) {
-    case CandidateTableModel::X:
-      return six.x_m;
-    case CandidateTableModel::Y:
-      return six.y_m;
-    case CandidateTableModel::Z:
-      return six.z_m;
-    case CandidateTableModel::Yaw:
-      return radians_to_degrees(six.yaw_rad);
-    case CandidateTableModel::Pitch:
-      return radians_to_degrees(six.pitch_rad);
-    case CandidateTableModel::Roll:
-      return radians_to_degrees(six.roll_rad);
-    default:
-      return candidate.frobenius_sum;
-  }
+double shown_number(const Candidate& candidate, int column) {
+  if (column < CandidateTableModel::X || column > CandidateTableModel::Roll) return candidate.frobenius_sum;
+  return six_on_screen(candidate.ins_from_lidar)[static_cast<std::size_t>(column - CandidateTableModel::X)];
 }
 
 }  // namespace
@@ -69,7 +56,7 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
     default:
       break;
   }
-  const double value = parameter(candidate, column);
+  const double value = shown_number(candidate, column);
   return role == SortRole ? QVariant(value) : QVariant(QString::number(value, 'f', column == ErrorSum ? 4 : 3));
 }
 

@@ -7,7 +7,7 @@
 #include <QRadioButton>
 #include <QSignalBlocker>
 
-#include "algorithms/calibration/calibration_result.h"
+#include "widgets/parameter_text.h"
 
 namespace remount {
 
@@ -26,15 +26,14 @@ NominalPanel::NominalPanel(QWidget* parent)
   grid->addWidget(unknown_, 0, 0, 1, 2);
   grid->addWidget(known_, 1, 0, 1, 2);
   grid->addWidget(file, 1, 2, 1, 2);
-  for (int i = 0; i < 6; ++i) {
-    const bool angle = i >= 3;
-    const auto name = kParameterNames[static_cast<std::size_t>(i)];
-    const QString text = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const bool angle = is_angle(i);
+    const QString text = parameter_name(i);
     auto* spin = new QDoubleSpinBox(this);
     spin->setDecimals(3);
     spin->setRange(angle ? -360.0 : -1000.0, angle ? 360.0 : 1000.0);
     spin->setSingleStep(angle ? 1.0 : 0.1);
-    spin->setSuffix(angle ? QStringLiteral("°") : QStringLiteral(" m"));
+    spin->setSuffix(unit_suffix(i));
     spin->setKeyboardTracking(false);
     spin->setAccessibleName(tr("Nominal %1").arg(text));
     spin->setObjectName("nominal." + text);
@@ -42,9 +41,10 @@ NominalPanel::NominalPanel(QWidget* parent)
     connect(spin, &QDoubleSpinBox::valueChanged, this, &NominalPanel::send);
     auto* label = new QLabel(text, this);
     label->setBuddy(spin);
-    grid->addWidget(label, 2 + i % 3, angle ? 2 : 0);
-    grid->addWidget(spin, 2 + i % 3, angle ? 3 : 1);
-    values_[static_cast<std::size_t>(i)] = spin;
+    const int row = 2 + static_cast<int>(i % 3);
+    grid->addWidget(label, row, angle ? 2 : 0);
+    grid->addWidget(spin, row, angle ? 3 : 1);
+    values_[i] = spin;
   }
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(3, 1);
@@ -68,13 +68,7 @@ void NominalPanel::send() {
 void NominalPanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
   const QSignalBlocker quiet_known(known_), quiet_unknown(unknown_);
   (ins_from_lidar ? known_ : unknown_)->setChecked(true);
-  const SixParameters six = six_from_rigid(ins_from_lidar.value_or(RigidTransform::Identity()));
-  const std::array<double, 6> shown{six.x_m,
-                                    six.y_m,
-                                    six.z_m,
-                                    radians_to_degrees(six.yaw_rad),
-                                    radians_to_degrees(six.pitch_rad),
-                                    radians_to_degrees(six.roll_rad)};
+  const std::array<double, 6> shown = six_on_screen(ins_from_lidar.value_or(RigidTransform::Identity()));
   for (std::size_t i = 0; i < 6; ++i) {
     const QSignalBlocker quiet(values_[i]);
     values_[i]->setEnabled(ins_from_lidar.has_value());

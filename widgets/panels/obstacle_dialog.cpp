@@ -72,8 +72,8 @@ ObstacleDialog::ObstacleDialog(const QString& scan, std::shared_ptr<const PairCl
                                const RigidTransform& calibrated_ins_from_lidar, QWidget* parent)
     : QDialog(parent),
       clouds_(std::move(clouds)),
-      nominal_(nominal_ins_from_lidar),
-      calibrated_(calibrated_ins_from_lidar),
+      nominal_ins_from_lidar_(nominal_ins_from_lidar),
+      calibrated_ins_from_lidar_(calibrated_ins_from_lidar),
       verdict_(new QLabel(this)),
       table_(new QTableWidget(this)) {
   setWindowTitle(tr("Obstacles in %1").arg(scan));
@@ -110,7 +110,8 @@ QWidget* ObstacleDialog::make_form() {
 void ObstacleDialog::check() {
   ObstacleComparison found;
   try {
-    found = compare_obstacles(clouds_->cloud_b, clouds_->objects_b, nominal_, calibrated_, options_);
+    found = compare_obstacles(clouds_->cloud_b, clouds_->objects_b, nominal_ins_from_lidar_, calibrated_ins_from_lidar_,
+                              options_);
   } catch (const Error& error) {
     table_->setRowCount(0);
     verdict_->setText(QString::fromStdString(error.what_happened()));

@@ -24,7 +24,7 @@ class ObstacleDialog : public QDialog {
   void check();
 
   std::shared_ptr<const PairClouds> clouds_;  // scan b is checked
-  RigidTransform nominal_, calibrated_;
+  RigidTransform nominal_ins_from_lidar_, calibrated_ins_from_lidar_;
   ObstacleOptions options_;
   QLabel* verdict_;
   QTableWidget* table_;

@@ -49,8 +49,7 @@ PairView::PairView(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(6, 2, 6, 2);
   column->setSpacing(2);
-  buttons_ = make_buttons();
-  column->addWidget(buttons_);
+  column->addWidget(make_buttons());
   column->addLayout(stack_, 1);
   column->addWidget(caption_);
   restyle();
@@ -71,38 +70,17 @@ PairView::~PairView() = default;
 QWidget* PairView::canvas() const { return canvas_; }
 
 QWidget* PairView::make_buttons() {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
+  buttons_ = new QWidget(this);
+  auto* layout = new QHBoxLayout(buttons_);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
-  const auto add = [&](const QString& text, const QString& help) {
-    auto* button = new QToolButton(row);
-    button->setText(text);
-    button->setToolTip(help);
-    button->setAccessibleName(text);
-    button->setEnabled(has_gl());
-    layout->addWidget(button);
-    return button;
-  };
-  const std::array<std::pair<QString, QString>, 3> names{{
-      {tr("Before"), tr("As predicted by the INS and the mounting the calibration started from")},
-      {tr("Aligned"), tr("As the two scans were aligned with each other")},
-      {tr("With result"), tr("As predicted by the INS and the present result")},
-  }};
-  for (int i = 0; i < 3; ++i) {
-    auto* button = add(names[static_cast<std::size_t>(i)].first, names[static_cast<std::size_t>(i)].second);
-    button->setCheckable(true);
-    button->setChecked(i == static_cast<int>(alignment_));
-    alignments_->addButton(button, i);
-  }
-  connect(alignments_, &QButtonGroup::idClicked, this,
-          [this](int id) { show_alignment(static_cast<PairAlignment>(id)); });
-  blink_ = add(tr("Blink"), tr("Shows before and aligned in turn (B); Space flips once"));
+  add_alignment_buttons();
+  blink_ = add_button(tr("Blink"), tr("Shows before and aligned in turn (B); Space flips once"));
   blink_->setCheckable(true);
   connect(blink_, &QToolButton::toggled, this, &PairView::set_blinking);
   layout->addStretch();
-  auto* objects =
-      add(tr("Objects"), tr("Boxes of the objects that both scans contain; moving ones are red and crossed out"));
+  auto* objects = add_button(tr("Objects"),
+                             tr("Boxes of the objects that both scans contain; moving ones are red and crossed out"));
   objects->setCheckable(true);
   objects->setChecked(true);
   connect(objects, &QToolButton::toggled, this, [this](bool on) {
@@ -110,15 +88,45 @@ QWidget* PairView::make_buttons() {
     render();
   });
   layout->addSpacing(8);
+  add_view_buttons();
+  return buttons_;
+}
+
+QToolButton* PairView::add_button(const QString& text, const QString& help) {
+  auto* button = new QToolButton(buttons_);
+  button->setText(text);
+  button->setToolTip(help);
+  button->setAccessibleName(text);
+  button->setEnabled(has_gl());
+  buttons_->layout()->addWidget(button);
+  return button;
+}
+
+void PairView::add_alignment_buttons() {
+  const std::array<std::pair<QString, QString>, 3> names{{
+      {tr("Before"), tr("As predicted by the INS and the mounting the calibration started from")},
+      {tr("Aligned"), tr("As the two scans were aligned with each other")},
+      {tr("With result"), tr("As predicted by the INS and the present result")},
+  }};
+  for (int i = 0; i < 3; ++i) {
+    auto* button = add_button(names[static_cast<std::size_t>(i)].first, names[static_cast<std::size_t>(i)].second);
+    button->setCheckable(true);
+    button->setChecked(i == static_cast<int>(alignment_));
+    alignments_->addButton(button, i);
+  }
+  connect(alignments_, &QButtonGroup::idClicked, this,
+          [this](int id) { show_alignment(static_cast<PairAlignment>(id)); });
+}
+
+void PairView::add_view_buttons() {
   const std::array<std::pair<QString, StandardView>, 4> views{{{tr("Fit"), StandardView::Fit},
                                                                {tr("Top"), StandardView::Top},
                                                                {tr("Side"), StandardView::Side},
                                                                {tr("Front"), StandardView::Front}}};
   for (const auto& [text, view] : views) {
-    connect(add(text, tr("View: %1. Drag orbits, Shift drag pans, the wheel zooms.").arg(text)), &QToolButton::clicked,
-            this, [this, view = view] { look(view); });
+    connect(add_button(text, tr("View: %1. Drag orbits, Shift drag pans, the wheel zooms.").arg(text)),
+            &QToolButton::clicked, this, [this, view = view] { look(view); });
   }
-  return row;
 }
 
 void PairView::show_message(const QString& text) {

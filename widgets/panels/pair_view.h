@@ -39,6 +39,9 @@ class PairView : public QWidget {
 
  private:
   QWidget* make_buttons();
+  QToolButton* add_button(const QString& text, const QString& help);
+  void add_alignment_buttons();
+  void add_view_buttons();
   void render();
   void update_caption();
   void restyle();
@@ -49,7 +52,7 @@ class PairView : public QWidget {
   QLabel* caption_;
   QStackedLayout* stack_;
   QButtonGroup* alignments_;
-  QWidget* buttons_ = nullptr;
+  QWidget* buttons_ = nullptr;  // the row above the scene
   QToolButton* blink_ = nullptr;
   QTimer* timer_;
   QString pair_caption_, gl_reason_;

@@ -7,18 +7,14 @@
 #include <cmath>
 
 #include "model/result_file.h"
+#include "widgets/parameter_text.h"
 #include "widgets/theme.h"
 
 namespace remount {
 namespace {
 
-QString parameter_name(std::size_t i) {
-  return QString::fromUtf8(kParameterNames[i].data(), static_cast<qsizetype>(kParameterNames[i].size()));
-}
-
-bool is_angle(std::size_t i) { return i >= 3; }
-QString unit(std::size_t i) { return is_angle(i) ? QStringLiteral("°") : QStringLiteral(" m"); }
-double on_screen(std::size_t i, double value) { return is_angle(i) ? radians_to_degrees(value) : value; }
+constexpr int kStatusRow = 0, kNoteRow = 1, kTitleRow = 2, kFirstParameterRow = 3, kButtonRow = 9, kWordsRow = 10;
+constexpr int kColumns = 4;
 
 QString html_list(const QString& title, const QStringList& items) {
   if (items.isEmpty()) return {};
@@ -64,16 +60,6 @@ bool has_numbers(Status status) {
   return status == Status::Ok || status == Status::Degenerate || status == Status::Inconsistent;
 }
 
-std::array<double, 6> six_on_screen(const RigidTransform& ins_from_lidar) {
-  const SixParameters six = six_from_rigid(ins_from_lidar);
-  return {six.x_m,
-          six.y_m,
-          six.z_m,
-          radians_to_degrees(six.yaw_rad),
-          radians_to_degrees(six.pitch_rad),
-          radians_to_degrees(six.roll_rad)};
-}
-
 QString result_as_text(const CalibrationResult& result) {
   QStringList lines{status_title(result.status),
                     ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)")};
@@ -83,8 +69,9 @@ QString result_as_text(const CalibrationResult& result) {
     lines << QStringLiteral("%1 = %2%3 %4")
                  .arg(parameter_name(i))
                  .arg(values[i], 0, 'f', 4)
-                 .arg(unit(i), sigma ? QStringLiteral("± %1%2").arg(on_screen(i, *sigma), 0, 'f', 4).arg(unit(i))
-                                     : ResultPanel::tr("(not observed: nominal kept)"));
+                 .arg(unit_suffix(i),
+                      sigma ? QStringLiteral("± %1%2").arg(on_screen(i, *sigma), 0, 'f', 4).arg(unit_suffix(i))
+                            : ResultPanel::tr("(not observed: nominal kept)"));
   }
   return lines.join('\n');
 }
@@ -99,6 +86,20 @@ ResultPanel::ResultPanel(QWidget* parent)
   auto* content = new QWidget;
   auto* grid = new QGridLayout(content);
   grid->setContentsMargins(8, 8, 8, 8);
+  make_labels(*grid);
+  make_rows(*grid);
+  make_buttons(*grid);
+  grid->setRowStretch(kWordsRow, 1);
+  grid->setColumnStretch(1, 1);
+  setWidget(content);
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  show_note({});
+  show_output(nullptr, nullptr);
+}
+
+void ResultPanel::make_labels(QGridLayout& grid) {
   for (QLabel* label : {status_, note_, words_}) {
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -106,47 +107,43 @@ ResultPanel::ResultPanel(QWidget* parent)
   status_->setAccessibleName(tr("Status of the result"));
   words_->setAccessibleName(tr("Explanation of the result"));
   words_->setAlignment(Qt::AlignTop);
-  grid->addWidget(status_, 0, 0, 1, 4);
-  grid->addWidget(note_, 1, 0, 1, 4);
-  const std::array<QString, 4> titles{QString(), tr("LiDAR in INS"), tr("1 sigma"), tr("moved")};
-  for (int column = 0; column < 4; ++column) {
+  grid.addWidget(status_, kStatusRow, 0, 1, kColumns);
+  grid.addWidget(note_, kNoteRow, 0, 1, kColumns);
+  grid.addWidget(words_, kWordsRow, 0, 1, kColumns);
+}
+
+void ResultPanel::make_rows(QGridLayout& grid) {
+  const std::array<QString, kColumns> titles{QString(), tr("LiDAR in INS"), tr("1 sigma"), tr("moved")};
+  for (int column = 0; column < kColumns; ++column) {
     auto* title = new QLabel(titles[static_cast<std::size_t>(column)]);
     title->setAlignment(Qt::AlignRight);
     title->setEnabled(false);
-    grid->addWidget(title, 2, column);
+    grid.addWidget(title, kTitleRow, column);
   }
-  QFont digits = font();
-  digits.setStyleHint(QFont::Monospace);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const int row = 3 + static_cast<int>(i);
-    grid->addWidget(new QLabel(parameter_name(i)), row, 0);
+    const int row = kFirstParameterRow + static_cast<int>(i);
+    grid.addWidget(new QLabel(parameter_name(i)), row, 0);
     rows_[i] = {new QLabel, new QLabel, new QLabel};
     int column = 1;
     for (QLabel* label : {rows_[i].value, rows_[i].sigma, rows_[i].moved}) {
       label->setAlignment(Qt::AlignRight);
       label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-      grid->addWidget(label, row, column++);
+      grid.addWidget(label, row, column++);
     }
     rows_[i].value->setAccessibleName(tr("Value of %1").arg(parameter_name(i)));
     rows_[i].sigma->setAccessibleName(tr("Sigma of %1").arg(parameter_name(i)));
     rows_[i].moved->setToolTip(tr("Change since the result before the last decision"));
   }
+}
+
+void ResultPanel::make_buttons(QGridLayout& grid) {
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(copy_);
   buttons->addWidget(export_);
   buttons->addStretch();
-  grid->addLayout(buttons, 9, 0, 1, 4);
-  grid->addWidget(words_, 10, 0, 1, 4);
-  grid->setRowStretch(10, 1);
-  grid->setColumnStretch(1, 1);
+  grid.addLayout(buttons, kButtonRow, 0, 1, kColumns);
   connect(copy_, &QPushButton::clicked, this, &ResultPanel::copy_requested);
   connect(export_, &QPushButton::clicked, this, &ResultPanel::export_requested);
-  setWidget(content);
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  show_note({});
-  show_output(nullptr, nullptr);
 }
 
 void ResultPanel::show_note(const QString& note) {
@@ -184,7 +181,7 @@ void ResultPanel::show_parameters(const CalibrationResult& result, const Calibra
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const std::optional<double> sigma = finite_sigma(result, i);
     Row& row = rows_[i];
-    row.value->setText(numbers ? QString::number(values[i], 'f', 4) + unit(i) : QStringLiteral("–"));
+    row.value->setText(numbers ? QString::number(values[i], 'f', 4) + unit_suffix(i) : QStringLiteral("–"));
     row.value->setEnabled(numbers && sigma.has_value());
     const double spread = sigma ? on_screen(i, *sigma) : 0.0;
     const double bootstrap = on_screen(i, result.bootstrap_sigma[i]);
@@ -220,7 +217,7 @@ void ResultPanel::show_words(const PipelineOutput& output) {
                    .arg(radians_to_degrees(result.rotation_rms_rad), 0, 'f', 3);
     figures << tr("E = %1 (Frobenius sum)").arg(result.frobenius_sum, 0, 'f', 4);
   }
-  if (std::isfinite(result.time_offset.offset_s))
+  if (has_numbers(result.status) && std::isfinite(result.time_offset.offset_s))
     figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
                    .arg(1e3 * result.time_offset.offset_s, 0, 'f', 1)
                    .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 1)

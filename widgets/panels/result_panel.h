@@ -8,6 +8,7 @@
 
 #include "model/pipeline.h"
 
+class QGridLayout;
 class QLabel;
 class QPushButton;
 
@@ -30,6 +31,9 @@ class ResultPanel : public QScrollArea {
   struct Row {
     QLabel *value, *sigma, *moved;
   };
+  void make_labels(QGridLayout& grid);
+  void make_rows(QGridLayout& grid);
+  void make_buttons(QGridLayout& grid);
   void show_parameters(const CalibrationResult& result, const CalibrationResult* before);
   void show_words(const PipelineOutput& output);
 
@@ -45,8 +49,6 @@ class ResultPanel : public QScrollArea {
 QString status_title(Status status);
 /// Whether the six numbers of a result mean anything.
 bool has_numbers(Status status);
-/// x, y, z in m, yaw, pitch, roll in degrees: as the screen shows them.
-std::array<double, 6> six_on_screen(const RigidTransform& ins_from_lidar);
 /// "x = 0.9000 m ± 0.0020 …" line by line, for the clipboard.
 QString result_as_text(const CalibrationResult& result);
 
