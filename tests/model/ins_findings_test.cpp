@@ -33,15 +33,15 @@ bool has(const std::vector<Finding>& findings, const std::string& code) {
   return false;
 }
 
-TEST(InsFindings, NothingIsWrongWithAGoodDrive) { EXPECT_TRUE(ins_findings(drive(90, 3)).empty()); }
+TEST(ins_findings, nothing_is_wrong_with_a_good_drive) { EXPECT_TRUE(ins_findings(drive(90, 3)).empty()); }
 
-TEST(InsFindings, TooLittleMotionIsNamed) {
+TEST(ins_findings, too_little_motion_is_named) {
   EXPECT_TRUE(has(ins_findings(drive(2, 0)), "little-turning"));
   EXPECT_FALSE(has(ins_findings(drive(90, 0)), "little-turning"));
   EXPECT_TRUE(has(ins_findings(drive(90, 0.1)), "flat-driving"));
 }
 
-TEST(InsFindings, GapsFrozenSolutionsJumpsAndStatus) {
+TEST(ins_findings, gaps_frozen_solutions_jumps_and_status) {
   Session gap = drive(90, 3);
   gap.ins.erase(gap.ins.begin() + 100, gap.ins.begin() + 150);
   EXPECT_TRUE(has(ins_findings(gap), "ins-gaps"));

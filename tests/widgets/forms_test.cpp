@@ -17,7 +17,7 @@
 namespace remount {
 namespace {
 
-TEST(OptionAccess, every_option_can_be_read_and_set) {
+TEST(option_access, every_option_can_be_read_and_set) {
   const Settings defaults;
   for (const OptionField& field : option_fields(defaults)) {
     Settings changed;
@@ -38,7 +38,7 @@ TEST(OptionAccess, every_option_can_be_read_and_set) {
   EXPECT_FALSE(set_option(settings, "run", "no_such_option", 1));
 }
 
-TEST(OptionForm, shows_a_value_without_sending_it_back) {
+TEST(option_form, shows_a_value_without_sending_it_back) {
   Settings settings;
   OptionForm form("pairing", settings);
   QSignalSpy edited(&form, &OptionForm::edited);
@@ -54,7 +54,7 @@ TEST(OptionForm, shows_a_value_without_sending_it_back) {
   EXPECT_DOUBLE_EQ(edited[0][2].toDouble(), 3.0);
 }
 
-TEST(OptionForm, no_default_is_rounded_away) {
+TEST(option_form, no_default_is_rounded_away) {
   const Settings settings;
   for (const OptionField& field : option_fields(settings)) {
     if (field.kind != OptionKind::Real) continue;
@@ -64,7 +64,7 @@ TEST(OptionForm, no_default_is_rounded_away) {
   }
 }
 
-TEST(RangePanel, shows_degrees_and_sends_radians) {
+TEST(range_panel, shows_degrees_and_sends_radians) {
   RangePanel panel;
   QSignalSpy edited(&panel, &RangePanel::edited);
   auto* spin = panel.findChild<QDoubleSpinBox*>("range.yaw_min_rad");
@@ -75,7 +75,7 @@ TEST(RangePanel, shows_degrees_and_sends_radians) {
   EXPECT_NEAR(edited[0][2].toDouble(), -0.5 * kPi, 1e-9);
 }
 
-TEST(NominalPanel, sends_what_it_shows_and_unknown_as_nothing) {
+TEST(nominal_panel, sends_what_it_shows_and_unknown_as_nothing) {
   NominalPanel panel;
   std::vector<std::optional<RigidTransform>> sent;
   QObject::connect(&panel, &NominalPanel::nominal_edited, [&](const auto& nominal) { sent.push_back(nominal); });
@@ -93,7 +93,7 @@ TEST(NominalPanel, sends_what_it_shows_and_unknown_as_nothing) {
   EXPECT_FALSE(sent[1]);
 }
 
-TEST(ErrorBarChart, a_click_finds_its_pair_and_the_arrows_the_next) {
+TEST(error_bar_chart, a_click_finds_its_pair_and_the_arrows_the_next) {
   PipelineInput input;
   input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
   ErrorBarChart chart;
@@ -117,7 +117,7 @@ TEST(ErrorBarChart, a_click_finds_its_pair_and_the_arrows_the_next) {
   chart.grab();  // paints
 }
 
-TEST(ResultPanel, never_prints_a_sigma_for_what_is_not_observed) {
+TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
   CalibrationResult result;
   result.status = Status::Degenerate;
   result.observed = {true, true, false, true, true, true};
@@ -129,7 +129,7 @@ TEST(ResultPanel, never_prints_a_sigma_for_what_is_not_observed) {
   EXPECT_TRUE(lines[4].startsWith("z = ") && !lines[4].contains("±")) << lines[4].toStdString();
 }
 
-TEST(ProgressStrip, says_how_long_only_when_it_can_know) {
+TEST(progress_strip, says_how_long_only_when_it_can_know) {
   EXPECT_TRUE(remaining_text(500, 10, 100).isEmpty());
   EXPECT_TRUE(remaining_text(5000, 0, 100).isEmpty());
   EXPECT_EQ(remaining_text(10000, 50, 100), "about 10 s left");

@@ -21,7 +21,7 @@ std::shared_ptr<const PipelineOutput> output_of(int pairs) {
   return std::make_shared<const PipelineOutput>(testing::sample_output(input_of_one_drive(), pairs));
 }
 
-TEST(PairTableModel, keeps_the_contract_of_item_models) {
+TEST(pair_table_model, keeps_the_contract_of_item_models) {
   PairTableModel model;
   const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   model.show_output(output_of(20), {"drive1"});
@@ -29,7 +29,7 @@ TEST(PairTableModel, keeps_the_contract_of_item_models) {
   EXPECT_EQ(model.rowCount(), 0);
 }
 
-TEST(PairTableModel, updates_the_same_pairs_without_a_reset) {
+TEST(pair_table_model, updates_the_same_pairs_without_a_reset) {
   PairTableModel model;
   model.show_output(output_of(20), {"drive1"});
   QSignalSpy resets(&model, &QAbstractItemModel::modelReset), changes(&model, &QAbstractItemModel::dataChanged);
@@ -40,7 +40,7 @@ TEST(PairTableModel, updates_the_same_pairs_without_a_reset) {
   EXPECT_EQ(resets.count(), 1);
 }
 
-TEST(PairTableModel, shows_units_of_its_headings) {
+TEST(pair_table_model, shows_units_of_its_headings) {
   PairTableModel model;
   auto output = std::make_shared<PipelineOutput>(*output_of(5));
   output->pairs[2].residual_translation_m = 0.1234;
@@ -51,7 +51,7 @@ TEST(PairTableModel, shows_units_of_its_headings) {
   EXPECT_EQ(model.index(2, PairTableModel::SessionName).data().toString(), "drive1");
 }
 
-TEST(PairFilter, sorts_by_number_and_not_by_text) {
+TEST(pair_filter, sorts_by_number_and_not_by_text) {
   PairTableModel model;
   auto output = std::make_shared<PipelineOutput>(*output_of(3));
   output->pairs[0].baseline_m = 10.0;
@@ -65,7 +65,7 @@ TEST(PairFilter, sorts_by_number_and_not_by_text) {
   EXPECT_EQ(filter.mapToSource(filter.index(2, 0)).row(), 0);
 }
 
-TEST(PairFilter, filters_by_state_and_by_text_together) {
+TEST(pair_filter, filters_by_state_and_by_text_together) {
   PairTableModel model;
   model.show_output(output_of(50), {"drive1"});
   PairFilter filter;
@@ -81,7 +81,7 @@ TEST(PairFilter, filters_by_state_and_by_text_together) {
   EXPECT_EQ(filter.rowCount(), 50);
 }
 
-TEST(CandidateTableModel, shows_why_a_candidate_is_out_of_range) {
+TEST(candidate_table_model, shows_why_a_candidate_is_out_of_range) {
   CandidateTableModel model;
   const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   model.show_output(output_of(20));
@@ -92,7 +92,7 @@ TEST(CandidateTableModel, shows_why_a_candidate_is_out_of_range) {
       << "candidates out of range are not ranked";
 }
 
-TEST(SessionListModel, lists_findings_beneath_their_session) {
+TEST(session_list_model, lists_findings_beneath_their_session) {
   SessionListModel model;
   const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   model.show_sessions({std::make_shared<const Session>(testing::sample_session("drive1")),

@@ -28,7 +28,7 @@ SimulationOptions short_drive() {
   return options;
 }
 
-class RealDrive : public ::testing::Test {
+class real_drive : public ::testing::Test {
  protected:
   void SetUp() override {
     ASSERT_TRUE(folder_.isValid());
@@ -45,7 +45,7 @@ class RealDrive : public ::testing::Test {
   SimulatedDrive drive_;
 };
 
-TEST_F(RealDrive, is_calibrated_reviewed_saved_and_opened_again) {
+TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
   const QString project = folder_.filePath("job.remount");
   RigidTransform found = RigidTransform::Identity();
   {
@@ -96,7 +96,7 @@ TEST_F(RealDrive, is_calibrated_reviewed_saved_and_opened_again) {
   EXPECT_LT(rotation_angle_between_rad(workbench.output()->result.ins_from_lidar, found), 1e-9);
 }
 
-TEST_F(RealDrive, a_missing_folder_is_a_message_and_no_more) {
+TEST_F(real_drive, a_missing_folder_is_a_message_and_no_more) {
   Workbench workbench(model_engine());
   QSignalSpy messages(&workbench, &Workbench::message);
   workbench.open({folder_.filePath("nowhere")});

@@ -9,7 +9,7 @@
 namespace remount {
 namespace {
 
-TEST(Framing, one_bad_coordinate_does_not_move_the_camera) {
+TEST(framing, one_bad_coordinate_does_not_move_the_camera) {
   PointCloud cloud = testing::street_cloud(rigid_from_six(testing::kTruth), 1);
   const Framing before = robust_framing(cloud.points, RigidTransform::Identity());
   cloud.points.emplace_back(1e9F, 0.0F, 0.0F);
@@ -19,11 +19,11 @@ TEST(Framing, one_bad_coordinate_does_not_move_the_camera) {
   EXPECT_LT((after.centre_m - before.centre_m).norm(), 0.05 * before.radius_m);
 }
 
-TEST(Framing, an_empty_cloud_has_a_view_all_the_same) {
+TEST(framing, an_empty_cloud_has_a_view_all_the_same) {
   EXPECT_GT(robust_framing({}, RigidTransform::Identity()).radius_m, 0.0);
 }
 
-TEST(PairTransforms, agree_under_the_true_mounting_and_differ_under_a_wrong_one) {
+TEST(pair_transforms, agree_under_the_true_mounting_and_differ_under_a_wrong_one) {
   PipelineInput input;
   input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
   PipelineOutput output = testing::sample_output(input, 20);

@@ -37,9 +37,9 @@ Settings load_result_settings(const QString& yaml) {
   return result_from_document(DocumentView(document, "result.yaml")).settings;
 }
 
-class WindowFlow : public ::testing::Test {
+class window_flow : public ::testing::Test {
  protected:
-  explicit WindowFlow(int stages = 10) : workbench_(testing::sample_engine(stages)), window_(workbench_) {}
+  explicit window_flow(int stages = 10) : workbench_(testing::sample_engine(stages)), window_(workbench_) {}
 
   void show() {
     window_.show();
@@ -80,7 +80,7 @@ class WindowFlow : public ::testing::Test {
   MainWindow window_;
 };
 
-TEST_F(WindowFlow, rejecting_moves_the_result_and_undo_takes_it_back) {
+TEST_F(window_flow, rejecting_moves_the_result_and_undo_takes_it_back) {
   show();
   photograph(window_, "1-empty");
   calibrate_drive();
@@ -99,7 +99,7 @@ TEST_F(WindowFlow, rejecting_moves_the_result_and_undo_takes_it_back) {
   EXPECT_NEAR(x_m(), before_m, 1e-12);
 }
 
-TEST_F(WindowFlow, table_chart_and_keys_share_one_selection) {
+TEST_F(window_flow, table_chart_and_keys_share_one_selection) {
   show();
   calibrate_drive();
   auto& pairs = child<PairsPanel>();
@@ -119,7 +119,7 @@ TEST_F(WindowFlow, table_chart_and_keys_share_one_selection) {
   EXPECT_EQ(workbench_.selected_pair(), 10) << "pair 9 has been decided by the user";
 }
 
-TEST_F(WindowFlow, letters_decide_pairs_but_not_while_text_is_typed) {
+TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
   if (!missing_gl_reason().isEmpty()) GTEST_SKIP() << "shortcuts need a window that can be active";
   show();
   window_.activateWindow();
@@ -151,7 +151,7 @@ TEST_F(WindowFlow, letters_decide_pairs_but_not_while_text_is_typed) {
   EXPECT_EQ(view.alignment(), flipped);
 }
 
-TEST_F(WindowFlow, several_marked_pairs_are_one_edit) {
+TEST_F(window_flow, several_marked_pairs_are_one_edit) {
   show();
   calibrate_drive();
   workbench_.decide({1, 2, 4}, PairState::Rejected);
@@ -162,7 +162,7 @@ TEST_F(WindowFlow, several_marked_pairs_are_one_edit) {
   for (int index : {1, 2, 4}) EXPECT_NE(pair(index).decided_by, DecidedBy::User) << "pair " << index;
 }
 
-TEST_F(WindowFlow, decisions_outlive_a_new_calibration) {
+TEST_F(window_flow, decisions_outlive_a_new_calibration) {
   show();
   calibrate_drive();
   workbench_.decide({5}, PairState::Rejected);
@@ -173,7 +173,7 @@ TEST_F(WindowFlow, decisions_outlive_a_new_calibration) {
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
 }
 
-TEST_F(WindowFlow, unreadable_input_is_explained_and_nothing_is_lost) {
+TEST_F(window_flow, unreadable_input_is_explained_and_nothing_is_lost) {
   show();
   calibrate_drive();
   window_.open_paths({"/data/holiday-photos"});
@@ -187,7 +187,7 @@ TEST_F(WindowFlow, unreadable_input_is_explained_and_nothing_is_lost) {
   photograph(window_, "5-unreadable");
 }
 
-TEST_F(WindowFlow, a_change_of_the_search_range_solves_again_and_can_be_undone) {
+TEST_F(window_flow, a_change_of_the_search_range_solves_again_and_can_be_undone) {
   show();
   calibrate_drive();
   const OutputPtr before = workbench_.output();
@@ -203,7 +203,7 @@ TEST_F(WindowFlow, a_change_of_the_search_range_solves_again_and_can_be_undone) 
   EXPECT_TRUE(workbench_.out_of_date()) << "alignments have to be made anew";
 }
 
-TEST_F(WindowFlow, a_result_made_with_other_settings_is_shown_as_such_also_after_reopening) {
+TEST_F(window_flow, a_result_made_with_other_settings_is_shown_as_such_also_after_reopening) {
   QTemporaryDir folder;
   const QString path = folder.filePath("job.remount");
   show();
@@ -237,7 +237,7 @@ TEST_F(WindowFlow, a_result_made_with_other_settings_is_shown_as_such_also_after
   photograph(window_, "11-made-with-other-settings");
 }
 
-TEST_F(WindowFlow, a_nominal_outside_the_search_range_is_not_calibrated_with) {
+TEST_F(window_flow, a_nominal_outside_the_search_range_is_not_calibrated_with) {
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
@@ -248,7 +248,7 @@ TEST_F(WindowFlow, a_nominal_outside_the_search_range_is_not_calibrated_with) {
   EXPECT_TRUE(banner.contains("x 6.00 m above 5.00 m")) << banner.toStdString();
 }
 
-TEST_F(WindowFlow, every_format_can_be_previewed_with_its_direction) {
+TEST_F(window_flow, every_format_can_be_previewed_with_its_direction) {
   show();
   calibrate_drive();
   ASSERT_FALSE(export_formats().empty());
@@ -263,7 +263,7 @@ TEST_F(WindowFlow, every_format_can_be_previewed_with_its_direction) {
   dialog.close();
 }
 
-TEST_F(WindowFlow, closing_while_calibrating_ends_in_time) {
+TEST_F(window_flow, closing_while_calibrating_ends_in_time) {
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
@@ -272,12 +272,12 @@ TEST_F(WindowFlow, closing_while_calibrating_ends_in_time) {
   ASSERT_TRUE(settle());
 }
 
-class SlowWindowFlow : public WindowFlow {
+class slow_window_flow : public window_flow {
  protected:
-  SlowWindowFlow() : WindowFlow(2000) {}
+  slow_window_flow() : window_flow(2000) {}
 };
 
-TEST_F(SlowWindowFlow, cancel_keeps_what_was_there) {
+TEST_F(slow_window_flow, cancel_keeps_what_was_there) {
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
@@ -291,7 +291,7 @@ TEST_F(SlowWindowFlow, cancel_keeps_what_was_there) {
   EXPECT_EQ(workbench_.sessions().size(), 1U);
 }
 
-TEST_F(WindowFlow, the_pair_is_shown_in_three_dimensions) {
+TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   if (!missing_gl_reason().isEmpty())
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   show();
@@ -330,7 +330,7 @@ TEST_F(WindowFlow, the_pair_is_shown_in_three_dimensions) {
   photograph(window_, "13-not-solved");
 }
 
-TEST_F(WindowFlow, dark_palettes_are_followed) {
+TEST_F(window_flow, dark_palettes_are_followed) {
   if (!missing_gl_reason().isEmpty())
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
   const QPalette light = QApplication::palette();

@@ -21,7 +21,7 @@ std::vector<PairInfluence> measurements(int seed, int blocks, int per_block) {
   return out;
 }
 
-TEST(Bootstrap, FindsTheErrorOfTheMeanAlsoWhereABlockSharesItsErrors) {
+TEST(bootstrap, finds_the_error_of_the_mean_also_where_a_block_shares_its_errors) {
   for (const int per_block : {1, 10}) {
     double variance = 0.0;
     for (int seed = 0; seed < 20; ++seed)
@@ -31,7 +31,7 @@ TEST(Bootstrap, FindsTheErrorOfTheMeanAlsoWhereABlockSharesItsErrors) {
   }
 }
 
-TEST(Bootstrap, SameSeedSameBytesOtherSeedOtherSample) {
+TEST(bootstrap, same_seed_same_bytes_other_seed_other_sample) {
   const std::vector<PairInfluence> pairs = measurements(1, 20, 3);
   const Matrix6d first = bootstrap_covariance(pairs, Matrix6d::Zero(), 50, 7, {});
   EXPECT_TRUE(first == bootstrap_covariance(pairs, Matrix6d::Zero(), 50, 7, {}));
@@ -39,7 +39,7 @@ TEST(Bootstrap, SameSeedSameBytesOtherSeedOtherSample) {
   EXPECT_GE(Eigen::SelfAdjointEigenSolver<Matrix6d>(first).eigenvalues()[0], 0.0);
 }
 
-TEST(Bootstrap, ClaimsNothingFromTooLittle) {
+TEST(bootstrap, claims_nothing_from_too_little) {
   EXPECT_EQ(bootstrap_covariance(measurements(1, 3, 10), Matrix6d::Zero(), 50, 1, {}).norm(), 0.0);
   EXPECT_EQ(bootstrap_covariance({}, Matrix6d::Identity(), 50, 1, {}).norm(), 0.0);
   EXPECT_EQ(bootstrap_covariance(measurements(1, 20, 1), Matrix6d::Zero(), 0, 1, {}).norm(), 0.0);

@@ -29,7 +29,7 @@ double mean_normalised_error2(const DriveOptions& options, const NoiseModel& ass
   return sum / problems;
 }
 
-TEST(JointSolver, IsExactOnExactData) {
+TEST(joint_solver, is_exact_on_exact_data) {
   DriveOptions options;
   options.noise = no_noise();
   const SimulatedDrive drive = simulate(options, 1);
@@ -39,7 +39,7 @@ TEST(JointSolver, IsExactOnExactData) {
   for (const Vector6d& error : solution.node_errors) EXPECT_LT(error.norm(), 1e-7);
 }
 
-TEST(JointSolver, ErrorsAreConsistentWithTheCovariance) {
+TEST(joint_solver, errors_are_consistent_with_the_covariance) {
   // 60 problems of six degrees of freedom: the mean scatters by 0.45 about 6.
   const DriveOptions options;
   const double mean = mean_normalised_error2(options, options.noise, 60);
@@ -47,7 +47,7 @@ TEST(JointSolver, ErrorsAreConsistentWithTheCovariance) {
   EXPECT_LT(mean, 7.4);
 }
 
-TEST(JointSolver, ErrorsAreConsistentWhereTheInsDriftsAndOptimisticWhereThatIsNotModelled) {
+TEST(joint_solver, errors_are_consistent_where_the_ins_drifts_and_optimistic_where_that_is_not_modelled) {
   DriveOptions options;
   options.noise.ins_position_drift = 0.05;
   options.noise.ins_attitude_drift = 1e-3;
@@ -57,7 +57,7 @@ TEST(JointSolver, ErrorsAreConsistentWhereTheInsDriftsAndOptimisticWhereThatIsNo
   EXPECT_GT(mean_normalised_error2(options, NoiseModel{}, 30), 2.0 * mean);
 }
 
-TEST(JointSolver, ErrorsAreConsistentWithAttitudeErrorsThatStayOverADrive) {
+TEST(joint_solver, errors_are_consistent_with_attitude_errors_that_stay_over_a_drive) {
   DriveOptions options;
   options.sessions = 3;
   options.keyframes = 20;
@@ -67,7 +67,7 @@ TEST(JointSolver, ErrorsAreConsistentWithAttitudeErrorsThatStayOverADrive) {
   EXPECT_LT(mean, 8.0);
 }
 
-TEST(JointSolver, AFixThatEntersManyPairsIsCountedOnce) {
+TEST(joint_solver, a_fix_that_enters_many_pairs_is_counted_once) {
   // More partners for each keyframe repeat the same fixes: where their noise dominates, sigma stays.
   DriveOptions few, many;
   few.noise.registration_scale = many.noise.registration_scale = 0.1;
@@ -83,7 +83,7 @@ TEST(JointSolver, AFixThatEntersManyPairsIsCountedOnce) {
   EXPECT_LT(mean, 8.0);
 }
 
-TEST(JointSolver, FindsTheClockOffset) {
+TEST(joint_solver, finds_the_clock_offset) {
   const DriveOptions options;
   constexpr double kOffset_s = 0.02;  // the poses were taken too early by this
   SimulatedDrive drive = simulate(options, 3);
@@ -99,7 +99,7 @@ TEST(JointSolver, FindsTheClockOffset) {
   EXPECT_LT(solution.time_offset_sigma_s[0], 0.01);
 }
 
-TEST(JointSolver, TermsOfWeightZeroAreLeftOut) {
+TEST(joint_solver, terms_of_weight_zero_are_left_out) {
   const DriveOptions options;
   SimulatedDrive drive = simulate(options, 4);
   const JointSolution without = solve_joint(drive.problem, options.noise, kOff, 20, {});
@@ -111,7 +111,7 @@ TEST(JointSolver, TermsOfWeightZeroAreLeftOut) {
   EXPECT_LT(distance_of(with.ins_from_lidar, without.ins_from_lidar), 1e-12);
 }
 
-TEST(JointSolver, WhatFlatDrivingDoesNotShowStaysAtThePriorWithItsSigma) {
+TEST(joint_solver, what_flat_driving_does_not_show_stays_at_the_prior_with_its_sigma) {
   DriveOptions options;
   options.tilt_rad = 0.0;
   options.noise = no_noise();
@@ -124,7 +124,7 @@ TEST(JointSolver, WhatFlatDrivingDoesNotShowStaysAtThePriorWithItsSigma) {
   EXPECT_LT(std::abs(solution.information(2, 2)), 1e-3 * solution.information(0, 0)) << "the data say nothing";
 }
 
-TEST(JointSolver, CancelledIsNotConverged) {
+TEST(joint_solver, cancelled_is_not_converged) {
   std::stop_source stop;
   stop.request_stop();
   const JointSolution solution =
@@ -133,7 +133,7 @@ TEST(JointSolver, CancelledIsNotConverged) {
   EXPECT_EQ(distance_of(solution.ins_from_lidar, kOff), 0.0);
 }
 
-TEST(EstimateNoise, RecoversTheSigmasOfTheInsWithinThirtyPercentFromAGuessThreeTimesOff) {
+TEST(estimate_noise, recovers_the_sigmas_of_the_ins_within_thirty_percent_from_a_guess_three_times_off) {
   DriveOptions options;
   options.keyframes = 80;
   options.noise.ins_position_sigma_m = 0.03;

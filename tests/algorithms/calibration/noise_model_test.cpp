@@ -31,7 +31,7 @@ Matrix6d random_information(std::mt19937_64& random, int rank) {
   return information;
 }
 
-TEST(NoiseModel, RegistrationInformationIsTheInverseOfTheSumOfBothCovariances) {
+TEST(noise_model, registration_information_is_the_inverse_of_the_sum_of_both_covariances) {
   std::mt19937_64 random(1);
   const NoiseModel noise;
   for (int i = 0; i < 30; ++i) {
@@ -43,7 +43,7 @@ TEST(NoiseModel, RegistrationInformationIsTheInverseOfTheSumOfBothCovariances) {
   }
 }
 
-TEST(NoiseModel, ADirectionWithoutInformationHasNoneAndTheOthersKeepTheirs) {
+TEST(noise_model, a_direction_without_information_has_none_and_the_others_keep_theirs) {
   std::mt19937_64 random(2);
   const NoiseModel noise;
   for (int rank = 0; rank < 6; ++rank) {
@@ -61,7 +61,7 @@ TEST(NoiseModel, ADirectionWithoutInformationHasNoneAndTheOthersKeepTheirs) {
   }
 }
 
-TEST(NoiseModel, DriftGrowsWithTheRootOfTime) {
+TEST(noise_model, drift_grows_with_the_root_of_time) {
   NoiseModel noise;
   EXPECT_FALSE(noise.drifts());
   noise.ins_position_drift = 0.02;

@@ -7,7 +7,7 @@
 namespace remount {
 namespace {
 
-TEST(PairEquation, TheResidualOfAnExactPairIsZero) {
+TEST(pair_equation, the_residual_of_an_exact_pair_is_zero) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 50; ++i) {
     const RigidTransform x = random_rigid(random, 1.0);
@@ -16,7 +16,7 @@ TEST(PairEquation, TheResidualOfAnExactPairIsZero) {
   }
 }
 
-TEST(PairEquation, AllThreeJacobiansAgreeWithCentralDifferences) {
+TEST(pair_equation, all_three_jacobians_agree_with_central_differences) {
   std::mt19937_64 random(2);
   constexpr double kStep = 1e-5;
   for (int trial = 0; trial < 50; ++trial) {

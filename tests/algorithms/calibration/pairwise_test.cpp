@@ -40,7 +40,7 @@ double error_rad(const CalibrationResult& result) {
   return rotation_angle_between_rad(result.ins_from_lidar, mounting());
 }
 
-TEST(Pairwise, IsExactOnExactDataWithAndWithoutANominal) {
+TEST(pairwise, is_exact_on_exact_data_with_and_without_a_nominal) {
   DriveOptions options;
   options.noise = no_noise();
   for (const bool with_nominal : {true, false}) {
@@ -54,7 +54,7 @@ TEST(Pairwise, IsExactOnExactDataWithAndWithoutANominal) {
   }
 }
 
-TEST(Pairwise, NoisyErrorsAreWithinTheSigmasAndEveryParameterIsObserved) {
+TEST(pairwise, noisy_errors_are_within_the_sigmas_and_every_parameter_is_observed) {
   DriveOptions options;
   options.keyframes = 80;
   double sum = 0.0;
@@ -85,7 +85,7 @@ TEST(Pairwise, NoisyErrorsAreWithinTheSigmasAndEveryParameterIsObserved) {
   EXPECT_LT(sum / (6 * kProblems), 1.8);
 }
 
-TEST(Pairwise, ThirtyPercentOutliersAreRejectedEachWithAReason) {
+TEST(pairwise, thirty_percent_outliers_are_rejected_each_with_a_reason) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 2);
   for (const bool with_nominal : {true, false}) {
@@ -116,7 +116,7 @@ TEST(Pairwise, ThirtyPercentOutliersAreRejectedEachWithAReason) {
   }
 }
 
-TEST(Pairwise, WhatTheUserDecidedStays) {
+TEST(pairwise, what_the_user_decided_stays) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 3);
   std::vector<Pair> pairs = pairs_of(drive);
@@ -135,7 +135,7 @@ TEST(Pairwise, WhatTheUserDecidedStays) {
   EXPECT_EQ(solved.pairs[5].decided_by, DecidedBy::Program);
 }
 
-TEST(Pairwise, FlatDrivingKeepsTheNominalHeightAndSaysSo) {
+TEST(pairwise, flat_driving_keeps_the_nominal_height_and_says_so) {
   DriveOptions options;
   options.tilt_rad = 0.0;
   for (const bool noisy : {false, true}) {
@@ -158,7 +158,7 @@ TEST(Pairwise, FlatDrivingKeepsTheNominalHeightAndSaysSo) {
   }
 }
 
-TEST(Pairwise, StraightDrivingShowsNoTranslationAndNoRoll) {
+TEST(pairwise, straight_driving_shows_no_translation_and_no_roll) {
   DriveOptions options;
   options.tilt_rad = options.turn_rad = 0.0;
   const CalibrationResult result = solve(options, 5).result;
@@ -168,7 +168,7 @@ TEST(Pairwise, StraightDrivingShowsNoTranslationAndNoRoll) {
   EXPECT_FALSE(result.advice.empty());
 }
 
-TEST(Pairwise, TooFewPairsIsAResultWithAdvice) {
+TEST(pairwise, too_few_pairs_is_a_result_with_advice) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 6);
   std::vector<Pair> pairs = pairs_of(drive);
@@ -180,7 +180,7 @@ TEST(Pairwise, TooFewPairsIsAResultWithAdvice) {
   EXPECT_EQ(solve(drive, options, {}).result.status, Status::TooFewPairs);
 }
 
-TEST(Pairwise, ASolutionOutsideTheSearchRangeSaysWhichParameter) {
+TEST(pairwise, a_solution_outside_the_search_range_says_which_parameter) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 7);
   PairwiseInput input = input_of(drive, options);
@@ -191,7 +191,7 @@ TEST(Pairwise, ASolutionOutsideTheSearchRangeSaysWhichParameter) {
   EXPECT_NE(result.message.find("z 1.6"), std::string::npos) << result.message;
 }
 
-TEST(Pairwise, CancelledIsAResult) {
+TEST(pairwise, cancelled_is_a_result) {
   std::stop_source stop;
   stop.request_stop();
   const DriveOptions options;
@@ -199,7 +199,7 @@ TEST(Pairwise, CancelledIsAResult) {
   EXPECT_EQ(solve(drive, options, pairs_of(drive), true, Progress(stop.get_token())).result.status, Status::Cancelled);
 }
 
-TEST(Pairwise, SameInputSameBytes) {
+TEST(pairwise, same_input_same_bytes) {
   const DriveOptions options;
   const CalibrationResult first = solve(options, 9).result, second = solve(options, 9).result;
   EXPECT_TRUE(first.ins_from_lidar.matrix() == second.ins_from_lidar.matrix());
@@ -210,7 +210,7 @@ TEST(Pairwise, SameInputSameBytes) {
     EXPECT_EQ(first.candidates[i].source, second.candidates[i].source);
 }
 
-TEST(Pairwise, TheListOfCandidatesIsLimitedAndHoldsTheRefinedOne) {
+TEST(pairwise, the_list_of_candidates_is_limited_and_holds_the_refined_one) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 10);
   PairwiseInput input = input_of(drive, options);

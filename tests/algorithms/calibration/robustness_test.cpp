@@ -52,7 +52,7 @@ bool gives_an_answer(const CalibrationResult& result) {
   return result.status == Status::Ok || result.status == Status::Degenerate;
 }
 
-TEST(Robustness, FortyPercentGrossOutliersLeaveFiveHundredthsOfADegreeAndACentimetre) {
+TEST(robustness, forty_percent_gross_outliers_leave_five_hundredths_of_a_degree_and_a_centimetre) {
   const DriveOptions options = two_hundred_pairs();
   for (int seed = 1; seed <= 4; ++seed)
     for (const bool with_nominal : {true, false}) {
@@ -70,7 +70,7 @@ TEST(Robustness, FortyPercentGrossOutliersLeaveFiveHundredthsOfADegreeAndACentim
     }
 }
 
-TEST(RobustStart, SixtyPercentGrossOutliersDoNotPullIt) {
+TEST(robust_start, sixty_percent_gross_outliers_do_not_pull_it) {
   const DriveOptions options = two_hundred_pairs();
   for (int seed = 1; seed <= 4; ++seed) {
     const std::vector<Pair> pairs = with_outliers(pairs_of(simulate(options, seed)), 0.6, 200 + seed);
@@ -81,7 +81,7 @@ TEST(RobustStart, SixtyPercentGrossOutliersDoNotPullIt) {
   }
 }
 
-TEST(RobustStart, IsExactOnExactPairsWithOutliersOfAnyKind) {
+TEST(robust_start, is_exact_on_exact_pairs_with_outliers_of_any_kind) {
   DriveOptions options = two_hundred_pairs();
   options.noise = no_noise();
   const SimulatedDrive drive = simulate(options, 3);
@@ -93,7 +93,7 @@ TEST(RobustStart, IsExactOnExactPairsWithOutliersOfAnyKind) {
   }
 }
 
-TEST(RobustStart, AWrongNominalDoesNotHoldItBack) {
+TEST(robust_start, a_wrong_nominal_does_not_hold_it_back) {
   const DriveOptions options = two_hundred_pairs();
   const SimulatedDrive drive = simulate(options, 4);
   const std::vector<Pair> pairs = with_outliers(pairs_of(drive), 0.4, 8);
@@ -105,7 +105,7 @@ TEST(RobustStart, AWrongNominalDoesNotHoldItBack) {
   EXPECT_LT(error_m(start.ins_from_lidar), 0.05);
 }
 
-TEST(RobustStart, StraightDrivingTurnsAboutTheTrackAsTheReferenceSays) {
+TEST(robust_start, straight_driving_turns_about_the_track_as_the_reference_says) {
   DriveOptions options = two_hundred_pairs();
   options.tilt_rad = options.turn_rad = 0.0;
   options.noise = no_noise();
@@ -118,7 +118,7 @@ TEST(RobustStart, StraightDrivingTurnsAboutTheTrackAsTheReferenceSays) {
   EXPECT_LT(error_deg(start.ins_from_lidar), 0.01);
 }
 
-TEST(RobustStart, TheNoiseScaleSaysHowFarTheModelIsOff) {
+TEST(robust_start, the_noise_scale_says_how_far_the_model_is_off) {
   DriveOptions options = two_hundred_pairs();
   const SimulatedDrive drive = simulate(options, 6);
   const std::vector<Pair> pairs = pairs_of(drive);
@@ -132,7 +132,7 @@ TEST(RobustStart, TheNoiseScaleSaysHowFarTheModelIsOff) {
   EXPECT_NEAR(robust_start(pairs, all_of(pairs), optimistic, std::nullopt, {}, {0, 0, 0}).noise_scale, 10.0, 2.5);
 }
 
-TEST(RobustStart, TwoThousandPairsTakeMillisecondsAPass) {
+TEST(robust_start, two_thousand_pairs_take_milliseconds_a_pass) {
   DriveOptions options;
   options.keyframes = 668;
   const SimulatedDrive drive = simulate(options, 7);
@@ -142,6 +142,24 @@ TEST(RobustStart, TwoThousandPairsTakeMillisecondsAPass) {
   std::printf("  %zu pairs: %.1f ms in all\n", pairs.size(),
               1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
   EXPECT_LT(error_deg(start.ins_from_lidar), 0.05);
+}
+
+TEST(Robustness, sixty_percent_gross_outliers_are_solved_or_said_not_to_be) {
+  const DriveOptions options = two_hundred_pairs();
+  for (int seed = 1; seed <= 4; ++seed)
+    for (const bool with_nominal : {true, false}) {
+      const SimulatedDrive drive = simulate(options, seed);
+      std::vector<Pair> pairs = with_outliers(pairs_of(drive), 0.6, 200 + seed);
+      PairwiseInput input = input_of(drive, options);
+      input.options.bootstrap_samples = 0;
+      if (with_nominal) input.nominal_ins_from_lidar = perturbed(mounting(), Vector6d::Constant(0.05));
+      const CalibrationResult result = solve_pairwise(input, pairs, {});
+      std::printf("  %s, %d rejected: %.4f deg, %.1f mm\n", std::string(to_string(result.status)).c_str(),
+                  result.pairs_rejected, error_deg(result.ins_from_lidar), 1e3 * error_m(result.ins_from_lidar));
+      if (!gives_an_answer(result)) continue;
+      EXPECT_LE(error_deg(result.ins_from_lidar), 0.1) << "seed " << seed;
+      EXPECT_LE(error_m(result.ins_from_lidar), 0.02) << "seed " << seed;
+    }
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ double worst_m(const PointCloud& cloud, const std::vector<Vector3d>& expected) {
   return worst;
 }
 
-TEST(Deskew, takes_every_point_to_the_stamp) {
+TEST(deskew, takes_every_point_to_the_stamp) {
   std::vector<Vector3d> expected;
   const PointCloud cloud = measured_ring(0.1, expected);
   EXPECT_GT(worst_m(cloud, expected), 1.0) << "the motion of the test is too small to mean anything";
@@ -48,7 +48,7 @@ TEST(Deskew, takes_every_point_to_the_stamp) {
   EXPECT_TRUE(compensated.time_from_stamp_s.empty()) << "could be compensated twice";
 }
 
-TEST(Deskew, times_from_the_azimuth_are_those_of_the_points) {
+TEST(deskew, times_from_the_azimuth_are_those_of_the_points) {
   std::vector<Vector3d> expected;
   const PointCloud cloud = measured_ring(0.1, expected);
   const std::vector<float> times_s = sweep_times(cloud, 0.1, 0.0, true);
@@ -57,7 +57,7 @@ TEST(Deskew, times_from_the_azimuth_are_those_of_the_points) {
   for (std::size_t i = 0; i < cloud.size(); ++i) ASSERT_NEAR(other_way_s[i], -cloud.time_from_stamp_s[i], 1e-7);
 }
 
-TEST(Deskew, azimuth_at_the_stamp_has_time_zero_and_the_seam_is_opposite) {
+TEST(deskew, azimuth_at_the_stamp_has_time_zero_and_the_seam_is_opposite) {
   PointCloud cloud;
   cloud.points = {{-1.0f, 0.001f, 0.0f}, {1.0f, 0.01f, 0.0f}, {1.0f, -0.01f, 0.0f}, {0.0f, 1.0f, 0.0f}};
   const std::vector<float> times_s = sweep_times(cloud, 0.1, kPi, true);
@@ -68,7 +68,7 @@ TEST(Deskew, azimuth_at_the_stamp_has_time_zero_and_the_seam_is_opposite) {
   EXPECT_NEAR(times_s[3], 0.025, 1e-6) << "clockwise from the back the sensor faces left a quarter of a turn later";
 }
 
-TEST(Deskew, motion_is_asked_for_rarely) {
+TEST(deskew, motion_is_asked_for_rarely) {
   std::vector<Vector3d> expected;
   const PointCloud cloud = measured_ring(0.1, expected);
   int calls = 0;
@@ -79,7 +79,7 @@ TEST(Deskew, motion_is_asked_for_rarely) {
   EXPECT_LE(calls, 60);
 }
 
-TEST(Deskew, empty_and_instantaneous_scans_pass) {
+TEST(deskew, empty_and_instantaneous_scans_pass) {
   EXPECT_EQ(deskew({}, {}, at_stamp_from_at).size(), 0u);
   PointCloud cloud;
   cloud.points = {{1.0f, 2.0f, 3.0f}};
@@ -87,7 +87,7 @@ TEST(Deskew, empty_and_instantaneous_scans_pass) {
   EXPECT_LT((deskew(cloud, times_s, at_stamp_from_at).points[0] - cloud.points[0]).norm(), 1e-6f);
 }
 
-TEST(Deskew, refuses_times_that_cannot_be) {
+TEST(deskew, refuses_times_that_cannot_be) {
   PointCloud cloud;
   cloud.points = {{1.0f, 2.0f, 3.0f}, {1.0f, 2.0f, 4.0f}};
   const std::vector<float> few{0.0f}, broken{0.0f, std::numeric_limits<float>::quiet_NaN()}, wide{0.0f, 1e9f};

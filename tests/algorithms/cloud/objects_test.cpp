@@ -36,7 +36,7 @@ PointCloud load(const std::filesystem::path& file) {
   return cloud;
 }
 
-TEST(ObjectsOfBrokenScans, points_far_away_or_not_finite_are_no_objects_and_do_no_harm) {
+TEST(objects_of_broken_scans, points_far_away_or_not_finite_are_no_objects_and_do_no_harm) {
   PointCloud cloud;
   const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   for (int i = 0; i < 100; ++i) {
@@ -51,7 +51,7 @@ TEST(ObjectsOfBrokenScans, points_far_away_or_not_finite_are_no_objects_and_do_n
   EXPECT_TRUE(estimate_up(cloud, Vector3f::Zero()).allFinite());
 }
 
-TEST(ObjectsOfBrokenScans, extreme_options_need_bounded_memory) {
+TEST(objects_of_broken_scans, extreme_options_need_bounded_memory) {
   ObjectOptions options;
   options.cluster_distance_m = 0.05;
   options.max_range_m = 500.0;
@@ -63,9 +63,9 @@ TEST(ObjectsOfBrokenScans, extreme_options_need_bounded_memory) {
   EXPECT_LE(find_objects(cloud, Vector3f::UnitZ(), options).size(), 50u);
 }
 
-class ObjectsOfRecordedScans : public ::testing::TestWithParam<const char*> {};
+class objects_of_recorded_scans : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(ObjectsOfRecordedScans, up_is_within_a_slope_of_the_sensors_axis) {
+TEST_P(objects_of_recorded_scans, up_is_within_a_slope_of_the_sensors_axis) {
   const auto files = scans_of(GetParam());
   if (files.empty()) GTEST_SKIP() << "shared data are absent";
   for (const auto& file : files) {
@@ -74,7 +74,7 @@ TEST_P(ObjectsOfRecordedScans, up_is_within_a_slope_of_the_sensors_axis) {
   }
 }
 
-TEST_P(ObjectsOfRecordedScans, most_objects_are_found_again_in_the_next_scan_and_few_move) {
+TEST_P(objects_of_recorded_scans, most_objects_are_found_again_in_the_next_scan_and_few_move) {
   const auto files = scans_of(GetParam());
   if (files.size() < 2) GTEST_SKIP() << "shared data are absent";
   const ObjectOptions options;
@@ -100,7 +100,7 @@ TEST_P(ObjectsOfRecordedScans, most_objects_are_found_again_in_the_next_scan_and
   }
 }
 
-TEST_P(ObjectsOfRecordedScans, are_found_quickly) {
+TEST_P(objects_of_recorded_scans, are_found_quickly) {
   const auto files = scans_of(GetParam());
   if (files.empty()) GTEST_SKIP() << "shared data are absent";
   double best_ms = 1e9;
@@ -116,7 +116,7 @@ TEST_P(ObjectsOfRecordedScans, are_found_quickly) {
   EXPECT_LT(best_ms, 300.0) << "ten times what it takes on one core";
 }
 
-INSTANTIATE_TEST_SUITE_P(Kitti, ObjectsOfRecordedScans, ::testing::Values("00", "05", "07", "10"));
+INSTANTIATE_TEST_SUITE_P(Kitti, objects_of_recorded_scans, ::testing::Values("00", "05", "07", "10"));
 
 }  // namespace
 }  // namespace remount

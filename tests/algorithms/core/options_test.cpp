@@ -13,7 +13,7 @@
 namespace remount {
 namespace {
 
-TEST(Options, DefaultsAreValid) {
+TEST(options, defaults_are_valid) {
   EXPECT_TRUE(option_problems(SolveOptions{}).empty());
   EXPECT_TRUE(option_problems(SearchRange{}).empty());
   EXPECT_TRUE(option_problems(RegistrationOptions{}).empty());
@@ -21,7 +21,7 @@ TEST(Options, DefaultsAreValid) {
   EXPECT_TRUE(option_problems(PairingOptions{}).empty());
 }
 
-TEST(Options, EveryProblemIsNamedNotOnlyTheFirst) {
+TEST(options, every_problem_is_named_not_only_the_first) {
   RegistrationOptions options;
   options.voxel_m = -1.0;
   options.max_iterations = 0;
@@ -35,7 +35,7 @@ TEST(Options, EveryProblemIsNamedNotOnlyTheFirst) {
     EXPECT_NE(all.find(name), std::string::npos) << all;
 }
 
-TEST(Error, TellsWhereBeforeWhatAndKeepsBoth) {
+TEST(error, tells_where_before_what_and_keeps_both) {
   const Error error(ErrorCode::Format, "scan.pcd:7", "expected a number");
   EXPECT_STREQ(error.what(), "scan.pcd:7: expected a number");
   EXPECT_EQ(error.where(), "scan.pcd:7");

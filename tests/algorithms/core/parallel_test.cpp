@@ -9,7 +9,7 @@
 namespace remount {
 namespace {
 
-TEST(Parallel, EachIndexIsVisitedOnceForAnyNumberOfThreads) {
+TEST(parallel, each_index_is_visited_once_for_any_number_of_threads) {
   for (const int threads : {0, 1, 2, 7, 64})
     for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5}, std::size_t{1000}}) {
       std::vector<int> visits(count, 0);
@@ -18,7 +18,7 @@ TEST(Parallel, EachIndexIsVisitedOnceForAnyNumberOfThreads) {
     }
 }
 
-TEST(Parallel, AnExceptionReachesTheCallerAndEndsTheLoop) {
+TEST(parallel, an_exception_reaches_the_caller_and_ends_the_loop) {
   for (const int threads : {1, 2, 8}) {
     std::atomic<int> after{0};
     EXPECT_THROW(parallel_for(100'000, threads,
@@ -31,12 +31,12 @@ TEST(Parallel, AnExceptionReachesTheCallerAndEndsTheLoop) {
   }
 }
 
-TEST(Parallel, ZeroAsksForOneWorkerPerCore) {
+TEST(parallel, zero_asks_for_one_worker_per_core) {
   EXPECT_GE(worker_count(0), 1);
   EXPECT_EQ(worker_count(3), 3);
 }
 
-TEST(Progress, ReportsFromSeveralWorkersArriveOneAtATime) {
+TEST(progress, reports_from_several_workers_arrive_one_at_a_time) {
   int inside = 0, reports = 0;
   bool overlapped = false;
   Progress progress({}, [&](const ProgressUpdate& update) {
@@ -52,7 +52,7 @@ TEST(Progress, ReportsFromSeveralWorkersArriveOneAtATime) {
   EXPECT_FALSE(progress.cancelled());
 }
 
-TEST(Progress, CancellationComesThroughTheStopToken) {
+TEST(progress, cancellation_comes_through_the_stop_token) {
   std::stop_source source;
   const Progress progress(source.get_token());
   EXPECT_FALSE(progress.cancelled());

@@ -53,7 +53,7 @@ std::vector<InsSample> straight_drive(const Place& place) {
   return samples;
 }
 
-TEST(Geodesy, StepsOfAStraightDriveHaveTheirTrueLength) {
+TEST(geodesy, steps_of_a_straight_drive_have_their_true_length) {
   for (const Place& place : kPlaces) {
     const std::vector<InsSample> samples = straight_drive(place);
     const std::vector<StampedPose> local = local_from_ins(samples);
@@ -74,7 +74,7 @@ TEST(Geodesy, StepsOfAStraightDriveHaveTheirTrueLength) {
   }
 }
 
-TEST(Geodesy, AttitudeRelativeToTheDirectionOfTravelIsTheSameEverywhere) {
+TEST(geodesy, attitude_relative_to_the_direction_of_travel_is_the_same_everywhere) {
   for (const Place& place : kPlaces) {
     const std::vector<StampedPose> local = local_from_ins(straight_drive(place));
     double worst_rad = 0.0;
@@ -87,14 +87,14 @@ TEST(Geodesy, AttitudeRelativeToTheDirectionOfTravelIsTheSameEverywhere) {
   }
 }
 
-TEST(Geodesy, TheCorrectionsThatThisNeedsAreLargeAtAZonesEdge) {
+TEST(geodesy, the_corrections_that_this_needs_are_large_at_a_zones_edge) {
   const double latitude_rad = degrees_to_radians(55.0), longitude_rad = degrees_to_radians(11.99);
   const GridFix fix = UtmGrid(latitude_rad, longitude_rad).project(latitude_rad, longitude_rad);
   EXPECT_NEAR(radians_to_degrees(fix.convergence_rad), 2.99 * std::sin(latitude_rad), 0.01);
   EXPECT_GT(std::abs(fix.point_scale - 1.0), 2e-5);
 }
 
-TEST(Geodesy, ADriveStaysInTheZoneOfItsFirstFixWithoutAJump) {
+TEST(geodesy, a_drive_stays_in_the_zone_of_its_first_fix_without_a_jump) {
   const UtmGrid grid(degrees_to_radians(55.0), degrees_to_radians(11.9999));
   EXPECT_EQ(grid.zone(), 32);
   const GridFix west = grid.project(degrees_to_radians(55.0), degrees_to_radians(11.9999));
@@ -106,7 +106,7 @@ TEST(Geodesy, ADriveStaysInTheZoneOfItsFirstFixWithoutAJump) {
   EXPECT_NEAR(north.northing_m - south.northing_m, 22.11, 0.05);
 }
 
-TEST(Geodesy, TheFirstSampleIsTheOriginAndHeightIsUp) {
+TEST(geodesy, the_first_sample_is_the_origin_and_height_is_up) {
   std::vector<InsSample> samples = straight_drive(kPlaces[0]);
   for (std::size_t i = 0; i < samples.size(); ++i) samples[i].height_m += 0.5 * static_cast<double>(i);
   const std::vector<StampedPose> local = local_from_ins(samples);
@@ -116,7 +116,7 @@ TEST(Geodesy, TheFirstSampleIsTheOriginAndHeightIsUp) {
   EXPECT_TRUE(local_from_ins({}).empty());
 }
 
-TEST(Geodesy, PositionsNotOnTheGlobeAreErrors) {
+TEST(geodesy, positions_not_on_the_globe_are_errors) {
   std::vector<InsSample> samples = straight_drive(kPlaces[0]);
   samples[5].latitude_rad = 2.0;
   EXPECT_THROW(local_from_ins(samples), Error);

@@ -17,7 +17,7 @@ const std::vector<double> kAngles_rad{0.0, 1e-12, 1e-8, 9.9e-5, 1.01e-4, 9.9e-4,
 
 Vector3d random_axis(std::mt19937_64& random) { return random_vector(random, 1.0).normalized(); }
 
-TEST(Rotation, ExpIsARotationAndLogItsInverseFromZeroToNearPi) {
+TEST(rotation, exp_is_a_rotation_and_log_its_inverse_from_zero_to_near_pi) {
   std::mt19937_64 random(1);
   for (const double angle : kAngles_rad)
     for (int i = 0; i < 20; ++i) {
@@ -35,7 +35,7 @@ TEST(Rotation, ExpIsARotationAndLogItsInverseFromZeroToNearPi) {
     }
 }
 
-TEST(Rotation, LogAtPiIsOneOfTheTwoAnswersAndNeverLongerThanPi) {
+TEST(rotation, log_at_pi_is_one_of_the_two_answers_and_never_longer_than_pi) {
   std::mt19937_64 random(2);
   for (const double below : {0.0, 1e-15, 1e-9, 1e-6})
     for (int i = 0; i < 50; ++i) {
@@ -47,7 +47,7 @@ TEST(Rotation, LogAtPiIsOneOfTheTwoAnswersAndNeverLongerThanPi) {
   EXPECT_NEAR(so3_log(Vector3d(1, -1, -1).asDiagonal()).norm(), kPi, 1e-15);
 }
 
-TEST(Rotation, LeftJacobianAndItsInverseAgreeWithPerturbation) {
+TEST(rotation, left_jacobian_and_its_inverse_agree_with_perturbation) {
   std::mt19937_64 random(3);
   constexpr double kStep = 1e-6;
   for (const double angle : kAngles_rad)
@@ -65,7 +65,7 @@ TEST(Rotation, LeftJacobianAndItsInverseAgreeWithPerturbation) {
   EXPECT_TRUE(so3_left_jacobian_inverse(Vector3d(0, 0, kPi)).allFinite());
 }
 
-TEST(Rotation, YawPitchRollReturnsWhatItWasGiven) {
+TEST(rotation, yaw_pitch_roll_returns_what_it_was_given) {
   for (double yaw = -3.1; yaw < 3.15; yaw += 0.4)
     for (double pitch = -1.5; pitch < 1.55; pitch += 0.25)
       for (double roll = -3.1; roll < 3.15; roll += 0.4) {
@@ -76,14 +76,14 @@ TEST(Rotation, YawPitchRollReturnsWhatItWasGiven) {
       }
 }
 
-TEST(Rotation, YawTurnsXTowardsYAndPitchTurnsXDown) {
+TEST(rotation, yaw_turns_x_towards_y_and_pitch_turns_x_down) {
   const Vector3d x = Vector3d::UnitX(), y = Vector3d::UnitY();
   EXPECT_LT((rotation_from_yaw_pitch_roll({kPi / 2, 0, 0}) * x - Vector3d(0, 1, 0)).norm(), 1e-15);
   EXPECT_LT((rotation_from_yaw_pitch_roll({0, kPi / 2, 0}) * x - Vector3d(0, 0, -1)).norm(), 1e-15);
   EXPECT_LT((rotation_from_yaw_pitch_roll({0, 0, kPi / 2}) * y - Vector3d(0, 0, 1)).norm(), 1e-15);
 }
 
-TEST(Rotation, AtThePolesRollIsZeroAndTheRotationIsKept) {
+TEST(rotation, at_the_poles_roll_is_zero_and_the_rotation_is_kept) {
   for (const double pitch : {kPi / 2, -kPi / 2})
     for (const double yaw : {-3.0, 0.3, 2.0}) {
       const Matrix3d rotation = rotation_from_yaw_pitch_roll({yaw, pitch, 0.7});
@@ -93,7 +93,7 @@ TEST(Rotation, AtThePolesRollIsZeroAndTheRotationIsKept) {
     }
 }
 
-TEST(Rotation, YawPitchRollJacobianAgreesWithPerturbation) {
+TEST(rotation, yaw_pitch_roll_jacobian_agrees_with_perturbation) {
   std::mt19937_64 random(4);
   constexpr double kStep = 1e-6;
   for (int i = 0; i < 100; ++i) {
@@ -112,7 +112,7 @@ TEST(Rotation, YawPitchRollJacobianAgreesWithPerturbation) {
   }
 }
 
-TEST(Rotation, NearestRotationIsARotationNoOtherIsNearer) {
+TEST(rotation, nearest_rotation_is_a_rotation_no_other_is_nearer) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 50; ++i) {
     const Matrix3d rotation = random_rotation(random);
@@ -129,7 +129,7 @@ TEST(Rotation, NearestRotationIsARotationNoOtherIsNearer) {
   }
 }
 
-TEST(Rotation, WrapKeepsTheAngleAndItsRange) {
+TEST(rotation, wrap_keeps_the_angle_and_its_range) {
   for (double angle = -20.0; angle < 20.0; angle += 0.37) {
     const double wrapped = wrap_angle_rad(angle);
     EXPECT_GT(wrapped, -kPi);
@@ -140,7 +140,7 @@ TEST(Rotation, WrapKeepsTheAngleAndItsRange) {
   EXPECT_EQ(wrap_angle_rad(kPi), kPi);
 }
 
-TEST(RigidTransform, DifferenceUndoesPerturbedAndSixParametersReturn) {
+TEST(rigid_transform, difference_undoes_perturbed_and_six_parameters_return) {
   std::mt19937_64 random(6);
   for (int i = 0; i < 50; ++i) {
     const RigidTransform from = random_rigid(random, 3.0), to = random_rigid(random, 3.0);

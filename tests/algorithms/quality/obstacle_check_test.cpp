@@ -31,7 +31,7 @@ struct Posts {
 
 const RigidTransform kMounting = rigid_from_six({0.9, -0.2, 0.8, 1.6, -0.05, 0.03});
 
-TEST(ObstacleCheck, measures_from_the_sides_and_from_the_corners_of_the_outline) {
+TEST(obstacle_check, measures_from_the_sides_and_from_the_corners_of_the_outline) {
   // Outline: x -1.5 to 3.5, y -1 to 1.
   const Posts posts({{6.5, 0.0, 0.0}, {0.0, 2.0, 0.0}, {-4.5, -5.0, 0.0}}, kMounting);
   const ObstacleCheck found = check_obstacles(posts.cloud, posts.objects, kMounting, {});
@@ -44,7 +44,7 @@ TEST(ObstacleCheck, measures_from_the_sides_and_from_the_corners_of_the_outline)
   EXPECT_NEAR((found.obstacles[0].centroid_in_ins - Vector3d(0.0, 2.0, 0.45)).norm(), 0.0, 1e-5);
 }
 
-TEST(ObstacleCheck, decides_by_the_preset_distance) {
+TEST(obstacle_check, decides_by_the_preset_distance) {
   const Posts posts({{6.0, 0.0, 0.0}}, kMounting);
   ObstacleOptions options;
   options.stop_distance_m = 2.6;
@@ -53,7 +53,7 @@ TEST(ObstacleCheck, decides_by_the_preset_distance) {
   EXPECT_EQ(check_obstacles(posts.cloud, posts.objects, kMounting, options).decision, ObstacleDecision::Clear);
 }
 
-TEST(ObstacleCheck, a_wrong_mounting_changes_the_decision_and_the_comparison_shows_it) {
+TEST(obstacle_check, a_wrong_mounting_changes_the_decision_and_the_comparison_shows_it) {
   const Posts posts({{6.0, 0.0, 0.0}, {0.0, 8.0, 0.0}}, kMounting);
   RigidTransform nominal = kMounting;
   nominal.translation().x() += 1.0;  // believed a metre farther ahead than it is
@@ -69,7 +69,7 @@ TEST(ObstacleCheck, a_wrong_mounting_changes_the_decision_and_the_comparison_sho
       << "beside, forward does not matter";
 }
 
-TEST(ObstacleCheck, the_vehicle_itself_and_what_hangs_above_are_no_obstacles) {
+TEST(obstacle_check, the_vehicle_itself_and_what_hangs_above_are_no_obstacles) {
   const Posts posts({{1.0, 0.0, 0.0}, {5.0, 0.0, 4.0}, {3.5, 1.0, 0.0}}, kMounting);
   ObstacleOptions options;
   EXPECT_EQ(check_obstacles(posts.cloud, {posts.objects[0], posts.objects[1]}, kMounting, options).decision,
@@ -80,13 +80,13 @@ TEST(ObstacleCheck, the_vehicle_itself_and_what_hangs_above_are_no_obstacles) {
   EXPECT_EQ(strict.nearest_m, 0.0);
 }
 
-TEST(ObstacleCheck, no_objects_is_clear) {
+TEST(obstacle_check, no_objects_is_clear) {
   const ObstacleCheck found = check_obstacles({}, {}, kMounting, {});
   EXPECT_EQ(found.decision, ObstacleDecision::Clear);
   EXPECT_TRUE(std::isinf(found.nearest_m));
 }
 
-TEST(ObstacleCheck, refuses_an_empty_outline_and_objects_of_another_scan) {
+TEST(obstacle_check, refuses_an_empty_outline_and_objects_of_another_scan) {
   ObstacleOptions options;
   options.outline_x_min_m = 4.0;
   EXPECT_THROW(check_obstacles({}, {}, kMounting, options), Error);

@@ -13,7 +13,7 @@ namespace {
 
 PointCloud room_scan() { return scan_of(room(), RigidTransform::Identity(), 0.005, 1, 6000); }
 
-TEST(PreparedCloud, NearestIsThatOfASearchThroughAllAndStaysWithinItsReach) {
+TEST(prepared_cloud, nearest_is_that_of_a_search_through_all_and_stays_within_its_reach) {
   const PreparedCloud cloud(room_scan(), {});
   ASSERT_GT(cloud.size(), 1000U);
   std::mt19937_64 random(2);
@@ -43,7 +43,7 @@ TEST(PreparedCloud, NearestIsThatOfASearchThroughAllAndStaysWithinItsReach) {
   EXPECT_GT(found_none, 100);
 }
 
-TEST(PreparedCloud, NormalsAreUnitLengthFaceTheSensorAndAreThoseOfTheWalls) {
+TEST(prepared_cloud, normals_are_unit_length_face_the_sensor_and_are_those_of_the_walls) {
   const PreparedCloud cloud(room_scan(), {});
   std::size_t on_walls = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(PreparedCloud, NormalsAreUnitLengthFaceTheSensorAndAreThoseOfTheWalls) {
   EXPECT_GT(on_walls, cloud.size() * 7 / 10) << "of " << cloud.size();
 }
 
-TEST(PreparedCloud, KeepsTheRangeLimitsAndLeavesOutMovingPoints) {
+TEST(prepared_cloud, keeps_the_range_limits_and_leaves_out_moving_points) {
   RegistrationOptions options;
   options.min_range_m = 3.0;
   options.max_range_m = 8.0;
@@ -73,7 +73,7 @@ TEST(PreparedCloud, KeepsTheRangeLimitsAndLeavesOutMovingPoints) {
   }
 }
 
-TEST(PreparedCloud, ScansWithoutASurfaceAreEmptyNotErrors) {
+TEST(prepared_cloud, scans_without_a_surface_are_empty_not_errors) {
   EXPECT_EQ(PreparedCloud({}, {}).size(), 0U);
   PointCloud line;  // one beam on far ground
   for (int i = 0; i < 200; ++i) line.points.emplace_back(10.0f, -20.0f + 0.3f * static_cast<float>(i), -1.5f);
@@ -84,7 +84,7 @@ TEST(PreparedCloud, ScansWithoutASurfaceAreEmptyNotErrors) {
   EXPECT_EQ(PreparedCloud(few, {}).size(), 0U);
 }
 
-TEST(PreparedCloud, IsTheSameBitForBitFromBothBuildsOfTheLoops) {
+TEST(prepared_cloud, is_the_same_bit_for_bit_from_both_builds_of_the_loops) {
   if (!has_fast_kernels()) GTEST_SKIP() << "this processor has no AVX2";
   RegistrationOptions portable;
   portable.instructions = InstructionSet::Portable;
@@ -97,7 +97,7 @@ TEST(PreparedCloud, IsTheSameBitForBitFromBothBuildsOfTheLoops) {
   }
 }
 
-TEST(PreparedCloud, CancelledIsEmpty) {
+TEST(prepared_cloud, cancelled_is_empty) {
   std::stop_source stop;
   stop.request_stop();
   EXPECT_EQ(PreparedCloud(room_scan(), {}, {}, Progress(stop.get_token())).size(), 0U);

@@ -42,7 +42,7 @@ std::string describe(const RegistrationResult& result) {
          std::to_string(result.quality.iterations) + " iterations; " + result.quality.failure;
 }
 
-TEST(Registration, RecoversAMotionInARoomToMillimetres) {
+TEST(registration, recovers_a_motion_in_a_room_to_millimetres) {
   const RegistrationResult result = align(room_scans());
   const Vector6d error = difference(kTargetFromSource, result.target_from_source);
   EXPECT_TRUE(result.quality.attempted && result.quality.converged) << describe(result);
@@ -53,7 +53,7 @@ TEST(Registration, RecoversAMotionInARoomToMillimetres) {
   EXPECT_LT(result.quality.rmse_m, 2.0 * kNoise_m) << describe(result);
 }
 
-TEST(Registration, OfAScanWithItselfIsExact) {
+TEST(registration, of_a_scan_with_itself_is_exact) {
   const PreparedCloud cloud(scan_of(room(), RigidTransform::Identity(), kNoise_m, 1), {});
   const RegistrationResult result = align_scans(cloud, cloud, kStartError, {}, {});
   EXPECT_TRUE(result.quality.converged);
@@ -62,7 +62,7 @@ TEST(Registration, OfAScanWithItselfIsExact) {
   EXPECT_GT(result.quality.overlap, 0.99);
 }
 
-TEST(Registration, ErrorsOfManyRoomsAreAsLargeAsTheInformationSaysWithinItsScale) {
+TEST(registration, errors_of_many_rooms_are_as_large_as_the_information_says_within_its_scale) {
   // The information counts every point as independent, which the shared normals are not: near one is good enough.
   double sum = 0.0;
   constexpr int kRooms = 12;
@@ -78,7 +78,7 @@ TEST(Registration, ErrorsOfManyRoomsAreAsLargeAsTheInformationSaysWithinItsScale
   EXPECT_LT(scale, 2.5);
 }
 
-TEST(Registration, ACorridorIsWeakAlongItselfAndStaysWhereItStarted) {
+TEST(registration, a_corridor_is_weak_along_itself_and_stays_where_it_started) {
   const Scans scans = scans_in(corridor(), kNoise_m);
   const RegistrationResult result = align(scans);
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(result.quality.information);
@@ -90,7 +90,7 @@ TEST(Registration, ACorridorIsWeakAlongItselfAndStaysWhereItStarted) {
   EXPECT_LT(std::abs(error.x()), 0.5) << "not driven away: " << describe(result);
 }
 
-TEST(Registration, SaysWhyThereIsNoResult) {
+TEST(registration, says_why_there_is_no_result) {
   const Scans& scans = room_scans();
   const PreparedCloud empty({}, {});
   const RegistrationResult few = align_scans(empty, scans.target, RigidTransform::Identity(), {}, {});
@@ -118,7 +118,7 @@ TEST(Registration, SaysWhyThereIsNoResult) {
   EXPECT_EQ(align(scans, strict).quality.failure, "registration did not converge");
 }
 
-TEST(Registration, EveryAlgorithmOfTheListIsSelectableAndClose) {
+TEST(registration, every_algorithm_of_the_list_is_selectable_and_close) {
   ASSERT_EQ(registration_methods().size(), 4U);
   RegistrationOptions options;
   const double limits_m[] = {0.002, 0.06, 0.01, 0.06};
@@ -133,7 +133,7 @@ TEST(Registration, EveryAlgorithmOfTheListIsSelectableAndClose) {
   }
 }
 
-TEST(Registration, CancelledIsAResult) {
+TEST(registration, cancelled_is_a_result) {
   std::stop_source stop;
   stop.request_stop();
   const RegistrationResult result = align(room_scans(), {}, Progress(stop.get_token()));
@@ -141,7 +141,7 @@ TEST(Registration, CancelledIsAResult) {
   EXPECT_FALSE(result.quality.converged);
 }
 
-TEST(Registration, IsTheSameFromBothBuildsOfTheLoops) {
+TEST(registration, is_the_same_from_both_builds_of_the_loops) {
   if (!has_fast_kernels()) GTEST_SKIP() << "this processor has no AVX2";
   RegistrationOptions portable;
   portable.instructions = InstructionSet::Portable;
@@ -152,14 +152,14 @@ TEST(Registration, IsTheSameFromBothBuildsOfTheLoops) {
   EXPECT_TRUE(first.quality.information.isApprox(second.quality.information, 1e-9));
 }
 
-TEST(Registration, SameScansSameBytes) {
+TEST(registration, same_scans_same_bytes) {
   const RegistrationResult first = align(room_scans()), second = align(scans_in(room(), kNoise_m));
   EXPECT_TRUE(first.target_from_source.matrix() == second.target_from_source.matrix());
   EXPECT_TRUE(first.quality.information == second.quality.information);
   EXPECT_EQ(first.quality.iterations, second.quality.iterations);
 }
 
-TEST(AlignmentEquations, GradientAgreesWithItsHessianNearTheMinimum) {
+TEST(alignment_equations, gradient_agrees_with_its_hessian_near_the_minimum) {
   // The equations are linear in the step as long as the neighbours stay: g(x + d) = g(x) + H d.
   const PreparedCloud cloud(scan_of(room(), RigidTransform::Identity(), 0.0, 1), {});
   std::mt19937_64 random(1);

@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-TEST(VoxelCentroids, AreTheMeansOfTheirVoxelsInTheOrderOfTheirFirstPoints) {
+TEST(voxel_centroids, are_the_means_of_their_voxels_in_the_order_of_their_first_points) {
   EXPECT_TRUE(voxel_centroids({}, 1.0f).empty());
   const std::vector<Eigen::Vector3f> centroids =
       voxel_centroids({{0.1f, 0.1f, 0.1f}, {0.5f, 0.3f, 0.1f}, {-0.1f, 0.1f, 0.1f}, {0.2f, 0.2f, 1.5f}}, 1.0f);
@@ -20,7 +20,7 @@ TEST(VoxelCentroids, AreTheMeansOfTheirVoxelsInTheOrderOfTheirFirstPoints) {
   EXPECT_TRUE(centroids[2].isApprox(Eigen::Vector3f(0.2f, 0.2f, 1.5f)));
 }
 
-TEST(VoxelCentroids, DoNotDependOnTheOrderOfThePointsNorOnHowManyThereAre) {
+TEST(voxel_centroids, do_not_depend_on_the_order_of_the_points_nor_on_how_many_there_are) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<float> place(-20.0f, 20.0f);
   std::vector<Eigen::Vector3f> points(200000);  // more voxels than the table starts with
@@ -42,7 +42,7 @@ TEST(VoxelCentroids, DoNotDependOnTheOrderOfThePointsNorOnHowManyThereAre) {
   EXPECT_LT(different, first.size() / 1000);
 }
 
-TEST(VoxelCentroids, FarPointsDoNotWrapAround) {
+TEST(voxel_centroids, far_points_do_not_wrap_around) {
   // 2^21 voxels away: the first that an index of 21 bits would take for a neighbour.
   const std::vector<Eigen::Vector3f> centroids =
       voxel_centroids({{2097152.5f, 0.5f, 0.5f}, {0.5f, 1.5f, 0.5f}, {-3e6f, 0.5f, 0.5f}}, 1.0f);

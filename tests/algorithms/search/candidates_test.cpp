@@ -14,7 +14,7 @@ constexpr double kMinRotation_rad = 0.01, kMinAxisAngle_rad = 0.09;
 
 double equation_error(const MotionPair& pair, const RigidTransform& x) { return frobenius_sum({pair}, x, 1.0); }
 
-TEST(SinglePair, SatisfiesItsPairAndNoMemberOfTheFamilyIsNearerToTheNominal) {
+TEST(single_pair, satisfies_its_pair_and_no_member_of_the_family_is_nearer_to_the_nominal) {
   std::mt19937_64 random(1);
   for (int trial = 0; trial < 40; ++trial) {
     const RigidTransform truth = random_rigid(random, 1.0), nominal = perturbed(truth, random_step(random, 0.5, 0.3));
@@ -34,7 +34,7 @@ TEST(SinglePair, SatisfiesItsPairAndNoMemberOfTheFamilyIsNearerToTheNominal) {
   }
 }
 
-TEST(SinglePair, WithoutATurnTheDirectionOfTravelIsUsedAndTheTranslationKept) {
+TEST(single_pair, without_a_turn_the_direction_of_travel_is_used_and_the_translation_kept) {
   std::mt19937_64 random(2);
   const RigidTransform truth = random_rigid(random, 1.0), nominal = perturbed(truth, random_step(random, 0.5, 0.2));
   const MotionPair pair = exact_pair(make_rigid(Eigen::Matrix3d::Identity(), {-6, 0.3, 0.1}), truth);
@@ -45,7 +45,7 @@ TEST(SinglePair, WithoutATurnTheDirectionOfTravelIsUsedAndTheTranslationKept) {
   EXPECT_LT(distance_of(single_pair_candidate(still, nominal, kMinRotation_rad), nominal), 1e-12);
 }
 
-TEST(TwoPairs, AreExactAndRefusedForParallelAxesOrSmallTurns) {
+TEST(two_pairs, are_exact_and_refused_for_parallel_axes_or_small_turns) {
   std::mt19937_64 random(3);
   int tested = 0;
   for (int trial = 0; trial < 40; ++trial) {
@@ -63,7 +63,7 @@ TEST(TwoPairs, AreExactAndRefusedForParallelAxesOrSmallTurns) {
   EXPECT_GT(tested, 30);
 }
 
-TEST(AllPairs, ClosedFormsAreExactOnExactData) {
+TEST(all_pairs, closed_forms_are_exact_on_exact_data) {
   std::mt19937_64 random(4);
   for (int trial = 0; trial < 40; ++trial) {
     const RigidTransform truth = random_rigid(random, 1.0);
@@ -76,7 +76,7 @@ TEST(AllPairs, ClosedFormsAreExactOnExactData) {
   }
 }
 
-TEST(AllPairs, ClosedFormsAreRefusedWhereAllAxesAreParallel) {
+TEST(all_pairs, closed_forms_are_refused_where_all_axes_are_parallel) {
   std::mt19937_64 random(5);
   for (int trial = 0; trial < 200; ++trial) {
     const RigidTransform truth = random_rigid(random, 1.0);
@@ -98,7 +98,7 @@ std::vector<Eigen::Matrix3d> hard_orientations() {
   return out;
 }
 
-TEST(JointQuadratic, IsExactForAnyOrientation) {
+TEST(joint_quadratic, is_exact_for_any_orientation) {
   std::mt19937_64 random(6);
   for (const Eigen::Matrix3d& rotation : hard_orientations()) {
     const RigidTransform truth = make_rigid(rotation, random_vector(random, 1.0));
@@ -107,7 +107,7 @@ TEST(JointQuadratic, IsExactForAnyOrientation) {
   }
 }
 
-TEST(JointQuadratic, IsExactForPlanarMotionExceptForTheHeightThatStaysNear) {
+TEST(joint_quadratic, is_exact_for_planar_motion_except_for_the_height_that_stays_near) {
   std::mt19937_64 random(7);
   for (const Eigen::Matrix3d& rotation : hard_orientations()) {
     const RigidTransform truth = make_rigid(rotation, random_vector(random, 1.0));
@@ -119,7 +119,7 @@ TEST(JointQuadratic, IsExactForPlanarMotionExceptForTheHeightThatStaysNear) {
   }
 }
 
-TEST(SearchRangeWords, NameEveryParameterThatIsOutsideAndByHowMuch) {
+TEST(search_range_words, name_every_parameter_that_is_outside_and_by_how_much) {
   SearchRange range;
   EXPECT_EQ(outside_range(RigidTransform::Identity(), range), "");
   range.yaw_max_rad = degrees_to_radians(10.0);
@@ -135,7 +135,7 @@ TEST(SearchRangeWords, NameEveryParameterThatIsOutsideAndByHowMuch) {
             "-10.00 deg");
 }
 
-TEST(Ranking, TheCertifiedOptimumIsACandidateInRangeWithItsGap) {
+TEST(ranking, the_certified_optimum_is_a_candidate_in_range_with_its_gap) {
   std::mt19937_64 random(9);
   const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 0.3}), {1.0, 0.5, 1.5});
   std::vector<MotionPair> pairs = exact_pairs(random, truth, 30);
@@ -161,7 +161,7 @@ TEST(Ranking, TheCertifiedOptimumIsACandidateInRangeWithItsGap) {
   }
 }
 
-TEST(Ranking, InRangeFirstThenByErrorAndTheTruthWins) {
+TEST(ranking, in_range_first_then_by_error_and_the_truth_wins) {
   std::mt19937_64 random(8);
   const RigidTransform truth = make_rigid(so3_exp({0.1, -0.2, 0.3}), {1.0, 0.5, 1.5});
   const std::vector<MotionPair> pairs = exact_pairs(random, truth, 10);

@@ -133,7 +133,7 @@ void expect_bound_holds(const QuadraticForm& form, const SearchRange& range, con
   EXPECT_GE(least, result.lower_bound - rounding) << result.message;
 }
 
-TEST(CertifiedSearch, FindsTheTruthAnywhereInTheDefaultRange) {
+TEST(certified_search, finds_the_truth_anywhere_in_the_default_range) {
   std::mt19937_64 random(1);
   const SearchRange range;
   double slowest = 0.0;
@@ -150,7 +150,7 @@ TEST(CertifiedSearch, FindsTheTruthAnywhereInTheDefaultRange) {
   std::printf("  slowest %.1f ms\n", 1e3 * slowest);
 }
 
-TEST(CertifiedSearch, NearHalfTurnsOfYawAndNearVerticalPitch) {
+TEST(certified_search, near_half_turns_of_yaw_and_near_vertical_pitch) {
   std::mt19937_64 random(2);
   const SearchRange range;
   for (const double yaw_deg : {180.0, -179.99, 179.99, 90.0})
@@ -165,7 +165,7 @@ TEST(CertifiedSearch, NearHalfTurnsOfYawAndNearVerticalPitch) {
     }
 }
 
-TEST(CertifiedSearch, TheBoundHoldsAndAnExhaustiveGridFindsNothingBetter) {
+TEST(certified_search, the_bound_holds_and_an_exhaustive_grid_finds_nothing_better) {
   std::mt19937_64 random(3);
   const Drive drives[] = {kGeneral, kPlanar, kWeakTilt, kStraight};
   double slowest = 0.0;
@@ -194,7 +194,7 @@ TEST(CertifiedSearch, TheBoundHoldsAndAnExhaustiveGridFindsNothingBetter) {
   std::printf("  slowest %.1f ms, at most %d regions\n", 1e3 * slowest, regions);
 }
 
-TEST(CertifiedSearch, RandomRangesAreCertifiedToo) {
+TEST(certified_search, random_ranges_are_certified_too) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   const Drive drives[] = {kGeneral, kPlanar, kWeakTilt, kStraight};
@@ -226,7 +226,7 @@ TEST(CertifiedSearch, RandomRangesAreCertifiedToo) {
   std::printf("  slowest %.1f ms\n", 1e3 * slowest);
 }
 
-TEST(CertifiedSearch, FortyPercentOutliersStillGiveTheGlobalOptimumOfTheSquares) {
+TEST(certified_search, forty_percent_outliers_still_give_the_global_optimum_of_the_squares) {
   std::mt19937_64 random(5);
   const SearchRange range;
   for (int trial = 0; trial < 5; ++trial) {
@@ -238,7 +238,7 @@ TEST(CertifiedSearch, FortyPercentOutliersStillGiveTheGlobalOptimumOfTheSquares)
   }
 }
 
-TEST(CertifiedSearch, PlanarAndStraightDrivingAreCertifiedAndSaidNotToBeUnique) {
+TEST(certified_search, planar_and_straight_driving_are_certified_and_said_not_to_be_unique) {
   std::mt19937_64 random(6);
   const SearchRange range;
   for (const Drive& drive : {kPlanar, kStraight})
@@ -255,7 +255,7 @@ TEST(CertifiedSearch, PlanarAndStraightDrivingAreCertifiedAndSaidNotToBeUnique) 
     }
 }
 
-TEST(CertifiedSearch, LimitsOfNoWidthAreKept) {
+TEST(certified_search, limits_of_no_width_are_kept) {
   std::mt19937_64 random(7);
   const RigidTransform truth = make_rigid(so3_exp({0.2, -0.1, 0.7}), {1.0, 0.5, 1.5});
   const QuadraticForm form(pairs_of(random, truth, kGeneral, 1.0, 0.0), 1.0);
@@ -270,7 +270,7 @@ TEST(CertifiedSearch, LimitsOfNoWidthAreKept) {
   EXPECT_LT(held_roll.gap(), 1e-4 * held_roll.value) << held_roll.message;
 }
 
-TEST(CertifiedSearch, TimeDoesNotDependOnTheNumberOfPairs) {
+TEST(certified_search, time_does_not_depend_on_the_number_of_pairs) {
   std::mt19937_64 random(8);
   const RigidTransform truth = random_rigid(random, 1.0);
   for (const int count : {10, 1000, 20000}) {
@@ -281,7 +281,7 @@ TEST(CertifiedSearch, TimeDoesNotDependOnTheNumberOfPairs) {
   }
 }
 
-TEST(CertifiedSearch, SaysWhyNot) {
+TEST(certified_search, says_why_not) {
   std::mt19937_64 random(9);
   const std::vector<MotionPair> pairs = pairs_of(random, random_rigid(random, 1.0), kGeneral, 1.0, 0.0);
   const QuadraticForm form(pairs, 1.0);
@@ -309,7 +309,7 @@ TEST(CertifiedSearch, SaysWhyNot) {
   EXPECT_FALSE(open.message.empty());
 }
 
-TEST(CertifiedSearch, NothingToGoByIsNotUnique) {
+TEST(certified_search, nothing_to_go_by_is_not_unique) {
   const QuadraticForm form(std::vector<MotionPair>(5), 1.0);
   const SearchResult result = search(form, {}).result;
   EXPECT_EQ(result.outcome, SearchOutcome::Certified);

@@ -28,7 +28,7 @@ double squared_norm(const MotionPair& pair, const RigidTransform& x, double leng
   return error.squaredNorm();
 }
 
-TEST(Scoring, FrobeniusSumIsTheSumOfTheNormsOfItsDefinition) {
+TEST(scoring, frobenius_sum_is_the_sum_of_the_norms_of_its_definition) {
   std::mt19937_64 random(1);
   const std::vector<MotionPair> pairs = inconsistent_pairs(random, 30);
   for (const double length_m : {1.0, 10.0}) {
@@ -41,7 +41,7 @@ TEST(Scoring, FrobeniusSumIsTheSumOfTheNormsOfItsDefinition) {
   EXPECT_LT(frobenius_sum(exact_pairs(random, x, 30), x, 1.0), 1e-12);
 }
 
-TEST(Scoring, TheQuadraticFormIsTheWeightedSumOfSquares) {
+TEST(scoring, the_quadratic_form_is_the_weighted_sum_of_squares) {
   std::mt19937_64 random(2);
   const std::vector<MotionPair> pairs = inconsistent_pairs(random, 40);
   for (const double length_m : {1.0, 10.0}) {
@@ -55,7 +55,7 @@ TEST(Scoring, TheQuadraticFormIsTheWeightedSumOfSquares) {
   }
 }
 
-TEST(Scoring, ManyAtATimeAndOnAGridAgreeWithTheSumOfSquares) {
+TEST(scoring, many_at_a_time_and_on_a_grid_agree_with_the_sum_of_squares) {
   std::mt19937_64 random(6);
   const std::vector<MotionPair> pairs = inconsistent_pairs(random, 40);
   const QuadraticForm form(pairs, 1.0);
@@ -86,7 +86,7 @@ TEST(Scoring, ManyAtATimeAndOnAGridAgreeWithTheSumOfSquares) {
   EXPECT_THROW(form.values_on_grid(random_rotation(random), form.prepare_grid({}), two), Error);
 }
 
-TEST(Scoring, TheSumOfNormsAndTheSumOfSquaresAgreeWhereTheyMust) {
+TEST(scoring, the_sum_of_norms_and_the_sum_of_squares_agree_where_they_must) {
   std::mt19937_64 random(7);
   // One pair of weight 1: the square of the norm. Several: between the square over their number and the square.
   for (int count = 1; count <= 5; ++count) {
@@ -109,7 +109,7 @@ TEST(Scoring, TheSumOfNormsAndTheSumOfSquaresAgreeWhereTheyMust) {
   EXPECT_GT(form.value(perturbed(truth, random_step(random, 0.1, 0.1))), 1e-3);
 }
 
-TEST(Scoring, BestTranslationIsTheMinimumForItsRotation) {
+TEST(scoring, best_translation_is_the_minimum_for_its_rotation) {
   std::mt19937_64 random(3);
   const QuadraticForm form(inconsistent_pairs(random, 40), 1.0);
   for (int i = 0; i < 20; ++i) {
@@ -122,7 +122,7 @@ TEST(Scoring, BestTranslationIsTheMinimumForItsRotation) {
   }
 }
 
-TEST(Scoring, WhatThePairsDoNotDetermineStaysNear) {
+TEST(scoring, what_the_pairs_do_not_determine_stays_near) {
   std::mt19937_64 random(4);
   const RigidTransform x = random_rigid(random, 1.0);
   const QuadraticForm planar(exact_pairs(random, x, 30, {0, 0, 1}, {1, 1, 0}), 1.0);
@@ -131,7 +131,7 @@ TEST(Scoring, WhatThePairsDoNotDetermineStaysNear) {
   EXPECT_NEAR(best_m.z(), 9.0, 1e-9);
 }
 
-TEST(Scoring, ReducedGradientAgreesWithPerturbation) {
+TEST(scoring, reduced_gradient_agrees_with_perturbation) {
   std::mt19937_64 random(5);
   constexpr double kStep = 1e-5;
   const QuadraticForm form(inconsistent_pairs(random, 40), 10.0);

@@ -32,7 +32,7 @@ std::vector<StampedPose> stream(double from_s, double to_s, double rate_hz, doub
 
 const Eigen::Matrix3d kMounting = rotation_from_yaw_pitch_roll({-1.58, 0.2, 0.1});
 
-TEST(ClockAlignment, FindsAnOffsetBelowASampleWhateverTheMounting) {
+TEST(clock_alignment, finds_an_offset_below_a_sample_whatever_the_mounting) {
   for (const double clock_s : {0.0, 0.0371, -214.3, 5000.123}) {
     const ClockAlignment result =
         align_clocks(stream(0, 60, 50, 0, 0, Eigen::Matrix3d::Identity()), stream(10, 55, 10, clock_s, 0, kMounting));
@@ -42,7 +42,7 @@ TEST(ClockAlignment, FindsAnOffsetBelowASampleWhateverTheMounting) {
   }
 }
 
-TEST(ClockAlignment, NoiseIsWithinItsSigma) {
+TEST(clock_alignment, noise_is_within_its_sigma) {
   const ClockAlignment result = align_clocks(stream(0, 80, 100, 0, 0.0005, Eigen::Matrix3d::Identity()),
                                              stream(5, 70, 10, 3.21, 0.004, kMounting));
   ASSERT_TRUE(result.found && !result.ambiguous) << result.why;
@@ -50,14 +50,14 @@ TEST(ClockAlignment, NoiseIsWithinItsSigma) {
   EXPECT_LT(result.sigma_s, 0.05);
 }
 
-TEST(ClockAlignment, GapsDoNotMatter) {
+TEST(clock_alignment, gaps_do_not_matter) {
   std::vector<StampedPose> reference = stream(0, 60, 50, 0, 0, Eigen::Matrix3d::Identity());
   reference.erase(reference.begin() + 1000, reference.begin() + 1200);
   const ClockAlignment result = align_clocks(reference, stream(2, 58, 10, 1.0, 0, kMounting));
   EXPECT_NEAR(result.offset_s, -1.0, 0.003) << result.why;
 }
 
-TEST(ClockAlignment, SaysWhereThereIsNoAnswer) {
+TEST(clock_alignment, says_where_there_is_no_answer) {
   std::vector<StampedPose> straight = stream(0, 60, 10, 0, 0, kMounting);
   for (StampedPose& pose : straight) pose.pose = RigidTransform::Identity();
   EXPECT_FALSE(align_clocks(stream(0, 60, 50, 0, 0, kMounting), straight).found);

@@ -38,7 +38,7 @@ std::vector<int> scans_of(const std::vector<Keyframe>& keyframes) {
   return scans;
 }
 
-TEST(Keyframes, DistanceModeTakesOneEveryPresetDistance) {
+TEST(keyframes, distance_mode_takes_one_every_preset_distance) {
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.distance_m = 4.9999;
   const std::vector<Keyframe> keyframes = select_keyframes(3, stamps(31), straight(40), 0.0, options);
@@ -50,7 +50,7 @@ TEST(Keyframes, DistanceModeTakesOneEveryPresetDistance) {
   }
 }
 
-TEST(Keyframes, TimeModeTakesOneEveryPresetTimeAlsoWhereStampsJitter) {
+TEST(keyframes, time_mode_takes_one_every_preset_time_also_where_stamps_jitter) {
   KeyframeOptions options = options_of(KeyframeMode::Time);
   options.interval_s = 0.5;
   std::vector<std::int64_t> jittered = stamps(31);
@@ -61,7 +61,7 @@ TEST(Keyframes, TimeModeTakesOneEveryPresetTimeAlsoWhereStampsJitter) {
               (std::vector<int>{0, 5, 10, 15, 20, 25, 30}));
 }
 
-TEST(Keyframes, TurningOnTheSpotTakesKeyframesByTheTurn) {
+TEST(keyframes, turning_on_the_spot_takes_keyframes_by_the_turn) {
   std::vector<StampedPose> samples;
   for (int i = 0; i < 100; ++i)
     samples.push_back({i * 100'000'000LL, make_rigid(so3_exp({0, 0, degrees_to_radians(2.001 * i)}), {0, 0, 0})});
@@ -71,7 +71,7 @@ TEST(Keyframes, TurningOnTheSpotTakesKeyframesByTheTurn) {
             (std::vector<int>{0, 5, 10, 15}));
 }
 
-TEST(Keyframes, AShortDriveTakesThemCloserUntilThereAreEnough) {
+TEST(keyframes, a_short_drive_takes_them_closer_until_there_are_enough) {
   for (const KeyframeMode mode : {KeyframeMode::Distance, KeyframeMode::Time}) {
     KeyframeOptions options = options_of(mode);
     options.distance_m = 30.0;
@@ -85,14 +85,14 @@ TEST(Keyframes, AShortDriveTakesThemCloserUntilThereAreEnough) {
   }
 }
 
-TEST(Keyframes, TooManyAreSpreadEvenlyFromFirstToLast) {
+TEST(keyframes, too_many_are_spread_evenly_from_first_to_last) {
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.distance_m = 0.5;
   options.maximum = 4;
   EXPECT_EQ(scans_of(select_keyframes(0, stamps(31), straight(40), 0.0, options)), (std::vector<int>{0, 10, 20, 30}));
 }
 
-TEST(Keyframes, ScansThatTheTrajectoryDoesNotCoverAreLeftOut) {
+TEST(keyframes, scans_that_the_trajectory_does_not_cover_are_left_out) {
   KeyframeOptions options = options_of(KeyframeMode::Distance);
   options.distance_m = 0.5;
   const std::vector<Keyframe> late = select_keyframes(0, stamps(20), straight(40, 1.0), 0.0, options);

@@ -24,7 +24,7 @@ std::vector<StampedPose> circle(double rate_hz, int count) {
   return samples;
 }
 
-TEST(MotionTrack, FollowsACurveBetterThanAMillimetreAtTenHertz) {
+TEST(motion_track, follows_a_curve_better_than_a_millimetre_at_ten_hertz) {
   const MotionTrack track(circle(10.0, 60));
   double worst_m = 0.0, worst_rad = 0.0;
   for (double t = 0.1; t < 5.8; t += 0.0137) {
@@ -39,7 +39,7 @@ TEST(MotionTrack, FollowsACurveBetterThanAMillimetreAtTenHertz) {
   EXPECT_LT((track.at(nanoseconds(0.05))->translation() - on_circle(0.05).translation()).norm(), 0.005);
 }
 
-TEST(MotionTrack, CurvesStayAccurateWhereSamplesAreUneven) {
+TEST(motion_track, curves_stay_accurate_where_samples_are_uneven) {
   std::vector<StampedPose> samples;
   for (int i = 0; i < 60; ++i) {
     const double t = 0.1 * i + (i % 3 == 0 ? 0.03 : 0.0);
@@ -52,14 +52,14 @@ TEST(MotionTrack, CurvesStayAccurateWhereSamplesAreUneven) {
   EXPECT_LT(worst_m, 1e-3);
 }
 
-TEST(MotionTrack, ReturnsItsSamplesExactly) {
+TEST(motion_track, returns_its_samples_exactly) {
   const std::vector<StampedPose> samples = circle(10.0, 10);
   const MotionTrack track(samples);
   for (const StampedPose& sample : samples)
     EXPECT_TRUE(track.at(sample.stamp_ns)->matrix() == sample.pose.matrix()) << sample.stamp_ns;
 }
 
-TEST(MotionTrack, KnowsNothingOutsideItsData) {
+TEST(motion_track, knows_nothing_outside_its_data) {
   const MotionTrack track(circle(10.0, 10));
   EXPECT_FALSE(track.at(-1));
   EXPECT_FALSE(track.at(nanoseconds(0.9) + 1));
@@ -68,7 +68,7 @@ TEST(MotionTrack, KnowsNothingOutsideItsData) {
   EXPECT_FALSE(MotionTrack(circle(10.0, 1)).at(5));
 }
 
-TEST(MotionTrack, KnowsNothingInAGapAndDoesNotReachAcrossIt) {
+TEST(motion_track, knows_nothing_in_a_gap_and_does_not_reach_across_it) {
   std::vector<StampedPose> samples = circle(10.0, 60);
   samples.erase(samples.begin() + 20, samples.begin() + 30);  // 1.9 s to 3.0 s
   const MotionTrack track(samples);
@@ -86,7 +86,7 @@ TEST(MotionTrack, KnowsNothingInAGapAndDoesNotReachAcrossIt) {
   EXPECT_TRUE(MotionTrack(samples, 2.0).at(nanoseconds(2.5)));
 }
 
-TEST(MotionTrack, LeavesOutStampsThatRepeatOrStepBack) {
+TEST(motion_track, leaves_out_stamps_that_repeat_or_step_back) {
   const std::vector<StampedPose> clean = circle(10.0, 20);
   std::vector<StampedPose> samples = clean;
   samples.insert(samples.begin() + 5, {samples[4].stamp_ns, on_circle(7.0)});
@@ -97,7 +97,7 @@ TEST(MotionTrack, LeavesOutStampsThatRepeatOrStepBack) {
     EXPECT_TRUE(track.at(nanoseconds(t))->matrix() == reference.at(nanoseconds(t))->matrix()) << t;
 }
 
-TEST(MotionTrack, VelocityIsInBodyAxesAlsoAtTheEnds) {
+TEST(motion_track, velocity_is_in_body_axes_also_at_the_ends) {
   const MotionTrack track(circle(100.0, 500));
   Vector6d truth;
   truth << kSpeed, 0.0, 0.0, 0.0, 0.0, kTurn;

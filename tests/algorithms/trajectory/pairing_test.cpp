@@ -26,7 +26,7 @@ PairingOptions generous() {
   return options;
 }
 
-TEST(Pairing, TheMotionOfAPairIsThatOfItsTwoPoses) {
+TEST(pairing, the_motion_of_a_pair_is_that_of_its_two_poses) {
   Drive drive = straight(2, 1.0, 0.5);
   drive.poses[0] = make_rigid(so3_exp({0.1, 0.2, 0.3}), {1, 2, 3});
   drive.poses[1] = make_rigid(so3_exp({0.1, 0.2, 0.5}), {2, 2, 3});
@@ -41,7 +41,7 @@ TEST(Pairing, TheMotionOfAPairIsThatOfItsTwoPoses) {
   EXPECT_EQ(pairs[0].state, PairState::Proposed);
 }
 
-TEST(Pairing, EachLimitIsKeptAndEitherIsTheUnion) {
+TEST(pairing, each_limit_is_kept_and_either_is_the_union) {
   const Drive fast = straight(60, 2.0, 0.1), slow = straight(60, 0.5, 0.4);
   PairingOptions options = generous();
   options.max_gap_s = 1.0;
@@ -64,7 +64,7 @@ TEST(Pairing, EachLimitIsKeptAndEitherIsTheUnion) {
   }
 }
 
-TEST(Pairing, APairMustHaveMovedOrTurned) {
+TEST(pairing, a_pair_must_have_moved_or_turned) {
   Drive still = straight(10, 0.01, 0.1);
   EXPECT_TRUE(propose_pairs(still.keyframes, still.poses, generous()).empty());
   for (std::size_t i = 0; i < still.poses.size(); ++i)
@@ -72,7 +72,7 @@ TEST(Pairing, APairMustHaveMovedOrTurned) {
   EXPECT_EQ(propose_pairs(still.keyframes, still.poses, generous()).size(), 45U) << "turning on the spot counts";
 }
 
-TEST(Pairing, PartnersAreLimitedAndSpreadOverShortAndLongGaps) {
+TEST(pairing, partners_are_limited_and_spread_over_short_and_long_gaps) {
   const Drive drive = straight(30, 0.5, 10.0);
   PairingOptions options;
   options.max_partners = 4;
@@ -90,7 +90,7 @@ TEST(Pairing, PartnersAreLimitedAndSpreadOverShortAndLongGaps) {
   EXPECT_EQ(propose_pairs(drive.keyframes, drive.poses, options).front().keyframe_b, 1);
 }
 
-TEST(Pairing, SessionsAreNeverMixed) {
+TEST(pairing, sessions_are_never_mixed) {
   Drive drive = straight(10, 1.0, 0.1, 0);
   const Drive second = straight(10, 1.0, 0.1, 1);
   drive.keyframes.insert(drive.keyframes.end(), second.keyframes.begin(), second.keyframes.end());

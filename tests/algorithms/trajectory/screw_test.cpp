@@ -14,7 +14,7 @@ ScrewTest test(const MotionPair& pair) {
                     kThreshold);
 }
 
-TEST(Screw, InvariantsOfAnExactPairAreZeroWhateverTheMounting) {
+TEST(screw, invariants_of_an_exact_pair_are_zero_whatever_the_mounting) {
   std::mt19937_64 random(1);
   for (int mounting = 0; mounting < 50; ++mounting)
     for (const MotionPair& pair : exact_pairs(random, random_rigid(random, 2.0), 10)) {
@@ -26,7 +26,7 @@ TEST(Screw, InvariantsOfAnExactPairAreZeroWhateverTheMounting) {
     }
 }
 
-TEST(Screw, AWrongTurnIsFlaggedWithItsSize) {
+TEST(screw, a_wrong_turn_is_flagged_with_its_size) {
   std::mt19937_64 random(2);
   for (MotionPair pair : exact_pairs(random, random_rigid(random, 2.0), 20, {0, 0, 1})) {
     const Eigen::Vector3d turn = so3_log(pair.lidar_b_from_lidar_a.linear());
@@ -37,7 +37,7 @@ TEST(Screw, AWrongTurnIsFlaggedWithItsSize) {
   }
 }
 
-TEST(Screw, AWrongShiftAlongTheAxisIsFlaggedAndOneAcrossItCannotBe) {
+TEST(screw, a_wrong_shift_along_the_axis_is_flagged_and_one_across_it_cannot_be) {
   std::mt19937_64 random(3);
   const MotionPair exact = exact_pair(make_rigid(so3_exp({0, 0, 0.4}), {3, 1, 0}), random_rigid(random, 1.0));
   const Eigen::Vector3d axis = so3_log(exact.lidar_b_from_lidar_a.linear()).normalized();
@@ -49,7 +49,7 @@ TEST(Screw, AWrongShiftAlongTheAxisIsFlaggedAndOneAcrossItCannotBe) {
   EXPECT_TRUE(test(across).passed) << test(across).score;
 }
 
-TEST(Screw, WithoutATurnThereIsNoAxisToJudgeBy) {
+TEST(screw, without_a_turn_there_is_no_axis_to_judge_by) {
   MotionPair straight;
   straight.ins_b_from_ins_a.translation() = Eigen::Vector3d(5, 0, 0);
   straight.lidar_b_from_lidar_a.translation() = Eigen::Vector3d(0, 0, 5);

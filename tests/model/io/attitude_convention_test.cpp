@@ -33,7 +33,7 @@ void expect_near(const Vector3d& value, const Vector3d& expected) {
 
 const double kSin10 = std::sin(degrees_to_radians(10.0)), kCos10 = std::cos(degrees_to_radians(10.0));
 
-TEST(AttitudeConvention, HeadingEastIsNinetyDegreesFromNorthAndZeroFromEast) {
+TEST(attitude_convention, heading_east_is_ninety_degrees_from_north_and_zero_from_east) {
   for (const auto convention : {AttitudeConvention::Heading, AttitudeConvention::NovAtel}) {
     expect_near(directions(degrees(90, 0, 0), convention).nose, {1, 0, 0});
     expect_near(directions(degrees(0, 0, 0), convention).nose, {0, 1, 0});
@@ -44,19 +44,19 @@ TEST(AttitudeConvention, HeadingEastIsNinetyDegreesFromNorthAndZeroFromEast) {
   expect_near(directions(degrees(90, 0, 0), AttitudeConvention::EnuYaw).right, {1, 0, 0});
 }
 
-TEST(AttitudeConvention, PitchLiftsTheNoseWhereTheConventionSaysSo) {
+TEST(attitude_convention, pitch_lifts_the_nose_where_the_convention_says_so) {
   expect_near(directions(degrees(90, 10, 0), AttitudeConvention::Heading).nose, {kCos10, 0, kSin10});
   expect_near(directions(degrees(90, 10, 0), AttitudeConvention::NovAtel).nose, {kCos10, 0, kSin10});
   expect_near(directions(degrees(0, 10, 0), AttitudeConvention::EnuYaw).nose, {kCos10, 0, -kSin10});
 }
 
-TEST(AttitudeConvention, RollLowersTheRightHandSide) {
+TEST(attitude_convention, roll_lowers_the_right_hand_side) {
   expect_near(directions(degrees(0, 0, 10), AttitudeConvention::Heading).right, {kCos10, 0, -kSin10});
   expect_near(directions(degrees(0, 0, 10), AttitudeConvention::NovAtel).right, {kCos10, 0, -kSin10});
   expect_near(directions(degrees(90, 0, 10), AttitudeConvention::EnuYaw).right, {kCos10, 0, -kSin10});
 }
 
-TEST(AttitudeConvention, NovAtelIsHeadingInOtherAxes) {
+TEST(attitude_convention, novatel_is_heading_in_other_axes) {
   const AttitudeAngles angles = degrees(123, -21, 34);
   const Directions novatel = directions(angles, AttitudeConvention::NovAtel),
                    heading = directions(angles, AttitudeConvention::Heading);
@@ -64,7 +64,7 @@ TEST(AttitudeConvention, NovAtelIsHeadingInOtherAxes) {
   expect_near(novatel.right, heading.right);
 }
 
-TEST(AttitudeConvention, AnglesComeBack) {
+TEST(attitude_convention, angles_come_back) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> full(-3.1, 3.1), half(-1.5, 1.5);
   for (int i = 0; i < 200; ++i)
@@ -78,12 +78,12 @@ TEST(AttitudeConvention, AnglesComeBack) {
     }
 }
 
-TEST(AttitudeConvention, SigmaFollowsTheAxes) {
+TEST(attitude_convention, sigma_follows_the_axes) {
   EXPECT_EQ(axis_sigma_rad({3, 2, 1}, AttitudeConvention::EnuYaw), Vector3d(1, 2, 3));
   EXPECT_EQ(axis_sigma_rad({3, 2, 1}, AttitudeConvention::NovAtel), Vector3d(2, 1, 3));
 }
 
-TEST(AttitudeConvention, QuaternionsOfBothWorlds) {
+TEST(attitude_convention, quaternions_of_both_worlds) {
   // Heading east, nose up 10 degrees, right side down 5 degrees in the aerospace sense: Rz(90) Ry(10) Rx(5) in NED.
   const Eigen::Quaterniond ned(
       rotation_from_yaw_pitch_roll({degrees_to_radians(90), degrees_to_radians(10), degrees_to_radians(5)}));
@@ -92,7 +92,7 @@ TEST(AttitudeConvention, QuaternionsOfBothWorlds) {
   EXPECT_LT(enu_from_ins(enu, QuaternionConvention::EnuFromIns).angularDistance(enu), 1e-12);
 }
 
-TEST(AttitudeConvention, NamesComeBack) {
+TEST(attitude_convention, names_come_back) {
   for (const auto convention : {AttitudeConvention::EnuYaw, AttitudeConvention::Heading, AttitudeConvention::NovAtel})
     EXPECT_EQ(attitude_convention_from_string(to_string(convention)), convention);
   for (const auto convention : {QuaternionConvention::EnuFromIns, QuaternionConvention::NedFromBody})

@@ -31,7 +31,7 @@ std::string pcd_header(const std::string& fields, const std::string& sizes, cons
          "\nHEIGHT 1\nPOINTS " + points + "\nDATA " + data + "\n";
 }
 
-class CloudFile : public ::testing::Test {
+class cloud_file : public ::testing::Test {
  protected:
   PointCloud load(const std::string& name, const std::string& bytes, std::int64_t stamp_ns = 0) {
     return load_cloud(folder_.write(name, bytes), stamp_ns);
@@ -50,7 +50,7 @@ PointCloud made_cloud() {
   return cloud;
 }
 
-TEST_F(CloudFile, PcdReadsBackWhatWasWritten) {
+TEST_F(cloud_file, pcd_reads_back_what_was_written) {
   const PointCloud written = made_cloud();
   write_pcd(folder_.path() / "a.pcd", written);
   const PointCloud read = load_cloud(folder_.path() / "a.pcd", 0);
@@ -61,7 +61,7 @@ TEST_F(CloudFile, PcdReadsBackWhatWasWritten) {
   EXPECT_EQ(read.dropped_points, 0u);
 }
 
-TEST_F(CloudFile, KittiBinReadsBackWhatWasWritten) {
+TEST_F(cloud_file, kitti_bin_reads_back_what_was_written) {
   const PointCloud written = made_cloud();
   write_kitti_bin(folder_.path() / "a.bin", written);
   const PointCloud read = load_cloud(folder_.path() / "a.bin", 0);
@@ -69,7 +69,7 @@ TEST_F(CloudFile, KittiBinReadsBackWhatWasWritten) {
   EXPECT_EQ(read.intensity, written.intensity);
 }
 
-TEST_F(CloudFile, AsciiPcdWithDoublesUpperCaseAndAnyOrder) {
+TEST_F(cloud_file, ascii_pcd_with_doubles_upper_case_and_any_order) {
   const PointCloud cloud = load(
       "a.pcd",
       "VERSION 0.7\nPOINTS 3\nFIELDS Intensity Z Ring X Y extra\nTYPE F F U F F I\nCOUNT 1 1 1 1 1 2\nSIZE 4 8 2 8 "
@@ -81,7 +81,7 @@ TEST_F(CloudFile, AsciiPcdWithDoublesUpperCaseAndAnyOrder) {
   EXPECT_EQ(cloud.dropped_points, 2u) << "one NaN and one at zero range";
 }
 
-TEST_F(CloudFile, BinaryPcdWithIntegerAndDoubleCoordinates) {
+TEST_F(cloud_file, binary_pcd_with_integer_and_double_coordinates) {
   std::string bytes = pcd_header("x y z", "2 8 4", "I F I", "2", "binary");
   append<std::int16_t>(bytes, -3), append<double>(bytes, 1.25), append<std::int32_t>(bytes, 70000);
   append<std::int16_t>(bytes, 4), append<double>(bytes, -2.5), append<std::int32_t>(bytes, -1);
@@ -102,7 +102,7 @@ std::string compressed_pcd(std::uint32_t promised_extra = 0, std::uint32_t packe
   return bytes + packed;
 }
 
-TEST_F(CloudFile, CompressedPcd) {
+TEST_F(cloud_file, compressed_pcd) {
   const PointCloud cloud = load("a.pcd", compressed_pcd());
   ASSERT_EQ(cloud.size(), 100u);
   EXPECT_EQ(cloud.points[99], Eigen::Vector3f(10.0f, 11.0f, 12.0f));
@@ -113,7 +113,7 @@ TEST_F(CloudFile, CompressedPcd) {
   EXPECT_ERROR(load("d.pcd", broken), "d.pcd: byte");
 }
 
-TEST_F(CloudFile, LzfDecodesWhatItEncodesAndRefusesTheRest) {
+TEST_F(cloud_file, lzf_decodes_what_it_encodes_and_refuses_the_rest) {
   std::mt19937 random(1);
   for (int round = 0; round < 50; ++round) {
     std::string bytes(static_cast<std::size_t>(random() % 5000), '\0');
@@ -129,7 +129,7 @@ TEST_F(CloudFile, LzfDecodesWhatItEncodesAndRefusesTheRest) {
   EXPECT_FALSE(lzf_decode("abc", std::size_t{1} << 40)) << "must not take memory for it";
 }
 
-TEST_F(CloudFile, TimesBecomeRelativeToTheStamp) {
+TEST_F(cloud_file, times_become_relative_to_the_stamp) {
   constexpr std::int64_t kStamp = 1'635'265'289'468'000'000;
   const auto with_times = [&](const std::string& name, const std::string& size, const std::string& type,
                               const std::string& text) {
@@ -151,7 +151,7 @@ TEST_F(CloudFile, TimesBecomeRelativeToTheStamp) {
   expect(with_times("time", "4", "F", "1 1 1 0\n1 1 1 99000\n"), 0.0f, 0.099f);                       // microseconds
 }
 
-TEST_F(CloudFile, MalformedPcdIsAnErrorThatNamesThePlace) {
+TEST_F(cloud_file, malformed_pcd_is_an_error_that_names_the_place) {
   const std::string good = pcd_header("x y z", "4 4 4", "F F F", "2", "ascii") + "1 2 3\n4 5 6\n";
   EXPECT_EQ(load("good.pcd", good).size(), 2u);
   EXPECT_ERROR(load("a.pcd", ""), "a.pcd:1: is empty");
@@ -191,7 +191,7 @@ TEST_F(CloudFile, MalformedPcdIsAnErrorThatNamesThePlace) {
       "hold at most 0");
 }
 
-TEST_F(CloudFile, PlyInEveryEncodingWithListsBefore) {
+TEST_F(cloud_file, ply_in_every_encoding_with_lists_before) {
   const auto header = [](const std::string& format, const std::string& scalar) {
     return "ply\nformat " + format +
            " 1.0\ncomment made\nelement face 2\nproperty list uchar int vertex_indices\nelement vertex 2\nproperty " +
@@ -219,7 +219,7 @@ TEST_F(CloudFile, PlyInEveryEncodingWithListsBefore) {
   EXPECT_ERROR(load("d.ply", text + "3 0 1 2\n9 0 1 2\n1 2 3 4\n5 6 7 1\n"), "a list promises more");
 }
 
-TEST_F(CloudFile, MalformedPlyIsAnErrorThatNamesThePlace) {
+TEST_F(cloud_file, malformed_ply_is_an_error_that_names_the_place) {
   const std::string vertex = "property float x\nproperty float y\nproperty float z\nend_header\n";
   EXPECT_ERROR(load("a.ply", ""), "does not begin with 'ply'");
   EXPECT_ERROR(load("a.ply", "ply\nelement vertex 1\n" + vertex), "no 'format' line");
@@ -236,7 +236,7 @@ TEST_F(CloudFile, MalformedPlyIsAnErrorThatNamesThePlace) {
   EXPECT_ERROR(load("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty decimal x\n"), "'decimal' is not");
 }
 
-TEST_F(CloudFile, KittiBinOfWrongLengthAndTextScans) {
+TEST_F(cloud_file, kitti_bin_of_wrong_length_and_text_scans) {
   EXPECT_ERROR(load("a.bin", ""), "holds 0 bytes");
   EXPECT_ERROR(load("a.bin", std::string(17, 'x')), "multiple of 16");
   const PointCloud text = load("a.txt", "1.5 2 3 0.5\n0 0 0 0\n4 5 6 0.25\n");
@@ -246,7 +246,7 @@ TEST_F(CloudFile, KittiBinOfWrongLengthAndTextScans) {
   EXPECT_ERROR(load("b.dat", "1 2 3 4\n"), "is no PCD, PLY");
 }
 
-TEST_F(CloudFile, OnlyRegularFilesAreRead) {
+TEST_F(cloud_file, only_regular_files_are_read) {
   std::filesystem::create_directory(folder_.path() / "x.pcd");
   EXPECT_ERROR(load_cloud(folder_.path() / "x.pcd", 0), "is a directory, expected a regular file");
   ASSERT_EQ(::mkfifo((folder_.path() / "fifo.pcd").c_str(), 0600), 0);
@@ -258,7 +258,7 @@ TEST_F(CloudFile, OnlyRegularFilesAreRead) {
 }
 
 // Mutations of good files either load or throw Error, in little time and little memory.
-TEST_F(CloudFile, MutatedFilesNeverCrash) {
+TEST_F(cloud_file, mutated_files_never_crash) {
   std::string ply =
       "ply\nformat binary_little_endian 1.0\nelement face 3\nproperty list uchar int v\nelement vertex 9\nproperty "
       "float x\nproperty float y\nproperty float z\nend_header\n";
@@ -307,7 +307,7 @@ TEST_F(CloudFile, MutatedFilesNeverCrash) {
   EXPECT_LT(usage.ru_maxrss, 2'000'000) << "kB at most, of the whole test program";
 }
 
-TEST(CloudFileOnRealData, ReadsOpenCalibAndZxl19) {
+TEST(cloud_file_on_real_data, reads_open_calib_and_zxl19) {
   const auto opencalib = shared_data() / "opencalib" / "top_center_lidar" / "2021-10-26-16-21-29-468.pcd";
   SKIP_WITHOUT(opencalib);
   const PointCloud cloud = load_cloud(opencalib, 0);

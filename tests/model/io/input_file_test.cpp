@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-TEST(InputFile, NumbersAreStrictAndFinite) {
+TEST(input_file, numbers_are_strict_and_finite) {
   EXPECT_EQ(parse_number(" -1.5e3 "), -1500.0);
   EXPECT_EQ(parse_number("+2"), 2.0);
   for (const char* text : {"", " ", "1,5", "1.5x", "nan", "inf", "0x10", "--1", "+", "1e999"})
@@ -21,7 +21,7 @@ TEST(InputFile, NumbersAreStrictAndFinite) {
   EXPECT_ERROR(require_number("abc", "yaw", "ins.csv", 7), "ins.csv:7: yaw is 'abc'");
 }
 
-TEST(InputFile, NumbersDoNotDependOnTheLocale) {
+TEST(input_file, numbers_do_not_depend_on_the_locale) {
   const std::string before = std::setlocale(LC_ALL, nullptr);
   if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) std::setlocale(LC_ALL, "C.UTF-8");
   EXPECT_EQ(parse_number("1.5"), 1.5);
@@ -29,7 +29,7 @@ TEST(InputFile, NumbersDoNotDependOnTheLocale) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
-TEST(InputFile, SecondsKeepEveryNanosecond) {
+TEST(input_file, seconds_keep_every_nanosecond) {
   EXPECT_EQ(parse_seconds_ns("1636512749.922900677"), 1'636'512'749'922'900'677);
   EXPECT_EQ(parse_seconds_ns("86.553"), 86'553'000'000);
   EXPECT_EQ(parse_seconds_ns("-0.5"), -500'000'000);
@@ -39,13 +39,13 @@ TEST(InputFile, SecondsKeepEveryNanosecond) {
     EXPECT_FALSE(parse_seconds_ns(text)) << text;
 }
 
-TEST(InputFile, CsvKeepsCommasWithinQuotes) {
+TEST(input_file, csv_keeps_commas_within_quotes) {
   std::vector<std::string_view> fields;
   split_csv("1, \"(0.0, 0.0)\" ,,3\r", fields);
   EXPECT_EQ(fields, (std::vector<std::string_view>{"1", "(0.0, 0.0)", "", "3"}));
 }
 
-TEST(InputFile, LinesOfAnyEnding) {
+TEST(input_file, lines_of_any_ending) {
   LineReader lines(
       "\xEF\xBB\xBF"
       "a\r\nb\n\nc");
@@ -55,7 +55,7 @@ TEST(InputFile, LinesOfAnyEnding) {
   EXPECT_EQ(lines.line_number(), 4u);
 }
 
-TEST(InputFile, SizeIsBounded) {
+TEST(input_file, size_is_bounded) {
   const TemporaryFolder folder;
   const auto file = folder.write("a", "12345");
   EXPECT_EQ(read_regular_file(file, 5), "12345");
@@ -63,7 +63,7 @@ TEST(InputFile, SizeIsBounded) {
   EXPECT_EQ(read_file_head(file, 2), "12");
 }
 
-TEST(TimeStamp, DatesOfBothKinds) {
+TEST(time_stamp, dates_of_both_kinds) {
   EXPECT_EQ(parse_date_ns("2011-09-26 13:02:25.964389445"), 1'317'042'145'964'389'445);
   EXPECT_EQ(parse_date_ns("2021-10-26-16-21-29-468"), 1'635'265'289'468'000'000);
   EXPECT_EQ(format_date_ns(1'317'042'145'964'389'445), "2011-09-26 13:02:25.964389445");
@@ -72,7 +72,7 @@ TEST(TimeStamp, DatesOfBothKinds) {
     EXPECT_FALSE(parse_date_ns(text)) << text;
 }
 
-TEST(TimeStamp, GpsTimeWithLeapSeconds) {
+TEST(time_stamp, gps_time_with_leap_seconds) {
   // The GPS epoch; and around the leap second at the end of 2016: GPS runs on, UTC repeats a second.
   EXPECT_EQ(unix_ns_from_gps_week(0, 0), 315'964'800'000'000'000);
   constexpr std::int64_t kNewYear2017 = 1'483'228'800;

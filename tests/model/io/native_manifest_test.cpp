@@ -18,9 +18,9 @@ const std::string kIns =
     "pitch: p, roll: r}\n";
 const std::string kHead = "format: remount-session/1\nname: test\n";
 
-class NativeManifest : public ::testing::Test {
+class native_manifest : public ::testing::Test {
  protected:
-  NativeManifest() {
+  native_manifest() {
     folder_.write("s/1600000000.bin", std::string(32, '\x3f'));
     folder_.write("s/1600000000.1.bin", std::string(32, '\x3f'));
     folder_.write("ins.csv", "t,lat,lon,h,hdg,p,r\n1600000000,48,9,250,90,1,2\n1600000000.5,48,9,250,91,1,2\n");
@@ -42,7 +42,7 @@ class NativeManifest : public ::testing::Test {
     EXPECT_TRUE(contains(text_, part)) << "message: '" << text_ << "'"; \
   } while (false)
 
-TEST_F(NativeManifest, ColumnsUnitsAndConventionAsDeclared) {
+TEST_F(native_manifest, columns_units_and_convention_as_declared) {
   const Session session =
       open(kHead + kScans + kIns + "ins_noise: {position_sigma_m: 0.01, attitude_sigma_deg: 0.02}\n");
   ASSERT_EQ(session.ins.size(), 2u);
@@ -56,7 +56,7 @@ TEST_F(NativeManifest, ColumnsUnitsAndConventionAsDeclared) {
   EXPECT_TRUE(std::isnan(session.ins_attitude_bias_sigma_rad));
 }
 
-TEST_F(NativeManifest, ColumnsByIndexWithGpsTimeRadiansAndQuaternion) {
+TEST_F(native_manifest, columns_by_index_with_gps_time_radians_and_quaternion) {
   folder_.write("raw.csv", "some header\n0.8,0.15,250,2183,269353560,0,0,0.70710678118654757,0.70710678118654757\n");
   const Session session =
       open(kHead + kScans +
@@ -69,7 +69,7 @@ TEST_F(NativeManifest, ColumnsByIndexWithGpsTimeRadiansAndQuaternion) {
   EXPECT_LT((session.ins[0].enu_from_ins * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(), 1e-12);
 }
 
-TEST_F(NativeManifest, PoseStreamsOnBothSides) {
+TEST_F(native_manifest, pose_streams_on_both_sides) {
   folder_.write("ins.txt", "1600000000 0 0 0 0 0 0 1\n1600000001 1 0 0 0 0 0 1\n");
   folder_.write("lidar.csv", "1600000000,0,0,0,0,0,0,1\n1600000001,1,0,0,0,0,0,1\n");
   const Session session =
@@ -78,7 +78,7 @@ TEST_F(NativeManifest, PoseStreamsOnBothSides) {
   EXPECT_EQ(session.odometry_from_lidar.size(), 2u);
 }
 
-TEST_F(NativeManifest, MistakesAreNamedWithTheirLine) {
+TEST_F(native_manifest, mistakes_are_named_with_their_line) {
   EXPECT_REFUSED("", "session.yaml");
   EXPECT_REFUSED("format: remount-session/2\nname: x\n" + kScans + kIns, "session.yaml:1");
   EXPECT_REFUSED(kHead + kScans + kIns + "colour: red\n", "session.yaml:12");
@@ -113,7 +113,7 @@ TEST_F(NativeManifest, MistakesAreNamedWithTheirLine) {
   EXPECT_REFUSED(std::string(5000, '['), "session.yaml");
 }
 
-TEST_F(NativeManifest, BadInsLinesBecomeFindings) {
+TEST_F(native_manifest, bad_ins_lines_become_findings) {
   folder_.write("ins.csv",
                 "t,lat,lon,h,hdg,p,r\n1600000000,48,9,250,90,1,2\nabc\n1600000001,48,9,nan,90,1,2\n1600000002,148,9,"
                 "250,90,1,2\n1600000003,48,9,250,90,1,2\n");
@@ -126,7 +126,7 @@ TEST_F(NativeManifest, BadInsLinesBecomeFindings) {
   EXPECT_REFUSED(kHead + kScans + kIns, "holds no usable INS sample");
 }
 
-TEST_F(NativeManifest, StampTablesAndOneBadScan) {
+TEST_F(native_manifest, stamp_tables_and_one_bad_scan) {
   folder_.write("stamps.csv", "file,stamp_ns\n1600000000.bin,5\n1600000000.1.bin,7\nmissing.bin,9\n");
   folder_.write("s/1600000000.bin", "abc");
   const Session session =

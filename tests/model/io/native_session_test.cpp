@@ -78,7 +78,7 @@ void expect_same_ins(const Session& read, const Session& written) {
   }
 }
 
-TEST(NativeSession, ReadsBackWhatWasWritten) {
+TEST(native_session, reads_back_what_was_written) {
   const TemporaryFolder folder;
   const Session written = made_session(true);
   Progress progress;
@@ -109,7 +109,7 @@ TEST(NativeSession, ReadsBackWhatWasWritten) {
   }
 }
 
-TEST(NativeSession, KeepsTheSweepAndNovAtelAxes) {
+TEST(native_session, keeps_the_sweep_and_novatel_axes) {
   const TemporaryFolder folder;
   Session written = made_session(false);
   written.ins_axes = std::string(to_string(InsAxes::RightForwardUp));
@@ -126,7 +126,7 @@ TEST(NativeSession, KeepsTheSweepAndNovAtelAxes) {
   EXPECT_LT((read.ins[3].sigma.attitude_rad - written.ins[3].sigma.attitude_rad).norm(), 1e-15);
 }
 
-TEST(NativeSession, WritesTheSameBytesWithAnyNumberOfThreads) {
+TEST(native_session, writes_the_same_bytes_with_any_number_of_threads) {
   const TemporaryFolder folder;
   const Session session = made_session(true);
   Progress progress;
@@ -143,7 +143,7 @@ TEST(NativeSession, WritesTheSameBytesWithAnyNumberOfThreads) {
   }
 }
 
-TEST(KittiRaw, ReadsBackWhatWasWrittenAsExtractAndAsSync) {
+TEST(kitti_raw, reads_back_what_was_written_as_extract_and_as_sync) {
   const TemporaryFolder folder;
   Session written = made_session(false);
   Progress progress;

@@ -11,7 +11,7 @@
 namespace remount {
 namespace {
 
-TEST(InspvaxLog, ChecksumIsNovAtels) {
+TEST(inspvax_log, checksum_is_novatels) {
   // The example of the OEM6 firmware reference manual for BESTPOSA.
   EXPECT_EQ(novatel_crc32("BESTPOSA,COM1,0,78.0,FINESTEERING,1427,325298.000,00000000,6145,2748;SOL_COMPUTED,SINGLE,51."
                           "11678928753,-114.03886216575,"
@@ -19,7 +19,7 @@ TEST(InspvaxLog, ChecksumIsNovAtels) {
             0x9c9a92bbu);
 }
 
-TEST(InspvaxLog, AsciiLinesWithTheirConvention) {
+TEST(inspvax_log, ascii_lines_with_their_convention) {
   const TemporaryFolder folder;
   const auto file = folder.write("a.log", "#BESTPOSA,other\n" + inspvaxa(2183, 269353.56, 90.0) +
                                               inspvaxa(2183, 269353.58, 91.0, "INS_SOLUTION_FREE"));
@@ -40,7 +40,7 @@ TEST(InspvaxLog, AsciiLinesWithTheirConvention) {
   EXPECT_NEAR(nose_in_enu.z(), std::sin(degrees_to_radians(-2.5)), 1e-12) << "nose down";
 }
 
-TEST(InspvaxLog, BadLinesAreCountedAndSkipped) {
+TEST(inspvax_log, bad_lines_are_counted_and_skipped) {
   const TemporaryFolder folder;
   std::string flipped = inspvaxa(2183, 2.0, 90.0);
   flipped[70] = flipped[70] == '1' ? '2' : '1';
@@ -59,7 +59,7 @@ TEST(InspvaxLog, BadLinesAreCountedAndSkipped) {
                "no usable INSPVAX line");
 }
 
-TEST(NovatelReader, ALogAloneSaysWhatIsMissing) {
+TEST(novatel_reader, a_log_alone_says_what_is_missing) {
   const TemporaryFolder folder;
   const Session session = open(folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + inspvaxa(2183, 1.02, 90.0)));
   EXPECT_EQ(session.format, "novatel-inspvax");
@@ -93,7 +93,7 @@ double angle_rms_rad(const Session& session, std::size_t gap) {
   return count > 100 ? std::sqrt(sum / count) : 1e9;
 }
 
-TEST(NovatelReader, RealDrivesLandOnTheInsTimeLine) {
+TEST(novatel_reader, real_drives_land_on_the_ins_time_line) {
   SKIP_WITHOUT(shared_data() / "zxl19");
   for (const char* bag : {"bag1", "bag2", "bag4"}) {
     Session session = open(shared_data() / "zxl19" / bag);
@@ -107,7 +107,7 @@ TEST(NovatelReader, RealDrivesLandOnTheInsTimeLine) {
   }
 }
 
-TEST(NovatelReader, SpreadsheetStampsDoNotMatterAndTheIntactFileIsPreferred) {
+TEST(novatel_reader, spreadsheet_stamps_do_not_matter_and_the_intact_file_is_preferred) {
   const auto bag4 = shared_data() / "zxl19" / "bag4";
   SKIP_WITHOUT(bag4);
   const Session both = open(bag4);

@@ -36,7 +36,7 @@ void write_kitti(const TemporaryFolder& folder, const std::string& drive) {
   folder.write(drive + "/velodyne_points/timestamps.txt", stamps);
 }
 
-TEST(KittiRawReader, OpensADriveFromAnyParent) {
+TEST(kitti_raw_reader, opens_a_drive_from_any_parent) {
   const TemporaryFolder folder;
   write_kitti(folder, "2011_09_26/2011_09_26_drive_0001_sync");
   folder.write("2011_09_26/calib_imu_to_velo.txt", "calib_time: 25-May-2012\nR: 1 0 0 0 1 0 0 0 1\nT: -0.8 0.3 -0.8\n");
@@ -53,7 +53,7 @@ TEST(KittiRawReader, OpensADriveFromAnyParent) {
   }
 }
 
-TEST(KittiRawReader, SeveralDrivesAreListed) {
+TEST(kitti_raw_reader, several_drives_are_listed) {
   const TemporaryFolder folder;
   write_kitti(folder, "d/a_sync");
   write_kitti(folder, "d/b_sync");
@@ -61,7 +61,7 @@ TEST(KittiRawReader, SeveralDrivesAreListed) {
   EXPECT_ERROR(open(folder.path()), "b_sync");
 }
 
-TEST(KittiRawReader, BadFilesBecomeFindingsAndTheRestOpens) {
+TEST(kitti_raw_reader, bad_files_become_findings_and_the_rest_opens) {
   const TemporaryFolder folder;
   write_kitti(folder, "a_sync");
   folder.write("a_sync/oxts/data/0000000001.txt", "49.0 8.4 115\n");
@@ -79,7 +79,7 @@ TEST(KittiRawReader, BadFilesBecomeFindingsAndTheRestOpens) {
   EXPECT_ERROR(session.scans->load(3), "does not exist");
 }
 
-TEST(KittiRawReader, ExtractKeepsItsOwnStampsAndTakesThePeriodOfATurn) {
+TEST(kitti_raw_reader, extract_keeps_its_own_stamps_and_takes_the_period_of_a_turn) {
   const TemporaryFolder folder;
   write_kitti(folder, "a_extract");
   std::string start, end, stamps;
@@ -101,7 +101,7 @@ TEST(KittiRawReader, ExtractKeepsItsOwnStampsAndTakesThePeriodOfATurn) {
   EXPECT_TRUE(session.sweep.certain);
 }
 
-TEST(KittiRawReader, RealDrives) {
+TEST(kitti_raw_reader, real_drives) {
   SKIP_WITHOUT(shared_data() / "kitti");
   for (const char* drive : {"00", "05", "07", "10"}) {
     const Session session = open(shared_data() / "kitti" / drive);
@@ -126,7 +126,7 @@ std::string pose_lines(int count, double scale = 1.0) {
   return text;
 }
 
-TEST(OpenCalibReader, PosesOfBothStreams) {
+TEST(open_calib_reader, poses_of_both_streams) {
   const TemporaryFolder folder;
   folder.write("NovAtel-pose-lidar-time.txt", pose_lines(20));
   folder.write("top_center_lidar-enu.txt", pose_lines(20));
@@ -142,7 +142,7 @@ TEST(OpenCalibReader, PosesOfBothStreams) {
   EXPECT_EQ(find(session, "rotation-not-orthonormal"), nullptr);
 }
 
-TEST(OpenCalibReader, ScansWithASinglePoseFile) {
+TEST(open_calib_reader, scans_with_a_single_pose_file) {
   const TemporaryFolder folder;
   folder.write("top_center_lidar-pose.txt", pose_lines(3));
   const std::string header = "FIELDS x y z time\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 2\nHEIGHT 1\nDATA ascii\n";
@@ -160,7 +160,7 @@ TEST(OpenCalibReader, ScansWithASinglePoseFile) {
   EXPECT_EQ(session.scans->load(2).size(), 2u);
 }
 
-TEST(OpenCalibReader, RotationsThatAreNoneAreLeftOut) {
+TEST(open_calib_reader, rotations_that_are_none_are_left_out) {
   const TemporaryFolder folder;
   std::vector<Finding> findings;
   const auto file = folder.write(
@@ -176,7 +176,7 @@ TEST(OpenCalibReader, RotationsThatAreNoneAreLeftOut) {
                "holds no usable pose");
 }
 
-TEST(OpenCalibReader, RealDataAreExactConjugates) {
+TEST(open_calib_reader, real_data_are_exact_conjugates) {
   SKIP_WITHOUT(shared_data() / "opencalib");
   const Session session = open(shared_data() / "opencalib");
   ASSERT_EQ(session.world_from_ins.size(), 1081u);
@@ -206,7 +206,7 @@ std::string poses(double clock_s, double yaw_offset, const char* separator, doub
   return text;
 }
 
-TEST(PoseSessionReader, PairsByNameAndAlignsClocksThatDoNotOverlap) {
+TEST(pose_session_reader, pairs_by_name_and_aligns_clocks_that_do_not_overlap) {
   const TemporaryFolder folder;
   folder.write("run_vicon.csv", "# t,x,y,z,qx,qy,qz,qw\n" + poses(0, 0.0, ",", 100, 160, 0.02));
   folder.write("run_camera.txt", poses(5000.25, 1.0, " ", 110, 150, 0.1));
@@ -217,7 +217,7 @@ TEST(PoseSessionReader, PairsByNameAndAlignsClocksThatDoNotOverlap) {
   EXPECT_NEAR(static_cast<double>(session.odometry_from_lidar[0].stamp_ns) * 1e-9, 110.0, 0.003);
 }
 
-TEST(PoseSessionReader, AmbiguousNamesAreListed) {
+TEST(pose_session_reader, ambiguous_names_are_listed) {
   const TemporaryFolder folder;
   folder.write("a_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
   folder.write("b_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
@@ -227,7 +227,7 @@ TEST(PoseSessionReader, AmbiguousNamesAreListed) {
   EXPECT_NE(find(single, "one-stream"), nullptr);
 }
 
-TEST(PoseSessionReader, RealRigs) {
+TEST(pose_session_reader, real_rigs) {
   SKIP_WITHOUT(shared_data() / "ethz");
   const TemporaryFolder folder;
   for (const char* name : {"robot_arm_sim_camera.csv", "robot_arm_sim_hand.csv"})
@@ -241,7 +241,7 @@ TEST(PoseSessionReader, RealRigs) {
 
 // ---- What no reader knows
 
-TEST(OpenSession, SaysWhatEachReaderLooksFor) {
+TEST(open_session, says_what_each_reader_looks_for) {
   const TemporaryFolder folder;
   const std::string message = error_of([&] { open(folder.path()); });
   for (const auto& reader : session_readers()) EXPECT_TRUE(contains(message, reader->description())) << message;
@@ -249,7 +249,7 @@ TEST(OpenSession, SaysWhatEachReaderLooksFor) {
   EXPECT_ERROR(open("/dev/zero"), "is no session");
 }
 
-TEST(OpenSession, a_broken_or_empty_manifest_is_refused_with_its_place) {
+TEST(open_session, a_broken_or_empty_manifest_is_refused_with_its_place) {
   const TemporaryFolder folder;
   const std::vector<std::pair<std::string, std::string>> cases{
       {"", "session.yaml:1: is empty"},
@@ -269,7 +269,7 @@ TEST(OpenSession, a_broken_or_empty_manifest_is_refused_with_its_place) {
 }
 
 // Mutated sessions open or throw Error; nothing crashes or hangs.
-TEST(OpenSession, MutatedSessionsNeverCrash) {
+TEST(open_session, mutated_sessions_never_crash) {
   const TemporaryFolder folder;
   write_kitti(folder, "k/a_sync");
   folder.write("o/ins.txt", pose_lines(20));

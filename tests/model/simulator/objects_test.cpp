@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 /// A drive with its scene, and scans compensated by the true motion.
-class ObjectsOnAStreet : public ::testing::Test {
+class objects_on_a_street : public ::testing::Test {
  protected:
   void start(const SimulationOptions& options) {
     drive = simulate_drive(options);
@@ -62,7 +62,7 @@ class ObjectsOnAStreet : public ::testing::Test {
   ObjectOptions objects;
 };
 
-TEST_F(ObjectsOnAStreet, ground_is_told_from_objects_on_slopes) {
+TEST_F(objects_on_a_street, ground_is_told_from_objects_on_slopes) {
   for (const ScenarioKind kind : {ScenarioKind::Street, ScenarioKind::ParkingRamp}) {
     SimulationOptions options;
     options.scenario = kind;
@@ -86,7 +86,7 @@ TEST_F(ObjectsOnAStreet, ground_is_told_from_objects_on_slopes) {
   }
 }
 
-TEST_F(ObjectsOnAStreet, moving_cars_are_flagged_and_standing_objects_are_not) {
+TEST_F(objects_on_a_street, moving_cars_are_flagged_and_standing_objects_are_not) {
   int cars = 0, cars_flagged = 0, standing = 0, standing_flagged = 0;
   for (int seed = 1; seed <= 3; ++seed) {
     SimulationOptions options;
@@ -118,7 +118,7 @@ TEST_F(ObjectsOnAStreet, moving_cars_are_flagged_and_standing_objects_are_not) {
   EXPECT_LE(standing_flagged, 0.02 * standing) << standing_flagged << " of " << standing << " standing objects flagged";
 }
 
-TEST_F(ObjectsOnAStreet, poles_are_found_again_in_the_other_scan) {
+TEST_F(objects_on_a_street, poles_are_found_again_in_the_other_scan) {
   start({});
   int seen = 0, matched = 0, wrong = 0;
   for (std::size_t a = 0; a + 5 < source->size(); a += 10) {
@@ -146,7 +146,7 @@ TEST_F(ObjectsOnAStreet, poles_are_found_again_in_the_other_scan) {
   EXPECT_LE(wrong, 0.02 * seen);
 }
 
-TEST_F(ObjectsOnAStreet, common_error_of_the_prediction_does_not_make_objects_move) {
+TEST_F(objects_on_a_street, common_error_of_the_prediction_does_not_make_objects_move) {
   SimulationOptions options;
   options.moving_objects = 0;
   start(options);
@@ -162,7 +162,7 @@ TEST_F(ObjectsOnAStreet, common_error_of_the_prediction_does_not_make_objects_mo
       << moving << " of " << matches.size();
 }
 
-TEST_F(ObjectsOnAStreet, up_is_found_for_a_sensor_mounted_in_any_orientation) {
+TEST_F(objects_on_a_street, up_is_found_for_a_sensor_mounted_in_any_orientation) {
   RandomStream random(1, 0);
   double worst_deg = 0.0;
   for (int trial = 0; trial < 12; ++trial) {
@@ -186,18 +186,18 @@ TEST_F(ObjectsOnAStreet, up_is_found_for_a_sensor_mounted_in_any_orientation) {
   RecordProperty("worst, deg", std::to_string(worst_deg));
 }
 
-TEST(Objects, up_falls_back_to_the_hint_where_there_is_no_ground) {
+TEST(objects, up_falls_back_to_the_hint_where_there_is_no_ground) {
   const Vector3f hint = Vector3f(0.0f, 1.0f, 1.0f).normalized();
   EXPECT_EQ(estimate_up({}, hint), hint);
   EXPECT_EQ(estimate_up({}, Vector3f::Zero()), Vector3f(0.0f, 0.0f, 1.0f));
 }
 
-TEST(Objects, an_empty_scan_has_none) {
+TEST(objects, an_empty_scan_has_none) {
   EXPECT_TRUE(find_objects({}, Vector3f::UnitZ(), {}).empty());
   EXPECT_TRUE(match_objects({}, {}, RigidTransform::Identity(), {}).empty());
 }
 
-TEST(Objects, too_large_clusters_are_cut_and_keep_all_points) {
+TEST(objects, too_large_clusters_are_cut_and_keep_all_points) {
   PointCloud wall;
   for (int x = 0; x < 300; ++x)
     for (int z = 0; z < 20; ++z)

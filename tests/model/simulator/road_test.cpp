@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-TEST(Road, vehicle_moves_along_the_road_by_the_distance_it_is_told) {
+TEST(road, vehicle_moves_along_the_road_by_the_distance_it_is_told) {
   for (const ScenarioKind kind : {ScenarioKind::Street, ScenarioKind::Flat, ScenarioKind::Straight,
                                   ScenarioKind::FigureEight, ScenarioKind::ParkingRamp}) {
     const Road road(kind, 6.0);
@@ -20,12 +20,12 @@ TEST(Road, vehicle_moves_along_the_road_by_the_distance_it_is_told) {
   }
 }
 
-TEST(Road, figure_of_eight_closes) {
+TEST(road, figure_of_eight_closes) {
   const Road road(ScenarioKind::FigureEight, 6.0);
   EXPECT_LT((road.point_in_road(road.period_m() - 1e-9) - road.point_in_road(0.0)).norm(), 1e-7);
 }
 
-TEST(Road, vehicle_on_flat_ground_stays_level) {
+TEST(road, vehicle_on_flat_ground_stays_level) {
   const Road road(ScenarioKind::Flat, 6.0);
   const Ground ground = scenario_ground(ScenarioKind::Flat, 1);
   for (double s = 0.0; s < 72.0; s += 1.0) {
@@ -35,7 +35,7 @@ TEST(Road, vehicle_on_flat_ground_stays_level) {
   }
 }
 
-TEST(Road, ramp_and_street_pitch_and_roll_the_vehicle) {
+TEST(road, ramp_and_street_pitch_and_roll_the_vehicle) {
   for (const ScenarioKind kind : {ScenarioKind::Street, ScenarioKind::ParkingRamp}) {
     double pitch = 0.0, roll = 0.0;
     const Road road(kind, 6.0);

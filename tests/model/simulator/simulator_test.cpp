@@ -65,7 +65,7 @@ double rms_from_world_m(const SimulatedDrive& drive, bool with_times, double& la
   return std::sqrt(sum / count);
 }
 
-TEST(Simulator, points_carried_by_the_truth_lie_on_the_world_with_their_times_and_not_without) {
+TEST(simulator, points_carried_by_the_truth_lie_on_the_world_with_their_times_and_not_without) {
   SimulationOptions options = small_options();
   options.moving_objects = 0;
   const SimulatedDrive drive = simulate_drive(options);
@@ -76,7 +76,7 @@ TEST(Simulator, points_carried_by_the_truth_lie_on_the_world_with_their_times_an
   EXPECT_GT(largest_m, 0.5);
 }
 
-TEST(Simulator, exact_scans_lie_on_the_world_exactly) {
+TEST(simulator, exact_scans_lie_on_the_world_exactly) {
   SimulationOptions options = small_options();
   options.moving_objects = 0;
   options.range_noise_m = 0.0;
@@ -86,7 +86,7 @@ TEST(Simulator, exact_scans_lie_on_the_world_exactly) {
   EXPECT_LT(largest_m, 5e-3);
 }
 
-TEST(Simulator, sweep_is_clockwise_and_faces_ahead_at_the_stamp) {
+TEST(simulator, sweep_is_clockwise_and_faces_ahead_at_the_stamp) {
   const SimulatedDrive drive = simulate_drive(small_options());
   const PointCloud cloud = drive.session.scans->load(0);
   for (std::size_t i = 0; i < cloud.size(); i += 7) {
@@ -97,7 +97,7 @@ TEST(Simulator, sweep_is_clockwise_and_faces_ahead_at_the_stamp) {
   }
 }
 
-TEST(Simulator, noise_free_ins_is_the_true_motion) {
+TEST(simulator, noise_free_ins_is_the_true_motion) {
   SimulationOptions options = small_options();
   options.ins_position_noise_m = options.ins_attitude_noise_deg = 0.0;
   options.latitude_deg = 55.0;
@@ -129,7 +129,7 @@ TEST(Simulator, noise_free_ins_is_the_true_motion) {
   EXPECT_EQ(compared, drive.enu_from_ins.size());
 }
 
-TEST(Simulator, ins_noise_and_bias_have_the_stated_size) {
+TEST(simulator, ins_noise_and_bias_have_the_stated_size) {
   SimulationOptions exact = small_options();
   exact.ins_position_noise_m = exact.ins_attitude_noise_deg = 0.0;
   exact.duration_s = 60.0;
@@ -156,7 +156,7 @@ TEST(Simulator, ins_noise_and_bias_have_the_stated_size) {
   EXPECT_LT(bias_deg, 2.5);
 }
 
-TEST(Simulator, ins_interpolates_to_a_tenth_of_a_millimetre) {
+TEST(simulator, ins_interpolates_to_a_tenth_of_a_millimetre) {
   SimulationOptions options = small_options();
   options.ins_position_noise_m = options.ins_attitude_noise_deg = 0.0;
   const auto scene = std::make_shared<const Scene>(options);
@@ -169,7 +169,7 @@ TEST(Simulator, ins_interpolates_to_a_tenth_of_a_millimetre) {
   }
 }
 
-TEST(Simulator, drive_across_a_zone_boundary_is_continuous) {
+TEST(simulator, drive_across_a_zone_boundary_is_continuous) {
   SimulationOptions options = small_options();
   options.ins_position_noise_m = 0.0;
   options.latitude_deg = 55.0;
@@ -191,7 +191,7 @@ TEST(Simulator, drive_across_a_zone_boundary_is_continuous) {
   }
 }
 
-TEST(Simulator, scans_are_the_same_bytes_for_any_number_of_threads) {
+TEST(simulator, scans_are_the_same_bytes_for_any_number_of_threads) {
   const SimulatedDrive first = simulate_drive(small_options()), second = simulate_drive(small_options());
   const std::size_t count = first.session.scans->size();
   std::vector<PointCloud> clouds(count);
@@ -205,14 +205,14 @@ TEST(Simulator, scans_are_the_same_bytes_for_any_number_of_threads) {
   }
 }
 
-TEST(Simulator, stamps_are_early_by_the_clock_offset) {
+TEST(simulator, stamps_are_early_by_the_clock_offset) {
   SimulationOptions options = small_options();
   options.lidar_clock_offset_s = 0.25;
   const SimulatedDrive drive = simulate_drive(options);
   EXPECT_EQ(drive.session.scans->stamp_ns(5) + 250'000'000, drive.enu_from_ins[5].stamp_ns);
 }
 
-TEST(Simulator, timing_says_what_the_scans_are) {
+TEST(simulator, timing_says_what_the_scans_are) {
   SimulationOptions options = small_options();
   EXPECT_EQ(simulate_drive(options).session.scan_timing, ScanTiming::PerPoint);
   options.per_point_time = false;
@@ -222,7 +222,7 @@ TEST(Simulator, timing_says_what_the_scans_are) {
   EXPECT_EQ(simulate_drive(options).session.scan_timing, ScanTiming::Instant);
 }
 
-TEST(Simulator, vehicle_never_touches_anything) {
+TEST(simulator, vehicle_never_touches_anything) {
   for (const ScenarioKind kind :
        {ScenarioKind::Street, ScenarioKind::Straight, ScenarioKind::FigureEight, ScenarioKind::ParkingRamp})
     for (int seed = 1; seed <= 5; ++seed) {
@@ -242,7 +242,7 @@ TEST(Simulator, vehicle_never_touches_anything) {
     }
 }
 
-TEST(Simulator, every_option_out_of_range_is_named) {
+TEST(simulator, every_option_out_of_range_is_named) {
   SimulationOptions options;
   options.beams = 0;
   options.dropout = 2.0;

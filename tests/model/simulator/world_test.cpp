@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 Ray ray_towards(const Vector3d& from, const Vector3d& to) { return {from, (to - from).normalized()}; }
 
-TEST(World, ray_meets_flat_ground_where_the_line_does) {
+TEST(world, ray_meets_flat_ground_where_the_line_does) {
   const World world(Ground({}), {}, {});
   const Ray ray = ray_towards({1.0, 2.0, 3.0}, {11.0, -4.0, 0.0});
   EXPECT_NEAR(world.cast(ray, 100.0).distance_m, Vector3d(10.0, -6.0, -3.0).norm(), 1e-12);
@@ -20,7 +20,7 @@ TEST(World, ray_meets_flat_ground_where_the_line_does) {
   EXPECT_FALSE(world.cast(ray_towards({0.0, 0.0, 1.0}, {1.0, 0.0, 1.5}), 100.0).found()) << "upwards";
 }
 
-TEST(World, ray_meets_turned_box_where_its_face_is) {
+TEST(world, ray_meets_turned_box_where_its_face_is) {
   Box box;
   box.centre = {10.0, 5.0};
   box.yaw_rad = 0.4;
@@ -38,7 +38,7 @@ TEST(World, ray_meets_turned_box_where_its_face_is) {
   }
 }
 
-TEST(World, ray_meets_cylinder_at_its_near_side) {
+TEST(world, ray_meets_cylinder_at_its_near_side) {
   Cylinder pole;
   pole.centre = {6.0, 0.0};
   pole.radius_m = 0.2;
@@ -50,7 +50,7 @@ TEST(World, ray_meets_cylinder_at_its_near_side) {
   EXPECT_FALSE(world.cast({{0.0, 0.0, 3.1}, Vector3d::UnitX()}, 50.0).found()) << "above its top";
 }
 
-TEST(World, nearest_of_many_objects_is_what_all_of_them_give) {
+TEST(world, nearest_of_many_objects_is_what_all_of_them_give) {
   RandomStream random(3, 0);
   std::vector<Box> boxes;
   for (int i = 0; i < 60; ++i) {
@@ -75,7 +75,7 @@ TEST(World, nearest_of_many_objects_is_what_all_of_them_give) {
   }
 }
 
-TEST(World, ray_meets_undulating_ground_first_where_it_first_dips_below) {
+TEST(world, ray_meets_undulating_ground_first_where_it_first_dips_below) {
   const Ground ground = scenario_ground(ScenarioKind::Street, 5);
   RandomStream random(4, 0);
   double worst_m = 0.0;
@@ -107,7 +107,7 @@ TEST(World, ray_meets_undulating_ground_first_where_it_first_dips_below) {
   RecordProperty("skimming rays stopped early by, m", std::to_string(worst_m));
 }
 
-TEST(World, smooth_ground_and_the_surface_that_rays_hit_agree_within_a_centimetre) {
+TEST(world, smooth_ground_and_the_surface_that_rays_hit_agree_within_a_centimetre) {
   const Ground ground = scenario_ground(ScenarioKind::Street, 1);
   double worst_m = 0.0;
   for (double x = -90.0; x < 90.0; x += 0.73)

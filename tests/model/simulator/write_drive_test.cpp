@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class WriteDrive : public ::testing::Test {
+class written_drive : public ::testing::Test {
  protected:
   void SetUp() override {
     folder = fs::temp_directory_path() / ("remount-" + std::to_string(::getpid()) + "-" +
@@ -47,7 +47,7 @@ class WriteDrive : public ::testing::Test {
   Progress progress;
 };
 
-TEST_F(WriteDrive, reads_back_as_it_was_simulated) {
+TEST_F(written_drive, reads_back_as_it_was_simulated) {
   const SimulatedDrive drive = small_drive();
   write_drive(drive, folder, "native", 2, progress);
   const Session read = open_session(folder, progress);
@@ -68,7 +68,7 @@ TEST_F(WriteDrive, reads_back_as_it_was_simulated) {
     ASSERT_LT(read.ins[i].enu_from_ins.angularDistance(drive.session.ins[i].enu_from_ins), 1e-9);
 }
 
-TEST_F(WriteDrive, states_the_truth) {
+TEST_F(written_drive, states_the_truth) {
   const SimulatedDrive drive = small_drive();
   write_drive(drive, folder, "kitti-raw", 1, progress);
   const std::string text = contents(folder).at("truth.yaml");
@@ -78,14 +78,14 @@ TEST_F(WriteDrive, states_the_truth) {
   EXPECT_NE(text.find("azimuth_steps: 200"), std::string::npos);
 }
 
-TEST_F(WriteDrive, writes_the_same_bytes_for_any_number_of_threads) {
+TEST_F(written_drive, writes_the_same_bytes_for_any_number_of_threads) {
   const SimulatedDrive drive = small_drive();
   write_drive(drive, folder / "one", "native", 1, progress);
   write_drive(drive, folder / "four", "native", 4, progress);
   EXPECT_EQ(contents(folder / "one"), contents(folder / "four"));
 }
 
-TEST_F(WriteDrive, refuses_a_folder_that_is_not_empty_and_unknown_formats) {
+TEST_F(written_drive, refuses_a_folder_that_is_not_empty_and_unknown_formats) {
   const SimulatedDrive drive = small_drive();
   fs::create_directories(folder);
   std::ofstream(folder / "precious") << "data";
