@@ -22,17 +22,16 @@ std::string outlier_reason(const Pair& pair, double score) {
   return text;
 }
 
-// How much larger the typical residual of all usable pairs is than the noise model says, at least 1. Judging by the
-// model alone would spiral: fewer pairs, less noise, fewer pairs.
-double residual_scale2(const std::vector<double>& distances2) {
-  constexpr double kMedianChi2 = 5.348;  // of six degrees of freedom
-  std::vector<double> sorted = distances2;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return std::max(1.0, *middle / kMedianChi2);
-}
-
 }  // namespace
+
+double residual_scale2(std::vector<double> distances2) {
+  // More than half of the pairs may be wrong: the scale follows the better third.
+  constexpr double kShare = 0.35, kShareChi2 = 4.197;  // that quantile of six degrees of freedom
+  if (distances2.empty()) return 1.0;
+  const auto place = distances2.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(distances2.size()));
+  std::nth_element(distances2.begin(), place, distances2.end());
+  return std::max(1.0, *place / kShareChi2);
+}
 
 std::vector<int> usable_pairs(const std::vector<Pair>& pairs) {
   std::vector<int> usable;

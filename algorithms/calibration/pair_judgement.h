@@ -19,6 +19,10 @@ std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs);
 /// registration.
 double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise);
 
+/// How much larger residuals are than the noise model says, from squared Mahalanobis distances; at least 1. Judging
+/// pairs by the model alone would spiral: fewer pairs, less noise, fewer pairs.
+double residual_scale2(std::vector<double> distances2);
+
 /// Fills `screw` of the usable pairs. @param threshold in sigma
 void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold);
 

@@ -90,12 +90,12 @@ void summarise_errors(const std::vector<Pair>& pairs, const SolveOptions& option
 }
 
 void list_candidates(const PairwiseInput& input, const std::vector<Pair>& pairs, const RigidTransform& nominal,
-                     CalibrationResult& result) {
+                     const Progress& progress, CalibrationResult& result) {
   const std::vector<MotionPair> accepted = accepted_motions(pairs);
   std::vector<int> names;
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (pairs[i].state == PairState::Accepted) names.push_back(static_cast<int>(i));
-  result.candidates = find_candidates(accepted, names, nominal, input.range, input.options);
+  result.candidates = find_candidates(accepted, names, nominal, input.range, input.options, progress);
   Candidate refined;
   refined.source = "refined";
   refined.ins_from_lidar = result.ins_from_lidar;
@@ -208,7 +208,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     result.ins_from_lidar =
         solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
   estimate_clock_offset(problem, details, progress, result);
-  list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(details.joint.ins_from_lidar), result);
+  list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(details.joint.ins_from_lidar), progress, result);
   trim_candidates(input.options.max_listed_candidates, result);
   count_pairs(pairs, result);
   summarise_errors(pairs, input.options, result);

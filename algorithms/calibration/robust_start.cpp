@@ -11,8 +11,6 @@
 namespace remount {
 namespace {
 
-// More than half of the pairs may be wrong: the scale follows the better third.
-constexpr double kShare = 0.35, kShareChi2 = 4.197;  // that quantile of six degrees of freedom
 constexpr double kKernel2 = 16.0;  // squared distance at which a pair's weight has fallen to a quarter
 
 std::vector<double> distances2(const std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& x,
@@ -21,13 +19,6 @@ std::vector<double> distances2(const std::vector<Pair>& pairs, const std::vector
   out.reserve(usable.size());
   for (const int i : usable) out.push_back(pair_distance2(pairs[static_cast<std::size_t>(i)], x, noise));
   return out;
-}
-
-// How much larger the better residuals are than the noise model says, at least 1.
-double residual_scale2(std::vector<double> values) {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(values.size()));
-  std::nth_element(values.begin(), place, values.end());
-  return std::max(1.0, *place / kShareChi2);
 }
 
 // Every pair counts, the wrong ones all alike: a few pairs that agree by chance, or that any X satisfies, do not win.

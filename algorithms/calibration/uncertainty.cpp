@@ -71,12 +71,13 @@ SpuriousInformation spurious_information(const PairwiseInput& input, const std::
 }
 
 // Where resampling whole blocks of time scatters X more than the noise model allows, errors are correlated in ways that
-// the model does not hold (pairs share scans, and so what is wrong with a scan): the larger sigma is the honest one.
+// the model does not hold (pairs see the same surfaces for seconds). Half of the excess variance is added: some twenty
+// blocks know a variance to a third, and taking the larger of two always would overstate what the model has right.
 Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& bootstrap) {
   Vector6d factors = Vector6d::Ones();
   for (int i = 0; i < 6; ++i) {
-    const double ratio = std::sqrt(bootstrap(i, i) / covariance(i, i));
-    if (ratio > 1.0) factors[i] = ratio;
+    const double ratio2 = bootstrap(i, i) / covariance(i, i);
+    if (ratio2 > 1.0) factors[i] = std::sqrt(0.5 * (1.0 + ratio2));
   }
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
@@ -85,7 +86,7 @@ Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& boots
 // different places, and distances come out a little long or short, the same way in every pair. Neither shows in
 // residuals nor shrinks with more pairs; sizes from simulated drives (docs/adr/0006-honest-sigma.md).
 Matrix6d with_registration_limits(Matrix6d covariance, const Vector6d& response_to_scale) {
-  constexpr double kLimit_m = 3e-4, kLimit_rad = 2e-5;
+  constexpr double kLimit_m = 2e-4, kLimit_rad = 1e-5;
   covariance.diagonal().head<3>().array() += kLimit_m * kLimit_m;
   covariance.diagonal().tail<3>().array() += kLimit_rad * kLimit_rad;
   return covariance + response_to_scale * response_to_scale.transpose();
