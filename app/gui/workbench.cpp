@@ -362,7 +362,9 @@ void Workbench::apply_settings(const Settings& settings) {
   settings_ = settings;
   emit settings_changed();
   if (!output_) return;
-  if (settings_.check().empty()) start_solve();
+  // An option that only a whole calibration obeys needs no new solution; one under way may hold an earlier edit.
+  const bool solvable = solving() || !changes_since(basis_of(run_input_), basis_of(input_of_next_solve())).empty();
+  if (solvable && settings_.check().empty()) start_solve();
   emit state_changed();
 }
 

@@ -64,7 +64,7 @@ TEST(settings_file, every_problem_is_listed_with_its_line) {
       "pairing:\n  max_gap_s: 1e9\n  max_gap: 3\n  limit: often\nrun:\n  cache_mb: 1.5\nsolve:\n  joint_clouds: "
       "1\nplanes: 3\n");
   for (const char* expected :
-       {"c.yaml:2: pairing.max_gap_s: 1e+09 is outside 0.01 to 3600 s", "c.yaml:3: pairing.max_gap: is not a setting",
+       {"c.yaml:2: pairing.max_gap_s: 1e+09 s is outside 0.01 to 3600 s", "c.yaml:3: pairing.max_gap: is not a setting",
         "c.yaml:4: pairing.limit: expected one of time, distance, either",
         "c.yaml:6: run.cache_mb: expected a whole number", "c.yaml:8: solve.joint_clouds: expected true or false",
         "c.yaml:9: planes: is not a section"})
@@ -72,7 +72,7 @@ TEST(settings_file, every_problem_is_listed_with_its_line) {
 }
 
 TEST(settings_file, a_minimum_above_its_maximum_is_refused) {
-  EXPECT_NE(error_of("range: {x_min_m: 2, x_max_m: 1}").find("range.x: the minimum exceeds the maximum"),
+  EXPECT_NE(error_of("range: {x_min_m: 2, x_max_m: 1}").find("range.x: the minimum 2 m exceeds the maximum 1 m"),
             std::string::npos);
   EXPECT_NE(error_of("[1, 2]").find("expected a map"), std::string::npos);
   EXPECT_NE(error_of("pairing: 3").find("c.yaml:1: pairing: expected a map"), std::string::npos)

@@ -215,7 +215,7 @@ TEST_F(window_flow, a_result_made_with_other_settings_is_shown_as_such_also_afte
   };
   EXPECT_EQ(note(), "");
   workbench_.edit_option("registration", "voxel_m", 0.5);
-  ASSERT_TRUE(settle());
+  EXPECT_FALSE(workbench_.solving()) << "a new solution from the same alignments would change nothing";
   EXPECT_TRUE(note().contains("registration.voxel_m") && note().contains("now 0.5")) << note().toStdString();
   workbench_.undo_stack().undo();
   ASSERT_TRUE(settle());

@@ -137,8 +137,11 @@ void ObstacleDialog::check() {
     const std::array<QString, 4> cells{QStringLiteral("%1 %2").arg(entry.object).arg(text(to_string(entry.shape))),
                                        distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
                                        std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
-    for (int column = 0; column < 4; ++column)
-      table_->setItem(row, column, new QTableWidgetItem(cells[static_cast<std::size_t>(column)]));
+    for (int column = 0; column < 4; ++column) {
+      auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
+      if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      table_->setItem(row, column, item);
+    }
   }
 }
 
