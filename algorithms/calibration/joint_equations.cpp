@@ -210,7 +210,7 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
 
 void eliminate(const NormalEquations& equations, Eliminated& out) {
   out.factors.compute(equations.keyframes);
-  out.valid = out.factors.info() == Eigen::Success;
+  out.valid = out.factors.info() == Eigen::Success && out.factors.vectorD().minCoeff() > 0.0;
   if (!out.valid) return;
   const Eigen::MatrixXd solved = out.factors.solve(equations.coupling);
   out.reduced = equations.shared - equations.coupling.transpose() * solved;

@@ -57,13 +57,17 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
   Eliminated step;
   for (int iteration = 0; iteration < max_iterations && !progress.cancelled(); ++iteration) {
     eliminate(build(problem, linearise(problem, state, layout), noise, state, layout), step);
-    if (!step.valid) return solution;
+    if (!step.valid) {
+      solution.converged = false;
+      return solution;
+    }
     take_step(step, layout, state);
     // In units of sigma: a direction that the data hardly show needs no more digits than it has.
     const double squared_sigmas = step.shared_step.dot(step.reduced * step.shared_step);
     solution.converged = squared_sigmas < 1e-3;
     if (squared_sigmas < 1e-8) break;
   }
+  if (progress.cancelled()) solution.converged = false;
   if (step.valid) describe(problem, layout, state, step, solution);
   return solution;
 }

@@ -54,7 +54,7 @@ NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expecte
           std::array<double, 7> trial = best;
           trial[i] += direction;
           const double value = objective(trial);
-          if (value >= least) continue;
+          if (!(value < least)) continue;
           least = value;
           best = trial;
           moved = true;

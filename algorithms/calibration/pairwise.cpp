@@ -54,7 +54,7 @@ RigidTransform solve_with_held(JointProblem problem, const PairwiseDetails& deta
   Matrix6d to_parameters = Matrix6d::Identity();
   to_parameters.bottomRightCorner<3, 3>() =
       yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(problem.prior_ins_from_lidar.linear()));
-  constexpr double kHeld = 1e12;  // a micrometre, a microradian
+  constexpr double kHeld = 1e12;  // a microradian
   for (int i = 3; i < 6; ++i)
     if (!observed[static_cast<std::size_t>(i)])
       problem.prior_information += kHeld * to_parameters.row(i).transpose() * to_parameters.row(i);
@@ -166,6 +166,8 @@ JointProblem solve_and_judge(const PairwiseInput& input, const NoisePrior& prior
                                    round == 0 ? std::nullopt : std::optional(details.noise), progress);
     details.joint = solve_joint(problem, details.noise, x, kIterations, progress);
     x = details.joint.ins_from_lidar;
+    // After the last round the pairs stay as they were solved with.
+    if (round + 1 == kMostRounds) break;
     if (judge_pairs(pairs, usable, x, details.noise, input.options.outlier_threshold) == 0) break;
   }
   return problem;

@@ -97,7 +97,7 @@ Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& d
   constexpr double kScale = 6e-5, kEnlarged = 1e-3;
   JointProblem longer = problem;
   for (JointTerm& term : longer.terms) term.lidar_b_from_lidar_a.translation() *= 1.0 + kEnlarged;
-  const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 3, progress);
+  const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 8, progress);
   return kScale / kEnlarged * difference(details.joint.ins_from_lidar, solution.ins_from_lidar);
 }
 

@@ -258,8 +258,9 @@ std::vector<Candidate> find_candidates(const std::vector<MotionPair>& pairs, con
     const SearchResult searched = certified_search(form, range, nominal, {}, progress);
     if (searched.outcome == SearchOutcome::Certified || searched.outcome == SearchOutcome::GapOpen) {
       const bool proved = searched.outcome == SearchOutcome::Certified;
+      const std::size_t before = candidates.size();
       add(proved ? "all pairs: certified optimum" : "all pairs: best found in range", searched.ins_from_lidar);
-      candidates.back().certified_gap = searched.relative_gap();
+      if (candidates.size() > before) candidates.back().certified_gap = searched.relative_gap();
     }
   }
   rank_candidates(candidates, pairs, range, options);

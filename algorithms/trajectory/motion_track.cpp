@@ -47,6 +47,15 @@ Eigen::Matrix3Xd parabola_weights(const std::vector<double>& times_s) {
   return weights;
 }
 
+// Weights of four values at uneven times that cancel every parabola.
+Eigen::Vector4d third_difference_weights(const double* times_s) {
+  Eigen::Vector4d weights = Eigen::Vector4d::Ones();
+  for (int k = 0; k < 4; ++k)
+    for (int j = 0; j < 4; ++j)
+      if (j != k) weights[k] *= 0.01 / (times_s[k] - times_s[j]);  // 0.01 s keeps the numbers near one
+  return weights;
+}
+
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -91,49 +100,72 @@ MotionTrack::Window MotionTrack::window(std::int64_t stamp_ns) const {
   return out;
 }
 
-// White noise shows in third differences (variance 20 sigma^2), smooth motion hardly does. Where a parabola leaves no
-// more than that noise, it loses nothing of the motion.
+// What white noise and smooth motion look like in one window: squares of position (0) and of attitude (1).
+struct MotionTrack::Roughness {
+  double noise2[2] = {0.0, 0.0};     // from third differences, which smooth motion hardly enters
+  double residual2[2] = {0.0, 0.0};  // of the parabola
+  double weights2 = 0.0;             // sum of its squared weights
+};
+
+std::optional<MotionTrack::Roughness> MotionTrack::roughness(std::size_t sample) const {
+  const Window around = window(samples_[sample].stamp_ns);
+  if (around.first + 2 > sample || around.first + around.count < sample + 2 || around.count < kFewestInWindow)
+    return std::nullopt;
+  const Eigen::Matrix3Xd weights = parabola_weights(around.times_s);
+  const Eigen::Matrix3d back = samples_[sample].pose.linear().transpose();
+  Eigen::Matrix3Xd values[2];
+  for (Eigen::Matrix3Xd& v : values) v.resize(3, static_cast<Eigen::Index>(around.count));
+  for (std::size_t k = 0; k < around.count; ++k) {
+    const RigidTransform& pose = samples_[around.first + k].pose;
+    values[0].col(static_cast<Eigen::Index>(k)) = pose.translation() - samples_[sample].pose.translation();
+    values[1].col(static_cast<Eigen::Index>(k)) = so3_log(back * pose.linear());
+  }
+  // A vehicle at rest says nothing about what smoothing does to motion.
+  constexpr double kMoves_mps = 0.3, kTurns_radps = 0.03;
+  if ((values[0] * weights.row(1).transpose()).norm() < kMoves_mps &&
+      (values[1] * weights.row(1).transpose()).norm() < kTurns_radps)
+    return std::nullopt;
+  const std::size_t at = sample - around.first;
+  const Eigen::Vector4d third = third_difference_weights(&around.times_s[at - 2]);
+  const double left = 1.0 - weights(0, static_cast<Eigen::Index>(at));  // share of its variance that a residual keeps
+  Roughness out;
+  for (int kind = 0; kind < 2; ++kind) {
+    out.noise2[kind] =
+        (values[kind].middleCols<4>(static_cast<Eigen::Index>(at) - 2) * third).squaredNorm() / third.squaredNorm();
+    out.residual2[kind] = (values[kind] * weights.row(0).transpose()).squaredNorm() / left;
+  }
+  out.weights2 = weights.row(0).squaredNorm();
+  return out;
+}
+
+// Smooths where a parabola leaves just what is noise: it loses nothing of the motion then. Much less than the alleged
+// noise is no noise either, but stamps or motion that third differences do not fit.
 void MotionTrack::choose_smoothing() {
-  constexpr double kThirdDifference = 20.0, kMostResidual = 1.3;
+  constexpr double kMostRatio2 = 1.3 * 1.3;
+  constexpr std::size_t kFewest = 30, kMost = 2000;
   std::vector<double> noise2[2], residual2[2];
   double weights2 = 0.0;
-  std::size_t windows = 0;
-  const std::size_t step = std::max<std::size_t>(1, samples_.size() / 2000);
+  const std::size_t step = std::max<std::size_t>(1, samples_.size() / kMost);
   for (std::size_t i = 2; i + 1 < samples_.size(); i += step) {
-    const Window around = window(samples_[i].stamp_ns);
-    if (around.first + 2 > i || around.first + around.count < i + 2 || around.count < kFewestInWindow) continue;
-    const Eigen::Matrix3Xd weights = parabola_weights(around.times_s);
-    const Eigen::Matrix3d back = samples_[i].pose.linear().transpose();
-    Eigen::Matrix3Xd position(3, static_cast<Eigen::Index>(around.count)), turn = position;
-    for (std::size_t k = 0; k < around.count; ++k) {
-      const RigidTransform& pose = samples_[around.first + k].pose;
-      position.col(static_cast<Eigen::Index>(k)) = pose.translation() - samples_[i].pose.translation();
-      turn.col(static_cast<Eigen::Index>(k)) = so3_log(back * pose.linear());
-    }
-    const auto at = static_cast<Eigen::Index>(i - around.first);
-    const double left = 1.0 - weights(0, at);  // share of its variance that a sample's residual keeps
-    const Eigen::Matrix3Xd* values[2] = {&position, &turn};
+    const std::optional<Roughness> here = roughness(i);
+    if (!here) continue;
     for (int kind = 0; kind < 2; ++kind) {
-      const Eigen::Matrix3Xd& v = *values[kind];
-      const Eigen::Vector3d third = v.col(at + 1) - 3.0 * v.col(at) + 3.0 * v.col(at - 1) - v.col(at - 2);
-      noise2[kind].push_back(third.squaredNorm() / kThirdDifference);
-      residual2[kind].push_back((v * weights.row(0).transpose()).squaredNorm() / left);
+      noise2[kind].push_back(here->noise2[kind]);
+      residual2[kind].push_back(here->residual2[kind]);
     }
-    weights2 += weights.row(0).squaredNorm();
-    ++windows;
+    weights2 += here->weights2;
   }
-  constexpr std::size_t kFewest = 30;
-  if (windows < kFewest) return;
-  const double factor = std::sqrt(weights2 / static_cast<double>(windows));
+  if (noise2[0].size() < kFewest) return;
   Smoothing* kinds[2] = {&position_, &attitude_};
   for (int kind = 0; kind < 2; ++kind) {
-    if (median(residual2[kind]) > kMostResidual * kMostResidual * median(noise2[kind])) continue;
+    const double noise = median(noise2[kind]), residual = median(residual2[kind]);
+    if (!(noise > 0.0) || residual > kMostRatio2 * noise || residual * kMostRatio2 < noise) continue;
     kinds[kind]->on = true;
-    kinds[kind]->noise_factor = factor;
+    kinds[kind]->noise_factor = std::sqrt(weights2 / static_cast<double>(noise2[kind].size()));
   }
 }
 
-std::optional<Passage> MotionTrack::around(std::int64_t stamp_ns) const {
+std::optional<Passage> MotionTrack::around(std::int64_t stamp_ns) const& {
   const std::optional<RigidTransform> middle = at(stamp_ns);
   if (!middle) return std::nullopt;
   Passage passage;
@@ -156,17 +188,27 @@ std::optional<Passage> MotionTrack::around(std::int64_t stamp_ns) const {
   return passage;
 }
 
-std::optional<RigidTransform> Passage::at(double time_s) const {
+RigidTransform Passage::fitted(double time_s, const RigidTransform& interpolated) const {
   const Eigen::Vector3d powers(1.0, time_s, time_s * time_s);
-  RigidTransform pose = RigidTransform::Identity();
-  if (!position_ || !turn_) {
-    const auto interpolated = track_->at(stamp_ns_ + std::llround(time_s * 1e9));
-    if (!interpolated) return std::nullopt;
-    pose = *interpolated;
-  }
+  RigidTransform pose = interpolated;
   if (position_) pose.translation() = *position_ * powers;
   if (turn_) pose.linear() = turned_from_ * so3_exp(*turn_ * powers);
   return pose;
+}
+
+std::optional<RigidTransform> Passage::at(double time_s) const {
+  const auto interpolated = [&](double t_s) { return track_->at(stamp_ns_ + std::llround(t_s * 1e9)); };
+  const double inside_s = std::clamp(time_s, -kHalfWindow_s, kHalfWindow_s);
+  std::optional<RigidTransform> base = interpolated(inside_s);
+  // The fit goes on where the data end or pause within its window.
+  if (!base && position_ && turn_) base = RigidTransform::Identity();
+  if (!base) return std::nullopt;
+  const RigidTransform at_edge = fitted(inside_s, *base);
+  if (inside_s == time_s || (!position_ && !turn_)) return inside_s == time_s ? at_edge : interpolated(time_s);
+  // Beyond the window a parabola would run away: the interpolated motion joins at its edge.
+  const auto edge = interpolated(inside_s), beyond = interpolated(time_s);
+  if (!edge || !beyond) return std::nullopt;
+  return RigidTransform(at_edge * edge->inverse() * *beyond);
 }
 
 std::optional<RigidTransform> MotionTrack::at(std::int64_t stamp_ns) const {

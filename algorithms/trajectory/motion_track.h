@@ -10,7 +10,7 @@
 
 namespace remount {
 
-/// The motion of a body near one time: what a scan needs that is taken while the body moves.
+/// The motion of a body near one time: what a scan needs that is taken while the body moves. The track must outlive it.
 class Passage {
  public:
   /// world_from_body at `time_s` from the middle; nothing where the trajectory does not know.
@@ -19,6 +19,7 @@ class Passage {
 
  private:
   friend class MotionTrack;
+  RigidTransform fitted(double time_s, const RigidTransform& interpolated) const;
   using Parabola = Eigen::Matrix3d;  // columns: value, slope, half the curvature
   const class MotionTrack* track_ = nullptr;
   std::int64_t stamp_ns_ = 0;
@@ -46,9 +47,11 @@ class MotionTrack {
 
   /// The motion around a time, with sample noise averaged out where the log has any; nothing outside the data or in a
   /// gap.
-  std::optional<Passage> around(std::int64_t stamp_ns) const;
+  std::optional<Passage> around(std::int64_t stamp_ns) const&;
+  std::optional<Passage> around(std::int64_t stamp_ns) const&& = delete;
 
-  /// How much of the samples' white noise is left in `around(t)->pose()`: 1 where the log is not smoothed.
+  /// How much of the samples' white noise is left in `around(t)->pose()`: 1 where the log is not smoothed. Next to the
+  /// ends of the data and to gaps up to three times as much is left.
   double position_noise_factor() const { return position_.noise_factor; }
   double attitude_noise_factor() const { return attitude_.noise_factor; }
 
@@ -65,6 +68,8 @@ class MotionTrack {
     double noise_factor = 1.0;
   };
   struct Window;
+  struct Roughness;
+  std::optional<Roughness> roughness(std::size_t sample) const;
   Window window(std::int64_t stamp_ns) const;
   void choose_smoothing();
 

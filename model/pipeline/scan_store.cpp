@@ -1,6 +1,7 @@
 #include "model/pipeline/scan_store.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
@@ -30,7 +31,8 @@ PointCloud ScanStore::load(const Keyframe& keyframe) const {
   const RigidTransform lidar_at_stamp_from_world = (passage->pose() * *compensation_).inverse();
   // Beyond the ends of the trajectory the last known motion is held: part of a sweep at most.
   const auto motion = [&](double time_s) {
-    const auto pose = passage->at(time_s);
+    auto pose = passage->at(time_s);
+    for (double known_s = time_s; !pose && std::abs(known_s) > 1e-4; pose = passage->at(known_s)) known_s *= 0.9;
     return pose ? RigidTransform(lidar_at_stamp_from_world * *pose * *compensation_) : RigidTransform::Identity();
   };
   return deskew(cloud, times, motion);

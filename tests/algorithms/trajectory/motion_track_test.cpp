@@ -184,6 +184,41 @@ TEST(motion_around_a_time, leaves_motion_without_noise_as_it_is) {
   }
 }
 
+TEST(motion_around_a_time, is_not_misled_by_rest_or_by_uneven_stamps) {
+  // Three fifths at rest, then shaking: what the rest does not show must not be smoothed.
+  std::vector<StampedPose> resting;
+  for (int i = 0; i < 2000; ++i) {
+    const double t = 0.01 * i, driven = std::max(0.0, t - 12.0);
+    RigidTransform pose = on_circle(driven);
+    if (driven > 0.0) pose.translation().z() += 0.004 * std::sin(2.0 * kPi * 9.0 * driven);
+    resting.push_back({nanoseconds(t), pose});
+  }
+  EXPECT_EQ(MotionTrack(resting).position_noise_factor(), 1.0);
+  EXPECT_EQ(MotionTrack(resting).attitude_noise_factor(), 1.0);
+  // Stamps ten microseconds off the beat are as true as any.
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> jitter(-1e-5, 1e-5);
+  std::vector<StampedPose> uneven;
+  for (int i = 0; i < 2000; ++i) {
+    const std::int64_t stamp_ns = nanoseconds(0.01 * i + jitter(random));
+    uneven.push_back({stamp_ns, on_circle(1e-9 * static_cast<double>(stamp_ns))});
+  }
+  EXPECT_EQ(MotionTrack(uneven).position_noise_factor(), 1.0);
+  EXPECT_EQ(MotionTrack(uneven).attitude_noise_factor(), 1.0);
+}
+
+TEST(motion_around_a_time, does_not_run_away_beyond_its_window) {
+  const MotionTrack track(noisy_circle(100.0, 1000, 0.005, 3.5e-4, 4));
+  const Passage passage = *track.around(nanoseconds(5.0));
+  for (const double time_s : {-3.0, -0.5, -0.2, 0.2, 0.5, 3.0}) {
+    const RigidTransform pose = *passage.at(time_s), truth = on_circle(5.0 + time_s);
+    EXPECT_LT((pose.translation() - truth.translation()).norm(), 0.06) << time_s;
+    EXPECT_LT(rotation_angle_between_rad(pose, truth), 3e-3) << time_s;
+  }
+  EXPECT_LT((passage.at(0.1)->translation() - passage.at(0.1001)->translation()).norm(), 0.005);
+  EXPECT_FALSE(passage.at(7.0));
+}
+
 TEST(motion_around_a_time, knows_the_ends_and_stops_at_gaps) {
   std::vector<StampedPose> samples = noisy_circle(100.0, 1000, 0.005, 3.5e-4, 3);
   samples.erase(samples.begin() + 400, samples.begin() + 480);
