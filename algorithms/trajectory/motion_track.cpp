@@ -143,6 +143,7 @@ std::optional<MotionTrack::Roughness> MotionTrack::roughness(std::size_t sample)
 void MotionTrack::choose_smoothing() {
   constexpr double kMostRatio2 = 1.3 * 1.3;
   constexpr std::size_t kFewest = 30, kMost = 2000;
+  constexpr double kRounding2[2] = {1e-12, 1e-16};  // a micrometre and 1e-8 rad are digits, not noise
   std::vector<double> noise2[2], residual2[2];
   double weights2 = 0.0;
   const std::size_t step = std::max<std::size_t>(1, samples_.size() / kMost);
@@ -159,7 +160,7 @@ void MotionTrack::choose_smoothing() {
   Smoothing* kinds[2] = {&position_, &attitude_};
   for (int kind = 0; kind < 2; ++kind) {
     const double noise = median(noise2[kind]), residual = median(residual2[kind]);
-    if (!(noise > 0.0) || residual > kMostRatio2 * noise || residual * kMostRatio2 < noise) continue;
+    if (!(noise > kRounding2[kind]) || residual > kMostRatio2 * noise || residual * kMostRatio2 < noise) continue;
     kinds[kind]->on = true;
     kinds[kind]->noise_factor = std::sqrt(weights2 / static_cast<double>(noise2[kind].size()));
   }
