@@ -49,6 +49,16 @@ struct OptionWriter {
   }
 };
 
+/// A full turn is typed as 3.1416 or 3.15 rad, which is beyond half a turn by less than half a degree: the bound is
+/// meant.
+double snapped_to_bounds(const OptionInfo& info, double value) {
+  constexpr double kSlack_rad = 0.5 / 57.295779513082323;
+  if (info.unit != "rad") return value;
+  if (value > info.maximum && value <= info.maximum + kSlack_rad) return info.maximum;
+  if (value < info.minimum && value >= info.minimum - kSlack_rad) return info.minimum;
+  return value;
+}
+
 /// Reads those members of an option struct that a map mentions.
 struct OptionReader {
   DocumentView section;
@@ -64,7 +74,7 @@ struct OptionReader {
         value = static_cast<T>(
             view.integer(static_cast<std::int64_t>(info.minimum), static_cast<std::int64_t>(info.maximum)));
       } else if constexpr (std::is_floating_point_v<T>) {
-        const double number = view.number();
+        const double number = snapped_to_bounds(info, view.number());
         if (number < info.minimum || number > info.maximum) view.fail(outside_bounds(info, number));
         value = number;
       } else {

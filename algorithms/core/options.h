@@ -19,7 +19,7 @@ struct OptionInfo {
   double maximum = 0.0;
 };
 
-/// "-4 rad (-229.183 deg) is outside -3.15 to 3.15 rad (-180.482 to 180.482 deg)": degrees as well, since people type
+/// "-4 rad (-229.183 deg) is outside -3.14159 to 3.14159 rad (-180 to 180 deg)": degrees as well, since people type
 /// those.
 inline std::string outside_bounds(const OptionInfo& info, double value) {
   constexpr double kToDeg = 57.295779513082323;

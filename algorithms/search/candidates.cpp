@@ -203,12 +203,18 @@ std::string outside_range(const RigidTransform& ins_from_lidar, const SearchRang
     problems += text;
   };
   const double to_deg = radians_to_degrees(1.0);
+  // Beyond 180 deg an angle goes on at -180 deg: bounds that meet there leave no gap, though they were rounded.
+  constexpr double kSeam_rad = 1e-5;
+  const auto check_angle = [&](const char* name, double value, double minimum, double maximum) {
+    const bool full_turn = maximum - minimum >= 2.0 * kPi - kSeam_rad;
+    if (!full_turn) check(name, value, minimum, maximum, to_deg, "deg");
+  };
   check("x", six.x_m, range.x_min_m, range.x_max_m, 1.0, "m");
   check("y", six.y_m, range.y_min_m, range.y_max_m, 1.0, "m");
   check("z", six.z_m, range.z_min_m, range.z_max_m, 1.0, "m");
-  check("yaw", six.yaw_rad, range.yaw_min_rad, range.yaw_max_rad, to_deg, "deg");
-  check("pitch", six.pitch_rad, range.pitch_min_rad, range.pitch_max_rad, to_deg, "deg");
-  check("roll", six.roll_rad, range.roll_min_rad, range.roll_max_rad, to_deg, "deg");
+  check_angle("yaw", six.yaw_rad, range.yaw_min_rad, range.yaw_max_rad);
+  check_angle("pitch", six.pitch_rad, range.pitch_min_rad, range.pitch_max_rad);
+  check_angle("roll", six.roll_rad, range.roll_min_rad, range.roll_max_rad);
   return problems;
 }
 

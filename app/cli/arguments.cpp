@@ -39,9 +39,9 @@ struct BoundsReader {
 void check_typed(SearchRange& range, std::size_t parameter, double minimum, double maximum, const std::string& where) {
   std::vector<std::pair<double, double>> bounds;
   SearchRange::visit(range, BoundsReader{bounds});
-  const double unit = parameter < 3 ? 1.0 : 180.0 / kPi;
-  OptionInfo info{kParameterNames[parameter], parameter < 3 ? "m" : "deg", "", bounds[2 * parameter].first * unit,
-                  bounds[2 * parameter].second * unit};
+  const auto typed = [&](double bound) { return parameter < 3 ? bound : radians_to_degrees(bound); };
+  OptionInfo info{kParameterNames[parameter], parameter < 3 ? "m" : "deg", "", typed(bounds[2 * parameter].first),
+                  typed(bounds[2 * parameter].second)};
   for (const double value : {minimum, maximum})
     if (value < info.minimum || value > info.maximum)
       throw Error(ErrorCode::Contract, where, std::string(info.name) + " " + outside_bounds(info, value));
@@ -62,10 +62,9 @@ void set_range(SearchRange& range, std::size_t parameter, const std::string& pai
   if (ends.size() != 2) wrong_range(whole);
   const auto minimum = parse_number(ends[0]), maximum = parse_number(ends[1]);
   if (!minimum || !maximum) wrong_range(whole);
-  const double unit = parameter < 3 ? 1.0 : kPi / 180.0;
   check_typed(range, parameter, *minimum, *maximum, "--range " + whole);
-  *members[parameter].first = *minimum * unit;
-  *members[parameter].second = *maximum * unit;
+  *members[parameter].first = parameter < 3 ? *minimum : degrees_to_radians(*minimum);
+  *members[parameter].second = parameter < 3 ? *maximum : degrees_to_radians(*maximum);
 }
 
 }  // namespace

@@ -79,6 +79,18 @@ TEST(settings_file, a_minimum_above_its_maximum_is_refused) {
       << error_of("pairing: 3");
 }
 
+TEST(settings_file, a_full_turn_may_be_rounded_up) {
+  for (const char* typed : {"3.15", "3.1416", "3.141592653589793"}) {
+    const Settings settings =
+        from_text(std::string("range:\n  yaw_min_rad: -") + typed + "\n  roll_max_rad: " + typed + "\n");
+    EXPECT_EQ(settings.range.yaw_min_rad, SearchRange{}.yaw_min_rad) << typed;
+    EXPECT_EQ(settings.range.roll_max_rad, SearchRange{}.roll_max_rad) << typed;
+    EXPECT_TRUE(settings.check().empty()) << typed;
+  }
+  EXPECT_EQ(from_text("range:\n  yaw_max_rad: 3.14\n").range.yaw_max_rad, 3.14);
+  EXPECT_NE(error_of("range:\n  yaw_max_rad: 3.2\n"), "");
+}
+
 TEST(settings_file, one_setting_from_an_assignment) {
   Settings settings;
   apply_setting(settings, "registration.algorithm=pcl-gicp");

@@ -59,7 +59,8 @@ TEST(option_form, no_default_is_rounded_away) {
   for (const OptionField& field : option_fields(settings)) {
     if (field.kind != OptionKind::Real) continue;
     OptionForm form(field.section, settings);
-    EXPECT_DOUBLE_EQ(form.findChild<QDoubleSpinBox*>(field.section + '.' + field.name)->value(), field.value.toDouble())
+    EXPECT_DOUBLE_EQ(form.findChild<QDoubleSpinBox*>(field.section + '.' + field.name)->value(),
+                     on_screen(field, field.value.toDouble()))
         << field.name.toStdString();
   }
 }
@@ -73,6 +74,31 @@ TEST(range_panel, shows_degrees_and_sends_radians) {
   ASSERT_EQ(edited.count(), 1);
   EXPECT_EQ(edited[0][1].toString(), "yaw_min_rad");
   EXPECT_NEAR(edited[0][2].toDouble(), -0.5 * kPi, 1e-9);
+}
+
+TEST(range_panel, the_default_is_half_a_turn_to_each_side_and_typing_it_is_every_angle) {
+  RangePanel panel;
+  for (const char* name : {"range.yaw_min_rad", "range.roll_min_rad"})
+    EXPECT_EQ(panel.findChild<QDoubleSpinBox*>(name)->text().toStdString(), "-180.00°");
+  auto* largest = panel.findChild<QDoubleSpinBox*>("range.yaw_max_rad");
+  EXPECT_EQ(largest->text().toStdString(), "180.00°");
+  QSignalSpy edited(&panel, &RangePanel::edited);
+  largest->setValue(90.0);
+  largest->setValue(200.0);
+  ASSERT_EQ(edited.count(), 2);
+  EXPECT_EQ(edited[1][2].toDouble(), SearchRange{}.yaw_max_rad) << "no rounding";
+}
+
+TEST(option_form, angles_are_shown_in_degrees_and_sent_in_radians) {
+  OptionForm form("range", Settings{});
+  QSignalSpy edited(&form, &OptionForm::edited);
+  auto* spin = form.findChild<QDoubleSpinBox*>("range.pitch_max_rad");
+  EXPECT_TRUE(spin->text().startsWith("180.0") && spin->text().endsWith("°")) << spin->text().toStdString();
+  spin->setValue(90.0);
+  spin->setValue(180.0);
+  ASSERT_EQ(edited.count(), 2);
+  EXPECT_NEAR(edited[0][2].toDouble(), 0.5 * kPi, 1e-12);
+  EXPECT_EQ(edited[1][2].toDouble(), kPi);
 }
 
 TEST(nominal_panel, sends_what_it_shows_and_unknown_as_nothing) {

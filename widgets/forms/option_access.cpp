@@ -2,6 +2,8 @@
 
 #include <type_traits>
 
+#include "algorithms/geometry/rotation.h"
+
 namespace remount {
 namespace {
 
@@ -91,9 +93,25 @@ bool set_option(Settings& settings, const QString& section, const QString& name,
   return found;
 }
 
+namespace {
+bool is_angle(const OptionField& field) { return field.unit == QLatin1String("rad"); }
+}  // namespace
+
+double on_screen(const OptionField& field, double value) { return is_angle(field) ? radians_to_degrees(value) : value; }
+
+double from_screen(const OptionField& field, double shown) {
+  return is_angle(field) ? degrees_to_radians(shown) : shown;
+}
+
+QString screen_suffix(const OptionField& field) {
+  if (is_angle(field)) return QStringLiteral("°");
+  return field.unit.isEmpty() ? QString() : ' ' + field.unit;
+}
+
 QString option_label(const OptionField& field) {
   QString label = field.name;
-  if (!field.unit.isEmpty() && label.endsWith('_' + field.unit, Qt::CaseInsensitive)) label.chop(field.unit.size() + 1);
+  const QString unit = field.unit.section('/', 0, 0);  // "m" of "m/sqrt(s)", as names have it
+  if (!unit.isEmpty() && label.endsWith('_' + unit, Qt::CaseInsensitive)) label.chop(unit.size() + 1);
   label.replace('_', ' ');
   if (label.startsWith("ins ")) label.replace(0, 3, "INS");
   if (!label.isEmpty()) label[0] = label[0].toUpper();

@@ -28,6 +28,12 @@ std::vector<OptionField> option_fields(const Settings& settings);
 /// Sets one option; false where there is none of that name.
 bool set_option(Settings& settings, const QString& section, const QString& name, const QVariant& value);
 
+/// Radians of files are degrees on screen, other units the same: for a number of this option, its suffix (" m", "°"),
+/// and back.
+double on_screen(const OptionField& field, double value);
+double from_screen(const OptionField& field, double shown);
+QString screen_suffix(const OptionField& field);
+
 /// "max_gap_s" -> "Max gap".
 QString option_label(const OptionField& field);
 

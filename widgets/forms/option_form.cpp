@@ -21,7 +21,7 @@ void show_in_editor(QWidget& editor, const OptionField& field) {
   const QSignalBlocker quiet(&editor);
   if (auto* box = qobject_cast<QCheckBox*>(&editor)) box->setChecked(field.value.toBool());
   if (auto* spin = qobject_cast<QSpinBox*>(&editor)) spin->setValue(field.value.toInt());
-  if (auto* spin = qobject_cast<QDoubleSpinBox*>(&editor)) spin->setValue(field.value.toDouble());
+  if (auto* spin = qobject_cast<QDoubleSpinBox*>(&editor)) spin->setValue(on_screen(field, field.value.toDouble()));
   if (auto* line = qobject_cast<QLineEdit*>(&editor)) line->setText(field.value.toString());
   if (auto* combo = qobject_cast<QComboBox*>(&editor)) combo->setCurrentIndex(field.value.toInt());
 }
@@ -53,7 +53,7 @@ void OptionForm::show_settings(const Settings& settings) {
 
 QWidget* OptionForm::make_editor(const OptionField& field) {
   const auto send = [this, name = field.name](const QVariant& value) { emit edited(section_, name, value); };
-  const QString suffix = field.unit.isEmpty() ? QString() : ' ' + field.unit;
+  const QString suffix = screen_suffix(field);
   switch (field.kind) {
     case OptionKind::Switch: {
       auto* box = new QCheckBox(option_label(field), this);
@@ -71,11 +71,13 @@ QWidget* OptionForm::make_editor(const OptionField& field) {
     case OptionKind::Real: {
       auto* spin = new QDoubleSpinBox(this);
       spin->setDecimals(decimals_for(field));
-      spin->setRange(field.minimum, field.maximum);
-      spin->setSingleStep(std::max(std::pow(10.0, -spin->decimals()), 0.1 * std::abs(field.value.toDouble())));
+      spin->setRange(on_screen(field, field.minimum), on_screen(field, field.maximum));
+      spin->setSingleStep(
+          std::max(std::pow(10.0, -spin->decimals()), 0.1 * std::abs(on_screen(field, field.value.toDouble()))));
       spin->setSuffix(suffix);
       spin->setKeyboardTracking(false);
-      connect(spin, &QDoubleSpinBox::valueChanged, this, send);
+      connect(spin, &QDoubleSpinBox::valueChanged, this,
+              [send, field](double shown) { send(from_screen(field, shown)); });
       return spin;
     }
     case OptionKind::Choice: {

@@ -16,8 +16,6 @@ const QString kSection = QStringLiteral("range");
 
 bool is_angle(const OptionField& field) { return field.unit == QLatin1String("rad"); }
 
-double shown(const OptionField& field, double value) { return is_angle(field) ? radians_to_degrees(value) : value; }
-
 }  // namespace
 
 RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(this)) {
@@ -33,16 +31,15 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
     if (lower) grid->addWidget(new QLabel(parameter, this), ++row, 0);
     auto* spin = new QDoubleSpinBox(this);
     spin->setDecimals(is_angle(field) ? 2 : 3);
-    spin->setRange(shown(field, field.minimum), shown(field, field.maximum));
+    spin->setRange(on_screen(field, field.minimum), on_screen(field, field.maximum));
     spin->setSingleStep(is_angle(field) ? 5.0 : 0.5);
-    spin->setSuffix(is_angle(field) ? QStringLiteral("°") : QStringLiteral(" m"));
+    spin->setSuffix(screen_suffix(field));
     spin->setKeyboardTracking(false);
     spin->setToolTip(field.help);
     spin->setObjectName("range." + field.name);
     spin->setAccessibleName(lower ? tr("Smallest %1").arg(parameter) : tr("Largest %1").arg(parameter));
-    connect(spin, &QDoubleSpinBox::valueChanged, this, [this, field](double value) {
-      emit edited(kSection, field.name, is_angle(field) ? degrees_to_radians(value) : value);
-    });
+    connect(spin, &QDoubleSpinBox::valueChanged, this,
+            [this, field](double value) { emit edited(kSection, field.name, from_screen(field, value)); });
     grid->addWidget(spin, row, lower ? 1 : 2);
     editors_[field.name] = spin;
   }
@@ -64,7 +61,7 @@ void RangePanel::show_settings(const Settings& settings) {
     const auto editor = editors_.find(field.name);
     if (field.section != kSection || editor == editors_.end()) continue;
     const QSignalBlocker quiet(editor->second);
-    editor->second->setValue(shown(field, field.value.toDouble()));
+    editor->second->setValue(on_screen(field, field.value.toDouble()));
     if (field.name.contains(QLatin1String("_min_")))
       lower = field.value.toDouble();
     else if (field.value.toDouble() < lower)
