@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/core/error.h"
 #include "model/io/atomic_save.h"
 #include "model/io/pair_document.h"
@@ -178,8 +179,7 @@ int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& out
     const auto found = wanted.find({a.session, a.stamp_ns, b.stamp_ns});
     if (found == wanted.end()) continue;
     // What has no usable registration cannot be accepted, whatever was decided about an earlier one.
-    const bool registered = pair.registration.attempted && pair.registration.failure.empty();
-    if (found->second->state == PairState::Accepted && !registered) continue;
+    if (found->second->state == PairState::Accepted && !unusable_reason(pair).empty()) continue;
     pair.state = found->second->state;
     pair.reason = found->second->reason;
     pair.decided_by = DecidedBy::User;

@@ -33,15 +33,35 @@ double residual_scale2(std::vector<double> distances2) {
   return std::max(1.0, *place / kShareChi2);
 }
 
+std::string unusable_reason(const Pair& pair) {
+  if (!pair.registration.failure.empty()) return pair.registration.failure;
+  if (pair.registration.attempted) return {};
+  return pair.state == PairState::Rejected && !pair.reason.empty() && pair.decided_by == DecidedBy::Program
+             ? pair.reason
+             : "its scans were not aligned";
+}
+
 std::vector<int> usable_pairs(const std::vector<Pair>& pairs) {
   std::vector<int> usable;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Pair& pair = pairs[i];
     if (pair.state == PairState::Rejected && pair.decided_by == DecidedBy::User) continue;
-    if (!pair.registration.attempted || !pair.registration.failure.empty()) continue;
+    if (!unusable_reason(pair).empty()) continue;
     usable.push_back(static_cast<int>(i));
   }
   return usable;
+}
+
+void refuse_unusable(std::vector<Pair>& pairs) {
+  for (Pair& pair : pairs) {
+    if (pair.state != PairState::Accepted) continue;
+    const std::string reason = unusable_reason(pair);
+    if (reason.empty()) continue;
+    pair.state = PairState::Rejected;
+    pair.decided_by = DecidedBy::Program;
+    pair.reason = reason;
+    pair.weight = 0.0;
+  }
 }
 
 std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs) {

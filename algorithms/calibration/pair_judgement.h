@@ -1,6 +1,7 @@
 // Which pairs take part: the screw test, residuals, weights, and states with their reasons.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "algorithms/calibration/noise_model.h"
@@ -9,8 +10,16 @@
 
 namespace remount {
 
+/// Why no solution can use the pair, in words; empty where it can. A registration may converge and still have failed:
+/// what it found is then no motion to rely on, so that such a pair is never accepted.
+std::string unusable_reason(const Pair& pair);
+
 /// Indices of the pairs that have a registration and that the user did not reject.
 std::vector<int> usable_pairs(const std::vector<Pair>& pairs);
+
+/// Rejects, with the reason, accepted pairs that no solution can use, whoever accepted them: as many pairs are used as
+/// are counted as accepted.
+void refuse_unusable(std::vector<Pair>& pairs);
 
 /// P and Q of the accepted pairs, in order.
 std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs);

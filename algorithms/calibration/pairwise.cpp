@@ -177,6 +177,7 @@ JointProblem solve_and_judge(const PairwiseInput& input, const NoisePrior& prior
 
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress) {
+  refuse_unusable(pairs);
   const std::vector<int> usable = usable_pairs(pairs);
   if (usable.size() < kFewestPairs) return too_few(pairs, usable.size());
   const NoisePrior prior = noise_prior(input);

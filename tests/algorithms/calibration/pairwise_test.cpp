@@ -135,6 +135,31 @@ TEST(pairwise, what_the_user_decided_stays) {
   EXPECT_EQ(solved.pairs[5].decided_by, DecidedBy::Program);
 }
 
+TEST(pairwise, as_many_pairs_are_counted_as_are_used_whatever_was_accepted) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 3);
+  std::vector<Pair> pairs = pairs_of(drive);
+  const auto accept = [&](std::size_t i) {
+    pairs[i].state = PairState::Accepted;
+    pairs[i].decided_by = DecidedBy::User;
+    pairs[i].lidar_b_from_lidar_a.translation().x() += 3.0;
+  };
+  accept(4);
+  pairs[4].registration.converged = true;
+  pairs[4].registration.failure = "only 12% of the points overlap";
+  accept(6);
+  pairs[6].registration.attempted = false;
+  const Solved solved = solve(drive, options, pairs);
+  const std::size_t used = static_cast<std::size_t>(
+      std::count_if(solved.pairs.begin(), solved.pairs.end(), [](const Pair& pair) { return pair.weight > 0.0; }));
+  EXPECT_EQ(static_cast<std::size_t>(solved.result.pairs_accepted), used);
+  EXPECT_EQ(solved.pairs[4].state, PairState::Rejected);
+  EXPECT_EQ(solved.pairs[4].reason, "only 12% of the points overlap");
+  EXPECT_EQ(solved.pairs[6].state, PairState::Rejected);
+  EXPECT_NE(solved.pairs[6].reason, "");
+  EXPECT_LT(solved.result.translation_rms_m, 0.5) << "their motion is in the residuals";
+}
+
 TEST(pairwise, flat_driving_keeps_the_nominal_height_and_says_so) {
   DriveOptions options;
   options.tilt_rad = 0.0;
