@@ -114,6 +114,8 @@ class MainWindow : public QMainWindow {
   std::vector<QAction*> review_actions_;
   CloudsPtr shown_clouds_;  // of the selected pair
   bool was_busy_ = false;
+  QString idle_;         // what the status strip said last while nothing ran
+  QString note_at_end_;  // what it says when the present work is done
 };
 
 }  // namespace remount

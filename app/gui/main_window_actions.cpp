@@ -13,6 +13,7 @@
 #include "algorithms/core/error.h"
 #include "app/gui/main_window.h"
 #include "app/gui/result_files.h"
+#include "app/gui/wording.h"
 #include "remount_version.h"
 #include "widgets/charts/error_bar_chart.h"
 #include "widgets/panels/obstacle_dialog.h"
@@ -182,6 +183,7 @@ void MainWindow::show_export() {
       },
       this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->show_warning(standing_note(workbench_));
   connect(dialog, &ExportDialog::copied, &workbench_, &Workbench::mark_exported);
   connect(dialog, &ExportDialog::save_requested, this,
           [this](const QString&, const QString& path, const QString& text) {

@@ -6,6 +6,7 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/steps.h"
+#include "app/gui/wording.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
@@ -22,17 +23,6 @@
 #include "widgets/theme.h"
 
 namespace remount {
-namespace {
-
-/// The first of them; a hundred settings may have changed.
-QString in_short(const QStringList& changes) {
-  constexpr qsizetype kShown = 4;
-  const QString list = changes.first(std::min(kShown, changes.size())).join(QStringLiteral("; "));
-  return changes.size() <= kShown ? list : MainWindow::tr("%1 and %2 more").arg(list).arg(changes.size() - kShown);
-}
-
-}  // namespace
-
 void MainWindow::connect_intents() {
   connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
   connect(welcome_, &WelcomePanel::open_requested, this, &MainWindow::ask_for_folder);
@@ -79,7 +69,7 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::clouds_loaded, this, &MainWindow::show_clouds);
   connect(&workbench_, &Workbench::clouds_failed, this, [this](int pair, const QString& why) {
     pair_view_->show_message(tr("The scans of pair %1 cannot be shown.\n%2").arg(pair).arg(why));
-    progress_text(tr("Ready"));
+    progress_text(idle_text(workbench_));
   });
 }
 
@@ -87,13 +77,7 @@ void MainWindow::progress_text(const QString& text) {
   if (!was_busy_) progress_->stop(text);
 }
 
-void MainWindow::show_sessions() {
-  session_model_->show_sessions(workbench_.sessions());
-  centre_->setCurrentWidget(workbench_.sessions().empty() ? static_cast<QWidget*>(welcome_) : pair_view_);
-  if (!workbench_.output())
-    pair_view_->show_message(
-        tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5."));
-}
+void MainWindow::show_sessions() { session_model_->show_sessions(workbench_.sessions()); }
 
 void MainWindow::show_output() {
   const OutputPtr output = workbench_.output();
@@ -112,38 +96,36 @@ void MainWindow::show_output() {
 void MainWindow::show_state() {
   const bool busy = workbench_.opening() || workbench_.calibrating();
   if (busy && !was_busy_) {
+    note_at_end_.clear();
     banner_->hide();  // what it says is answered by what was started
     progress_->start(workbench_.opening() ? tr("Opening sessions…") : tr("Calibrating…"));
   }
   if (!busy && was_busy_) {
-    progress_->stop(tr("Ready"));
+    was_busy_ = false;
+    progress_text(note_at_end_.isEmpty() || workbench_.out_of_date() ? idle_text(workbench_) : note_at_end_);
+    idle_ = idle_text(workbench_);
     if (workbench_.output()) pairs_->table()->setFocus();
   }
   was_busy_ = busy;
+  if (const QString idle = idle_text(workbench_); !busy && idle != idle_) {
+    idle_ = idle;
+    progress_text(idle);
+  }
   steps_->show_steps(describe_steps(workbench_));
   calibrate_->setEnabled(!busy);
   run_->setEnabled(!busy && !workbench_.sessions().empty());
   run_->setText(workbench_.calibrating() ? tr("Calibrating…")
                 : workbench_.output()    ? tr("Calibrate again (F5)")
                                          : tr("Calibrate (F5)"));
-  if (!workbench_.output())
-    pair_view_->show_message(
-        workbench_.calibrating()
-            ? tr("Calibrating: choosing scans, aligning pairs, solving.\nThe pairs appear here when they are aligned.")
-            : tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5."));
+  const bool nothing_yet = workbench_.sessions().empty() && !workbench_.opening();
+  centre_->setCurrentWidget(nothing_yet ? static_cast<QWidget*>(welcome_) : pair_view_);
+  if (!workbench_.output()) pair_view_->show_message(next_hint(workbench_));
   cancel_->setEnabled(busy);
   const OutputPtr output = workbench_.output();
   export_->setEnabled(output && is_usable(output->result));
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
   for (QAction* action : review_actions_) action->setEnabled(output != nullptr);
-  QString note;
-  if (workbench_.solving())
-    note = tr("Solving again…");
-  else if (output && workbench_.calibrating())
-    note = tr("Calibrating; this is the result before.");
-  else if (const QStringList changes = workbench_.changes_since_output(); !changes.isEmpty())
-    note = tr("This result was made with other settings: %1. Calibrate again (F5).").arg(in_short(changes));
-  result_->show_note(note);
+  result_->show_standing(standing_of(workbench_), standing_note(workbench_), next_text(workbench_));
 }
 
 QString MainWindow::scan_name(int index) const {
@@ -177,16 +159,18 @@ void MainWindow::show_clouds(int pair, const CloudsPtr& clouds) {
   } else {
     pair_view_->show_pair(pair_caption(pair), clouds, pair_transforms(*output, pair));
   }
-  progress_text(tr("Ready"));
+  progress_text(idle_text(workbench_));
 }
 
 void MainWindow::show_message(Severity severity, const QString& where, const QString& what) {
   if (what.isEmpty()) return;
   log_->add(severity, where, what);
-  if (severity != Severity::Note)
+  if (severity != Severity::Note) {
     banner_->show_message(severity, where, what);
-  else
-    progress_text(where.isEmpty() ? what : where + QStringLiteral(": ") + what);
+    return;
+  }
+  note_at_end_ = where.isEmpty() ? what : where + QStringLiteral(": ") + what;
+  progress_text(note_at_end_);
 }
 
 void MainWindow::set_palettes() {

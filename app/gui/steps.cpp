@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "algorithms/calibration/pair_judgement.h"
 #include "widgets/panels/result_panel.h"
 
 namespace remount {
@@ -17,7 +18,7 @@ struct Counts {
 Counts count(const PipelineOutput& output) {
   Counts counts;
   for (const Pair& pair : output.pairs) {
-    counts.aligned += pair.registration.converged;
+    counts.aligned += unusable_reason(pair).empty();
     counts.accepted += pair.state == PairState::Accepted;
     counts.rejected += pair.state == PairState::Rejected;
     counts.by_user += pair.decided_by == DecidedBy::User;
@@ -71,20 +72,25 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
   }
   const Counts counts = count(*output);
   const int pairs = static_cast<int>(output->pairs.size());
-  if (workbench.out_of_date())
+  const bool stale = workbench.out_of_date();
+  if (stale)
     step(Step::Pairs) = {StepState::Attention, text("changed: F5 again")};
   else
     step(Step::Pairs) = {pairs > 0 ? StepState::Done : StepState::Attention, text("%1 pairs").arg(pairs)};
-  step(Step::Align) = {counts.aligned > 0 ? StepState::Done : StepState::Attention,
+  step(Step::Align) = {counts.aligned > 0 && !stale ? StepState::Done : StepState::Attention,
                        text("%1 of %2 aligned").arg(counts.aligned).arg(pairs)};
   step(Step::Review) = {counts.accepted > counts.rejected ? StepState::Done : StepState::Attention,
                         text("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)};
   const Status status = output->result.status;
   if (workbench.solving())
     step(Step::Solve) = {StepState::Running, text("solving again…")};
+  else if (stale)
+    step(Step::Solve) = {StepState::Attention, text("out of date")};
   else
     step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(status)};
-  if (is_usable(output->result))
+  if (stale && is_usable(output->result))
+    step(Step::Export) = {StepState::Attention, text("out of date")};
+  else if (is_usable(output->result))
     step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, text("exported")}
                                               : StepInfo{StepState::Next, text("ready (Ctrl+E)")};
   return steps;

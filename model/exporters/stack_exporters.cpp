@@ -66,9 +66,8 @@ class ApolloExporter final : public Exporter {
 
   std::string_view id() const override { return right_forward_up_ ? "apollo-rfu" : "apollo"; }
   std::string_view description() const override {
-    return right_forward_up_
-               ? "Apollo *_novatel_extrinsics.yaml, INS axes turned from forward-left-up to Apollo's right-forward-up"
-               : "Apollo *_novatel_extrinsics.yaml, INS axes as in the result";
+    return right_forward_up_ ? "Apollo *_novatel_extrinsics.yaml, INS axes right-forward-up"
+                             : "Apollo *_novatel_extrinsics.yaml, INS axes as in the result";
   }
   std::string_view direction() const override {
     return right_forward_up_ ? "lidar to ins, the INS axes turned from x forward, y left to x right, y forward"

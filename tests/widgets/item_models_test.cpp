@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QFont>
 #include <QSignalSpy>
 
 #include "tests/widgets/support/sample_world.h"
@@ -102,6 +103,23 @@ TEST(session_list_model, lists_findings_beneath_their_session) {
   ASSERT_EQ(model.rowCount(second), 1);
   EXPECT_EQ(model.session_of(model.index(0, 0, second)), 1);
   EXPECT_TRUE(model.index(0, 0, second).data().toString().contains("ins.csv:212"));
+}
+
+TEST(candidate_table_model, the_row_that_became_the_result_is_marked_and_no_other) {
+  auto output = std::make_shared<PipelineOutput>(*output_of(20));
+  std::swap(output->result.candidates[0], output->result.candidates[3]);
+  CandidateTableModel model;
+  model.show_output(output);
+  EXPECT_EQ(model.result_row(), 3);
+  for (int row = 0; row < model.rowCount(); ++row) {
+    const QModelIndex source = model.index(row, CandidateTableModel::Source);
+    EXPECT_EQ(source.data().toString().contains("the result"), row == 3) << row;
+    EXPECT_EQ(source.data(Qt::ToolTipRole).toString().contains("the result"), row == 3) << row;
+    EXPECT_EQ(source.data(Qt::FontRole).value<QFont>().bold(), row == 3) << row;
+  }
+  output->result.status = Status::OutOfRange;
+  model.show_output(std::make_shared<const PipelineOutput>(*output));
+  EXPECT_EQ(model.result_row(), -1) << "nothing was solved";
 }
 
 }  // namespace

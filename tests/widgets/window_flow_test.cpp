@@ -1,21 +1,17 @@
 // The whole job in the window: open, calibrate, select, reject, undo, export.
 #include <gtest/gtest.h>
 
-#include <QAction>
 #include <QApplication>
-#include <QDir>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
-#include <QTest>
 #include <QToolButton>
 
-#include "app/gui/main_window.h"
 #include "app/gui/result_files.h"
 #include "model/io/parse_document.h"
-#include "tests/widgets/support/sample_world.h"
+#include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/error_bar_chart.h"
 #include "widgets/gl_support.h"
 #include "widgets/panels/export_dialog.h"
@@ -30,55 +26,13 @@
 namespace remount {
 namespace {
 
-constexpr int kPatience_ms = 20000;
-
 Settings load_result_settings(const QString& yaml) {
   const DocumentNode document = parse_yaml(yaml.toStdString(), "result.yaml");
   return result_from_document(DocumentView(document, "result.yaml")).settings;
 }
 
-class window_flow : public ::testing::Test {
- protected:
-  explicit window_flow(int stages = 10) : workbench_(testing::sample_engine(stages)), window_(workbench_) {}
-
-  void show() {
-    window_.show();
-    window_.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_, kPatience_ms));
-  }
-  bool settle() {
-    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kPatience_ms);
-  }
-  void calibrate_drive() {
-    window_.open_paths({"/data/drive1"});
-    ASSERT_TRUE(settle());
-    workbench_.calibrate();
-    ASSERT_TRUE(settle());
-    ASSERT_TRUE(workbench_.output());
-  }
-  double x_m() const { return workbench_.output()->result.ins_from_lidar.translation().x(); }
-  const Pair& pair(int index) const { return workbench_.output()->pairs.at(static_cast<std::size_t>(index)); }
-  void trigger(const QString& key) {
-    for (QAction* action : window_.findChildren<QAction*>())
-      if (action->shortcut() == QKeySequence(key)) return action->trigger();
-    FAIL() << "no action has the key " << key.toStdString();
-  }
-  template <class Widget>
-  Widget& child() {
-    return *window_.findChild<Widget*>();
-  }
-  /// Where REMOUNT_SCREENSHOT_DIR is set, a picture of a widget is left there for people to look at.
-  void photograph(QWidget& widget, const QString& name) {
-    const QString folder = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR");
-    if (folder.isEmpty() || QGuiApplication::platformName() == QLatin1String("offscreen")) return;
-    QTest::qWait(300);
-    widget.grab().save(QDir(folder).filePath(name + ".png"));
-  }
-
-  Workbench workbench_;
-  MainWindow window_;
-};
+using testing::kPatience_ms;
+using window_flow = testing::WindowFixture;
 
 TEST_F(window_flow, rejecting_moves_the_result_and_undo_takes_it_back) {
   show();
@@ -272,9 +226,9 @@ TEST_F(window_flow, closing_while_calibrating_ends_in_time) {
   ASSERT_TRUE(settle());
 }
 
-class slow_window_flow : public window_flow {
+class slow_window_flow : public testing::WindowFixture {
  protected:
-  slow_window_flow() : window_flow(2000) {}
+  slow_window_flow() : WindowFixture(2000) {}
 };
 
 TEST_F(slow_window_flow, cancel_keeps_what_was_there) {

@@ -1,9 +1,11 @@
 #include "widgets/itemmodels/candidate_table_model.h"
 
 #include <QBrush>
+#include <QFont>
 #include <array>
 
 #include "model/display_units.h"
+#include "widgets/theme.h"
 
 namespace remount {
 namespace {
@@ -13,11 +15,23 @@ double shown_number(const Candidate& candidate, int column) {
   return six_on_screen(candidate.ins_from_lidar)[static_cast<std::size_t>(column - CandidateTableModel::X)];
 }
 
+/// Where nothing was solved there are candidates, but none of them is the result.
+int row_of_result(const CalibrationResult& result) {
+  if (result.status != Status::Ok && result.status != Status::Degenerate && result.status != Status::Inconsistent)
+    return -1;
+  constexpr double kSame = 1e-9;  // what a file holds is rounded
+  for (std::size_t i = 0; i < result.candidates.size(); ++i)
+    if (difference(result.candidates[i].ins_from_lidar, result.ins_from_lidar).norm() < kSame)
+      return static_cast<int>(i);
+  return -1;
+}
+
 }  // namespace
 
 void CandidateTableModel::show_output(std::shared_ptr<const PipelineOutput> output) {
   beginResetModel();
   output_ = std::move(output);
+  result_row_ = output_ ? row_of_result(output_->result) : -1;
   endResetModel();
 }
 
@@ -39,6 +53,17 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
   const bool words = column == Source || column == InRange;
   if (role == Qt::TextAlignmentRole)
     return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (words ? Qt::AlignLeft : Qt::AlignRight)));
+  const bool is_result = index.row() == result_row_;
+  if (role == Qt::FontRole && is_result) {
+    QFont bold;
+    bold.setBold(true);
+    return bold;
+  }
+  if (role == Qt::BackgroundRole && is_result) return QBrush(tinted(good_color(palette_), palette_));
+  if (role == Qt::ToolTipRole && is_result)
+    return tr(
+        "This is the result. It weighs every pair by its noise; another candidate may have a smaller E, which "
+        "counts all pairs alike.");
   if (role == Qt::ForegroundRole && !candidate.in_range)
     return QBrush(palette_.color(QPalette::Disabled, QPalette::Text));
   if (role == Qt::ToolTipRole && !candidate.in_range) return QString::fromStdString(candidate.out_of_range);
@@ -48,7 +73,9 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
       if (role == SortRole) return index.row();
       return candidate.in_range ? QString::number(index.row() + 1) : QStringLiteral("–");
     case Source:
-      return QString::fromStdString(candidate.source);
+      return is_result && role == Qt::DisplayRole
+                 ? tr("✓ %1 (the result)").arg(QString::fromStdString(candidate.source))
+                 : QString::fromStdString(candidate.source);
     case InRange:
       if (role == SortRole) return candidate.in_range ? 0 : 1;
       return candidate.in_range ? tr("in range")

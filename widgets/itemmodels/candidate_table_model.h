@@ -17,6 +17,8 @@ class CandidateTableModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
   void show_output(std::shared_ptr<const PipelineOutput> output);
+  /// Row of the candidate that became the result; -1 where there is no result, or it is not listed.
+  int result_row() const { return result_row_; }
   void set_palette(const QPalette& palette);
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -26,6 +28,7 @@ class CandidateTableModel : public QAbstractTableModel {
 
  private:
   std::shared_ptr<const PipelineOutput> output_;
+  int result_row_ = -1;
   QPalette palette_;
 };
 

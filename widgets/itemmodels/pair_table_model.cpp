@@ -134,7 +134,7 @@ QVariant PairTableModel::number(const Pair& pair, int row, int column) const {
     case ResidualTranslation:
       return 100.0 * pair.residual_translation_m;
     case Weight:
-      return pair.weight;
+      return pair.state == PairState::Accepted ? pair.weight : 0.0;
     case State:
       return static_cast<int>(pair.state);
     case Reason:
@@ -155,8 +155,9 @@ QString PairTableModel::display(const Pair& pair, int row, int column) const {
     case TimeB:
     case Gap:
     case Baseline:
-    case Weight:
       return fixed(value, 2);
+    case Weight:
+      return pair.state == PairState::Accepted ? fixed(value, 2) : none;
     case Rotation:
     case Screw:
       return fixed(value, column == Screw ? 1 : 2);

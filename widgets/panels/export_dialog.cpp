@@ -11,6 +11,8 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include "widgets/theme.h"
+
 namespace remount {
 
 ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent)
@@ -19,18 +21,26 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
       text_of_(std::move(text_of)),
       list_(new QListWidget(this)),
       preview_(new QPlainTextEdit(this)),
-      direction_(new QLabel(this)) {
+      direction_(new QLabel(this)),
+      warning_(new QLabel(this)) {
   setWindowTitle(tr("Export the result"));
   list_->setAccessibleName(tr("Format"));
-  list_->setMinimumWidth(300);
-  list_->setWordWrap(true);
-  for (const ExportFormat& format : formats_) list_->addItem(format.title);
+  list_->setTextElideMode(Qt::ElideRight);
+  for (const ExportFormat& format : formats_) {
+    list_->addItem(format.title);
+    list_->item(list_->count() - 1)->setToolTip(format.title + '\n' + format.direction);
+  }
+  // One line for each, whole: names are told apart by their ends.
+  list_->setFixedWidth(list_->sizeHintForColumn(0) + 2 * list_->frameWidth() + 24);
   preview_->setReadOnly(true);
   preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
   preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   preview_->setAccessibleName(tr("Preview"));
   direction_->setWordWrap(true);
   direction_->setAccessibleName(tr("Direction of the transform"));
+  warning_->setWordWrap(true);
+  warning_->setTextFormat(Qt::PlainText);
+  warning_->hide();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   QPushButton* copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
   QPushButton* save = buttons->addButton(tr("Save…"), QDialogButtonBox::ActionRole);
@@ -43,14 +53,23 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(list_, &QListWidget::currentRowChanged, this, &ExportDialog::show_current);
   auto* grid = new QGridLayout(this);
-  grid->addWidget(list_, 0, 0, 2, 1);
-  grid->addWidget(direction_, 0, 1);
-  grid->addWidget(preview_, 1, 1);
-  grid->addWidget(buttons, 2, 0, 1, 2);
+  grid->addWidget(warning_, 0, 0, 1, 2);
+  grid->addWidget(list_, 1, 0, 2, 1);
+  grid->addWidget(direction_, 1, 1);
+  grid->addWidget(preview_, 2, 1);
+  grid->addWidget(buttons, 3, 0, 1, 2);
   grid->setColumnStretch(1, 1);
-  grid->setRowStretch(1, 1);
-  resize(960, 540);
+  grid->setRowStretch(2, 1);
+  resize(1080, 620);
   list_->setCurrentRow(0);
+}
+
+void ExportDialog::show_warning(const QString& warning) {
+  const QColor color = warning_color(palette());
+  warning_->setStyleSheet(QStringLiteral("padding: 6px; border-left: 4px solid %1; background: %2")
+                              .arg(color.name(), tinted(color, palette()).name()));
+  warning_->setText(QStringLiteral("▲  ") + warning);
+  warning_->setVisible(!warning.isEmpty());
 }
 
 QString ExportDialog::current_id() const {

@@ -22,6 +22,8 @@ class ExportDialog : public QDialog {
  public:
   using TextOf = std::function<QString(const QString& id)>;
   ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent = nullptr);
+  /// What is to be known before anything is written; empty for nothing.
+  void show_warning(const QString& warning);
   QString current_id() const;
   QString current_text() const;
   void choose(const QString& id);
@@ -38,7 +40,7 @@ class ExportDialog : public QDialog {
   TextOf text_of_;
   QListWidget* list_;
   QPlainTextEdit* preview_;
-  QLabel* direction_;
+  QLabel *direction_, *warning_;
 };
 
 }  // namespace remount

@@ -2,17 +2,28 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
+#include <algorithm>
 
 #include "widgets/theme.h"
 
 namespace remount {
 
-MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel(this)) {
+MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel), scroll_(new QScrollArea(this)) {
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   text_->setAccessibleName(tr("Message"));
+  text_->setAlignment(Qt::AlignTop);
+  scroll_->setWidget(text_);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  scroll_->viewport()->setAutoFillBackground(false);
+  text_->setAutoFillBackground(false);
   auto* close = new QToolButton(this);
   close->setText(QStringLiteral("✕"));
   close->setAutoRaise(true);
@@ -21,7 +32,7 @@ MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(10, 6, 6, 6);
-  layout->addWidget(text_, 1);
+  layout->addWidget(scroll_, 1);
   layout->addWidget(close, 0, Qt::AlignTop);
   hide();
 }
@@ -34,6 +45,23 @@ void MessageBanner::show_message(Severity severity, const QString& where, const 
   if (!where.isEmpty()) text += where + '\n';
   text_->setText(text + what);
   show();
+  scroll_->verticalScrollBar()->setValue(0);
+  fit_height();
+}
+
+// As high as the whole message, up to a few lines; beyond them it scrolls. A layout that is short of space would
+// squeeze a wrapped label and cut its last lines off.
+void MessageBanner::fit_height() {
+  constexpr int kMostLines = 10;
+  const int width = scroll_->viewport()->width();
+  const int wanted = text_->heightForWidth(width) + 2;
+  const int most = kMostLines * text_->fontMetrics().lineSpacing();
+  scroll_->setFixedHeight(std::min(wanted, most));
+}
+
+void MessageBanner::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  fit_height();
 }
 
 }  // namespace remount

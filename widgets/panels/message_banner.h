@@ -6,6 +6,7 @@
 #include "model/session.h"
 
 class QLabel;
+class QScrollArea;
 
 namespace remount {
 
@@ -15,8 +16,13 @@ class MessageBanner : public QFrame {
   explicit MessageBanner(QWidget* parent = nullptr);
   void show_message(Severity severity, const QString& where, const QString& what);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void fit_height();
   QLabel* text_;
+  QScrollArea* scroll_;
 };
 
 }  // namespace remount

@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableWidget>
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/core/error.h"
@@ -84,6 +85,7 @@ ObstacleDialog::ObstacleDialog(const QString& scan, std::shared_ptr<const PairCl
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->setAccessibleName(tr("Distance of each object from the outline of the vehicle"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -130,6 +132,11 @@ void ObstacleDialog::check() {
   QString verdict = tr("Before: %1. With result: %2.").arg(words(found.nominal), words(found.calibrated));
   if (found.decision_differs()) verdict += ' ' + tr("The mounting changes the decision.");
   verdict_->setText(verdict);
+  // The nearest decide: they come first. What is no obstacle has no distance and comes last.
+  const auto rank = [](double distance_m) { return std::isfinite(distance_m) ? distance_m : 1e9; };
+  std::stable_sort(found.rows.begin(), found.rows.end(), [&](const auto& a, const auto& b) {
+    return rank(a.calibrated_distance_m) < rank(b.calibrated_distance_m);
+  });
   table_->setRowCount(static_cast<int>(found.rows.size()));
   for (int row = 0; row < table_->rowCount(); ++row) {
     const ObstacleDifference& entry = found.rows[static_cast<std::size_t>(row)];
@@ -139,6 +146,11 @@ void ObstacleDialog::check() {
                                        std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
     for (int column = 0; column < 4; ++column) {
       auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
+      const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;
+      if ((column == 1 || column == 2) && shown_m < options_.stop_distance_m) {
+        item->setForeground(bad_color(palette()));
+        item->setToolTip(tr("Closer than the stop distance"));
+      }
       if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       table_->setItem(row, column, item);
     }

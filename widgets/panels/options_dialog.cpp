@@ -65,7 +65,7 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
   grid->addWidget(note, 2, 0, 1, 2);
   grid->addWidget(buttons, 3, 0, 1, 2);
   grid->setColumnStretch(1, 1);
-  resize(620, 460);
+  resize(680, 580);
   show_settings(settings);
 }
 

@@ -133,6 +133,7 @@ void PairView::show_message(const QString& text) {
   message_->setText(
       gl_reason_.isEmpty() ? text : tr("The 3-D view is not available: %1.\nEverything else works.").arg(gl_reason_));
   stack_->setCurrentWidget(message_);
+  buttons_->setEnabled(false);  // there is nothing to turn or to flip
   pair_caption_.clear();
   update_caption();
 }
@@ -142,6 +143,7 @@ void PairView::show_pair(const QString& caption, std::shared_ptr<const PairCloud
   pair_caption_ = caption;
   update_caption();
   if (!has_gl()) return;
+  buttons_->setEnabled(true);
   stack_->setCurrentWidget(canvas_);
   scene_.set_pair(*clouds, transforms);
   if (!framed_) scene_.look(StandardView::Fit);

@@ -1,5 +1,6 @@
 #include "widgets/panels/result_panel.h"
 
+#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -71,7 +72,7 @@ QString result_as_text(const CalibrationResult& result) {
                  .arg(values[i], 0, 'f', 4)
                  .arg(unit_suffix(i),
                       sigma ? QStringLiteral("± %1%2").arg(on_screen(i, *sigma), 0, 'f', 4).arg(unit_suffix(i))
-                            : ResultPanel::tr("(not observed: nominal kept)"));
+                            : ResultPanel::tr("(not observed: the value assumed before)"));
   }
   return lines.join('\n');
 }
@@ -95,7 +96,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  show_note({});
+  show_standing(ResultStanding::Current, {}, {});
   show_output(nullptr, nullptr);
 }
 
@@ -146,10 +147,40 @@ void ResultPanel::make_buttons(QGridLayout& grid) {
   connect(export_, &QPushButton::clicked, this, &ResultPanel::export_requested);
 }
 
-void ResultPanel::show_note(const QString& note) {
+void ResultPanel::show_standing(ResultStanding standing, const QString& note, const QString& next) {
+  standing_ = standing;
+  next_ = next;
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
+  show_status();
+}
+
+void ResultPanel::show_status() {
   note_->setStyleSheet("color: " + warning_color(palette()).name());
+  if (!shown_) {
+    status_->setText(tr("No result yet"));
+    status_->setStyleSheet({});
+    words_->setText(next_);
+    return;
+  }
+  // Green is for what holds now.
+  QString title = status_title(*shown_);
+  QColor color = status_color(*shown_, palette());
+  if (standing_ == ResultStanding::OutOfDate) {
+    title = tr("▲ Out of date. It was: %1").arg(title);
+    color = warning_color(palette());
+  } else if (standing_ == ResultStanding::BeingReplaced) {
+    title = tr("… Result before: %1").arg(title);
+    color = palette().color(QPalette::Disabled, QPalette::WindowText);
+  }
+  status_->setText(title);
+  status_->setStyleSheet(QStringLiteral("font-weight: bold; padding: 5px; border-left: 4px solid %1; background: %2")
+                             .arg(color.name(), tinted(color, palette()).name()));
+}
+
+void ResultPanel::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && export_) show_status();
+  QScrollArea::changeEvent(event);
 }
 
 void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
@@ -157,31 +188,32 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
   const bool numbers = output && has_numbers(output->result.status);
   copy_->setEnabled(numbers);
   export_->setEnabled(output && is_usable(output->result));
+  shown_ = output ? std::optional(output->result.status) : std::nullopt;
+  show_status();
   if (!output) {
-    status_->setText(tr("No result yet"));
-    status_->setStyleSheet({});
-    words_->setText(tr("Open sessions and calibrate (F5)."));
     for (Row& row : rows_)
       for (QLabel* label : {row.value, row.sigma, row.moved})
         label->setText(label == row.value ? QStringLiteral("–") : QString());
     return;
   }
-  const QColor color = status_color(output->result.status, palette());
-  status_->setText(status_title(output->result.status));
-  status_->setStyleSheet(QStringLiteral("font-weight: bold; padding: 5px; border-left: 4px solid %1; background: %2")
-                             .arg(color.name(), tinted(color, palette()).name()));
-  show_parameters(output->result, before && has_numbers(before->result.status) ? &before->result : nullptr);
+  show_parameters(output->result, output->nominal_known,
+                  before && has_numbers(before->result.status) ? &before->result : nullptr);
   show_words(*output);
 }
 
-void ResultPanel::show_parameters(const CalibrationResult& result, const CalibrationResult* before) {
+void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_known,
+                                  const CalibrationResult* before) {
   const bool numbers = has_numbers(result.status);
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
   const std::array<double, 6> old = before ? six_on_screen(before->ins_from_lidar) : values;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const std::optional<double> sigma = finite_sigma(result, i);
     Row& row = rows_[i];
-    row.value->setText(numbers ? QString::number(values[i], 'f', 4) + unit_suffix(i) : QStringLiteral("–"));
+    const bool zero_by_default = !sigma && !is_angle(i) && !nominal_known;  // a number would be taken for one
+    row.value->setText(numbers && !zero_by_default ? QString::number(values[i], 'f', 4) + unit_suffix(i)
+                                                   : QStringLiteral("–"));
+    row.value->setToolTip(
+        numbers && zero_by_default ? tr("Not observed, and no nominal mounting is given: files hold 0") : QString());
     row.value->setEnabled(numbers && sigma.has_value());
     const double spread = sigma ? on_screen(i, *sigma) : 0.0;
     const double bootstrap = on_screen(i, result.bootstrap_sigma[i]);
@@ -219,7 +251,7 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   }
   if (has_numbers(result.status) && std::isfinite(result.time_offset.offset_s))
     figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
-                   .arg(1e3 * result.time_offset.offset_s, 0, 'f', 1)
+                   .arg(std::round(1e4 * result.time_offset.offset_s) / 10.0 + 0.0, 0, 'f', 1)  // no "-0.0"
                    .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 1)
                    .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
   const bool joint = std::any_of(result.candidates.begin(), result.candidates.end(),

@@ -14,18 +14,25 @@ class QPushButton;
 
 namespace remount {
 
+/// How the result that is shown stands to what is set now.
+enum class ResultStanding { Current, OutOfDate, BeingReplaced };
+
 class ResultPanel : public QScrollArea {
   Q_OBJECT
  public:
   explicit ResultPanel(QWidget* parent = nullptr);
   /// `before`: the result that the present one is compared with ("moved"); null where there is none.
   void show_output(std::shared_ptr<const PipelineOutput> output, std::shared_ptr<const PipelineOutput> before);
-  /// A line under the status: "solving again…", "options changed since"; empty for none.
-  void show_note(const QString& note);
+  /// `note`: a line under the status that says what the standing comes from; empty for none. `next`: what is to be done
+  /// or under way, shown as long as there is no result.
+  void show_standing(ResultStanding standing, const QString& note, const QString& next);
 
  signals:
   void copy_requested();
   void export_requested();
+
+ protected:
+  void changeEvent(QEvent* event) override;
 
  private:
   struct Row {
@@ -34,8 +41,9 @@ class ResultPanel : public QScrollArea {
   void make_labels(QGridLayout& grid);
   void make_rows(QGridLayout& grid);
   void make_buttons(QGridLayout& grid);
-  void show_parameters(const CalibrationResult& result, const CalibrationResult* before);
+  void show_parameters(const CalibrationResult& result, bool nominal_known, const CalibrationResult* before);
   void show_words(const PipelineOutput& output);
+  void show_status();
 
   QLabel* status_;
   QLabel* note_;
@@ -43,6 +51,9 @@ class ResultPanel : public QScrollArea {
   QPushButton* copy_;
   QPushButton* export_;
   std::array<Row, 6> rows_{};
+  std::optional<Status> shown_;  // nothing: no result yet
+  ResultStanding standing_ = ResultStanding::Current;
+  QString next_;
 };
 
 /// "Solved", "Solved in part", … for a heading.

@@ -1,11 +1,11 @@
 #include "widgets/panels/sessions_panel.h"
 
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QPushButton>
 #include <QTreeView>
 
 #include "widgets/itemmodels/session_list_model.h"
+#include "widgets/itemmodels/wrapping_delegate.h"
 
 namespace remount {
 
@@ -13,9 +13,8 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
     : QWidget(parent), model_(model), tree_(new QTreeView(this)), remove_(new QPushButton(tr("Remove"), this)) {
   tree_->setModel(&model_);
   tree_->setAccessibleName(tr("Open sessions and findings"));
-  tree_->setWordWrap(true);
-  tree_->setUniformRowHeights(false);
   tree_->setHeaderHidden(true);
+  tree_->setItemDelegate(new WrappingDelegate(*tree_));
   auto* open = new QPushButton(tr("Open…"), this);
   open->setToolTip(tr("A folder or file with a recorded drive; several drives of one vehicle are calibrated together"));
   connect(open, &QPushButton::clicked, this, &SessionsPanel::open_requested);

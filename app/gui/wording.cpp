@@ -1,0 +1,54 @@
+#include "app/gui/wording.h"
+
+#include <QCoreApplication>
+
+namespace remount {
+namespace {
+QString words(const char* text) { return QCoreApplication::translate("remount::wording", text); }
+}  // namespace
+
+QString in_short(const QStringList& entries, const QString& separator) {
+  constexpr qsizetype kShown = 4;
+  const QString list = entries.first(std::min(kShown, entries.size())).join(separator);
+  return entries.size() <= kShown
+             ? list
+             : list + separator + words("and %1 more").arg(static_cast<int>(entries.size() - kShown));
+}
+
+QString idle_text(const Workbench& workbench) {
+  if (workbench.solving()) return words("Solving again…");
+  if (workbench.out_of_date()) return words("The result is out of date: calibrate again (F5)");
+  return words("Ready");
+}
+
+QString next_text(const Workbench& workbench) {
+  if (workbench.opening()) return words("The sessions are being opened.");
+  if (workbench.calibrating()) return words("The calibration is running.");
+  if (workbench.sessions().empty()) return words("Open the sessions of a vehicle first.");
+  return words("Calibrate (F5).");
+}
+
+QString next_hint(const Workbench& workbench) {
+  if (workbench.opening()) return words("Opening sessions…");
+  if (workbench.calibrating())
+    return words("Calibrating: choosing scans, aligning pairs, solving.\nThe pairs appear here when they are aligned.");
+  return words("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5.");
+}
+
+ResultStanding standing_of(const Workbench& workbench) {
+  if (!workbench.output()) return ResultStanding::Current;
+  if (workbench.calibrating() || workbench.solving()) return ResultStanding::BeingReplaced;
+  return workbench.out_of_date() ? ResultStanding::OutOfDate : ResultStanding::Current;
+}
+
+QString standing_note(const Workbench& workbench) {
+  if (!workbench.output()) return {};
+  if (workbench.calibrating()) return words("Calibrating; this is the result before.");
+  if (workbench.solving()) return words("Solving again…");
+  const QStringList changes = workbench.changes_since_output();
+  if (changes.isEmpty()) return {};
+  return words("This result was made with other settings or files: %1. Calibrate again (F5).")
+      .arg(in_short(changes, QStringLiteral("; ")));
+}
+
+}  // namespace remount

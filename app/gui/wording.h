@@ -1,0 +1,24 @@
+// Sentences about the state of the work that several parts of the window say alike.
+#pragma once
+
+#include "app/gui/workbench.h"
+#include "widgets/panels/result_panel.h"
+
+namespace remount {
+
+/// The first few of a list that may be long, and how many more there are.
+QString in_short(const QStringList& entries, const QString& separator);
+
+/// What the status strip says while nothing runs there.
+QString idle_text(const Workbench& workbench);
+
+/// What is next, or under way, as long as there is no result; short for the result, longer for the middle of the
+/// window.
+QString next_text(const Workbench& workbench);
+QString next_hint(const Workbench& workbench);
+
+/// How the result that is shown stands to what is set now, and why.
+ResultStanding standing_of(const Workbench& workbench);
+QString standing_note(const Workbench& workbench);
+
+}  // namespace remount

@@ -1,0 +1,61 @@
+// A window on the sample world, and what its tests do with it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDir>
+#include <QGuiApplication>
+#include <QTest>
+
+#include "app/gui/main_window.h"
+#include "tests/widgets/support/sample_world.h"
+
+namespace remount::testing {
+
+constexpr int kPatience_ms = 20000;
+
+class WindowFixture : public ::testing::Test {
+ protected:
+  explicit WindowFixture(int stages = 10) : workbench_(sample_engine(stages)), window_(workbench_) {}
+
+  void show() {
+    window_.show();
+    window_.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_, kPatience_ms));
+  }
+  bool settle() {
+    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
+                           kPatience_ms);
+  }
+  void calibrate_drive() {
+    window_.open_paths({"/data/drive1"});
+    ASSERT_TRUE(settle());
+    workbench_.calibrate();
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(workbench_.output());
+  }
+  double x_m() const { return workbench_.output()->result.ins_from_lidar.translation().x(); }
+  const Pair& pair(int index) const { return workbench_.output()->pairs.at(static_cast<std::size_t>(index)); }
+  void trigger(const QString& key) {
+    for (QAction* action : window_.findChildren<QAction*>())
+      if (action->shortcut() == QKeySequence(key)) return action->trigger();
+    FAIL() << "no action has the key " << key.toStdString();
+  }
+  template <class Widget>
+  Widget& child() {
+    return *window_.findChild<Widget*>();
+  }
+  /// Where REMOUNT_SCREENSHOT_DIR is set, a picture of a widget is left there for people to look at.
+  void photograph(QWidget& widget, const QString& name) {
+    const QString folder = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR");
+    if (folder.isEmpty() || QGuiApplication::platformName() == QLatin1String("offscreen")) return;
+    QTest::qWait(300);
+    widget.grab().save(QDir(folder).filePath(name + ".png"));
+  }
+
+  Workbench workbench_;
+  MainWindow window_;
+};
+
+}  // namespace remount::testing

@@ -1,0 +1,164 @@
+// What the window says follows the state of the work, and nothing of it is cut.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "app/gui/steps.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/export_dialog.h"
+#include "widgets/panels/message_banner.h"
+#include "widgets/panels/progress_strip.h"
+#include "widgets/panels/result_panel.h"
+#include "widgets/panels/sessions_panel.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+
+class window_state : public testing::WindowFixture {
+ protected:
+  explicit window_state(int stages = 10) : WindowFixture(stages) {}
+
+  QString texts_of(QWidget& widget) {
+    QStringList texts;
+    for (const QLabel* label : widget.findChildren<QLabel*>())
+      if (label->isVisible()) texts << label->text();
+    return texts.join('\n');
+  }
+  QString strip() { return texts_of(child<ProgressStrip>()); }
+  /// Scans that are read for the view are announced there, too.
+  bool strip_becomes(const QString& text) {
+    return QTest::qWaitFor([&] { return strip() == text; }, kPatience_ms);
+  }
+  QString result() { return texts_of(child<ResultPanel>()); }
+  StepInfo step(Step which) { return describe_steps(workbench_)[static_cast<std::size_t>(which)]; }
+};
+
+TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_ready) {
+  show();
+  calibrate_drive();
+  EXPECT_TRUE(result().contains("Solved") && !result().contains("Out of date")) << result().toStdString();
+  EXPECT_TRUE(strip_becomes("Ready")) << strip().toStdString();
+  workbench_.edit_option("registration", "voxel_m", 0.5);
+  EXPECT_TRUE(result().contains("Out of date")) << result().toStdString();
+  EXPECT_TRUE(strip().contains("out of date")) << strip().toStdString();
+  for (const Step which : {Step::Pairs, Step::Align, Step::Solve, Step::Export})
+    EXPECT_EQ(step(which).state, StepState::Attention) << static_cast<int>(which);
+  workbench_.select_pair(7);
+  QTest::qWait(200);  // the scans of the pair are read, and the strip said so
+  EXPECT_TRUE(strip().contains("out of date")) << strip().toStdString();
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(result().contains("Out of date")) << result().toStdString();
+  EXPECT_TRUE(strip_becomes("Ready")) << strip().toStdString();
+  EXPECT_NE(step(Step::Export).state, StepState::Attention);
+}
+
+class slow_window_state : public window_state {
+ protected:
+  slow_window_state() : window_state(400) {}
+};
+
+TEST_F(slow_window_state, what_is_next_is_not_said_while_it_is_under_way) {
+  show();
+  EXPECT_TRUE(result().contains("Open the sessions")) << result().toStdString();
+  window_.open_paths({"/data/drive1"});
+  EXPECT_FALSE(result().contains("Open the sessions")) << result().toStdString();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(result().contains("F5")) << result().toStdString();
+  workbench_.calibrate();
+  EXPECT_TRUE(result().contains("running") && !result().contains("F5")) << result().toStdString();
+  ASSERT_TRUE(settle());
+  workbench_.calibrate();
+  EXPECT_TRUE(result().contains("Result before")) << result().toStdString();
+  EXPECT_FALSE(strip().contains("Ready")) << strip().toStdString();
+  workbench_.cancel();
+  ASSERT_TRUE(settle());
+  EXPECT_FALSE(result().contains("Result before")) << result().toStdString();
+}
+
+TEST_F(window_state, a_pair_without_a_usable_alignment_cannot_be_accepted_and_the_reason_is_said) {
+  show();
+  calibrate_drive();
+  PipelineOutput output = *workbench_.output();
+  for (const std::size_t failed : {5U, 6U}) {
+    output.pairs[failed].state = PairState::Rejected;
+    output.pairs[failed].registration.converged = true;
+    output.pairs[failed].registration.failure = "only 12% of the points overlap";
+  }
+  Project project;
+  project.basis.session_count = 1;
+  workbench_.restore(workbench_.sessions(), project, std::make_shared<const PipelineOutput>(output));
+  workbench_.decide({5, 6, 8}, PairState::Accepted);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(5).state, PairState::Rejected);
+  EXPECT_EQ(pair(6).state, PairState::Rejected);
+  EXPECT_EQ(pair(8).decided_by, DecidedBy::User) << "the others are decided all the same";
+  const QString banner = texts_of(child<MessageBanner>());
+  EXPECT_TRUE(banner.contains("pair 5") && banner.contains("pair 6") && banner.contains("12%")) << banner.toStdString();
+}
+
+TEST_F(window_state, notes_on_a_session_are_shown_whole) {
+  show();
+  window_.open_paths({"/data/drive1", "/data/drive-with-a-name-that-is-much-longer-than-the-list-is-wide"});
+  ASSERT_TRUE(settle());
+  QTest::qWait(50);
+  auto& tree = *child<SessionsPanel>().findChild<QTreeView*>();
+  int rows = 0;
+  for (QModelIndex index = tree.model()->index(0, 0); index.isValid(); index = tree.indexBelow(index)) {
+    const QRect drawn = tree.visualRect(index);
+    const QRect needed = tree.fontMetrics().boundingRect(QRect(0, 0, drawn.width() - 6, 10000), Qt::TextWordWrap,
+                                                         index.data().toString());
+    EXPECT_GE(drawn.height(), needed.height()) << index.data().toString().toStdString();
+    rows += needed.height() > 2 * tree.fontMetrics().lineSpacing();
+  }
+  EXPECT_GE(rows, 1) << "one of them must need more than two lines, or nothing was tried";
+}
+
+TEST_F(window_state, a_long_message_can_be_read_to_its_end) {
+  show();
+  auto& banner = child<MessageBanner>();
+  for (const int lines : {1, 3, 40}) {
+    banner.show_message(Severity::Problem, "/data/x",
+                        QString("It looks for: session.yaml, or another file.\n").repeated(lines));
+    QTest::qWait(50);
+    const QLabel* text = banner.findChild<QLabel*>();
+    EXPECT_GE(text->height(), text->heightForWidth(text->width())) << lines << " lines";
+    EXPECT_LT(banner.height(), 220) << lines << " lines: it is no more than a part of the window";
+    EXPECT_TRUE(lines > 1 || banner.height() < 80) << banner.height();
+  }
+}
+
+TEST_F(window_state, names_of_formats_are_shown_on_one_line_each) {
+  show();
+  calibrate_drive();
+  trigger("Ctrl+E");
+  auto& list = *child<ExportDialog>().findChild<QListWidget*>();
+  QTest::qWait(50);
+  EXPECT_LE(list.sizeHintForColumn(0), list.viewport()->width());
+  for (int row = 0; row < list.count(); ++row) {
+    EXPECT_LT(list.visualItemRect(list.item(row)).height(), 2 * list.fontMetrics().lineSpacing());
+    EXPECT_FALSE(list.item(row)->toolTip().isEmpty());
+  }
+  child<ExportDialog>().close();
+}
+
+TEST_F(window_state, fits_into_1280_by_800_with_its_steps_whole) {
+  window_.resize(1280, 800);
+  show();
+  calibrate_drive();
+  workbench_.edit_option("registration", "voxel_m", 0.5);  // its words are the longest
+  QTest::qWait(50);
+  EXPECT_LE(window_.width(), 1280);
+  EXPECT_LE(window_.height(), 800);
+  for (const QToolButton* button : child<StepBar>().findChildren<QToolButton*>())
+    EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
+}
+
+}  // namespace
+}  // namespace remount
