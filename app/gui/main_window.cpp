@@ -85,7 +85,11 @@ void MainWindow::make_centre() {
   welcome_->set_sample_available(!sample_path().isEmpty());
   pair_view_ = new PairView(this);
   centre_ = new QStackedWidget(this);
-  centre_->addWidget(welcome_);
+  auto* welcome_page = new QScrollArea(this);
+  welcome_page->setWidget(welcome_);
+  welcome_page->setWidgetResizable(true);
+  welcome_page->setFrameShape(QFrame::NoFrame);
+  centre_->addWidget(welcome_page);
   centre_->addWidget(pair_view_);
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);

@@ -48,6 +48,7 @@ class MainWindow : public QMainWindow {
   void changeEvent(QEvent* event) override;
 
  private:
+  static constexpr int kWelcomePage = 0, kPairPage = 1;  // of centre_
   // main_window.cpp: layout
   void make_centre();
   void make_docks();

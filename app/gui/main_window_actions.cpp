@@ -183,7 +183,7 @@ void MainWindow::show_export() {
       },
       this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->show_warning(standing_note(workbench_));
+  dialog->show_warning(export_warning(workbench_));
   connect(dialog, &ExportDialog::copied, &workbench_, &Workbench::mark_exported);
   connect(dialog, &ExportDialog::save_requested, this,
           [this](const QString&, const QString& path, const QString& text) {

@@ -118,7 +118,7 @@ void MainWindow::show_state() {
                 : workbench_.output()    ? tr("Calibrate again (F5)")
                                          : tr("Calibrate (F5)"));
   const bool nothing_yet = workbench_.sessions().empty() && !workbench_.opening();
-  centre_->setCurrentWidget(nothing_yet ? static_cast<QWidget*>(welcome_) : pair_view_);
+  centre_->setCurrentIndex(nothing_yet ? kWelcomePage : kPairPage);
   if (!workbench_.output()) pair_view_->show_message(next_hint(workbench_));
   cancel_->setEnabled(busy);
   const OutputPtr output = workbench_.output();

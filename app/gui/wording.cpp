@@ -51,4 +51,17 @@ QString standing_note(const Workbench& workbench) {
       .arg(in_short(changes, QStringLiteral("; ")));
 }
 
+QString export_warning(const Workbench& workbench) {
+  QStringList lines;
+  if (const QString note = standing_note(workbench); !note.isEmpty()) lines << note;
+  const OutputPtr output = workbench.output();
+  const QString blind = output ? QString::fromStdString(parameter_list(output->result, false)) : QString();
+  if (!blind.isEmpty())
+    lines << words(
+                 "Not observed: %1. What a file holds for these is not measured: for a translation the nominal "
+                 "value or 0, for a rotation the best guess.")
+                 .arg(blind);
+  return lines.join('\n');
+}
+
 }  // namespace remount

@@ -21,4 +21,7 @@ QString next_hint(const Workbench& workbench);
 ResultStanding standing_of(const Workbench& workbench);
 QString standing_note(const Workbench& workbench);
 
+/// What is to be known of the result before it is written for other software; empty for nothing.
+QString export_warning(const Workbench& workbench);
+
 }  // namespace remount

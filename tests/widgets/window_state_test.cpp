@@ -14,6 +14,7 @@
 #include "widgets/panels/progress_strip.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/sessions_panel.h"
+#include "widgets/panels/welcome_panel.h"
 
 namespace remount {
 namespace {
@@ -134,12 +135,23 @@ TEST_F(window_state, a_long_message_can_be_read_to_its_end) {
   }
 }
 
+TEST_F(window_state, the_welcome_is_whole_under_a_long_message) {
+  window_.resize(1280, 800);
+  show();
+  child<MessageBanner>().show_message(Severity::Problem, "/data/x", QString("It looks for a file.\n").repeated(40));
+  QTest::qWait(50);
+  const QLabel* text = child<WelcomePanel>().findChild<QLabel*>();
+  EXPECT_GE(text->height(), text->heightForWidth(text->width()));
+  EXPECT_LE(window_.height(), 800);
+}
+
 TEST_F(window_state, names_of_formats_are_shown_on_one_line_each) {
   show();
   calibrate_drive();
   trigger("Ctrl+E");
   auto& list = *child<ExportDialog>().findChild<QListWidget*>();
   QTest::qWait(50);
+  EXPECT_TRUE(texts_of(child<ExportDialog>()).contains("Not observed: z")) << "a file cannot leave it out";
   EXPECT_LE(list.sizeHintForColumn(0), list.viewport()->width());
   for (int row = 0; row < list.count(); ++row) {
     EXPECT_LT(list.visualItemRect(list.item(row)).height(), 2 * list.fontMetrics().lineSpacing());

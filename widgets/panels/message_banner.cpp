@@ -21,7 +21,7 @@ MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  scroll_->setFixedHeight(2 * fontMetrics().lineSpacing());  // until it is shown; its own hint would push the window apart
   scroll_->viewport()->setAutoFillBackground(false);
   text_->setAutoFillBackground(false);
   auto* close = new QToolButton(this);
@@ -52,7 +52,7 @@ void MessageBanner::show_message(Severity severity, const QString& where, const 
 // As high as the whole message, up to a few lines; beyond them it scrolls. A layout that is short of space would
 // squeeze a wrapped label and cut its last lines off.
 void MessageBanner::fit_height() {
-  constexpr int kMostLines = 10;
+  constexpr int kMostLines = 9;
   const int width = scroll_->viewport()->width();
   const int wanted = text_->heightForWidth(width) + 2;
   const int most = kMostLines * text_->fontMetrics().lineSpacing();

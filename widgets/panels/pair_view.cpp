@@ -60,7 +60,7 @@ void PairView::restyle() {
   scene_.set_dark(is_dark(palette()));
   // What is pressed must be seen in every style; some dark ones hardly shade it.
   buttons_->setStyleSheet(
-      QStringLiteral("QToolButton { padding: 4px 9px; } QToolButton:checked { background: %1; color: %2; }")
+      QStringLiteral("QToolButton { padding: 4px 9px; } QToolButton:checked:enabled { background: %1; color: %2; }")
           .arg(palette().color(QPalette::Highlight).name(), palette().color(QPalette::HighlightedText).name()));
   update_caption();
 }

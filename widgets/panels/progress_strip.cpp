@@ -29,6 +29,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   layout->addWidget(text_, 1);
   layout->addWidget(bar_);
   layout->addWidget(cancel_);
+  setMinimumHeight(cancel_->sizeHint().height());  // the window does not jump when it appears
   stop(tr("Ready"));
 }
 

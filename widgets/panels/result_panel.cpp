@@ -236,6 +236,8 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   const CalibrationResult& result = output.result;
   QString html = "<p>" + QString::fromStdString(result.message).toHtmlEscaped() + "</p>";
   QStringList advice, blind, figures;
+  if (result.status == Status::OutOfRange)
+    advice << tr("Widen the search range if the sensor may sit there. Where it cannot, look for wrong pairs.");
   for (const std::string& sentence : result.advice) advice << QString::fromStdString(sentence);
   for (const ObservabilityDirection& direction : result.directions)
     if (!direction.observed && !direction.words.empty()) blind << QString::fromStdString(direction.words);

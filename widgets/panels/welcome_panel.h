@@ -3,6 +3,7 @@
 
 #include <QWidget>
 
+class QLabel;
 class QPushButton;
 
 namespace remount {
@@ -17,7 +18,11 @@ class WelcomePanel : public QWidget {
   void open_requested();
   void sample_requested();
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  QLabel* text_;
   QPushButton* sample_;
 };
 
