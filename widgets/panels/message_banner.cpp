@@ -21,7 +21,8 @@ MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setFixedHeight(2 * fontMetrics().lineSpacing());  // until it is shown; its own hint would push the window apart
+  scroll_->setFixedHeight(2 *
+                          fontMetrics().lineSpacing());  // until it is shown; its own hint would push the window apart
   scroll_->viewport()->setAutoFillBackground(false);
   text_->setAutoFillBackground(false);
   auto* close = new QToolButton(this);
