@@ -11,11 +11,13 @@ namespace {
 struct SimulateArguments {
   SimulationOptions options;
   std::string folder, format = "native", mounting;
+  bool sense_given = false;  ///< of the LiDAR's turn
 };
 
 int simulate(const SimulateArguments& arguments, Console& console) {
   SimulationOptions options = arguments.options;
   if (!arguments.mounting.empty()) options.ins_from_lidar = parse_six(arguments.mounting);
+  if (arguments.format == "kitti-raw" && !arguments.sense_given) options.clockwise = false;
   const SimulatedDrive drive = simulate_drive(options);
   write_drive(drive, arguments.folder, arguments.format, console.options().threads, console.progress());
   if (console.cancelled()) {
@@ -36,13 +38,16 @@ void add_simulate(CLI::App& app, Console& console, Run& run) {
   verb->add_option("out", arguments->folder, "Folder to write; must not exist, or be empty")
       ->type_name("OUT")
       ->required();
-  verb->add_option("--format", arguments->format, "Format of the session")
+  verb->add_option("--format", arguments->format,
+                   "Format of the session; the LiDAR of kitti-raw turns counter-clockwise")
       ->check(CLI::IsMember({"native", "kitti-raw"}))
       ->capture_default_str();
   verb->add_option("--ins-from-lidar", arguments->mounting, "True mounting x,y,z,yaw,pitch,roll (m, degrees)")
       ->type_name("SIX");
-  verb->callback(
-      [arguments, &console, &run] { run = [arguments, &console] { return simulate(*arguments, console); }; });
+  verb->callback([arguments, verb, &console, &run] {
+    arguments->sense_given = verb->get_option("--clockwise")->count() > 0;
+    run = [arguments, &console] { return simulate(*arguments, console); };
+  });
 }
 
 }  // namespace remount

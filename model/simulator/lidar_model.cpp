@@ -74,8 +74,8 @@ PointCloud SimulatedScanSource::load(std::size_t scan) const {
   RigidTransform road_from_lidar = scene_->road_from_ins(stamp_s) * options.ins_from_lidar;
   std::vector<BoxCaster> cars = moving_boxes(*scene_, stamp_s, road_from_lidar.translation());
   for (int step = 0; step < options.azimuth_steps; ++step) {
-    const double turn = (step + 0.5) / options.azimuth_steps - 0.5;  // of a whole turn, since the stamp
-    const double azimuth_rad = -2.0 * kPi * turn;                    // clockwise; ahead at the stamp
+    const double turn = (step + 0.5) / options.azimuth_steps - 0.5;            // of a whole turn, since the stamp
+    const double azimuth_rad = (options.clockwise ? -2.0 : 2.0) * kPi * turn;  // ahead at the stamp
     if (options.motion_distortion) {
       road_from_lidar = scene_->road_from_ins(stamp_s + turn * period_s) * options.ins_from_lidar;
       cars = moving_boxes(*scene_, stamp_s + turn * period_s, road_from_lidar.translation());

@@ -49,7 +49,7 @@ SimulatedDrive simulate_drive(const SimulationOptions& options) {
   session.scan_timing = !options.motion_distortion ? ScanTiming::Instant
                         : options.per_point_time   ? ScanTiming::PerPoint
                                                    : ScanTiming::SweepAzimuth;
-  session.sweep = {1.0 / options.scan_rate_hz, 0.0, true, true};
+  session.sweep = {1.0 / options.scan_rate_hz, 0.0, options.clockwise, true};
   session.ins_position_white_sigma_m = options.ins_position_noise_m;
   session.ins_attitude_white_sigma_rad = degrees_to_radians(options.ins_attitude_noise_deg);
   session.ins_attitude_bias_sigma_rad = degrees_to_radians(options.ins_attitude_bias_deg);

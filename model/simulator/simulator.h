@@ -26,6 +26,7 @@ struct SimulationOptions {
   double dropout = 0.02;
   bool motion_distortion = true;
   bool per_point_time = true;
+  bool clockwise = true;
   int moving_objects = 3;
   double ins_rate_hz = 100.0;
   double ins_position_noise_m = 0.005;
@@ -54,6 +55,8 @@ struct SimulationOptions {
     visitor({"motion_distortion", "", "Points are measured while the vehicle moves; off: each scan at one time."},
             self.motion_distortion);
     visitor({"per_point_time", "", "Write the time of every point."}, self.per_point_time);
+    visitor({"clockwise", "", "The LiDAR turns clockwise seen from above; KITTI's turns the other way."},
+            self.clockwise);
     visitor({"moving_objects", "", "Cars that move through the scene.", 0, 100}, self.moving_objects);
     visitor({"ins_rate_hz", "Hz", "Samples of the INS per second.", 1.0, 1000.0}, self.ins_rate_hz);
     visitor({"ins_position_noise_m", "m", "1-sigma of each position sample.", 0.0, 10.0}, self.ins_position_noise_m);
@@ -84,7 +87,9 @@ struct SimulatedDrive {
 SimulatedDrive simulate_drive(const SimulationOptions& options);
 
 /// Writes the drive as a session folder: `format` is "native" or "kitti-raw". Also writes truth.yaml.
-/// Deterministic for any number of threads. The folder is made; an existing one that is not empty is an Error.
+/// Deterministic for any number of threads. The folder is made; an existing one that is not empty is an Error. KITTI's
+/// LiDAR turns counter-clockwise while the vehicle moves, and its files have no place to say otherwise: a drive with
+/// another sense, or without motion distortion, is Error(Contract) for "kitti-raw".
 void write_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                  int threads, Progress& progress);
 

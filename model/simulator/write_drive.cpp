@@ -54,12 +54,25 @@ void require_empty(const fs::path& folder) {
     throw Error(ErrorCode::Io, folder.string(), "is not empty; name a new folder, so that no recording is overwritten");
 }
 
+/// What readers of KITTI take for granted.
+void check_fits_kitti(const Session& session) {
+  if (session.scan_timing == ScanTiming::Instant)
+    throw Error(ErrorCode::Contract, "kitti-raw",
+                "drives of this format are taken to be distorted by motion; simulate with motion_distortion, or write "
+                "the native format");
+  if (session.sweep.clockwise)
+    throw Error(ErrorCode::Contract, "kitti-raw",
+                "the LiDAR of this format turns counter-clockwise; simulate with clockwise false, or write the native "
+                "format");
+}
+
 }  // namespace
 
 void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std::string& format, int threads,
                  Progress& progress) {
   if (format != "native" && format != "kitti-raw")
     throw Error(ErrorCode::Contract, format, "is not a format that drives are written in; native and kitti-raw are");
+  if (format == "kitti-raw") check_fits_kitti(drive.session);
   require_empty(folder);
   make_directories(folder);
   if (format == "native")

@@ -86,14 +86,19 @@ TEST(simulator, exact_scans_lie_on_the_world_exactly) {
   EXPECT_LT(largest_m, 5e-3);
 }
 
-TEST(simulator, sweep_is_clockwise_and_faces_ahead_at_the_stamp) {
-  const SimulatedDrive drive = simulate_drive(small_options());
-  const PointCloud cloud = drive.session.scans->load(0);
-  for (std::size_t i = 0; i < cloud.size(); i += 7) {
-    const double azimuth = std::atan2(cloud.points[i].y(), cloud.points[i].x());
-    const double expected_s =
-        wrap_angle_rad(drive.session.sweep.stamp_azimuth_rad - azimuth) / (2.0 * kPi) * drive.session.sweep.period_s;
-    ASSERT_NEAR(cloud.time_from_stamp_s[i], expected_s, 1e-6);
+TEST(simulator, sweep_turns_in_the_sense_that_the_session_declares_and_faces_ahead_at_the_stamp) {
+  for (const bool clockwise : {true, false}) {
+    SimulationOptions options = small_options();
+    options.clockwise = clockwise;
+    const SimulatedDrive drive = simulate_drive(options);
+    const SweepModel& sweep = drive.session.sweep;
+    EXPECT_EQ(sweep.clockwise, clockwise);
+    const PointCloud cloud = drive.session.scans->load(0);
+    for (std::size_t i = 0; i < cloud.size(); i += 7) {
+      const double azimuth = std::atan2(cloud.points[i].y(), cloud.points[i].x());
+      const double turned = wrap_angle_rad(azimuth - sweep.stamp_azimuth_rad) / (2.0 * kPi);
+      ASSERT_NEAR(cloud.time_from_stamp_s[i], (clockwise ? -turned : turned) * sweep.period_s, 1e-6);
+    }
   }
 }
 

@@ -9,7 +9,9 @@
 #include "model/io/parse_document.h"
 #include "model/io/session_reader.h"
 #include "model/io/transform_document.h"
+#include "model/result_file.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
 
 namespace remount {
 namespace {
@@ -25,8 +27,9 @@ class written_drive : public ::testing::Test {
   }
   void TearDown() override { fs::remove_all(folder); }
 
-  static SimulatedDrive small_drive() {
+  static SimulatedDrive small_drive(bool clockwise = true) {
     SimulationOptions options;
+    options.clockwise = clockwise;
     options.duration_s = 1.0;
     options.beams = 16;
     options.azimuth_steps = 200;
@@ -69,7 +72,7 @@ TEST_F(written_drive, reads_back_as_it_was_simulated) {
 }
 
 TEST_F(written_drive, states_the_truth) {
-  const SimulatedDrive drive = small_drive();
+  const SimulatedDrive drive = small_drive(false);
   write_drive(drive, folder, "kitti-raw", 1, progress);
   const std::string text = contents(folder).at("truth.yaml");
   const DocumentNode root = parse_yaml(text, "truth.yaml");
@@ -91,6 +94,35 @@ TEST_F(written_drive, refuses_a_folder_that_is_not_empty_and_unknown_formats) {
   std::ofstream(folder / "precious") << "data";
   EXPECT_THROW(write_drive(drive, folder, "native", 1, progress), Error);
   EXPECT_THROW(write_drive(drive, folder / "new", "bag", 1, progress), Error);
+}
+
+// Nothing in a KITTI drive says in which sense its LiDAR turns: readers know, and compensate by it.
+TEST_F(written_drive, as_kitti_raw_gives_its_truth_when_it_is_calibrated) {
+  SimulationOptions options;
+  options.beams = 32;
+  options.azimuth_steps = 600;
+  options.clockwise = false;
+  const SimulatedDrive drive = simulate_drive(options);
+  write_drive(drive, folder, "kitti-raw", 0, progress);
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(open_session(folder, progress)));
+  EXPECT_TRUE(input.sessions[0]->sweep.certain);
+  const CalibrationResult result = run_pipeline(input, progress).result;
+  const CalibrationError error = error_of(result, drive.ins_from_lidar);
+  EXPECT_TRUE(is_usable(result)) << result.message;
+  EXPECT_LE(error.rotation_deg, 0.05);
+  EXPECT_LE(std::abs(error.x_m), 0.02);
+  EXPECT_LE(std::abs(error.y_m), 0.02);
+}
+
+TEST_F(written_drive, is_not_written_as_kitti_raw_where_its_readers_would_compensate_it_wrongly) {
+  EXPECT_THROW(write_drive(small_drive(true), folder, "kitti-raw", 1, progress), Error);
+  SimulationOptions options;
+  options.duration_s = 1.0;
+  options.clockwise = false;
+  options.motion_distortion = false;
+  EXPECT_THROW(write_drive(simulate_drive(options), folder, "kitti-raw", 1, progress), Error);
+  EXPECT_FALSE(fs::exists(folder));
 }
 
 }  // namespace
