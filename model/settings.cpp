@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/search/candidates.h"
 
@@ -29,7 +30,25 @@ std::vector<std::string> Settings::check() const {
   ordered_angle("yaw", range.yaw_min_rad, range.yaw_max_rad);
   ordered_angle("pitch", range.pitch_min_rad, range.pitch_max_rad);
   ordered_angle("roll", range.roll_min_rad, range.roll_max_rad);
+  const auto not_above = [&](const char* low_name, double low, const char* high_name, double high) {
+    if (low <= high) return;
+    char text[160];
+    std::snprintf(text, sizeof text, "%s = %.6g exceeds %s = %.6g", low_name, low, high_name, high);
+    problems.emplace_back(text);
+  };
+  not_above("keyframes.minimum", keyframes.minimum, "keyframes.maximum", keyframes.maximum);
+  if (pairing.limit != PairLimit::Time)
+    not_above("pairing.min_distance_m", pairing.min_distance_m, "pairing.max_distance_m", pairing.max_distance_m);
+  not_above("objects.min_points", objects.min_points, "objects.max_points", objects.max_points);
+  not_above("registration.min_range_m", registration.min_range_m, "registration.max_range_m", registration.max_range_m);
+  not_above("registration.min_range_m", registration.min_range_m, "objects.max_range_m", objects.max_range_m);
   return problems;
+}
+
+void require_valid(const Settings& settings) {
+  std::string all;
+  for (const std::string& problem : settings.check()) all += (all.empty() ? "" : "; ") + problem;
+  if (!all.empty()) throw Error(ErrorCode::Contract, "settings", all);
 }
 
 std::string nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range) {

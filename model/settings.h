@@ -22,9 +22,10 @@ struct RunOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"deskew", "", "Compensate motion within a scan: where the data call for it (auto), always, never."}, self.deskew,
-                   {"auto", "on", "off"});
-    visitor({"cache_mb", "MB", "Memory for scans and what is prepared from them; independent of the length of a drive.", 64, 1000000},
+    visitor.choice({"deskew", "", "Compensate motion within a scan: where the data call for it (auto), always, never."},
+                   self.deskew, {"auto", "on", "off"});
+    visitor({"cache_mb", "MB", "Memory for scans and what is prepared from them; independent of the length of a drive.",
+             64, 1000000},
             self.cache_mb);
   }
 };
@@ -50,9 +51,13 @@ struct Settings {
     visitor("solve", self.solve);
   }
 
-  /// Every problem, prefixed by its section ("range.x_min_m ..."); includes ranges whose minimum exceeds the maximum.
+  /// Every problem, prefixed by its section ("range.x_min_m ..."); includes settings that contradict each other: a
+  /// minimum above its maximum.
   std::vector<std::string> check() const;
 };
+
+/// Throws Error(Contract) that names every problem.
+void require_valid(const Settings& settings);
 
 /// What is wrong with starting from this nominal: which parameter lies outside the search range, in m and degrees.
 /// Empty where nothing is, or where there is no nominal.

@@ -131,7 +131,10 @@ DocumentNode settings_document(const Settings& settings, bool comments) {
   return document;
 }
 
-Settings settings_from_document(const DocumentView& document, const Settings& base) {
+namespace {
+
+/// Each value for itself; whether they go together is asked once all of them are known.
+Settings read_values(const DocumentView& document, const Settings& base) {
   Settings settings = base;
   std::vector<std::string> problems;
   std::vector<std::string> sections;
@@ -162,6 +165,13 @@ Settings settings_from_document(const DocumentView& document, const Settings& ba
     }
   }
   if (!problems.empty()) throw_problems(problems);
+  return settings;
+}
+
+}  // namespace
+
+Settings settings_from_document(const DocumentView& document, const Settings& base) {
+  const Settings settings = read_values(document, base);
   const std::vector<std::string> contradictions = settings.check();
   if (!contradictions.empty()) {
     std::string text;
@@ -173,7 +183,7 @@ Settings settings_from_document(const DocumentView& document, const Settings& ba
 
 Settings load_settings(const std::filesystem::path& path, const Settings& base) {
   const DocumentNode document = read_document(path);
-  return settings_from_document(DocumentView(document, path.string()), base);
+  return read_values(DocumentView(document, path.string()), base);
 }
 
 std::string settings_text(const Settings& settings, bool comments) {
@@ -194,7 +204,7 @@ void apply_setting(Settings& settings, std::string_view assignment) {
   document.add(std::string(assignment.substr(0, dot)), DocumentNode::map())
       .add(std::string(assignment.substr(dot + 1, equals - dot - 1)), std::move(value));
   try {
-    settings = settings_from_document(DocumentView(document, assignment), settings);
+    settings = read_values(DocumentView(document, assignment), settings);
   } catch (const Error& error) {
     throw Error(ErrorCode::Contract, error.where(), error.what_happened());
   }

@@ -12,6 +12,8 @@
 namespace remount {
 namespace {
 
+constexpr std::uint64_t kMaxNominalBytes = std::uint64_t{1} << 20;
+
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts(1);
   for (const char c : text) {
@@ -75,12 +77,19 @@ RigidTransform parse_six(const std::string& text) {
     if (const auto value = parse_number(trimmed(part))) six.push_back(*value);
   if (six.size() != 6 || split(text, ',').size() != 6)
     throw Error(ErrorCode::Contract, text, "expected six numbers x,y,z,yaw,pitch,roll in m and degrees");
-  return rigid_from_six(
-      {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
+  return rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, text, ErrorCode::Contract);
 }
 
-RigidTransform parse_nominal(const std::string& text) {
-  if (is_file(text)) return read_any_ins_from_lidar(text);
+RigidTransform parse_nominal(const std::string& text, std::vector<std::string>& doubts) {
+  std::error_code none;
+  if (is_file(text)) return read_any_ins_from_lidar(text, &doubts);
+  if (std::filesystem::exists(text, none)) return read_any_ins_from_lidar(text);  // which says why it cannot
+  const std::size_t colon = text.find(':');
+  for (const auto& format : exporters())
+    if (colon != std::string::npos && text.substr(0, colon) == format->id()) {
+      const std::string file = text.substr(colon + 1);
+      return format->read(read_regular_file(file, kMaxNominalBytes), file);
+    }
   if (text.find(',') == std::string::npos)
     throw Error(ErrorCode::Io, text, "is neither a file nor six numbers x,y,z,yaw,pitch,roll in m and degrees");
   return parse_six(text);
@@ -104,7 +113,8 @@ void apply_range(SearchRange& range, const std::string& text) {
 
 void SolveArguments::add_to(CLI::App& verb) {
   verb.add_option("--nominal", nominal,
-                  "Where the LiDAR was before: x,y,z,yaw,pitch,roll (m, degrees), or a result or exported file; "
+                  "Where the LiDAR was before: x,y,z,yaw,pitch,roll (m, degrees), or a result or exported file "
+                  "(FORMAT:FILE where a file does not say what it is); "
                   "\"none\" ignores what the data declare")
       ->type_name("SIX|FILE");
   verb.add_option(
@@ -123,16 +133,16 @@ Settings SolveArguments::settings(const Settings& base) const {
   Settings settings = config.empty() ? base : load_settings(config, base);
   for (const std::string& assignment : assignments) apply_setting(settings, assignment);
   for (const std::string& range : ranges) apply_range(settings.range, range);
-  const std::vector<std::string> problems = settings.check();
-  std::string text;
-  for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
-  if (!problems.empty()) throw Error(ErrorCode::Contract, "settings", text);
+  require_valid(settings);
   return settings;
 }
 
-std::optional<RigidTransform> SolveArguments::nominal_ins_from_lidar() const {
+std::optional<RigidTransform> SolveArguments::nominal_ins_from_lidar(Console& console) const {
   if (nominal.empty() || nominal == "none") return std::nullopt;
-  return parse_nominal(nominal);
+  std::vector<std::string> doubts;
+  const RigidTransform ins_from_lidar = parse_nominal(nominal, doubts);
+  for (const std::string& doubt : doubts) console.complain("warning: " + doubt);
+  return ins_from_lidar;
 }
 
 void SolveArguments::check_output() const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algorithms/geometry/rigid_transform.h"
+#include "app/cli/console.h"
 #include "model/settings.h"
 
 namespace remount {
@@ -15,8 +16,9 @@ namespace remount {
 /// "x,y,z,yaw,pitch,roll" in m and degrees. Throws Error(Contract).
 RigidTransform parse_six(const std::string& text);
 
-/// Six numbers, or a file in any format that can be exported. Throws Error.
-RigidTransform parse_nominal(const std::string& text);
+/// Six numbers, a file in any format that can be exported, or "FORMAT:FILE". What a file leaves open is added to
+/// `doubts`. Throws Error.
+RigidTransform parse_nominal(const std::string& text, std::vector<std::string>& doubts);
 
 /// Changes a search range: six "min:max" separated by commas (x,y,z in m, yaw,pitch,roll in degrees), or "yaw=-10:10",
 /// several separated by commas. Throws Error(Contract).
@@ -33,8 +35,8 @@ struct SolveArguments {
   void add_to(CLI::App& verb);
   /// Defaults or `base`, then --config, --set and --range. Throws Error.
   Settings settings(const Settings& base = {}) const;
-  /// The nominal of the command line; nothing where it is not given or "none".
-  std::optional<RigidTransform> nominal_ins_from_lidar() const;
+  /// The nominal of the command line; nothing where it is not given or "none". Warns of what its file leaves open.
+  std::optional<RigidTransform> nominal_ins_from_lidar(Console& console) const;
   /// Before a long run whose result could not be written after it. Throws Error(Contract) for a name that ends in
   /// nothing known, Error(Io) where the file cannot be written.
   void check_output() const;

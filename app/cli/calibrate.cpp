@@ -43,7 +43,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   PipelineInput input;
   input.settings = arguments.solve.settings(project.settings);
   input.threads = console.options().threads;
-  input.nominal_ins_from_lidar = arguments.solve.nominal_ins_from_lidar();
+  input.nominal_ins_from_lidar = arguments.solve.nominal_ins_from_lidar(console);
   for (const std::filesystem::path& path : project.sessions)
     input.sessions.push_back(std::make_shared<const Session>(open_session(path, console.progress())));
   if (arguments.solve.nominal.empty()) {

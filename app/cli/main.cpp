@@ -56,7 +56,8 @@ int run_main(int argc, char** argv) {
     if (app.get_subcommands().empty())
       console.complain(no_verb(app));
     else
-      app.exit(problem);
+      console.complain(std::string(problem.what()) + "; remount-cli " + app.get_subcommands().front()->get_name() +
+                       " --help explains it");
     return kUsage;
   }
   try {

@@ -62,7 +62,9 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   const auto session = std::make_shared<const Session>(open_session(arguments.session, console.progress()));
   std::optional<RigidTransform> nominal = result.nominal_ins_from_lidar;
   if (!nominal) nominal = session->nominal_ins_from_lidar;
-  if (!arguments.nominal.empty()) nominal = parse_nominal(arguments.nominal);
+  std::vector<std::string> doubts;
+  if (!arguments.nominal.empty()) nominal = parse_nominal(arguments.nominal, doubts);
+  for (const std::string& doubt : doubts) console.complain("warning: " + doubt);
   const RigidTransform& calibrated = result.result.ins_from_lidar;
   const ObstacleComparison comparison =
       compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),

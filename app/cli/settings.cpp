@@ -17,7 +17,9 @@ void add_settings(CLI::App& app, Console& console, Run& run) {
   verb->add_option("-o,--output", *output, "File; without it the text goes to the standard output")->type_name("FILE");
   verb->callback([output, config, &console, &run] {
     run = [output, config, &console]() -> int {
-      const std::string text = settings_text(config->empty() ? Settings{} : load_settings(*config));
+      const Settings settings = config->empty() ? Settings{} : load_settings(*config);
+      require_valid(settings);
+      const std::string text = settings_text(settings);
       if (output->empty()) {
         std::cout << text << std::flush;
         return std::cout ? kSolved : kUnreadable;

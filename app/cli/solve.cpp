@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/verbs.h"
@@ -17,9 +18,15 @@ struct PairsArguments {
   SolveArguments solve;
 };
 
-/// Leaves only the pairs of the named sets.
+/// Leaves only the pairs of the named sets. Throws Error(Contract) for a set that is not there.
 void keep_sets(MotionPairs& motions, const std::vector<std::string>& wanted) {
   if (wanted.empty()) return;
+  for (const std::string& name : wanted) {
+    if (std::find(motions.sets.begin(), motions.sets.end(), name) != motions.sets.end()) continue;
+    std::string known;
+    for (const std::string& set : motions.sets) known += (known.empty() ? "" : ", ") + ("\"" + set + "\"");
+    throw Error(ErrorCode::Contract, "--only-set " + name, "there is no such set; the file has " + known);
+  }
   std::erase_if(motions.pairs, [&](const Pair& pair) {
     const int set = motions.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session;
     return std::find(wanted.begin(), wanted.end(), motions.sets[static_cast<std::size_t>(set)]) == wanted.end();
@@ -30,7 +37,7 @@ int solve(const PairsArguments& arguments, Console& console) {
   arguments.solve.check_output();
   PipelineInput input;
   input.settings = arguments.solve.settings();
-  input.nominal_ins_from_lidar = arguments.solve.nominal_ins_from_lidar();
+  input.nominal_ins_from_lidar = arguments.solve.nominal_ins_from_lidar(console);
   MotionPairs motions = read_motion_pairs(arguments.pairs);
   keep_sets(motions, arguments.sets);
 

@@ -30,6 +30,9 @@ class KittiExporter final : public Exporter {
     std::vector<double> r, t;
     LineReader lines(text);
     for (std::string_view line; lines.next(line);) {
+      if (line.starts_with("delta_f:"))
+        throw Error(ErrorCode::Format, where,
+                    "is KITTI's calibration of a camera (it has a line \"delta_f:\"), expected calib_imu_to_velo.txt");
       if (line.starts_with("R:")) r = numbers_in(line.substr(2), where);
       if (line.starts_with("T:")) t = numbers_in(line.substr(2), where);
     }
@@ -74,7 +77,13 @@ class OpenCalibExporter final : public Exporter {
     const DocumentNode document = parse_json(text, where);
     const auto entries = DocumentView(document, where).entries();
     if (entries.empty()) throw Error(ErrorCode::Format, where, "expected an entry \"<a>-to-<b>-extrinsic\"");
-    return matrix_from_document(entries.front().second.at("param").at("sensor_calib").at("data")).inverse();
+    const DocumentView& entry = entries.front().second;
+    const auto names_lidar = [&](const char* key) {
+      return entry.has(key) && lower_case(entry.at(key).string()).find("lidar") != std::string::npos;
+    };
+    if (names_lidar("sensor_name") && !names_lidar("target_sensor_name"))
+      entry.at("sensor_name").fail("names a LiDAR; expected an extrinsic from the GNSS/INS to the LiDAR");
+    return matrix_from_document(entry.at("param").at("sensor_calib").at("data")).inverse();
   }
 };
 

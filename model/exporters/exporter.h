@@ -1,12 +1,14 @@
 // What every export format offers, and the list of those that are built in.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "algorithms/core/error.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -30,6 +32,8 @@ class Exporter {
   /// ins_from_lidar of a text that write() made, or that other programs made in the same format. `where` is named in
   /// errors. Throws Error(Format).
   virtual RigidTransform read(std::string_view text, const std::string& where) const = 0;
+  /// What a text of this format leaves open and read() had to suppose, with what to do about it; usually nothing.
+  virtual std::string doubt(std::string_view /*text*/) const { return {}; }
 };
 
 /// The built-in exporters. Adding one: a file in this folder and a line in exporters.cpp.
@@ -42,8 +46,13 @@ const Exporter& exporter(std::string_view id);
 /// therefore holds the nominal value, not a measurement. Empty for a result that is observed in full.
 std::vector<std::string> export_warnings(const CalibrationResult& result);
 
+/// The transform of x, y, z (m), yaw, pitch, roll (degrees) as people type them. Throws Error(`code`) at `where` for an
+/// angle beyond a whole turn, which is a typing error or another unit.
+RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::string& where, ErrorCode code);
+
 /// ins_from_lidar of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
-/// degrees), recognised by its content. Throws Error that says what was tried.
-RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path);
+/// degrees), recognised by its content. What the file leaves open is added to `doubts`. Throws Error that says what was
+/// tried.
+RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path, std::vector<std::string>* doubts = nullptr);
 
 }  // namespace remount

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "algorithms/core/error.h"
 #include "model/exporters/builtin.h"
 #include "model/exporters/export_text.h"
@@ -44,7 +46,17 @@ std::vector<std::string> export_warnings(const CalibrationResult& result) {
   return warnings;
 }
 
-RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path) {
+RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::string& where, ErrorCode code) {
+  for (std::size_t i = 3; i < 6; ++i)
+    if (std::abs(six[i]) > 360.0)
+      throw Error(code, where,
+                  std::string(kParameterNames[i]) + " " + shortest(six[i]) +
+                      " deg is outside -360 to 360 deg; the order is x,y,z,yaw,pitch,roll");
+  return rigid_from_six(
+      {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
+}
+
+RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path, std::vector<std::string>* doubts) {
   const std::string text = read_regular_file(path, std::uint64_t{64} << 20U);
   const std::string where = path.string();
   if (text.find("remount-result/") != std::string::npos) {
@@ -56,12 +68,15 @@ RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path) {
           "is a result without a usable transform (status " + std::string(to_string(result.result.status)) + ")");
     return result.result.ins_from_lidar;
   }
-  // Formats whose readers accept what others mean differently come after those that recognise themselves; the axes
-  // of Apollo's files cannot be recognised and are taken as the result's own.
+  // Formats whose readers accept what others mean differently come after those that recognise themselves. Exports say
+  // which axes they have; those of Apollo's own files cannot be recognised and are taken as the result's.
   std::string tried;
   for (const char* id : {"opencalib", "ros2", "ros1", "urdf", "apollo", "kitti", "matrix", "autoware"}) {
     try {
-      return exporter(id).read(text, where);
+      const RigidTransform ins_from_lidar = exporter(id).read(text, where);
+      const std::string doubt = exporter(id).doubt(text);
+      if (doubts && !doubt.empty()) doubts->push_back(where + ": " + doubt);
+      return ins_from_lidar;
     } catch (const Error& error) {
       tried += "\n  " + std::string(id) + ": " + error.what();
     }
@@ -69,8 +84,7 @@ RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path) {
   try {
     const std::vector<double> six = numbers_in(text, where);
     if (six.size() == 6)
-      return rigid_from_six(
-          {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
+      return rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, where, ErrorCode::Format);
   } catch (const Error& error) {
     tried += "\n  six numbers: " + std::string(error.what());
   }

@@ -56,12 +56,17 @@ class AutowareExporter final : public Exporter {
   }
 };
 
+/// Says in the data, not only in a comment, which way x points: comments are lost when a program rewrites the file.
+/// Apollo reads the keys it knows and leaves this one alone.
+constexpr std::string_view kAxesKey = "ins_axes";
+constexpr std::string_view kRightForwardUp = "right-forward-up", kAsInResult = "as-in-the-result";
+
 /// Apollo's transform file. Its own "novatel" frame has x right, y forward, z up, as NovAtel's logs have; a result from
 /// any other log has x forward, y left, z up. So there are two of these exporters, and each says which axes it has.
 class ApolloExporter final : public Exporter {
  public:
   explicit ApolloExporter(bool right_forward_up) : right_forward_up_(right_forward_up) {
-    if (right_forward_up_) axes_from_ins_.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    if (right_forward_up_) axes_from_ins_ = rfu_from_flu();
   }
 
   std::string_view id() const override { return right_forward_up_ ? "apollo-rfu" : "apollo"; }
@@ -90,6 +95,7 @@ class ApolloExporter final : public Exporter {
                {x.translation().x(), x.translation().y(), x.translation().z()});
     add_vector(transform.add("rotation", DocumentNode::map()), {"x", "y", "z", "w"}, {q.x(), q.y(), q.z(), q.w()});
     root.add("child_frame_id", DocumentNode::string(names.lidar_frame.empty() ? "lidar" : names.lidar_frame));
+    root.add(std::string(kAxesKey), DocumentNode::string(right_forward_up_ ? kRightForwardUp : kAsInResult));
     return with_header(root, *this, result,
                        {right_forward_up_ ? "The numbers below are in axes x right, y forward, z up."
                                           : "Apollo's own novatel frame has x right, y forward, z up: use apollo-rfu "
@@ -98,15 +104,30 @@ class ApolloExporter final : public Exporter {
 
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const DocumentNode document = parse_yaml(text, where);
-    const DocumentView transform = DocumentView(document, where).at("transform");
+    const DocumentView root(document, where), transform = root.at("transform");
     const DocumentView t = transform.at("translation"), q = transform.at("rotation");
     const RigidTransform x =
         rigid_from_quaternion({t.at("x").number(), t.at("y").number(), t.at("z").number()},
                               {q.at("x").number(), q.at("y").number(), q.at("z").number(), q.at("w").number()}, where);
-    return axes_from_ins_.inverse() * x;
+    if (!root.has(kAxesKey)) return axes_from_ins_.inverse() * x;
+    return (root.at(kAxesKey).choice({kAsInResult, kRightForwardUp}) == 1 ? rfu_from_flu().inverse()
+                                                                          : RigidTransform::Identity()) *
+           x;
+  }
+
+  std::string doubt(std::string_view text) const override {
+    if (text.find(kAxesKey) != std::string_view::npos) return {};
+    return "does not say which axes its INS frame has. They are taken to be those of the log; if they are Apollo's, "
+           "x right, y forward, and the log has x forward, y left, the nominal is 90 degrees off: then name the "
+           "format before the file, apollo-rfu:FILE";
   }
 
  private:
+  static RigidTransform rfu_from_flu() {
+    RigidTransform turned = RigidTransform::Identity();
+    turned.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    return turned;
+  }
   static void add_vector(DocumentNode& map, const std::vector<std::string>& keys, const std::vector<double>& values) {
     for (std::size_t i = 0; i < keys.size(); ++i) map.add(keys[i], DocumentNode::number(values[i]));
   }

@@ -91,6 +91,28 @@ TEST(settings_file, a_full_turn_may_be_rounded_up) {
   EXPECT_NE(error_of("range:\n  yaw_max_rad: 3.2\n"), "");
 }
 
+TEST(settings_file, every_pair_of_limits_that_contradict_each_other_is_named_with_both_values) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"keyframes: {minimum: 500, maximum: 50}", "keyframes.minimum = 500 exceeds keyframes.maximum = 50"},
+      {"pairing: {min_distance_m: 20}", "pairing.min_distance_m = 20 exceeds pairing.max_distance_m = 10"},
+      {"objects: {min_points: 9000, max_points: 8000}", "objects.min_points = 9000 exceeds objects.max_points = 8000"},
+      {"registration: {min_range_m: 30, max_range_m: 20}",
+       "registration.min_range_m = 30 exceeds registration.max_range_m = 20"},
+      {"registration: {min_range_m: 30}\nobjects: {max_range_m: 25}",
+       "registration.min_range_m = 30 exceeds objects.max_range_m = 25"}};
+  for (const auto& [text, said] : cases) EXPECT_NE(error_of(text).find(said), std::string::npos) << error_of(text);
+  EXPECT_EQ(error_of("pairing: {limit: time, min_distance_m: 20}"), "") << "the other distance is not used then";
+  EXPECT_EQ(error_of("keyframes: {minimum: 50, maximum: 50}"), "");
+}
+
+TEST(settings_file, two_assignments_may_contradict_each_other_until_both_are_made) {
+  Settings settings;
+  apply_setting(settings, "range.x_min_m=6");
+  EXPECT_THROW(require_valid(settings), Error);
+  apply_setting(settings, "range.x_max_m=8");
+  EXPECT_NO_THROW(require_valid(settings));
+}
+
 TEST(settings_file, one_setting_from_an_assignment) {
   Settings settings;
   apply_setting(settings, "registration.algorithm=pcl-gicp");

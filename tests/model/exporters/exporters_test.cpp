@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iostream>
 #include <random>
+#include <sstream>
 
 #include "algorithms/core/error.h"
 #include "model/exporters/exporter.h"
@@ -117,21 +118,74 @@ TEST(exporters, names_are_used_and_escaped) {
   EXPECT_EQ(exporter("urdf").write(file, {"a<b\"&", "c"}).find("a<b"), std::string::npos);
 }
 
-TEST(exporters, nominal_is_recognised_in_any_format) {
-  const auto folder = std::filesystem::temp_directory_path() / ("remount_export_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  const RigidTransform x = rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015});
-  for (const auto& format : exporters()) {
-    if (format->id() == "apollo-rfu") continue;  // its axes cannot be told from the text
-    const auto path = folder / (std::string(format->id()) + "_" + std::string(format->file_name()));
-    std::ofstream(path) << format->write(result_with(x), {});
-    EXPECT_LE((read_any_ins_from_lidar(path).matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << format->id();
+class exported_nominals : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / ("remount_export_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
   }
-  std::ofstream(folder / "six.txt") << "# x y z yaw pitch roll\n0.9, -0.25, 0.75, 90, 0, 0\n";
-  EXPECT_NEAR(six_from_rigid(read_any_ins_from_lidar(folder / "six.txt")).yaw_rad, kPi / 2, 1e-12);
-  std::ofstream(folder / "odd.txt") << "1 2 3\n";
-  EXPECT_THROW(read_any_ins_from_lidar(folder / "odd.txt"), Error);
-  std::filesystem::remove_all(folder);
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  /// As --nominal reads it.
+  RigidTransform read(const std::string& name, const std::string& text) {
+    doubts_.clear();
+    return read_any_ins_from_lidar(write(name, text), &doubts_);
+  }
+
+  std::filesystem::path folder_;
+  std::vector<std::string> doubts_;
+};
+
+TEST_F(exported_nominals, are_recognised_in_every_format_whatever_the_frames_are_called) {
+  const RigidTransform x = rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015});
+  for (const auto& format : exporters())
+    for (const ExportNames& names : {ExportNames{}, ExportNames{"imu", "top_lidar"}, ExportNames{"base", "front"}}) {
+      const RigidTransform back = read(std::string(format->id()) + "_" + std::string(format->file_name()),
+                                       format->write(result_with(x), names));
+      EXPECT_LE((back.matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << format->id();
+      EXPECT_TRUE(doubts_.empty()) << format->id() << ": " << doubts_[0];
+    }
+}
+
+TEST_F(exported_nominals, of_apollo_keep_their_axes_when_a_program_rewrites_them_without_comments) {
+  const RigidTransform x = rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3});
+  for (const char* id : {"apollo", "apollo-rfu"}) {
+    std::istringstream lines(exporter(id).write(result_with(x), {}));
+    std::string kept;
+    for (std::string line; std::getline(lines, line);)
+      if (!line.starts_with("#")) kept += line + "\n";
+    EXPECT_LE((read("a.yaml", kept).matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << id;
+    // Each reader knows the other's file too.
+    for (const char* other : {"apollo", "apollo-rfu"})
+      EXPECT_LE((exporter(other).read(kept, "a").matrix() - x.matrix()).cwiseAbs().maxCoeff(), 1e-12) << id << other;
+  }
+}
+
+TEST_F(exported_nominals, of_apollo_itself_are_read_as_documented_and_the_doubt_is_said) {
+  const std::string foreign =
+      "header:\n  frame_id: novatel\nchild_frame_id: velodyne128\ntransform:\n"
+      "  rotation: {x: 0, y: 0, z: 0.70710678118654757, w: 0.70710678118654757}\n  translation: {x: 0, y: 1, z: 0.5}\n";
+  EXPECT_NEAR(read("novatel.yaml", foreign).translation().y(), 1.0, 1e-12) << "axes as in the log";
+  ASSERT_EQ(doubts_.size(), 1U);
+  EXPECT_NE(doubts_[0].find("apollo-rfu:FILE"), std::string::npos) << doubts_[0];
+  EXPECT_NEAR(exporter("apollo-rfu").read(foreign, "f").translation().x(), 1.0, 1e-12);
+}
+
+TEST_F(exported_nominals, of_other_pairs_of_sensors_are_refused) {
+  EXPECT_THROW(read("calib_velo_to_cam.txt", "R: 1 0 0 0 1 0 0 0 1\nT: 0 0 0\ndelta_f: 0 0\ndelta_c: 0 0\n"), Error);
+  std::string inverse = exporter("opencalib").write(result_with(RigidTransform::Identity()), {"top_lidar", "gnss"});
+  EXPECT_THROW(exporter("opencalib").read(inverse, "x"), Error);
+}
+
+TEST_F(exported_nominals, may_be_six_numbers_within_a_turn) {
+  EXPECT_NEAR(six_from_rigid(read("six.txt", "# x y z yaw pitch roll\n0.9, -0.25, 0.75, 90, 0, 0\n")).yaw_rad, kPi / 2,
+              1e-12);
+  EXPECT_THROW(read("turns.txt", "0.9, -0.25, 0.75, 720, 0, 0\n"), Error);
+  EXPECT_THROW(read("odd.txt", "1 2 3\n"), Error);
 }
 
 TEST(exporters, damaged_texts_are_errors) {
