@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "model/clock_hint.h"
 #include "model/ins_findings.h"
 
 namespace remount {
@@ -73,14 +74,18 @@ void judge(const Session& session, SessionReport& report) {
   const auto problem = [&](const char* code, const std::string& text) {
     report.findings.push_back({Severity::Problem, code, session.name, text});
   };
-  if (report.lidar.count < 2) problem("too-few-scans", "fewer than two scans: nothing to compare");
+  if (report.lidar.count == 0)
+    problem("no-lidar", "neither scans nor LiDAR poses: calibration compares the motion of the INS with the LiDAR's");
+  else if (report.lidar.count < 2)
+    problem("too-few-scans", "fewer than two scans: nothing to compare");
   if (report.ins.count < 2) problem("no-ins", "no INS motion: calibration needs positions and attitudes over time");
   if (session.scans && report.points.empty())
     problem("no-readable-scan", "none of the scans that were tried can be read");
   if (report.lidar.count >= 2 && report.ins.count >= 2 && report.lidar_covered < 2) {
-    const double apart_s = static_cast<double>(report.lidar.first_ns - report.ins.first_ns) * 1e-9;
-    problem("clocks-apart", "the INS data do not cover the scans' times (the scans begin " + number(apart_s, 3) +
-                                " s after the INS): the clocks differ, or the files belong to different drives");
+    const TimeSpan lidar{report.lidar.first_ns, report.lidar.last_ns}, ins{report.ins.first_ns, report.ins.last_ns};
+    const bool apart = lidar.last_ns < ins.first_ns || lidar.first_ns > ins.last_ns;
+    problem("clocks-apart", "the INS data do not cover the scans' times: " +
+                                (apart ? time_spans_apart(lidar, ins) : std::string("the scans lie in gaps of it.")));
   } else if (report.lidar_covered < report.lidar.count && report.ins.count >= 2) {
     report.findings.push_back({Severity::Note, "partly-covered", session.name,
                                std::to_string(report.lidar.count - report.lidar_covered) +
@@ -186,7 +191,8 @@ std::string describe(const Session& session, const SessionReport& report) {
     constexpr const char* kTiming[] = {"taken at once, or already compensated", "time of every point is known",
                                        "time of a point follows from its azimuth"};
     text += std::string("  motion within a scan: ") + kTiming[static_cast<int>(session.scan_timing)] +
-            "\n  points in a scan:";
+            "\n  points in a scan (" + std::to_string(report.points.size()) + " of " +
+            std::to_string(report.lidar.count) + " scans were read):";
     for (const std::size_t points : report.points) text += " " + std::to_string(points);
     text += "\n";
   }

@@ -74,7 +74,9 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
     std::shared_ptr<const PreparedCloud> current;
     try {
       current = scans.prepared(first_key + static_cast<int>(i - begin), keyframe_of(i), {});
-    } catch (const Error&) {
+      ++out.readable;
+    } catch (const Error& error) {
+      if (out.unreadable++ == 0) out.first_unreadable = error.what();
       ++out.failures;
       previous.reset();
       continue;

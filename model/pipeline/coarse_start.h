@@ -15,6 +15,8 @@ struct CoarseStart {
   std::optional<RigidTransform> ins_from_lidar;  ///< nothing where the drive does not show it
   int registrations = 0;
   int failures = 0;
+  std::size_t readable = 0, unreadable = 0;  ///< scans that were tried
+  std::string first_unreadable;
   std::string problem;  ///< why there is none, in words
 };
 

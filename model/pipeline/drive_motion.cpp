@@ -11,7 +11,7 @@ DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions) :
   for (const auto& session : sessions_) {
     tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : remount::local_from_ins(session->ins));
     if (tracks_.back().empty())
-      throw Error(ErrorCode::Contract, session->path.string(),
+      throw Error(ErrorCode::Unsupported, session->path.string(),
                   "the session has no INS poses: X needs the motion of the INS");
     offsets_s_.push_back(0.0);
   }

@@ -9,6 +9,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/search/candidates.h"
 #include "model/pipeline/coarse_start.h"
+#include "model/pipeline/input_checks.h"
 #include "model/pipeline/register_stage.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/result_file.h"
@@ -23,10 +24,8 @@ void check_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar, 
 
 void check_input(const PipelineInput& input) {
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
-  const std::vector<std::string> problems = input.settings.check();
-  std::string all;
-  for (const std::string& problem : problems) all += (all.empty() ? "" : "; ") + problem;
-  if (!problems.empty()) throw Error(ErrorCode::Contract, "settings", all);
+  require_valid(input.settings);
+  check_sessions(input.sessions);
   check_nominal(input.nominal_ins_from_lidar, input.settings.range);
 }
 
@@ -41,7 +40,8 @@ std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOpt
       findings.push_back({outside == stamps.size() ? Severity::Problem : Severity::Warning, "scan-without-ins",
                           motion.session(s).name,
                           std::to_string(outside) + " of " + std::to_string(stamps.size()) +
-                              " scans lie outside the INS data or in a gap of it and are not used."});
+                              " scans lie outside the INS data or in a gap of it and are not used" +
+                              (outside == stamps.size() ? ": " + why_not_covered(motion, s) : ".")});
     const std::vector<Keyframe> chosen = select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
     keyframes.insert(keyframes.end(), chosen.begin(), chosen.end());
   }
@@ -116,7 +116,7 @@ void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<
   for (std::size_t k = 0; k < objects.size(); ++k)
     if (!objects[k].failure.empty())
       findings.push_back({Severity::Warning, "scan-unreadable", motion.session(keyframes[k].session).name,
-                          objects[k].failure + " The scan is skipped."});
+                          sentence(objects[k].failure) + " The scan is skipped."});
 }
 
 bool solved(const CalibrationResult& result) {
@@ -217,6 +217,12 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     if (pass == 0) {
       objects = find_keyframe_objects(context, scans, output.pairs, progress);
       report_bad_scans(output.keyframes, objects, motion, output.findings);
+      std::size_t needed = 0;
+      const std::string unreadable = all_scans_unreadable(objects, output.keyframes, output.pairs, motion, needed);
+      if (!unreadable.empty()) {
+        output.result = result_without_scans(needed, unreadable);
+        return;
+      }
       match_pairs(context, objects, output.pairs, progress);
     }
     register_pairs(context, scans, objects, output.pairs, progress);
@@ -234,12 +240,13 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
   }
 }
 
-CalibrationResult without_pairs(const std::string& message) {
+CalibrationResult without_start(const CoarseStart& coarse) {
+  if (coarse.readable == 0 && coarse.unreadable > 0)
+    return result_without_scans(coarse.unreadable, coarse.first_unreadable);
   CalibrationResult result;
   result.status = Status::TooFewPairs;
-  result.message = message;
-  result.advice.push_back(
-      "Drive turns within sight of buildings and poles, and check that scans and INS cover the same time.");
+  result.message = "No first estimate of the mounting: " + coarse.problem + ".";
+  result.advice.push_back("Drive turns within sight of buildings and poles, or give a nominal mounting.");
   return result;
 }
 
@@ -276,9 +283,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   output.initial_known = output.nominal_known;
   if (input.nominal_ins_from_lidar) output.initial_ins_from_lidar = *input.nominal_ins_from_lidar;
   if (output.pairs.empty()) {
-    output.result =
-        without_pairs("No two keyframes are close enough and moved: " + std::to_string(output.keyframes.size()) +
-                      " keyframes were found.");
+    output.result = result_without_pairs(motion, output.keyframes, input.settings);
     return output;
   }
 
@@ -287,9 +292,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     if (!input.nominal_ins_from_lidar) {
       const CoarseStart coarse = find_coarse_start(motion, input.settings, input.threads, progress);
       if (!coarse.ins_from_lidar) {
-        output.result = progress.cancelled()
-                            ? cancelled_result(output.pairs)
-                            : without_pairs("No first estimate of the mounting: " + coarse.problem + ".");
+        output.result = progress.cancelled() ? cancelled_result(output.pairs) : without_start(coarse);
         return output;
       }
       output.initial_ins_from_lidar = *coarse.ins_from_lidar;

@@ -1,0 +1,55 @@
+#include "model/clock_hint.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace remount {
+namespace {
+
+constexpr double kGpsEpoch_s = 315964800.0;  ///< Unix time of 6 January 1980
+
+std::string duration(double seconds) {
+  char text[64];
+  if (seconds < 7200.0)
+    std::snprintf(text, sizeof text, "%.3f s", seconds);
+  else if (seconds < 2.0 * 86400.0)
+    std::snprintf(text, sizeof text, "%.2f hours", seconds / 3600.0);
+  else
+    std::snprintf(text, sizeof text, "%.1f days", seconds / 86400.0);
+  return text;
+}
+
+/// What makes clocks differ by this much; the drives' own lengths leave the difference uncertain by `slack_s`.
+std::string likely_cause(double difference_s, double slack_s) {
+  const double size_s = std::abs(difference_s);
+  if (std::abs(size_s - kGpsEpoch_s) < 86400.0)
+    return "That is the time between the epochs of Unix and GPS: one of them counts from 1980; declare its time scale.";
+  if (size_s <= 20.0 + slack_s && size_s >= 10.0)
+    return "GPS time is 18 s ahead of UTC since 2017 (17 s before): likely leap seconds; declare the time scale.";
+  const double hours = std::round(size_s / 1800.0) * 0.5;
+  if (hours >= 0.5 && hours <= 14.0 && std::abs(size_s - hours * 3600.0) <= std::max(slack_s, 30.0)) {
+    char text[120];
+    std::snprintf(text, sizeof text, "That is about %g hours: likely a time zone; both must be in UTC.", hours);
+    return text;
+  }
+  if (size_s > 86400.0) return "They belong to different drives, or a clock or its unit is wrong.";
+  return "They belong to different drives, or one clock is not synchronised.";
+}
+
+}  // namespace
+
+std::string time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins) {
+  const bool before = lidar.last_ns < ins.first_ns;
+  const double apart_s = 1e-9 * (before ? static_cast<double>(ins.first_ns) - static_cast<double>(lidar.last_ns)
+                                        : static_cast<double>(lidar.first_ns) - static_cast<double>(ins.last_ns));
+  // Recordings usually begin together: the difference of their beginnings is nearest to that of the clocks.
+  const double difference_s = 1e-9 * (static_cast<double>(lidar.first_ns) - static_cast<double>(ins.first_ns));
+  const double length_s = 1e-9 * std::min(static_cast<double>(lidar.last_ns) - static_cast<double>(lidar.first_ns),
+                                          static_cast<double>(ins.last_ns) - static_cast<double>(ins.first_ns));
+  const std::string where = before ? " before the INS data begin" : " after the INS data end";
+  return "the LiDAR's times " + std::string(before ? "end " : "begin ") + duration(apart_s) + where +
+         ", and the beginnings are " + duration(std::abs(difference_s)) + " apart. " +
+         likely_cause(difference_s, std::min(length_s, 600.0));
+}
+
+}  // namespace remount

@@ -1,0 +1,171 @@
+#include "model/pipeline/input_checks.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "algorithms/core/error.h"
+#include "model/clock_hint.h"
+#include "model/io/document.h"
+
+namespace remount {
+namespace {
+
+std::string named(const Session& session) { return session.path.empty() ? session.name : session.path.string(); }
+
+bool has_lidar(const Session& session) {
+  return (session.scans && session.scans->size() > 0) || !session.odometry_from_lidar.empty();
+}
+
+bool same_place(const Session& a, const Session& b) {
+  if (a.path.empty() || b.path.empty()) return false;
+  std::error_code failure;
+  return std::filesystem::equivalent(a.path, b.path, failure);
+}
+
+/// The first and the last scan whose stamps both have, as indices into a and b.
+std::vector<std::pair<std::size_t, std::size_t>> shared_stamps(const ScanSource& a, const ScanSource& b) {
+  std::vector<std::pair<std::size_t, std::size_t>> ends;
+  for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
+    if (a.stamp_ns(i) == b.stamp_ns(k)) {
+      if (ends.size() == 2) ends.pop_back();
+      ends.emplace_back(i, k);
+    }
+    a.stamp_ns(i) < b.stamp_ns(k) ? ++i : ++k;
+  }
+  return ends;
+}
+
+bool same_points(const ScanSource& a, std::size_t scan_a, const ScanSource& b, std::size_t scan_b) {
+  try {
+    const PointCloud first = a.load(scan_a), second = b.load(scan_b);
+    return !first.points.empty() && first.points == second.points;
+  } catch (const Error&) {
+    return false;  // reported where the scans are used
+  }
+}
+
+bool same_scans(const ScanSource& a, const ScanSource& b) {
+  if (a.size() == 0 || b.size() == 0) return false;
+  for (const auto& [i, k] : shared_stamps(a, b))
+    if (same_points(a, i, b, k)) return true;
+  // The same scans under other stamps are no new evidence either.
+  return a.size() == b.size() && same_points(a, 0, b, 0);
+}
+
+bool same_odometry(const std::vector<StampedPose>& a, const std::vector<StampedPose>& b) {
+  std::size_t shared = 0;
+  for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
+    shared += a[i].stamp_ns == b[k].stamp_ns && a[i].pose.matrix() == b[k].pose.matrix();
+    a[i].stamp_ns < b[k].stamp_ns ? ++i : ++k;
+  }
+  return shared >= 2;
+}
+
+bool same_recording(const Session& a, const Session& b) {
+  if (same_place(a, b)) return true;
+  if (a.scans && b.scans) return same_scans(*a.scans, *b.scans);
+  return same_odometry(a.odometry_from_lidar, b.odometry_from_lidar);
+}
+
+std::string value_of(const char* name, double value, const char* unit) {
+  return std::string(name) + " = " + shortest(value) + " " + unit;
+}
+
+/// Which of the settings of pairs a pair must meet.
+std::string pairing_limits(const PairingOptions& options) {
+  std::string near;
+  if (options.limit != PairLimit::Distance) near = value_of("pairing.max_gap_s", options.max_gap_s, "s");
+  if (options.limit != PairLimit::Time)
+    near += (near.empty() ? "" : " or ") + value_of("pairing.max_distance_m", options.max_distance_m, "m");
+  return "within " + near + " and has moved by " + value_of("pairing.min_distance_m", options.min_distance_m, "m") +
+         " or turned by " + value_of("pairing.min_rotation_deg", options.min_rotation_deg, "deg");
+}
+
+}  // namespace
+
+std::string sentence(std::string text) {
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.pop_back();
+  if (!text.empty() && text.back() != '.' && text.back() != '!' && text.back() != '?') text += '.';
+  return text;
+}
+
+void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  for (const auto& session : sessions) {
+    if (session->ins.empty() && session->world_from_ins.empty())
+      throw Error(ErrorCode::Unsupported, named(*session),
+                  "holds no motion of an INS, only that of a LiDAR; name a folder or a session.yaml that has both");
+    if (!has_lidar(*session))
+      throw Error(ErrorCode::Unsupported, named(*session),
+                  "holds the motion of an INS, but neither scans nor LiDAR poses; name a folder or a session.yaml that "
+                  "has both");
+  }
+  for (std::size_t i = 0; i < sessions.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if (same_recording(*sessions[k], *sessions[i]))
+        throw Error(ErrorCode::Contract, named(*sessions[i]),
+                    "is the same recording as " + named(*sessions[k]) +
+                        ": its pairs would count as evidence twice. Give it once.");
+}
+
+std::string why_not_covered(const DriveMotion& motion, int session) {
+  const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
+  const auto& samples = motion.track(session).samples();
+  const TimeSpan lidar{stamps.front(), stamps.back()}, ins{samples.front().stamp_ns, samples.back().stamp_ns};
+  if (lidar.last_ns < ins.first_ns || lidar.first_ns > ins.last_ns) return time_spans_apart(lidar, ins);
+  return "they lie in gaps of the INS data.";
+}
+
+CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
+                                       const Settings& settings) {
+  CalibrationResult result;
+  result.status = Status::TooFewPairs;
+  for (int s = 0; s < motion.session_count() && keyframes.empty(); ++s)
+    result.message += (s == 0 ? "No scan lies within the INS data: " : " ") + motion.session(s).name + ": " +
+                      why_not_covered(motion, s);
+  if (keyframes.empty()) {
+    result.advice.push_back("Give scans and INS data of the same time, on one clock.");
+    return result;
+  }
+  result.message =
+      "Of " + std::to_string(keyframes.size()) + " keyframes no pair is " + pairing_limits(settings.pairing) + ".";
+  const double travelled_m = keyframes.back().travelled_m;
+  if (keyframes.size() == 1)
+    result.advice.push_back("One keyframe only: lower keyframes." +
+                            std::string(settings.keyframes.mode == KeyframeMode::Time
+                                            ? "interval_s"
+                                            : "distance_m and keyframes.rotation_deg") +
+                            ", or give a longer drive.");
+  else if (travelled_m < settings.pairing.min_distance_m)
+    result.advice.push_back(
+        "The vehicle stands still while the LiDAR records: drive turns within sight of buildings and poles.");
+  else
+    result.advice.push_back("Widen these settings of pairing, or take keyframes closer together.");
+  return result;
+}
+
+CalibrationResult result_without_scans(std::size_t scans, const std::string& first) {
+  CalibrationResult result;
+  result.status = Status::TooFewPairs;
+  result.message =
+      "None of the " + std::to_string(scans) + " scans that are needed can be read. First: " + sentence(first);
+  result.advice.push_back("Copy or export the scans again: they are incomplete, or of another type than declared.");
+  return result;
+}
+
+std::string all_scans_unreadable(const std::vector<KeyframeObjects>& objects, const std::vector<Keyframe>& keyframes,
+                                 const std::vector<Pair>& pairs, const DriveMotion& motion, std::size_t& scans) {
+  std::vector<bool> used(objects.size(), false);
+  for (const Pair& pair : pairs)
+    used[static_cast<std::size_t>(pair.keyframe_a)] = used[static_cast<std::size_t>(pair.keyframe_b)] = true;
+  std::string first;
+  scans = 0;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (!used[k] || !motion.session(keyframes[k].session).scans) continue;
+    if (objects[k].failure.empty()) return {};
+    if (scans++ == 0) first = objects[k].failure;
+  }
+  return first;
+}
+
+}  // namespace remount

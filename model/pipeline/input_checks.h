@@ -1,0 +1,38 @@
+// What is wrong with the input of a calibration, before and after keyframes are looked for.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "algorithms/calibration/calibration_result.h"
+#include "model/pipeline/drive_motion.h"
+#include "model/pipeline/register_stage.h"
+#include "model/session.h"
+#include "model/settings.h"
+
+namespace remount {
+
+/// Throws Error(Unsupported) for a session without an INS or without a LiDAR, and Error(Contract) for one that is given
+/// twice, by path or by content: its pairs would count as evidence twice. To compare contents it reads two scans of
+/// each session that shares stamps with another.
+void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions);
+
+/// Why the LiDAR's stamps of a session all lie outside its INS data; for a session where none lies within.
+std::string why_not_covered(const DriveMotion& motion, int session);
+
+/// The result where no pair was found, with the cause: clocks, settings, or a vehicle that stands still.
+CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
+                                       const Settings& settings);
+
+/// The result where no scan that is needed can be read; `first` is the first message.
+CalibrationResult result_without_scans(std::size_t scans, const std::string& first);
+
+/// Where all scans that `pairs` need are unreadable: the first message. Empty otherwise.
+std::string all_scans_unreadable(const std::vector<KeyframeObjects>& objects, const std::vector<Keyframe>& keyframes,
+                                 const std::vector<Pair>& pairs, const DriveMotion& motion, std::size_t& scans);
+
+/// With a full stop at the end.
+std::string sentence(std::string text);
+
+}  // namespace remount

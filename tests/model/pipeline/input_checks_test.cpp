@@ -1,0 +1,143 @@
+#include "model/pipeline/input_checks.h"
+
+#include <gtest/gtest.h>
+
+#include "model/io/session_reader.h"
+#include "model/pipeline.h"
+#include "model/simulator/simulator.h"
+#include "tests/model/io/temporary_folder.h"
+
+namespace remount {
+namespace {
+
+SimulationOptions tiny() {
+  SimulationOptions options;
+  options.duration_s = 1.0;
+  options.beams = 8;
+  options.azimuth_steps = 100;
+  return options;
+}
+
+std::shared_ptr<Session> tiny_session(int seed = 1) {
+  SimulationOptions options = tiny();
+  options.seed = seed;
+  return std::make_shared<Session>(simulate_drive(options).session);
+}
+
+PipelineOutput run(std::vector<std::shared_ptr<const Session>> sessions, const Settings& settings = {}) {
+  PipelineInput input;
+  input.sessions = std::move(sessions);
+  input.settings = settings;
+  input.nominal_ins_from_lidar = RigidTransform::Identity();
+  Progress progress;
+  return run_pipeline(input, progress);
+}
+
+TEST(input_checks, one_recording_given_twice_is_refused_and_both_are_named) {
+  const TemporaryFolder folder;
+  Progress progress;
+  write_drive(simulate_drive(tiny()), folder.path() / "one", "native", 1, progress);
+  std::filesystem::copy(folder.path() / "one", folder.path() / "copy", std::filesystem::copy_options::recursive);
+  const auto open = [&](const char* name) {
+    return std::make_shared<const Session>(open_session(folder.path() / name, progress));
+  };
+  for (const char* again : {"one", "one/", "one/session.yaml", "copy"}) {
+    EXPECT_ERROR(check_sessions({open("one"), open(again)}), "one");
+    EXPECT_ERROR(check_sessions({open("one"), open(again)}), again);
+    EXPECT_ERROR(check_sessions({tiny_session(2), open("one"), open(again)}), "same recording");
+  }
+  EXPECT_ERROR(run({open("one"), open("copy")}), "same recording");
+}
+
+TEST(input_checks, part_of_a_recording_and_shifted_stamps_are_the_same_recording) {
+  const auto whole = tiny_session();
+  const auto same = tiny_session();
+  EXPECT_ERROR(check_sessions({whole, same}), "same recording");
+  auto poses = std::make_shared<Session>(*whole), part = std::make_shared<Session>(*whole);
+  for (int i = 0; i < 8; ++i) poses->odometry_from_lidar.push_back({i * 100, rigid_from_six({0.1 * i, 0, 0, 0, 0, 0})});
+  poses->scans = part->scans = nullptr;
+  part->odometry_from_lidar = {poses->odometry_from_lidar.begin() + 3, poses->odometry_from_lidar.begin() + 6};
+  EXPECT_ERROR(check_sessions({poses, part}), "same recording");
+}
+
+TEST(input_checks, drives_of_one_vehicle_are_not_taken_for_one) {
+  EXPECT_NO_THROW(check_sessions({tiny_session(1), tiny_session(2), tiny_session(3)}));
+}
+
+TEST(input_checks, half_a_session_is_refused_with_the_half_that_is_missing) {
+  auto no_lidar = tiny_session(), no_ins = tiny_session();
+  no_lidar->scans = nullptr;
+  no_ins->ins.clear();
+  EXPECT_ERROR(run({no_lidar}), "neither scans nor LiDAR poses");
+  EXPECT_ERROR(run({no_ins}), "no motion of an INS");
+  for (const auto& half : {no_lidar, no_ins}) {
+    try {
+      run({half});
+      ADD_FAILURE();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::Unsupported) << "input that cannot be used, not wrong usage";
+    }
+  }
+}
+
+TEST(input_checks, clocks_that_are_apart_are_named_with_the_difference) {
+  auto session = tiny_session();
+  for (InsSample& sample : session->ins) sample.stamp_ns += 18'000'000'000;
+  const CalibrationResult result = run({session}).result;
+  EXPECT_EQ(result.status, Status::TooFewPairs);
+  EXPECT_NE(result.message.find("No scan lies within the INS data"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("leap seconds"), std::string::npos) << result.message;
+  ASSERT_EQ(result.advice.size(), 1U);
+  EXPECT_EQ(result.advice[0].find("rive turns"), std::string::npos) << result.advice[0];
+}
+
+TEST(input_checks, settings_that_leave_no_pair_are_named_with_their_values) {
+  Settings settings;
+  settings.pairing.min_distance_m = 90.0;
+  settings.pairing.max_distance_m = 100.0;
+  settings.pairing.min_rotation_deg = 90.0;
+  const CalibrationResult result = run({tiny_session()}, settings).result;
+  EXPECT_EQ(result.status, Status::TooFewPairs);
+  EXPECT_NE(result.message.find("pairing.min_distance_m = 90 m"), std::string::npos) << result.message;
+}
+
+/// Scans none of which can be read.
+class BrokenScans final : public ScanSource {
+ public:
+  explicit BrokenScans(std::shared_ptr<const ScanSource> source) : source_(std::move(source)) {}
+  std::size_t size() const override { return source_->size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
+  std::string name(std::size_t scan) const override { return source_->name(scan); }
+  PointCloud load(std::size_t scan) const override {
+    throw Error(ErrorCode::Format, source_->name(scan) + ".pcd:11", "promises more points than the file holds");
+  }
+
+ private:
+  std::shared_ptr<const ScanSource> source_;
+};
+
+TEST(input_checks, scans_that_cannot_be_read_at_all_are_said_so) {
+  auto session = tiny_session();
+  session->scans = std::make_shared<BrokenScans>(session->scans);
+  for (const bool nominal : {true, false}) {
+    PipelineInput input;
+    input.sessions = {session};
+    if (nominal) input.nominal_ins_from_lidar = RigidTransform::Identity();
+    Progress progress;
+    const CalibrationResult result = run_pipeline(input, progress).result;
+    EXPECT_EQ(result.status, Status::TooFewPairs);
+    EXPECT_NE(result.message.find("scans that are needed can be read. First: 0000"), std::string::npos)
+        << result.message;
+    ASSERT_FALSE(result.advice.empty());
+    EXPECT_EQ(result.advice[0].find("rive turns"), std::string::npos) << result.advice[0];
+  }
+}
+
+TEST(input_checks, a_message_ends_with_one_full_stop) {
+  EXPECT_EQ(sentence("holds at most 2769"), "holds at most 2769.");
+  EXPECT_EQ(sentence("is done. "), "is done.");
+  EXPECT_EQ(sentence(""), "");
+}
+
+}  // namespace
+}  // namespace remount
