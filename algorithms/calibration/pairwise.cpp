@@ -122,6 +122,9 @@ void set_status(const SearchRange& range, CalibrationResult& result) {
   } else if (!outside.empty()) {
     result.status = Status::OutOfRange;
     result.message = "The solution lies outside the search range: " + outside + ".";
+    result.advice.insert(result.advice.begin(),
+                         "Widen the search range where it is too narrow. Where it is right, the data contradict it: "
+                         "check axes and units of the INS, and whether the LiDAR is the one that the range is for.");
   } else if (observed < 6) {
     result.status = Status::Degenerate;
     result.message = "Solved, but not everything is observed:";

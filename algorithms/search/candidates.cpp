@@ -196,10 +196,14 @@ std::string outside_range(const RigidTransform& ins_from_lidar, const SearchRang
   const auto check = [&](const char* name, double value, double minimum, double maximum, double factor,
                          const char* unit) {
     if (value >= minimum && value <= maximum) return;
-    char text[120];
+    char text[160];
     const bool below = value < minimum;
-    std::snprintf(text, sizeof text, "%s%s %.2f %s %s %.2f %s", problems.empty() ? "" : ", ", name, value * factor,
-                  unit, below ? "below" : "above", (below ? minimum : maximum) * factor, unit);
+    const double limit = below ? minimum : maximum;
+    // As many digits as tell the two apart: "5.00 m above 5.00 m" says nothing.
+    int decimals = 2;
+    for (double step = 0.01; decimals < 12 && std::abs(value - limit) * factor < step; step *= 0.1) ++decimals;
+    std::snprintf(text, sizeof text, "%s%s %.*f %s %s %.*f %s", problems.empty() ? "" : ", ", name, decimals,
+                  value * factor, unit, below ? "below" : "above", decimals, limit * factor, unit);
     problems += text;
   };
   const double to_deg = radians_to_degrees(1.0);

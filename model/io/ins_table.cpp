@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "model/io/angle_unit_check.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
@@ -33,6 +34,9 @@ class RowParser {
   RowParser(const fs::path& path, const InsTableLayout& layout, const CsvHeader& header)
       : path_(path), layout_(layout), header_(header) {}
 
+  /// Angles of the line that was parsed last, in the unit of the file; where the layout has angles.
+  const AttitudeAngles& logged_angles() const { return logged_; }
+
   InsSample parse(std::string_view line, std::size_t line_number) {
     line_ = line_number;
     split_csv(line, fields_);
@@ -43,8 +47,7 @@ class RowParser {
     sample.height_m = number(layout_.height);
     if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
       throw Error(ErrorCode::Format, at_line(path_, line_), "latitude, longitude or height is not possible");
-    sample.enu_from_ins =
-        layout_.quaternion ? quaternion() : enu_from_ins(angles(layout_.yaw_pitch_roll), layout_.attitude);
+    sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
     if (layout_.position_sigma_enu)
       for (int axis = 0; axis < 3; ++axis)
         sample.sigma.position_enu_m[axis] = sigma((*layout_.position_sigma_enu)[static_cast<std::size_t>(axis)]);
@@ -76,7 +79,7 @@ class RowParser {
   std::int64_t stamp_ns() const {
     const std::string_view text = field(layout_.time);
     const auto time = parse_time_ns(text, layout_.time_unit_ns);
-    if (!time) fail(label(layout_.time) + " is '" + std::string(text.substr(0, 40)) + "', expected a time");
+    if (!time) fail(label(layout_.time) + " is '" + std::string(text.substr(0, 40)) + "', " + no_time(text));
     if (layout_.gps_week) {
       const auto week = parse_integer(field(*layout_.gps_week));
       const auto stamp = week ? unix_ns_from_gps_week(*week, *time) : std::nullopt;
@@ -86,9 +89,24 @@ class RowParser {
     return layout_.time_scale == TimeScale::Gps ? unix_ns_from_gps_ns(*time) : *time;
   }
 
-  AttitudeAngles angles(const std::array<ColumnRef, 3>& columns) const {
-    return {number(columns[0]) * layout_.attitude_unit_rad, number(columns[1]) * layout_.attitude_unit_rad,
-            number(columns[2]) * layout_.attitude_unit_rad};
+  /// A number that is no time in the declared unit, but would be one in a smaller: the usual mistake.
+  std::string no_time(std::string_view text) const {
+    constexpr std::array<std::pair<std::string_view, std::int64_t>, 4> kUnits{
+        {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}}};
+    std::string declared = "its unit";
+    for (const auto& [name, unit_ns] : kUnits)
+      if (unit_ns == layout_.time_unit_ns) declared = "unit: " + std::string(name);
+    for (const auto& [name, unit_ns] : kUnits)
+      if (unit_ns < layout_.time_unit_ns && parse_time_ns(text, unit_ns))
+        return "too large for " + declared + "; declare unit: " + std::string(name) + " where that is what it counts";
+    return "expected a time in " + declared;
+  }
+
+  Eigen::Quaterniond attitude() {
+    const auto& columns = layout_.yaw_pitch_roll;
+    logged_ = {number(columns[0]), number(columns[1]), number(columns[2])};
+    const double unit = layout_.attitude_unit_rad;
+    return enu_from_ins({logged_.yaw_rad * unit, logged_.pitch_rad * unit, logged_.roll_rad * unit}, layout_.attitude);
   }
 
   Eigen::Vector3d attitude_sigma(const std::array<ColumnRef, 3>& columns) const {
@@ -118,6 +136,7 @@ class RowParser {
   const CsvHeader& header_;
   std::vector<std::string_view> fields_;
   std::size_t line_ = 0;
+  AttitudeAngles logged_;
 };
 
 std::vector<ColumnRef> columns_of(const InsTableLayout& layout) {
@@ -154,11 +173,13 @@ std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout
   }
   RowParser parser(path, layout, header);
   std::vector<InsSample> samples;
+  std::vector<AttitudeAngles> logged;
   BadItems bad;
   while (lines.next(line)) {
     if (trimmed(line).empty() || line.starts_with('#')) continue;
     try {
       samples.push_back(parser.parse(line, lines.line_number()));
+      logged.push_back(parser.logged_angles());
     } catch (const Error& error) {
       // Columns by number: a first line without numbers is a header.
       if (by_name || lines.line_number() > 1) bad.add(error);
@@ -168,6 +189,7 @@ std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout
     throw Error(ErrorCode::Format, path.string(),
                 "holds no usable INS sample." + (bad.count() ? " First problem: " + bad.first() : ""));
   bad.report(findings, "bad-ins", path.string(), "lines");
+  if (!layout.quaternion) check_angle_unit(samples, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
   keep_ascending(samples, "ins", path.string(), findings);
   return samples;
 }

@@ -259,7 +259,11 @@ void read_noise(const DocumentView& node, Session& session) {
 
 RigidTransform read_nominal(const DocumentView& node) {
   node.allow_only({"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"});
-  const auto angle = [&](const char* key) { return degrees_to_radians(node.at(key).number()); };
+  const auto angle = [&](const char* key) {
+    const double degrees = node.at(key).number();
+    if (std::abs(degrees) > 360.0) node.at(key).fail(shortest(degrees) + " deg is outside -360 to 360 deg");
+    return degrees_to_radians(degrees);
+  };
   return rigid_from_six({node.at("x_m").number(), node.at("y_m").number(), node.at("z_m").number(), angle("yaw_deg"),
                          angle("pitch_deg"), angle("roll_deg")});
 }

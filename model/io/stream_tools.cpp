@@ -6,12 +6,23 @@
 
 namespace remount {
 
+namespace {
+
+/// "scans" as "scan", "INS files" as "INS file".
+std::string singular(std::string noun) {
+  if (noun.ends_with('s')) noun.pop_back();
+  return noun;
+}
+
+}  // namespace
+
 void BadItems::report(std::vector<Finding>& findings, const std::string& code, const std::string& where,
                       const std::string& noun) const {
   if (count_ == 0) return;
   findings.push_back(make_finding(Severity::Warning, code, where,
-                                  std::to_string(count_) + " " + noun + " cannot be used and " +
-                                      (count_ == 1 ? "is" : "are") + " left out. First: " + first_));
+                                  std::to_string(count_) + " " + (count_ == 1 ? singular(noun) : noun) +
+                                      " cannot be used and " + (count_ == 1 ? "is" : "are") +
+                                      " left out. First: " + first_));
 }
 
 template <class Item>

@@ -133,6 +133,9 @@ TEST(search_range_words, name_every_parameter_that_is_outside_and_by_how_much) {
   EXPECT_EQ(outside_range(rigid_from_six(six), range),
             "x 6.20 m above 5.00 m, z -7.00 m below -5.00 m, yaw 20.00 deg above 10.00 deg, pitch -30.00 deg below "
             "-10.00 deg");
+  SixParameters close;
+  close.x_m = 5.00004;
+  EXPECT_EQ(outside_range(rigid_from_six(close), range), "x 5.00004 m above 5.00000 m") << "the two are told apart";
 }
 
 TEST(search_range_words, half_a_turn_to_each_side_holds_every_angle_also_where_it_was_rounded) {

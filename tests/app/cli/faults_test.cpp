@@ -1,0 +1,145 @@
+// What the program says to inputs and arguments that are wrong in ways that happen.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "algorithms/geometry/rigid_transform.h"
+#include "model/exporters/exporter.h"
+
+namespace remount {
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class cli_faults : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "remount_faults_XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    const Outcome made = run("simulate street " + path("drive") +
+                             " --duration-s 1.5 --beams 12 --azimuth-steps 200 --ins-from-lidar 1.2,-0.3,0.8,5,1,-1");
+    ASSERT_EQ(made.code, 0) << made.err;
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
+
+  static std::string path(const std::string& name) { return (folder_ / name).string(); }
+
+  static Outcome run(const std::string& arguments) {
+    const std::string command = std::string("'") + REMOUNT_CLI + "' " + arguments + " > '" + path("out.txt") +
+                                "' 2> '" + path("err.txt") + "' < /dev/null";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(path("out.txt")),
+            text_of(path("err.txt"))};
+  }
+  static void expect(const std::string& arguments, int code, const std::string& said) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.out << outcome.err;
+    EXPECT_NE((outcome.out + outcome.err).find(said), std::string::npos) << said << "\n" << outcome.out << outcome.err;
+    std::istringstream lines(outcome.err);
+    for (std::string line; code == 1 && std::getline(lines, line);) {
+      EXPECT_TRUE(line.starts_with("remount-cli: ") || line.starts_with("warning: ")) << line;
+    }
+  }
+  /// A copy of the drive with one text in one of its files replaced by another.
+  static std::string changed(const std::string& name, const std::string& file, const std::string& from,
+                             const std::string& to) {
+    std::filesystem::copy(folder_ / "drive", folder_ / name, std::filesystem::copy_options::recursive);
+    std::string text = text_of(folder_ / name / file);
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from << "\n" << text.substr(0, 2000);
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+    std::ofstream(folder_ / name / file) << text;
+    return path(name);
+  }
+
+  static std::filesystem::path folder_;
+};
+std::filesystem::path cli_faults::folder_;
+
+TEST_F(cli_faults, wrong_usage_is_said_with_one_prefix_and_is_exit_code_1) {
+  std::ofstream(path("pairs.csv"))
+      << "set,i,j,P00,P01,P02,P03,P10,P11,P12,P13,P20,P21,P22,P23,Q00,Q01,Q02,Q03,Q10,Q11,"
+         "Q12,Q13,Q20,Q21,Q22,Q23\nmorning,0,1,1,0,0,1,0,1,0,0,0,0,1,0,1,0,0,1,0,1,0,0,0,0,1,"
+         "0\nevening,0,1,1,0,0,1,0,1,0,0,0,0,1,0,1,0,0,1,0,1,0,0,0,0,1,0\n";
+  std::ofstream(path("contradiction.yaml")) << "keyframes: {minimum: 500, maximum: 50}\n";
+  const std::string drive = path("drive");
+  expect("simulate street " + path("x") + " --beams 0", 1, "--beams");
+  expect("calibrate " + drive + " --unknown", 1, "--unknown");
+  expect("calibrate " + drive + " --nominal 1,2,3,720,0,0", 1, "yaw 720 deg is outside -360 to 360 deg");
+  expect("solve " + path("pairs.csv") + " --only-set noon", 1, "\"morning\", \"evening\"");
+  const std::string both = "keyframes.minimum = 500 exceeds keyframes.maximum = 50";
+  expect("calibrate " + drive + " --set keyframes.minimum=500 --set keyframes.maximum=50", 1, both);
+  expect("calibrate " + drive + " --config " + path("contradiction.yaml"), 1, both);
+  expect("settings --config " + path("contradiction.yaml"), 1, both);
+  expect("calibrate " + drive + " --set pairing.min_distance_m=50", 1, "exceeds pairing.max_distance_m = 10");
+  expect("simulate street " + path("x") + " --format kitti-raw --clockwise true", 1, "turns counter-clockwise");
+  expect("calibrate " + drive + " " + drive, 1, "same recording");
+}
+
+TEST_F(cli_faults, files_that_hold_unknown_or_impossible_settings_are_exit_code_2_with_the_line) {
+  std::ofstream(path("unknown.yaml")) << "pairing:\n  gap: 1\n";
+  std::ofstream(path("beyond.yaml")) << "pairing:\n  max_gap_s: 1e9\n";
+  for (const std::string& verb : {"calibrate " + path("drive") + " --config ", std::string("settings --config ")}) {
+    expect(verb + path("unknown.yaml"), 2, "unknown.yaml:2");
+    expect(verb + path("beyond.yaml"), 2, "beyond.yaml:2");
+    expect(verb + path("none.yaml"), 2, "none.yaml");
+  }
+}
+
+TEST_F(cli_faults, half_a_session_is_exit_code_2_and_says_which_half) {
+  std::filesystem::create_directories(folder_ / "half");
+  std::ofstream(folder_ / "half" / "vicon.csv") << "1,0,0,0,0,0,0,1\n2,1,0,0,0,0,0,1\n3,2,0,0,0,0,0,1\n";
+  std::filesystem::copy_file(folder_ / "half" / "vicon.csv", folder_ / "camera.csv");
+  expect("calibrate " + path("half/vicon.csv"), 2, "neither scans nor LiDAR poses");
+  expect("calibrate " + path("camera.csv"), 2, "no motion of an INS");
+  expect("inspect " + path("half/vicon.csv"), 3, "neither scans nor LiDAR poses");
+}
+
+TEST_F(cli_faults, units_that_are_declared_wrongly_are_said_with_what_to_declare) {
+  const std::string ns = changed("ns-as-s", "session.yaml", "unit: ns", "unit: s");
+  expect("inspect " + ns, 2, "declare unit: ns");
+}
+
+TEST_F(cli_faults, every_export_is_a_nominal_of_the_same_mounting) {
+  ResultFile file;
+  file.result.status = Status::Ok;
+  file.result.observed.fill(true);
+  file.result.covariance = Matrix6d::Identity() * 1e-6;
+  file.result.ins_from_lidar = rigid_from_six({1.2, -0.3, 0.8, 0.1, 0.02, -0.02});
+  save_result(file, path("r.yaml"));
+  for (const auto& format : exporters()) {
+    const std::string exported = path("nominal_" + std::string(format->id()));
+    ASSERT_EQ(run("export " + path("r.yaml") + " --to " + std::string(format->id()) + " -o " + exported).code, 0);
+    // A nominal outside the range is refused with its numbers: that shows what was read without a calibration.
+    for (const std::string& nominal : {exported, std::string(format->id()) + ":" + exported})
+      expect("calibrate " + path("drive") + " --nominal " + nominal + " --range x=2:3,y=2:3,z=2:3,yaw=20:30", 1,
+             "x 1.20 m below 2.00 m, y -0.30 m below 2.00 m, z 0.80 m below 2.00 m, yaw 5.73 deg below 20.00 deg");
+  }
+  std::ofstream(path("novatel.yaml"))
+      << "transform:\n  translation: {x: 0, y: 1, z: 0}\n  rotation: {x: 0, y: 0, z: 0, "
+         "w: 1}\n";
+  expect("calibrate " + path("drive") + " --nominal " + path("novatel.yaml") + " --range x=2:3", 1,
+         "does not say which axes");
+}
+
+TEST_F(cli_faults, inspect_says_how_many_scans_it_read) {
+  expect("inspect " + path("drive"), 0, "(3 of 15 scans were read)");
+}
+
+}  // namespace
+}  // namespace remount
