@@ -61,6 +61,7 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings) {
   std::vector<RigidTransform> local_from_ins;
   for (const JointNode& node : motion.nodes(keyframes)) local_from_ins.push_back(node.local_from_ins);
   std::vector<Pair> pairs = propose_pairs(keyframes, local_from_ins, settings.pairing);
+  keep_independent_odometry(motion, keyframes, pairs);
   outlook.judged = !keyframes.empty();
   CalibrationResult result;
   result.ins_from_lidar = session.nominal_ins_from_lidar.value_or(RigidTransform::Identity());

@@ -63,4 +63,15 @@ std::vector<SessionNoise> DriveMotion::noise() const {
   return out;
 }
 
+void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
+                               std::vector<Pair>& pairs) {
+  std::vector<Pair> kept;
+  for (const Pair& pair : pairs) {
+    const bool scans = motion.session(keyframes[static_cast<std::size_t>(pair.keyframe_a)].session).scans != nullptr;
+    const bool first = kept.empty() || kept.back().keyframe_a != pair.keyframe_a;
+    if (scans || first) kept.push_back(pair);
+  }
+  pairs = std::move(kept);
+}
+
 }  // namespace remount

@@ -15,7 +15,7 @@ namespace remount {
 /// INS trajectories of all sessions and the clock offset of each lidar (t_ins = t_lidar + offset).
 class DriveMotion {
  public:
-  /// Throws Error(Contract) where a session has no INS motion at all.
+  /// Throws Error(Unsupported) where a session has no INS motion at all.
   explicit DriveMotion(std::vector<std::shared_ptr<const Session>> sessions);
 
   const Session& session(int index) const { return *sessions_[static_cast<std::size_t>(index)]; }
@@ -41,5 +41,10 @@ class DriveMotion {
   std::vector<MotionTrack> tracks_;
   std::vector<double> offsets_s_;
 };
+
+/// Poses of an odometry are consistent with themselves: the motion from a to c is that from a to b and b to c, and
+/// adding it adds nothing but false confidence. Each keyframe of a session without scans keeps its nearest partner.
+void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
+                               std::vector<Pair>& pairs);
 
 }  // namespace remount

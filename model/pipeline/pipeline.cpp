@@ -54,19 +54,6 @@ std::vector<RigidTransform> poses_of(const std::vector<JointNode>& nodes) {
   return poses;
 }
 
-// Poses of an odometry are consistent with themselves: the motion from a to c is that from a to b and b to c, and
-// adding it adds nothing but false confidence. Each keyframe keeps its nearest partner.
-void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
-                               std::vector<Pair>& pairs) {
-  std::vector<Pair> kept;
-  for (const Pair& pair : pairs) {
-    const bool scans = motion.session(keyframes[static_cast<std::size_t>(pair.keyframe_a)].session).scans != nullptr;
-    const bool first = kept.empty() || kept.back().keyframe_a != pair.keyframe_a;
-    if (scans || first) kept.push_back(pair);
-  }
-  pairs = std::move(kept);
-}
-
 // Sessions with poses of somebody's odometry instead of scans: Q is the motion between two of them.
 void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs) {
   // No odometry states its errors: a centimetre and a twentieth of a degree, growing with the distance; the noise

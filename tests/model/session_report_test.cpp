@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/io/session_reader.h"
+#include "tests/model/io/temporary_folder.h"
+
 namespace remount {
 namespace {
 
@@ -96,6 +99,18 @@ TEST(session_report, a_session_without_motion_is_not_usable) {
   Session session = example();
   session.world_from_ins.clear();
   EXPECT_FALSE(report_session(session, progress).usable);
+}
+
+// Pairs of an odometry repeat each other: only those that the calibration takes may promise anything.
+TEST(session_report, promises_no_more_of_an_arms_poses_than_the_calibration_finds) {
+  SKIP_WITHOUT(shared_data() / "ethz");
+  const TemporaryFolder folder;
+  for (const char* name : {"robot_arm_sim_camera.csv", "robot_arm_sim_hand.csv"})
+    std::filesystem::copy_file(shared_data() / "ethz" / name, folder.path() / name);
+  Progress progress;
+  const SessionReport report = report_session(open_session(folder.path(), progress), progress);
+  EXPECT_EQ(parameter_list(report.outlook, true), "y, z, yaw, pitch");
+  EXPECT_TRUE(contains(describe({}, report), "usable: in part")) << describe({}, report);
 }
 
 TEST(session_report, times_are_utc) {
