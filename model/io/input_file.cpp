@@ -186,7 +186,8 @@ std::optional<std::int64_t> parse_seconds_ns(std::string_view text) {
     if (!value || std::abs(*value) > 9.2e9) return std::nullopt;
     return std::llround(*value * 1e9);
   }
-  if (std::abs(*seconds) > 9'200'000'000) return std::nullopt;
+  // Compared, not negated: the smallest integer has no absolute value.
+  if (*seconds > 9'200'000'000 || *seconds < -9'200'000'000) return std::nullopt;
   std::int64_t nanoseconds = 0;
   for (std::size_t i = 0; i < 9; ++i) nanoseconds = nanoseconds * 10 + (i < fraction.size() ? fraction[i] - '0' : 0);
   if (fraction.size() > 9 && fraction[9] >= '5') ++nanoseconds;

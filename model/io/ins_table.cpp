@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 4> kQualityNames{"unknown", "good", "degr
 /// A number in units of `unit_ns` as nanoseconds, exactly for integers and for decimals of seconds.
 std::optional<std::int64_t> parse_time_ns(std::string_view text, std::int64_t unit_ns) {
   if (unit_ns == 1'000'000'000) return parse_seconds_ns(text);
-  constexpr double kLimit = 9.2e18;
+  constexpr double kLimit = 8e18;  // leaves room for the difference between time scales
   if (const auto whole = parse_integer(text)) {
     if (std::abs(static_cast<double>(*whole)) * static_cast<double>(unit_ns) > kLimit) return std::nullopt;
     return *whole * unit_ns;
@@ -190,6 +190,7 @@ std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout
                 "holds no usable INS sample." + (bad.count() ? " First problem: " + bad.first() : ""));
   bad.report(findings, "bad-ins", path.string(), "lines");
   if (!layout.quaternion) check_angle_unit(samples, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
+  keep_near(samples, path.string(), findings);
   keep_ascending(samples, "ins", path.string(), findings);
   return samples;
 }

@@ -246,6 +246,7 @@ InspvaxLog read_inspvax(const fs::path& path, InspvaxFormat format, std::vector<
     throw Error(ErrorCode::Format, path.string(),
                 "holds no usable INSPVAX line." + (bad.count() ? " First problem: " + bad.first() : ""));
   bad.report(findings, "bad-ins", path.string(), "lines");
+  keep_near(log.ins, path.string(), findings);
   keep_ascending(log.ins, "ins", path.string(), findings);
   return log;
 }

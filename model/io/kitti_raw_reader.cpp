@@ -105,6 +105,7 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
         ErrorCode::Format, (drive / "oxts").string(),
         "holds no usable INS sample. First problem: " + (bad.count() ? bad.first() : std::string("no time stamps")));
   bad.report(session.findings, "bad-ins", (drive / "oxts").string(), "INS files");
+  keep_near(session.ins, (drive / "oxts").string(), session.findings);
   keep_ascending(session.ins, "ins", (drive / "oxts").string(), session.findings);
 }
 

@@ -25,9 +25,53 @@ void BadItems::report(std::vector<Finding>& findings, const std::string& code, c
                                       " left out. First: " + first_));
 }
 
+namespace {
+
+/// 1843 to 2096: differences of two stamps within fit 64 bits.
+constexpr std::int64_t kLatestStamp_ns = 4'000'000'000'000'000'000;
+
+/// Far beyond any drive, well within one UTM zone and its neighbours.
+constexpr double kFarthest_rad = 2.0 * kPi / 180.0;
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings) {
+  if (ins.empty()) return;
+  std::vector<double> latitudes, longitudes;
+  for (const InsSample& sample : ins) {
+    latitudes.push_back(sample.latitude_rad);
+    // From the first sample, so that a drive across the date line stays in one piece.
+    longitudes.push_back(wrap_angle_rad(sample.longitude_rad - ins.front().longitude_rad));
+  }
+  const double latitude = median_of(latitudes), longitude = median_of(longitudes) + ins.front().longitude_rad;
+  const std::size_t far = std::erase_if(ins, [&](const InsSample& sample) {
+    return std::abs(sample.latitude_rad - latitude) > kFarthest_rad ||
+           std::abs(wrap_angle_rad(sample.longitude_rad - longitude)) > kFarthest_rad;
+  });
+  if (ins.empty()) throw Error(ErrorCode::Format, where, "the positions lie all over the Earth: is that one drive?");
+  if (far > 0)
+    findings.push_back(make_finding(Severity::Warning, "ins-far-away", where,
+                                    std::to_string(far) + " samples lie more than 2 degrees of latitude or longitude "
+                                                          "from the rest and are left out."));
+}
+
 template <class Item>
 void keep_ascending(std::vector<Item>& items, const std::string& code, const std::string& where,
                     std::vector<Finding>& findings) {
+  const std::size_t impossible = std::erase_if(
+      items, [](const Item& item) { return item.stamp_ns > kLatestStamp_ns || item.stamp_ns < -kLatestStamp_ns; });
+  if (items.empty() && impossible > 0)
+    throw Error(ErrorCode::Format, where, "no entry has a possible time, expected nanoseconds since 1970");
+  if (impossible > 0)
+    findings.push_back(make_finding(Severity::Warning, code + "-impossible-stamps", where,
+                                    std::to_string(impossible) + " entries have no possible time (expected nanoseconds "
+                                                                 "since 1970) and are left out."));
   std::size_t duplicates = 0, reversed = 0;
   std::vector<Item> kept;
   kept.reserve(items.size());

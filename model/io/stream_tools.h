@@ -34,11 +34,18 @@ class BadItems {
   std::string first_;
 };
 
-/// Makes stamps strictly ascending: single stamps far in the future are taken out, then every item that is not later
-/// than the one before it. What was taken out becomes findings "<code>-duplicate-stamps" and "<code>-reversed-stamps".
+/// Makes stamps strictly ascending: stamps that are no time at all and single stamps far in the future are taken out,
+/// then every item that is not later than the one before it. What was taken out becomes findings
+/// "<code>-duplicate-stamps", "<code>-reversed-stamps" and
+/// "<code>-impossible-stamps". Throws Error(Format) where no stamp is possible.
 template <class Item>
 void keep_ascending(std::vector<Item>& items, const std::string& code, const std::string& where,
                     std::vector<Finding>& findings);
+
+/// Leaves out samples that lie more than 2 degrees from the median: glitches that no drive contains, and that no one
+/// grid could hold. What was taken out becomes a finding "ins-far-away".
+/// Throws Error(Format) where nothing is left.
+void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings);
 
 struct ScanFile {
   std::filesystem::path path;
