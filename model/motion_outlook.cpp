@@ -51,7 +51,7 @@ void add_pair(const Pair& pair, const RigidTransform& ins_from_lidar, const Expe
 
 }  // namespace
 
-MotionOutlook motion_outlook(const Session& session, const Settings& settings) {
+MotionOutlook motion_outlook(const Session& session, const Settings& settings, const Progress& progress) {
   MotionOutlook outlook;
   if (session.ins.empty() && session.world_from_ins.empty()) return outlook;
   // Not owned: the session outlives this call.
@@ -68,6 +68,7 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings) {
   SpuriousInformation sum;
   const ExpectedNoise noise = expected_noise(motion.noise().front(), settings.solve);
   for (Pair& pair : pairs) {
+    if (progress.cancelled()) return {};
     pair.state = PairState::Accepted;
     add_pair(pair, result.ins_from_lidar, noise, sum);
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/core/progress.h"
 #include "model/session.h"
 #include "model/settings.h"
 
@@ -18,8 +19,8 @@ struct MotionOutlook {
 
 /// Takes keyframes and pairs as the calibration will, supposes that each pair is registered to a few centimetres, and
 /// asks which parameters would then be observed. An outlook, no promise: registration may fail where there is little to
-/// see. Reads no scan.
-MotionOutlook motion_outlook(const Session& session, const Settings& settings = {});
+/// see. Reads no scan. Not judged where `progress` is cancelled.
+MotionOutlook motion_outlook(const Session& session, const Settings& settings = {}, const Progress& progress = {});
 
 /// "x, y, yaw" of those that are (`determinable`) or are not; empty for none.
 std::string parameter_list(const MotionOutlook& outlook, bool determinable);

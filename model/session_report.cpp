@@ -70,7 +70,7 @@ void sample_scans(const Session& session, SessionReport& report, Progress& progr
   }
 }
 
-void judge(const Session& session, SessionReport& report) {
+void judge(const Session& session, SessionReport& report, const Progress& progress) {
   const auto problem = [&](const char* code, const std::string& text) {
     report.findings.push_back({Severity::Problem, code, session.name, text});
   };
@@ -95,7 +95,7 @@ void judge(const Session& session, SessionReport& report) {
                                     [](const Finding& finding) { return finding.severity == Severity::Problem; });
   report.usable = !problems && report.lidar_covered >= 2;
   if (!report.usable) return;
-  report.outlook = motion_outlook(session);
+  report.outlook = motion_outlook(session, {}, progress);
   if (report.outlook.judged && parameter_list(report.outlook, true).empty()) {
     problem("no-motion", "the vehicle hardly moves while the LiDAR records: nothing can be determined");
     report.usable = false;
@@ -175,7 +175,7 @@ SessionReport report_session(const Session& session, Progress& progress) {
   measure_motion(session, report);
   sample_scans(session, report, progress);
   for (Finding& finding : ins_findings(session)) report.findings.push_back(std::move(finding));
-  judge(session, report);
+  judge(session, report, progress);
   return report;
 }
 

@@ -16,9 +16,19 @@ RigidTransform corrected(const JointNode& node, std::size_t index, const State& 
   return moved_in_body(node.local_from_ins, step);
 }
 
+// Of the directions that the matrix knows. One without information (a corridor's length) has no residual either: a
+// floor in its place would pass for an exact measurement's, or grow and shrink with nothing.
 double log_determinant(const Matrix6d& matrix) {
-  const Eigen::LDLT<Matrix6d> factors(matrix);
-  return factors.vectorD().array().max(1e-300).log().sum();
+  constexpr double kLever_m = 10.0;  // makes rotations comparable
+  constexpr double kNothing = 1e-12;
+  Vector6d scale = Vector6d::Ones();
+  scale.tail<3>().setConstant(1.0 / kLever_m);
+  const Eigen::LDLT<Matrix6d> factors(scale.asDiagonal() * matrix * scale.asDiagonal());
+  const double least = kNothing * factors.vectorD().maxCoeff();
+  double sum = 0.0;
+  for (const double pivot : factors.vectorD())
+    if (pivot > least) sum += std::log(pivot);
+  return sum;
 }
 
 // Jacobian of one term with respect to the shared unknowns.

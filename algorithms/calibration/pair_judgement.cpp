@@ -22,6 +22,11 @@ std::string outlier_reason(const Pair& pair, double score) {
   return text;
 }
 
+// Also a good pair may leave something open; nothing is taken from it there.
+std::string open_directions(const Pair& pair) {
+  return pair.registration.undetermined.empty() ? "" : "does not determine " + pair.registration.undetermined;
+}
+
 }  // namespace
 
 double residual_scale2(std::vector<double> distances2) {
@@ -35,6 +40,8 @@ double residual_scale2(std::vector<double> distances2) {
 
 std::string unusable_reason(const Pair& pair) {
   if (!pair.registration.failure.empty()) return pair.registration.failure;
+  // Without information it would agree with every X.
+  if (pair.registration.attempted && pair.registration.information.isZero(0.0)) return "its scans determine nothing";
   if (pair.registration.attempted) return {};
   return pair.state == PairState::Rejected && !pair.reason.empty() && pair.decided_by == DecidedBy::Program
              ? pair.reason
@@ -108,7 +115,7 @@ int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const 
     changed += state != pair.state ? 1 : 0;
     pair.state = state;
     pair.decided_by = DecidedBy::Program;
-    pair.reason = state == PairState::Accepted ? "" : outlier_reason(pair, score);
+    pair.reason = state == PairState::Accepted ? open_directions(pair) : outlier_reason(pair, score);
   }
   return changed;
 }

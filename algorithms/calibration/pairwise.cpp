@@ -193,7 +193,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   if (const auto& known = input.nominal_ins_from_lidar ? input.nominal_ins_from_lidar : input.initial_ins_from_lidar)
     reference.ins_from_lidar = known->linear();
   const RobustStart start =
-      robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, reference, near_m);
+      robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, reference, near_m, progress);
   RigidTransform prior_x = start.ins_from_lidar;
   prior_x.translation() = near_m;
   judge_pairs(pairs, usable, start.ins_from_lidar, prior.expected.scaled(start.noise_scale),

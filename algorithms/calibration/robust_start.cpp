@@ -98,7 +98,7 @@ RigidTransform weighted_step(const std::vector<Pair>& pairs, const std::vector<i
 
 RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise,
                          const std::optional<RigidTransform>& nominal, const RotationReference& reference,
-                         const Eigen::Vector3d& near_m) {
+                         const Eigen::Vector3d& near_m, const Progress& progress) {
   RobustStart start;
   std::vector<RigidTransform> tried;
   std::vector<std::vector<double>> tried_d2;
@@ -110,7 +110,7 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
   std::vector<double> weights;
   for (const int i : usable) weights.push_back(pairs[static_cast<std::size_t>(i)].screw.passed ? 1.0 : 0.0);
   if (std::count(weights.begin(), weights.end(), 1.0) < 3) std::fill(weights.begin(), weights.end(), 1.0);
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < 8 && !progress.cancelled(); ++round) {
     const QuadraticForm form(weighted_pairs(pairs, usable, weights), 10.0);
     consider(settled(joint_quadratic(form, near_m), form, reference, near_m));
     weights = kernel_weights(tried_d2.back(), residual_scale2(tried_d2.back()));
@@ -122,7 +122,7 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
     if (cost < least) start.ins_from_lidar = tried[i];
     least = std::min(least, cost);
   }
-  for (int iteration = 0; iteration < 20; ++iteration) {
+  for (int iteration = 0; iteration < 20 && !progress.cancelled(); ++iteration) {
     const std::vector<double> d2 = distances2(pairs, usable, start.ins_from_lidar, noise);
     scale2 = residual_scale2(d2);
     const RigidTransform next = weighted_step(pairs, usable, kernel_weights(d2, scale2), noise, start.ins_from_lidar);

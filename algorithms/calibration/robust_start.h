@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/calibration/noise_model.h"
+#include "algorithms/core/progress.h"
 #include "algorithms/search/candidates.h"
 #include "algorithms/trajectory/pair.h"
 
@@ -24,9 +25,9 @@ struct RotationReference {
 
 /// Tries the nominal (where known), the global minimum of the quadratic form over screw-consistent pairs and its
 /// reweighted successors; keeps the X with the least truncated cost, then refines it with a redescending kernel whose
-/// width follows the residuals.
+/// width follows the residuals. Where `progress` is cancelled, what is known until then.
 RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise,
                          const std::optional<RigidTransform>& nominal, const RotationReference& reference,
-                         const Eigen::Vector3d& near_m);
+                         const Eigen::Vector3d& near_m, const Progress& progress = {});
 
 }  // namespace remount

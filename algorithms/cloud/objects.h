@@ -67,6 +67,16 @@ std::vector<SceneObject> find_objects(const PointCloud& cloud_in_lidar, const Ei
 /// mounted in any orientation. `hint` (unit length) breaks ties; zero for none. Falls back to the hint, or to +z.
 Eigen::Vector3f estimate_up(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& hint);
 
+/// The ground near a sensor.
+struct GroundPlane {
+  Eigen::Vector3f up_in_lidar = Eigen::Vector3f::UnitZ();  ///< away from the ground, unit length
+  float sensor_height_m = 0.0f;                            ///< of the lidar's origin above the plane
+  bool found = false;                                      ///< false: nothing like ground is seen; up is the fallback
+};
+
+/// The same plane with the sensor's height above it.
+GroundPlane estimate_ground_plane(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& hint);
+
 /// True for each point on the ground.
 std::vector<bool> ground_mask(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& up_in_lidar,
                               const ObjectOptions& options);

@@ -71,8 +71,8 @@ Plane refitted(const Plane& plane, const std::vector<Vector3f>& points) {
 
 }  // namespace
 
-Vector3f estimate_up(const PointCloud& cloud_in_lidar, const Vector3f& hint) {
-  const Vector3f fallback = hint.isZero() ? Vector3f(Vector3f::UnitZ()) : hint;
+GroundPlane estimate_ground_plane(const PointCloud& cloud_in_lidar, const Vector3f& hint) {
+  const GroundPlane fallback{hint.isZero() ? Vector3f(Vector3f::UnitZ()) : hint, 0.0f, false};
   const std::vector<Vector3f> points = thinned(cloud_in_lidar);
   if (points.size() < 30) return fallback;
   std::mt19937 random(
@@ -95,7 +95,11 @@ Vector3f estimate_up(const PointCloud& cloud_in_lidar, const Vector3f& hint) {
   }
   if (best.normal.isZero()) return fallback;
   for (int i = 0; i < 3; ++i) best = refitted(best, points);
-  return best.normal;
+  return {best.normal, best.sensor_height_m, true};
+}
+
+Vector3f estimate_up(const PointCloud& cloud_in_lidar, const Vector3f& hint) {
+  return estimate_ground_plane(cloud_in_lidar, hint).up_in_lidar;
 }
 
 }  // namespace remount

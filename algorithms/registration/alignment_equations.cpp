@@ -1,5 +1,6 @@
 // The residuals between two scans at a given transform: how well they fit, and how well that determines the transform.
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -15,6 +16,8 @@ struct Term {
   Vector6d row;
   double residual_m;
   double weight;
+  double source_planarity;
+  Eigen::Vector3d arm;
   std::uint64_t cell;
 };
 
@@ -27,10 +30,10 @@ std::uint64_t cell_of(const Eigen::Vector3f& point) {
 }
 
 std::vector<Term> residual_terms(const PreparedCloud& source, const PreparedCloud& target,
-                                 const RigidTransform& target_from_source, float radius_m,
+                                 const RigidTransform& target_from_source, float radius_m, const Progress& progress,
                                  std::vector<float>& residuals2_m2) {
   Matcher matcher(source.tree().blocks(), target, radius_m, InstructionSet::Best);
-  matcher.update(target_from_source, 1, {});
+  matcher.update(target_from_source, 1, progress);
   const Eigen::Matrix3f rotation = target_from_source.linear().cast<float>();
   const Eigen::Vector3f translation = target_from_source.translation().cast<float>();
   std::vector<Term> terms;
@@ -46,10 +49,15 @@ std::vector<Term> residual_terms(const PreparedCloud& source, const PreparedClou
     const Eigen::Vector3f n(near.nx[k], near.ny[k], near.nz[k]);
     Eigen::Vector3f m = rotation * source.normal(i);
     if (n.dot(m) < 0.0f) m = -m;
-    if (error.squaredNorm() > radius_m * radius_m || n.dot(m) < 0.7f) continue;
+    if (error.squaredNorm() > radius_m * radius_m || n.dot(m) < kMinCosine) continue;
     const Eigen::Vector3d normal = (n + m).normalized().cast<double>();
     const double along = normal.dot(error.cast<double>());
-    Term term{Vector6d::Zero(), along, static_cast<double>(source.planarity(i) * near.planarity[k]), cell_of(query)};
+    Term term{Vector6d::Zero(),
+              along,
+              static_cast<double>(source.planarity(i) * near.planarity[k]),
+              static_cast<double>(source.planarity(i)),
+              arm.cast<double>(),
+              cell_of(query)};
     term.row << normal, arm.cast<double>().cross(normal);
     terms.push_back(term);
     residuals2_m2.push_back(static_cast<float>(along * along));
@@ -60,10 +68,7 @@ std::vector<Term> residual_terms(const PreparedCloud& source, const PreparedClou
 // Errors on one surface are alike, and few surfaces face a direction: the scatter of the cells' gradients says how
 // well the minimum is known, the number of points does not.
 Matrix6d information_of(const AlignmentEquations& equations, const std::vector<Term>& terms, double variance) {
-  Matrix6d damped = equations.hessian;
-  damped.diagonal().head<3>().array() += 1.0 / (0.1 * 0.1);
-  damped.diagonal().tail<3>().array() += 1.0 / (0.005 * 0.005);
-  const Vector6d step = damped.ldlt().solve(-equations.gradient);
+  const Vector6d step = damped_step(equations);
   std::unordered_map<std::uint64_t, std::size_t> cells;
   std::vector<Vector6d> gradients;
   std::uint64_t last_cell = ~std::uint64_t{0};
@@ -83,15 +88,50 @@ Matrix6d information_of(const AlignmentEquations& equations, const std::vector<T
   return equations.hessian * scatter.ldlt().solve(equations.hessian);
 }
 
+UndeterminedDirections undetermined_of(const std::vector<Term>& terms) {
+  std::vector<SurfaceElement> elements;
+  elements.reserve(terms.size());
+  for (const Term& term : terms) elements.push_back({term.row.head<3>(), term.arm, term.weight});
+  return undetermined_directions(elements);
+}
+
+// The share of the source's surfaces that lie on a surface of the target, by the directions they face.
+double agreement_of(const PreparedCloud& source, const RigidTransform& target_from_source,
+                    const std::vector<Term>& terms) {
+  constexpr double kOnSurface_m = 0.1;
+  Eigen::Matrix3d all = Eigen::Matrix3d::Zero(), met = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const Eigen::Vector3d normal = source.normal(i).cast<double>();
+    all.noalias() += source.planarity(i) * normal * normal.transpose();
+  }
+  all = target_from_source.linear() * all * target_from_source.linear().transpose();
+  for (const Term& term : terms) {
+    const double ratio = term.residual_m / kOnSurface_m;
+    const double weight = term.source_planarity / ((1.0 + ratio * ratio) * (1.0 + ratio * ratio));
+    met.noalias() += weight * term.row.head<3>() * term.row.head<3>().transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(all);
+  double sum = 0.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Eigen::Vector3d direction = eigen.eigenvectors().col(axis);
+    // Directions that next to nothing faces say little.
+    const double whole = eigen.eigenvalues()[axis] + 0.02 * eigen.eigenvalues()[2];
+    sum += whole > 0.0 ? direction.dot(met * direction) / whole : 0.0;
+  }
+  return sum / 3.0;
+}
+
 }  // namespace
 
 AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
-                                       const RigidTransform& target_from_source, double max_correspondence_m) {
+                                       const RigidTransform& target_from_source, double max_correspondence_m,
+                                       const Progress& progress) {
   const auto radius_m = static_cast<float>(max_correspondence_m);
   std::vector<float> residuals2_m2;
-  std::vector<Term> terms = residual_terms(source, target, target_from_source, radius_m, residuals2_m2);
+  std::vector<Term> terms = residual_terms(source, target, target_from_source, radius_m, progress, residuals2_m2);
   AlignmentEquations equations;
-  if (terms.empty()) return equations;
+  if (terms.empty() || progress.cancelled()) return equations;
+  equations.agreement = agreement_of(source, target_from_source, terms);
   const double kernel_m = robust_kernel_m(residuals2_m2, kSmallestKernel_m, 0.5f * radius_m);
   double squares = 0.0, weights = 0.0;
   std::size_t inliers = 0;
@@ -110,8 +150,17 @@ AlignmentEquations alignment_equations(const PreparedCloud& source, const Prepar
     equations.hessian.noalias() += term.weight / variance * term.row * term.row.transpose();
     equations.gradient.noalias() += term.weight / variance * term.residual_m * term.row;
   }
-  equations.information = information_of(equations, terms, variance);
+  equations.undetermined = undetermined_of(terms);
+  equations.information = equations.undetermined.removed_from(information_of(equations, terms, variance));
   return equations;
+}
+
+Vector6d damped_step(const AlignmentEquations& equations) {
+  constexpr double kSpread_m = 0.1, kSpread_rad = 0.005;
+  Matrix6d damped = equations.hessian;
+  damped.diagonal().head<3>().array() += 1.0 / (kSpread_m * kSpread_m);
+  damped.diagonal().tail<3>().array() += 1.0 / (kSpread_rad * kSpread_rad);
+  return damped.ldlt().solve(-equations.gradient);
 }
 
 }  // namespace remount

@@ -11,6 +11,8 @@ namespace remount {
 inline constexpr int kBlockSize = 16;
 inline constexpr float kFarAway_m = 1e18f;  ///< coordinates of missing points: finite, and near nothing
 
+inline constexpr float kMinCosine = 0.7f;  ///< of the normals of a match: surfaces that face apart are not the same
+
 /// Sixteen neighbouring points with their surface. Missing ones at the end of a cloud are far away.
 struct alignas(64) PointBlock {
   float x[kBlockSize], y[kBlockSize], z[kBlockSize];     ///< m

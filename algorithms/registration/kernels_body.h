@@ -8,7 +8,6 @@ namespace remount {
 namespace {
 
 constexpr float kKeep = 0.999f;  // 1 - variance along a normal against that in the plane
-constexpr float kMinCosine = 0.7f;
 // A new search looks this much farther than the neighbour that is known, so that the next one is often seen as well.
 constexpr float kMargin_m = 0.3f;
 constexpr float kFarther = 1.15f;     // than the largest distance that counts, to know when it may be passed

@@ -14,7 +14,10 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 Cloud::Ptr to_pcl(const PreparedCloud& prepared) {
   auto cloud = pcl::make_shared<Cloud>();
   cloud->reserve(prepared.size());
-  for (const Eigen::Vector3f& p : prepared.points()) cloud->push_back({p.x(), p.y(), p.z()});
+  for (std::size_t i = 0; i < prepared.size(); ++i) {
+    const Eigen::Vector3f p = prepared.point(i);
+    cloud->push_back({p.x(), p.y(), p.z()});
+  }
   return cloud;
 }
 

@@ -22,6 +22,7 @@ std::vector<Eigen::Vector3f> points_in_use(const PointCloud& cloud_in_lidar, con
   used.reserve(cloud_in_lidar.size());
   for (std::size_t i = 0; i < cloud_in_lidar.size(); ++i) {
     const float range2 = cloud_in_lidar.points[i].squaredNorm();
+    // False for what is not a number.
     if (range2 >= min2 && range2 <= max2 && (left_out.empty() || !left_out[i]))
       used.push_back(cloud_in_lidar.points[i]);
   }
@@ -65,7 +66,7 @@ Eigen::Vector3f PreparedCloud::normal(std::size_t i) const {
   return {block.nx[lane_of(i)], block.ny[lane_of(i)], block.nz[lane_of(i)]};
 }
 
-std::vector<Eigen::Vector3f> PreparedCloud::points() const {
+std::vector<Eigen::Vector3f> PreparedCloud::copy_points() const {
   std::vector<Eigen::Vector3f> out(size());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = point(i);
   return out;

@@ -20,8 +20,8 @@ struct Neighbour {
 /// normal are left out.
 class PreparedCloud {
  public:
-  /// Thins by voxels (centroids), drops points outside the range limits and fits normals to the neighbourhood.
-  /// Empty where `progress` is cancelled meanwhile.
+  /// Thins by voxels (centroids), drops points that are not finite or outside the range limits, and fits normals to the
+  /// neighbourhood. Empty where `progress` is cancelled meanwhile.
   /// @param left_out true for points of the cloud not to be used (moving objects); empty for none
   PreparedCloud(const PointCloud& cloud_in_lidar, const RegistrationOptions& options,
                 const std::vector<bool>& left_out = {}, const Progress& progress = {});
@@ -32,7 +32,7 @@ class PreparedCloud {
   Eigen::Vector3f point(std::size_t i) const;   ///< m
   Eigen::Vector3f normal(std::size_t i) const;  ///< unit length, towards the sensor
   float planarity(std::size_t i) const { return block_of(i).planarity[lane_of(i)]; }  ///< 0 (scattered) to 1 (a plane)
-  std::vector<Eigen::Vector3f> points() const;                                        ///< all of them, m
+  std::vector<Eigen::Vector3f> copy_points() const;                                   ///< all of them, m
   Neighbour nearest(const Eigen::Vector3f& query, float radius_m) const;
   const BlockTree& tree() const { return tree_; }
   std::size_t bytes() const;  ///< memory held, for cache bounds

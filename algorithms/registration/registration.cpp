@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "algorithms/registration/search_around.h"
+
 namespace remount {
 namespace {
 
@@ -17,7 +19,30 @@ std::string judge(const RegistrationQuality& quality, const RegistrationOptions&
     return percent_below("overlap too small:", quality.overlap, options.min_overlap, "");
   if (quality.rmse_m > options.max_rmse_m)
     return percent_below("residual too large:", quality.rmse_m, options.max_rmse_m, " m");
+  if (quality.information.isZero(0.0)) return "the surfaces in common determine nothing";
   return {};
+}
+
+// Aligns with the chosen algorithm and judges the outcome.
+JudgedAlignment align_from(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start,
+                           const RegistrationOptions& options, const Progress& progress) {
+  const RegistrationMethod& method = registration_methods().at(static_cast<std::size_t>(options.algorithm));
+  JudgedAlignment out{method.align(source, target, start, options, progress), 0.0};
+  RegistrationResult& result = out.result;
+  result.quality.attempted = true;
+  if (!result.target_from_source.matrix().allFinite()) {
+    result.target_from_source = start;
+    result.quality.converged = false;
+  }
+  const AlignmentEquations equations =
+      alignment_equations(source, target, result.target_from_source, 0.5 * options.max_correspondence_m);
+  out.agreement = equations.agreement;
+  result.quality.rmse_m = equations.rmse_m;
+  result.quality.overlap = equations.overlap;
+  result.quality.information = equations.information;
+  result.quality.undetermined = equations.undetermined.words();
+  result.quality.failure = progress.cancelled() ? "cancelled" : judge(result.quality, options);
+  return out;
 }
 
 }  // namespace
@@ -36,26 +61,37 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
                                const RigidTransform& target_from_source_start, const RegistrationOptions& options,
                                const Progress& progress) {
   constexpr std::size_t kMinPoints = 100;
+  if (progress.cancelled()) {
+    RegistrationResult result;  // scans whose preparation was cancelled are empty: no verdict on them
+    result.quality.attempted = true;
+    result.quality.failure = "cancelled";
+    return result;
+  }
   if (source.size() < kMinPoints || target.size() < kMinPoints) {
     RegistrationResult result;
     result.quality.attempted = true;
     result.quality.failure = "too few points with a surface: " + std::to_string(std::min(source.size(), target.size()));
     return result;
   }
-  const RegistrationMethod& method = registration_methods().at(static_cast<std::size_t>(options.algorithm));
-  RegistrationResult result = method.align(source, target, target_from_source_start, options, progress);
-  result.quality.attempted = true;
-  if (!result.target_from_source.matrix().allFinite()) {
-    result.target_from_source = target_from_source_start;
-    result.quality.converged = false;
+  JudgedAlignment alignment = align_from(source, target, target_from_source_start, options, progress);
+  if (!options.search_when_doubtful || progress.cancelled()) return alignment.result;
+  AroundSearch around;
+  around.target_from_source = alignment.result.target_from_source;
+  if (is_doubtful(alignment, target_from_source_start))
+    around = search_around(source, target, target_from_source_start, alignment, options, progress);
+  // The way from far away may take more iterations than are allowed from near.
+  const bool on_its_way =
+      !alignment.result.quality.converged && moved_far(target_from_source_start, alignment.result.target_from_source);
+  if ((around.better || on_its_way) && !progress.cancelled()) {
+    RegistrationOptions patient = options;
+    patient.max_iterations = 3 * options.max_iterations;
+    alignment = align_from(source, target, around.target_from_source, patient, progress);
   }
-  const AlignmentEquations equations =
-      alignment_equations(source, target, result.target_from_source, 0.5 * options.max_correspondence_m);
-  result.quality.rmse_m = equations.rmse_m;
-  result.quality.overlap = equations.overlap;
-  result.quality.information = equations.information;
-  result.quality.failure = progress.cancelled() ? "cancelled" : judge(result.quality, options);
-  return result;
+  if (progress.cancelled())
+    alignment.result.quality.failure = "cancelled";
+  else if (alignment.result.quality.failure.empty())
+    alignment.result.quality.failure = around.ambiguity;
+  return alignment.result;
 }
 
 }  // namespace remount

@@ -7,6 +7,7 @@
 
 #include "algorithms/core/progress.h"
 #include "algorithms/registration/prepared_cloud.h"
+#include "algorithms/registration/undetermined.h"
 #include "algorithms/trajectory/pair.h"
 
 namespace remount {
@@ -38,17 +39,27 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
 
 /// Normal equations of the residuals between two scans at a given transform, under `perturbed` (translation first, axes
 /// of the target): the cost near it is 1/2 d' H d + g' d, in units of variance. Used for the information of a
-/// registration and for joint alignment.
+/// registration and for joint alignment. Empty where `progress` is cancelled.
 struct AlignmentEquations {
   Matrix6d hessian = Matrix6d::Zero();
   Vector6d gradient = Vector6d::Zero();
-  /// Inverse covariance of the minimum: H B^-1 H with the scatter B of the gradient's parts from separate surfaces.
+  /// Inverse covariance of the minimum: H B^-1 H with the scatter B of the gradient's parts from separate surfaces, and
+  /// nothing along what is undetermined.
   Matrix6d information = Matrix6d::Zero();
   double rmse_m = 0.0;   ///< of inlier residuals along the normals
   double overlap = 0.0;  ///< share of source points with an inlier neighbour
+  /// The same share as the mean over three directions that surfaces face, so that a lot of ground does not hide that
+  /// facades miss each other.
+  double agreement = 0.0;
+  UndeterminedDirections undetermined;
 };
 AlignmentEquations alignment_equations(const PreparedCloud& source, const PreparedCloud& target,
-                                       const RigidTransform& target_from_source, double max_correspondence_m);
+                                       const RigidTransform& target_from_source, double max_correspondence_m,
+                                       const Progress& progress = {});
+
+/// The step to the minimum of the equations, held by a spread of 0.1 m and 0.3 deg around zero: a direction that the
+/// surfaces do not show stays where it is.
+Vector6d damped_step(const AlignmentEquations& equations);
 
 // The algorithms (one file each).
 RegistrationResult align_plane_to_plane(const PreparedCloud&, const PreparedCloud&, const RigidTransform&,

@@ -17,6 +17,9 @@ struct RegistrationOptions {
   int max_iterations = 40;
   double min_overlap = 0.3;
   double max_rmse_m = 0.15;
+  bool search_when_doubtful = true;
+  double search_reach_m = 7.0;
+  double search_reach_deg = 45.0;
   InstructionSet instructions = InstructionSet::Best;  ///< for tests; the results are the same
 
   template <class Self, class Visitor>
@@ -35,6 +38,13 @@ struct RegistrationOptions {
     visitor({"min_overlap", "", "An alignment with a smaller share of inliers is rejected.", 0.0, 1.0},
             self.min_overlap);
     visitor({"max_rmse_m", "m", "An alignment with larger inlier residuals is rejected.", 0.0, 10.0}, self.max_rmse_m);
+    visitor({"search_when_doubtful", "",
+             "Where an alignment fails, fits upright surfaces badly or moved far, others around its start are tried."},
+            self.search_when_doubtful);
+    visitor({"search_reach_m", "m", "How far around the start other positions are tried.", 1.0, 20.0},
+            self.search_reach_m);
+    visitor({"search_reach_deg", "deg", "How far around the start other yaws are tried.", 5.0, 180.0},
+            self.search_reach_deg);
   }
 };
 

@@ -8,8 +8,9 @@
 
 namespace remount {
 
-/// Centroids of the points in each voxel, m, in the order in which their voxels first appear; coordinates beyond 2^20
-/// voxels count as the last. Empty where `progress` is cancelled.
+/// Centroids of the points in each voxel, m, which must be finite (readers and PreparedCloud see to it), in the order
+/// in which their voxels first appear; coordinates beyond 2^20 voxels count as the last. Empty where `progress` is
+/// cancelled.
 std::vector<Eigen::Vector3f> voxel_centroids(const std::vector<Eigen::Vector3f>& points, float voxel_m,
                                              const Progress& progress = {});
 

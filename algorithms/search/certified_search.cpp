@@ -119,7 +119,8 @@ struct OpenRegion {
 
 class Search {
  public:
-  Search(const QuadraticForm& form, const SearchRange& range, const RigidTransform& near, const SearchOptions& options)
+  Search(const QuadraticForm& form, const SearchRange& range, const RigidTransform& near, const SearchOptions& options,
+         const Progress& progress)
       : boxed_(form, range, near.translation()),
         matrix_(form.matrix()),
         range_box_(angle_box(range, false)),
@@ -130,7 +131,7 @@ class Search {
     const Vector3d reach = boxed_.t_low_m().cwiseAbs().cwiseMax(boxed_.t_high_m().cwiseAbs()).cwiseMin(1.0);
     least_gap_ = kRounding * (matrix_.topLeftCorner<9, 9>().trace() + matrix_(12, 12) +
                               matrix_.diagonal().segment<3>(9).dot(reach.cwiseAbs2()));
-    start(near.linear());
+    start(near.linear(), progress);
   }
 
   SearchResult run(const Progress& progress) {
@@ -197,7 +198,7 @@ class Search {
   }
 
   // A coarse net of the range, of which the best few are followed.
-  void start(const Eigen::Matrix3d& near) {
+  void start(const Eigen::Matrix3d& near, const Progress& progress) {
     constexpr int kNet = 6, kFollowed = 6;
     std::vector<std::pair<double, Eigen::Matrix3d>> net;
     for (int i = 0; i < kNet; ++i)
@@ -210,7 +211,7 @@ class Search {
         }
     std::stable_sort(net.begin(), net.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     try_start(near);
-    for (int i = 0; i < kFollowed; ++i) try_start(net[static_cast<std::size_t>(i)].second);
+    for (int i = 0; i < kFollowed && !progress.cancelled(); ++i) try_start(net[static_cast<std::size_t>(i)].second);
   }
 
   bool in_box(const RigidTransform& x) const {
@@ -289,7 +290,7 @@ SearchResult certified_search(const QuadraticForm& form, const SearchRange& rang
     out.message = "Cancelled.";
     return out;
   }
-  return Search(form, range, near, options).run(progress);
+  return Search(form, range, near, options, progress).run(progress);
 }
 
 }  // namespace remount

@@ -56,7 +56,10 @@ std::string pairs(const ResultFile& file) {
   std::string text = format("pairs: %d proposed, %d accepted, %d rejected\n", result.pairs_proposed,
                             result.pairs_accepted, result.pairs_rejected);
   std::map<std::string, std::pair<int, std::string>> reasons;
+  std::map<std::string, int> open_directions;  // of accepted pairs
   for (const PairRecord& pair : file.pairs) {
+    if (pair.state == PairState::Accepted && pair.decided_by == DecidedBy::Program && !pair.reason.empty())
+      ++open_directions[without_numbers(pair.reason)];
     if (pair.state != PairState::Rejected) continue;
     auto& [count, example] = reasons[without_numbers(pair.reason)];
     if (count++ == 0) example = pair.reason;
@@ -67,6 +70,7 @@ std::string pairs(const ResultFile& file) {
   for (std::size_t i = 0; i < std::min<std::size_t>(sorted.size(), 8); ++i)
     text += format("  %5d rejected: ", -sorted[i].first) + sorted[i].second +
             (sorted[i].first < -1 ? " (and alike)" : "") + "\n";
+  for (const auto& [kind, count] : open_directions) text += format("  %5d accepted: ", count) + kind + "\n";
   return text;
 }
 

@@ -50,6 +50,7 @@ DocumentNode registration_document(const RegistrationQuality& quality) {
   node.add("overlap", DocumentNode::number(quality.overlap));
   node.add("information", triangle(quality.information));
   node.add("failure", DocumentNode::string(quality.failure));
+  if (!quality.undetermined.empty()) node.add("undetermined", DocumentNode::string(quality.undetermined));
   return node;
 }
 
@@ -62,6 +63,7 @@ RegistrationQuality registration_from(const DocumentView& view) {
   quality.overlap = number_or_nan(view.at("overlap"));
   quality.information = from_triangle(view.at("information"));
   quality.failure = view.at("failure").string();
+  if (view.has("undetermined")) quality.undetermined = view.at("undetermined").string();
   return quality;
 }
 

@@ -65,7 +65,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
     if ((i - begin) % kAhead == 0)
       parallel_for(std::min(kAhead, end - i), threads, [&](std::size_t k) {
         try {
-          scans.prepared(first_key + static_cast<int>(i + k - begin), keyframe_of(i + k), {});
+          scans.prepared(first_key + static_cast<int>(i + k - begin), keyframe_of(i + k), {}, progress);
         } catch (const Error&) {
           // Asked for again below, where the failure is counted.
         }
@@ -73,7 +73,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
     progress.report("finding the mounting", i - begin, end - begin);
     std::shared_ptr<const PreparedCloud> current;
     try {
-      current = scans.prepared(first_key + static_cast<int>(i - begin), keyframe_of(i), {});
+      current = scans.prepared(first_key + static_cast<int>(i - begin), keyframe_of(i), {}, progress);
       ++out.readable;
     } catch (const Error& error) {
       if (out.unreadable++ == 0) out.first_unreadable = error.what();
@@ -171,7 +171,7 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   noise.registration_floor_m = 0.02;
   noise.registration_floor_rad = 0.002;
   out.ins_from_lidar =
-      robust_start(pairs, usable, noise, std::nullopt, {std::nullopt, ground_up}, Eigen::Vector3d::Zero())
+      robust_start(pairs, usable, noise, std::nullopt, {std::nullopt, ground_up}, Eigen::Vector3d::Zero(), progress)
           .ins_from_lidar;
   return out;
 }

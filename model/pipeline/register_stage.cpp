@@ -1,6 +1,5 @@
 #include "model/pipeline/register_stage.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -53,9 +52,10 @@ class Counter {
 };
 
 std::shared_ptr<const PreparedCloud> prepare(const StageContext& context, ScanStore& scans,
-                                             const std::vector<KeyframeObjects>& objects, int keyframe) {
+                                             const std::vector<KeyframeObjects>& objects, int keyframe,
+                                             const Progress& progress) {
   const auto index = static_cast<std::size_t>(keyframe);
-  return scans.prepared(keyframe, context.keyframes[index], moving_boxes(objects[index]));
+  return scans.prepared(keyframe, context.keyframes[index], moving_boxes(objects[index]), progress);
 }
 
 }  // namespace
@@ -130,8 +130,8 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
     Pair& pair = pairs[i];
     if (pair.state != PairState::Rejected && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
       try {
-        const auto a = prepare(context, scans, objects, pair.keyframe_a),
-                   b = prepare(context, scans, objects, pair.keyframe_b);
+        const auto a = prepare(context, scans, objects, pair.keyframe_a, progress),
+                   b = prepare(context, scans, objects, pair.keyframe_b, progress);
         const RigidTransform start = predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar);
         const RegistrationResult result = align_scans(*a, *b, start, context.settings.registration, progress);
         pair.lidar_b_from_lidar_a = result.target_from_source;
@@ -169,10 +169,10 @@ bool sweep_compensation_helps(const StageContext& context, int session, const st
       const RigidTransform start = predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar);
       double rmse_m[2];
       for (ScanStore* store : {&raw, &compensated}) {
-        const auto a =
-            store->prepared(pair.keyframe_a, context.keyframes[static_cast<std::size_t>(pair.keyframe_a)], {});
-        const auto b =
-            store->prepared(pair.keyframe_b, context.keyframes[static_cast<std::size_t>(pair.keyframe_b)], {});
+        const auto a = store->prepared(pair.keyframe_a, context.keyframes[static_cast<std::size_t>(pair.keyframe_a)],
+                                       {}, progress);
+        const auto b = store->prepared(pair.keyframe_b, context.keyframes[static_cast<std::size_t>(pair.keyframe_b)],
+                                       {}, progress);
         const RegistrationResult result = align_scans(*a, *b, start, context.settings.registration, progress);
         if (!result.quality.failure.empty()) return;
         rmse_m[store == &raw ? 0 : 1] = result.quality.rmse_m;
@@ -196,17 +196,15 @@ void relinearise_pairs(const StageContext& context, ScanStore& scans, const std:
     Pair& pair = pairs[i];
     if (pair.state == PairState::Accepted && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
       try {
-        const auto a = prepare(context, scans, objects, pair.keyframe_a),
-                   b = prepare(context, scans, objects, pair.keyframe_b);
+        const auto a = prepare(context, scans, objects, pair.keyframe_a, progress),
+                   b = prepare(context, scans, objects, pair.keyframe_b, progress);
         const RigidTransform& at = predicted_lidar_b_from_lidar_a[i];
         const AlignmentEquations equations =
-            alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m);
-        // The weakest directions are damped by a spread of 0.1 m and 0.3 deg around the prediction.
-        Matrix6d damped = equations.hessian;
-        damped.diagonal().head<3>().array() += 1.0 / (0.1 * 0.1);
-        damped.diagonal().tail<3>().array() += 1.0 / (0.005 * 0.005);
-        pair.lidar_b_from_lidar_a = perturbed(at, damped.ldlt().solve(-equations.gradient));
+            alignment_equations(*a, *b, at, 0.5 * context.settings.registration.max_correspondence_m, progress);
+        if (progress.cancelled()) return;
+        pair.lidar_b_from_lidar_a = perturbed(at, damped_step(equations));
         pair.registration.information = equations.information;
+        pair.registration.undetermined = equations.undetermined.words();
         pair.registration.rmse_m = equations.rmse_m;
         pair.registration.overlap = equations.overlap;
       } catch (const Error&) {

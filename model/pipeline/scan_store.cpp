@@ -38,8 +38,24 @@ PointCloud ScanStore::load(const Keyframe& keyframe) const {
   return deskew(cloud, times, motion);
 }
 
+std::shared_ptr<const PreparedCloud> ScanStore::prepare(const Keyframe& keyframe, const std::vector<LidarBox>& boxes,
+                                                        const Progress& progress) const {
+  const PointCloud cloud = progress.cancelled() ? PointCloud{} : load(keyframe);
+  std::vector<bool> left_out;
+  if (!boxes.empty() && !progress.cancelled()) {
+    left_out.assign(cloud.size(), false);
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      for (const LidarBox& box : boxes)
+        if ((cloud.points[i].array() >= box.minimum.array()).all() &&
+            (cloud.points[i].array() <= box.maximum.array()).all())
+          left_out[i] = true;
+  }
+  if (progress.cancelled()) return std::make_shared<const PreparedCloud>(PointCloud{}, options_);
+  return std::make_shared<const PreparedCloud>(cloud, options_, left_out, progress);
+}
+
 std::shared_ptr<const PreparedCloud> ScanStore::prepared(int key, const Keyframe& keyframe,
-                                                         const std::vector<LidarBox>& boxes) {
+                                                         const std::vector<LidarBox>& boxes, const Progress& progress) {
   std::promise<std::shared_ptr<const PreparedCloud>> promise;
   Future future;
   bool mine = false;
@@ -55,21 +71,21 @@ std::shared_ptr<const PreparedCloud> ScanStore::prepared(int key, const Keyframe
     }
     recently_used_.push_front(key);
   }
-  if (!mine) return future.get();
+  if (!mine) {
+    const auto scan = future.get();
+    // Null: whoever prepared it was cancelled.
+    return scan ? scan : prepare(keyframe, boxes, progress);
+  }
   try {
-    const PointCloud cloud = load(keyframe);
-    std::vector<bool> left_out;
-    if (!boxes.empty()) {
-      left_out.assign(cloud.size(), false);
-      for (std::size_t i = 0; i < cloud.size(); ++i)
-        for (const LidarBox& box : boxes)
-          if ((cloud.points[i].array() >= box.minimum.array()).all() &&
-              (cloud.points[i].array() <= box.maximum.array()).all())
-            left_out[i] = true;
-    }
-    auto scan = std::make_shared<const PreparedCloud>(cloud, options_, left_out);
-    promise.set_value(scan);
+    auto scan = prepare(keyframe, boxes, progress);
     const std::scoped_lock lock(mutex_);
+    if (progress.cancelled()) {
+      ready_.erase(key);
+      recently_used_.remove(key);
+      promise.set_value(nullptr);
+      return scan;
+    }
+    promise.set_value(scan);
     bytes_[key] = scan->bytes();
     total_bytes_ += scan->bytes();
     forget_oldest(key);

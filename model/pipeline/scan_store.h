@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "algorithms/cloud/objects.h"
+#include "algorithms/core/progress.h"
 #include "algorithms/registration/prepared_cloud.h"
 #include "model/pipeline/drive_motion.h"
 
@@ -33,11 +34,15 @@ class ScanStore {
   PointCloud load(const Keyframe& keyframe) const;
 
   /// Prepared for registration without the points in `boxes`. `key` names the keyframe; the same key must come with the
-  /// same arguments. Throws Error where the scan cannot be read.
-  std::shared_ptr<const PreparedCloud> prepared(int key, const Keyframe& keyframe, const std::vector<LidarBox>& boxes);
+  /// same arguments. Throws Error where the scan cannot be read. Empty where `progress` is cancelled; that is not kept,
+  /// and a caller who waited for it without being cancelled prepares the scan itself.
+  std::shared_ptr<const PreparedCloud> prepared(int key, const Keyframe& keyframe, const std::vector<LidarBox>& boxes,
+                                                const Progress& progress = {});
 
  private:
   using Future = std::shared_future<std::shared_ptr<const PreparedCloud>>;
+  std::shared_ptr<const PreparedCloud> prepare(const Keyframe& keyframe, const std::vector<LidarBox>& boxes,
+                                               const Progress& progress) const;
   void forget_oldest(int keep);
 
   const DriveMotion& motion_;

@@ -97,6 +97,16 @@ TEST(prepared_cloud, is_the_same_bit_for_bit_from_both_builds_of_the_loops) {
   }
 }
 
+TEST(prepared_cloud, leaves_out_points_that_are_not_finite) {
+  PointCloud cloud = room_scan();
+  const PreparedCloud clean(cloud, {});
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+  for (const Eigen::Vector3f& bad : {Eigen::Vector3f(nan, 1, 1), Eigen::Vector3f(2, 2, infinite),
+                                     Eigen::Vector3f(-infinite, nan, 3), Eigen::Vector3f(3e38f, 3e38f, 3e38f)})
+    cloud.points.push_back(bad);
+  EXPECT_EQ(PreparedCloud(cloud, {}).copy_points(), clean.copy_points());
+}
+
 TEST(prepared_cloud, cancelled_is_empty) {
   std::stop_source stop;
   stop.request_stop();

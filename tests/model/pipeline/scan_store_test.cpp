@@ -155,13 +155,22 @@ TEST(scan_store, an_unreadable_scan_fails_for_every_pair_with_its_name) {
   EXPECT_EQ(drive.floor->loads, 1) << "it is not tried again for every pair";
 }
 
+TEST(scan_store, what_was_cancelled_is_not_kept) {
+  const Drive drive(ScanTiming::PerPoint);
+  ScanStore store = drive.store();
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_EQ(store.prepared(1, drive.keyframe(1), {}, Progress(stop.get_token()))->size(), 0U);
+  EXPECT_GT(store.prepared(1, drive.keyframe(1), {})->size(), 100U);
+}
+
 TEST(scan_store, points_within_a_box_are_left_out) {
   const Drive drive(ScanTiming::PerPoint);
   ScanStore store = drive.store();
   const LidarBox ahead{{0.0F, -20.0F, -5.0F}, {20.0F, 20.0F, 5.0F}};
   const auto cloud = store.prepared(1, drive.keyframe(1), {ahead});
   ASSERT_GT(cloud->size(), 50U);
-  for (const Eigen::Vector3f& point : cloud->points()) EXPECT_LE(point.x(), 0.0F);
+  for (const Eigen::Vector3f& point : cloud->copy_points()) EXPECT_LE(point.x(), 0.0F);
 }
 
 // What the window shows of a pair is what was aligned: whether by the sweep is remembered, not judged anew.

@@ -1,0 +1,108 @@
+#include "algorithms/registration/undetermined.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace remount {
+namespace {
+
+constexpr double kFacing = 0.26;         // sine of 15 deg
+constexpr double kLeastShare = 0.002;    // of all surfaces, as squared cosines
+constexpr double kLeastElements = 12.0;  // a pole's worth: below, a few bad normals would do
+constexpr double kAligned = 0.9;         // cosine to an axis that is named after it
+
+// Sum of the squared cosines between normals and the motion of their points, where the surface faces the motion.
+double resistance(const Vector6d& direction, double lever_m, const std::vector<SurfaceElement>& elements) {
+  const Eigen::Vector3d shift = direction.head<3>(), turn = direction.tail<3>() / lever_m;
+  double sum = 0.0;
+  for (const SurfaceElement& element : elements) {
+    const Eigen::Vector3d motion = shift + turn.cross(element.arm);
+    const double along = motion.dot(element.normal), length2 = motion.squaredNorm();
+    // Points that hardly move, near the axis of a rotation, say little: their share is that of their motion.
+    if (along * along > kFacing * kFacing * length2) sum += element.weight * along * along / std::max(1.0, length2);
+  }
+  return sum;
+}
+
+Matrix6d scaled_information(const std::vector<SurfaceElement>& elements, double lever_m) {
+  Matrix6d sum = Matrix6d::Zero();
+  for (const SurfaceElement& element : elements) {
+    Vector6d row;
+    row << element.normal, element.arm.cross(element.normal) / lever_m;
+    sum.noalias() += element.weight * row * row.transpose();
+  }
+  return sum;
+}
+
+std::string join(std::string list, const std::string& word) { return list + (list.empty() ? "" : ", ") + word; }
+
+// Names of the axes that a subspace of R^3 (as a projector) holds, or its directions where they lie between axes.
+std::string axes_of(const Eigen::Matrix3d& projector, const std::array<const char*, 3>& names, const char* between) {
+  std::string list;
+  int named = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    if (projector(axis, axis) > kAligned * kAligned) {
+      list = join(list, names[static_cast<std::size_t>(axis)]);
+      ++named;
+    }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(projector);
+  const auto dimensions = static_cast<int>((eigen.eigenvalues().array() > 0.5).count());
+  if (named == dimensions) return list;
+  list.clear();
+  for (int i = 3 - dimensions; i < 3; ++i) {
+    Eigen::Vector3d v = eigen.eigenvectors().col(i);
+    Eigen::Index largest = 0;
+    v.cwiseAbs().maxCoeff(&largest);
+    if (v[largest] < 0.0) v = -v;
+    char text[80];
+    std::snprintf(text, sizeof text, "%s (%.2f, %.2f, %.2f)", between, v.x(), v.y(), v.z());
+    list = join(list, text);
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string UndeterminedDirections::words() const {
+  if (empty()) return {};
+  const Matrix6d projector = basis * basis.transpose();
+  const std::string shifts = axes_of(projector.topLeftCorner<3, 3>(), {"x", "y", "z"}, "along"),
+                    turns = axes_of(projector.bottomRightCorner<3, 3>(), {"roll", "pitch", "yaw"}, "about");
+  const std::string both = shifts.empty() ? turns : turns.empty() ? shifts : shifts + ", " + turns;
+  // A turn about an axis beside the sensor is half shift and half turn.
+  return (both.empty() ? "a turn about an axis beside the sensor" : both) + " (axes of the lidar)";
+}
+
+Matrix6d UndeterminedDirections::removed_from(const Matrix6d& information) const {
+  if (empty()) return information;
+  Vector6d scale = Vector6d::Ones();
+  scale.tail<3>().setConstant(lever_m);
+  const Matrix6d keep = Matrix6d::Identity() - basis * basis.transpose();
+  const Matrix6d scaled = scale.cwiseInverse().asDiagonal() * information * scale.cwiseInverse().asDiagonal();
+  const Matrix6d kept = keep * scaled * keep;
+  return scale.asDiagonal() * (0.5 * (kept + kept.transpose())) * scale.asDiagonal();
+}
+
+UndeterminedDirections undetermined_directions(const std::vector<SurfaceElement>& elements) {
+  UndeterminedDirections out;
+  double weights = 0.0, squares = 0.0;
+  for (const SurfaceElement& element : elements) {
+    weights += element.weight;
+    squares += element.weight * element.arm.squaredNorm();
+  }
+  if (weights > 0.0) out.lever_m = std::clamp(std::sqrt(squares / weights), 1.0, 100.0);
+  const double needed = std::max(kLeastElements, kLeastShare * weights);
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scaled_information(elements, out.lever_m));
+  for (int i = 0; i < 6; ++i) {
+    const Vector6d direction = eigen.eigenvectors().col(i);
+    if (resistance(direction, out.lever_m, elements) >= needed) continue;
+    out.basis.conservativeResize(6, out.basis.cols() + 1);
+    out.basis.col(out.basis.cols() - 1) = direction;
+  }
+  return out;
+}
+
+}  // namespace remount

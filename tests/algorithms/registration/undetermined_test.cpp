@@ -1,0 +1,72 @@
+#include "algorithms/registration/undetermined.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/registration/registration.h"
+#include "tests/algorithms/support/room.h"
+
+namespace remount {
+namespace {
+
+constexpr double kNoise_m = 0.01;
+
+std::vector<Rectangle> open_field() { return {{{-30, -30, -1.7}, {60, 0, 0}, {0, 60, 0}}}; }
+
+RegistrationResult align_in(const std::vector<Rectangle>& world, const Eigen::Matrix3d& turned_sensor) {
+  const RigidTransform mounting = make_rigid(turned_sensor, Eigen::Vector3d::Zero());
+  const RigidTransform there = make_rigid(so3_exp({0.0, 0.0, 0.03}), {0.4, 0.1, 0.0});
+  const PreparedCloud source(scan_of(world, there * mounting, kNoise_m, 1), {}),
+      target(scan_of(world, mounting, kNoise_m, 2), {});
+  return align_scans(source, target, mounting.inverse() * there * mounting, {}, {});
+}
+
+double information_along(const RegistrationResult& result, const Eigen::Vector3d& direction) {
+  return direction.dot(result.quality.information.topLeftCorner<3, 3>() * direction);
+}
+
+TEST(undetermined_directions, of_a_room_are_none) {
+  const RegistrationResult result = align_in(room(), Eigen::Matrix3d::Identity());
+  EXPECT_EQ(result.quality.undetermined, "");
+  EXPECT_EQ(result.quality.failure, "");
+}
+
+TEST(undetermined_directions, of_a_corridor_are_its_length) {
+  const RegistrationResult result = align_in(corridor(), Eigen::Matrix3d::Identity());
+  EXPECT_EQ(result.quality.undetermined, "x (axes of the lidar)");
+  EXPECT_EQ(result.quality.failure, "");
+  EXPECT_LT(information_along(result, Eigen::Vector3d::UnitX()), 25.0) << "less than 0.2 m is said to be known";
+  EXPECT_GT(information_along(result, Eigen::Vector3d::UnitY()), 1e4);
+}
+
+TEST(undetermined_directions, are_named_in_the_axes_of_a_turned_sensor) {
+  const Eigen::Matrix3d quarter = so3_exp({0.0, 0.0, 0.5 * kPi}), eighth = so3_exp({0.0, 0.0, 0.25 * kPi});
+  EXPECT_EQ(align_in(corridor(), quarter).quality.undetermined, "y (axes of the lidar)");
+  const std::string between = align_in(corridor(), eighth).quality.undetermined;
+  EXPECT_EQ(between.rfind("along (0.7", 0), 0U) << between;
+}
+
+TEST(undetermined_directions, of_an_open_field_are_its_plane_and_yaw) {
+  const RegistrationResult result = align_in(open_field(), Eigen::Matrix3d::Identity());
+  EXPECT_EQ(result.quality.undetermined, "x, y, yaw (axes of the lidar)");
+  EXPECT_LT(information_along(result, {0.6, 0.8, 0.0}), 1.0);
+  EXPECT_GT(information_along(result, Eigen::Vector3d::UnitZ()), 1e4);
+}
+
+TEST(undetermined_directions, of_nothing_are_all) {
+  const UndeterminedDirections none = undetermined_directions({});
+  EXPECT_TRUE(none.all());
+  EXPECT_TRUE(none.removed_from(Matrix6d::Identity()).isZero(1e-12));
+}
+
+TEST(undetermined_directions, leave_the_rest_of_the_information_as_it_was) {
+  UndeterminedDirections directions;
+  directions.lever_m = 5.0;
+  directions.basis = Vector6d::Unit(0);
+  const Vector6d diagonal = (Vector6d() << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0).finished();
+  Vector6d expected = diagonal;
+  expected[0] = 0.0;
+  EXPECT_TRUE(directions.removed_from(diagonal.asDiagonal()).isApprox(Matrix6d(expected.asDiagonal()), 1e-12));
+}
+
+}  // namespace
+}  // namespace remount
