@@ -14,17 +14,19 @@ constexpr double kLeastShare = 0.002;    // of all surfaces, as squared cosines
 constexpr double kLeastElements = 12.0;  // a pole's worth: below, a few bad normals would do
 constexpr double kAligned = 0.9;         // cosine to an axis that is named after it
 
-// Sum of the squared cosines between normals and the motion of their points, where the surface faces the motion.
-double resistance(const Vector6d& direction, double lever_m, const std::vector<SurfaceElement>& elements) {
+// Whether the squared cosines between normals and the motion of their points, where the surface faces the motion, add
+// up to `needed`. Mostly a small part of the surfaces is enough to say so.
+bool resisted(const Vector6d& direction, double lever_m, const std::vector<SurfaceElement>& elements, double needed) {
   const Eigen::Vector3d shift = direction.head<3>(), turn = direction.tail<3>() / lever_m;
   double sum = 0.0;
   for (const SurfaceElement& element : elements) {
+    if (sum >= needed) return true;
     const Eigen::Vector3d motion = shift + turn.cross(element.arm);
     const double along = motion.dot(element.normal), length2 = motion.squaredNorm();
     // Points that hardly move, near the axis of a rotation, say little: their share is that of their motion.
     if (along * along > kFacing * kFacing * length2) sum += element.weight * along * along / std::max(1.0, length2);
   }
-  return sum;
+  return sum >= needed;
 }
 
 Matrix6d scaled_information(const std::vector<SurfaceElement>& elements, double lever_m) {
@@ -32,7 +34,7 @@ Matrix6d scaled_information(const std::vector<SurfaceElement>& elements, double 
   for (const SurfaceElement& element : elements) {
     Vector6d row;
     row << element.normal, element.arm.cross(element.normal) / lever_m;
-    sum.noalias() += element.weight * row * row.transpose();
+    for (int i = 0; i < 6; ++i) sum.col(i) += element.weight * row[i] * row;
   }
   return sum;
 }
@@ -98,7 +100,7 @@ UndeterminedDirections undetermined_directions(const std::vector<SurfaceElement>
   const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scaled_information(elements, out.lever_m));
   for (int i = 0; i < 6; ++i) {
     const Vector6d direction = eigen.eigenvectors().col(i);
-    if (resistance(direction, out.lever_m, elements) >= needed) continue;
+    if (resisted(direction, out.lever_m, elements, needed)) continue;
     out.basis.conservativeResize(6, out.basis.cols() + 1);
     out.basis.col(out.basis.cols() - 1) = direction;
   }

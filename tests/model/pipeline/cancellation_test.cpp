@@ -1,0 +1,185 @@
+// How soon the long calls return once they are cancelled. The bound is on processor time, which other programs on the
+// machine do not lengthen, and generous; the figures are printed. REMOUNT_CANCEL_MOMENTS=40 tries that many moments.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <random>
+#include <thread>
+
+#include "algorithms/calibration/robust_start.h"
+#include "algorithms/registration/registration.h"
+#include "algorithms/search/certified_search.h"
+#include "algorithms/trajectory/keyframes.h"
+#include "algorithms/trajectory/pairing.h"
+#include "model/pipeline.h"
+#include "model/pipeline/register_stage.h"
+#include "model/simulator/simulator.h"
+
+namespace remount {
+namespace {
+
+constexpr double kBound_ms = 250.0, kHanging_ms = 10000.0;
+
+double cpu_ms() {
+  std::timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+double wall_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+int moments_or(int standard) {
+  const char* wanted = std::getenv("REMOUNT_CANCEL_MOMENTS");
+  return wanted ? std::max(1, std::atoi(wanted)) : standard;
+}
+
+// Cancels `body` at random moments of its run and expects it back soon.
+template <class Body>
+void expect_back_soon(const char* what, int moments, const Body& body) {
+  Progress whole;
+  const double begin_ms = wall_ms();
+  body(whole);
+  const double full_ms = wall_ms() - begin_ms;
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> share(0.0, 0.9);
+  std::vector<double> wall, cpu;
+  for (int k = 0; k < moments; ++k) {
+    std::stop_source stop;
+    Progress progress(stop.get_token());
+    double back_wall_ms = 0.0, back_cpu_ms = 0.0;
+    std::thread worker([&] {
+      body(progress);
+      back_wall_ms = wall_ms();
+      back_cpu_ms = cpu_ms();
+    });
+    std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(share(random) * full_ms));
+    const double asked_wall_ms = wall_ms(), asked_cpu_ms = cpu_ms();
+    stop.request_stop();
+    worker.join();
+    if (back_wall_ms <= asked_wall_ms) continue;  // it was done before
+    wall.push_back(back_wall_ms - asked_wall_ms);
+    cpu.push_back(back_cpu_ms - asked_cpu_ms);
+  }
+  if (wall.empty()) {  // a short call on a busy machine is done before it is asked to stop
+    std::printf("%-40s takes %7.0f ms: done before every moment\n", what, full_ms);
+    return;
+  }
+  std::sort(wall.begin(), wall.end());
+  std::sort(cpu.begin(), cpu.end());
+  std::printf(
+      "%-40s takes %7.0f ms; cancelled %2zu times: wall median %5.1f max %5.1f ms, cpu median %5.1f max %5.1f ms\n",
+      what, full_ms, wall.size(), wall[wall.size() / 2], wall.back(), cpu[cpu.size() / 2], cpu.back());
+  EXPECT_LT(cpu.back(), kBound_ms) << what;
+  EXPECT_LT(wall.back(), kHanging_ms) << what;
+}
+
+const SimulatedDrive& dense_street() {
+  static const SimulatedDrive drive = [] {
+    SimulationOptions options;
+    options.scan_rate_hz = 2.0;
+    options.duration_s = 2.0;
+    options.azimuth_steps = 2000;
+    return simulate_drive(options);
+  }();
+  return drive;
+}
+
+SimulationOptions small_street() {
+  SimulationOptions options;
+  options.beams = 32;
+  options.azimuth_steps = 600;
+  options.duration_s = 6.0;
+  return options;
+}
+
+std::vector<Pair> random_pairs(int count) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  const auto vector = [&](double sigma) {
+    return sigma * Eigen::Vector3d(normal(random), normal(random), normal(random));
+  };
+  const RigidTransform x = rigid_from_six({1.0, 0.2, 1.5, 0.3, 0.02, -0.01});
+  std::vector<Pair> pairs;
+  for (int i = 0; i < count; ++i) {
+    Pair pair;
+    pair.ins_b_from_ins_a = make_rigid(so3_exp(vector(0.2)), vector(3.0));
+    const RigidTransform exact = x.inverse() * pair.ins_b_from_ins_a * x;
+    pair.lidar_b_from_lidar_a = i % 3 == 0 ? make_rigid(so3_exp(vector(0.3)), vector(3.0))
+                                           : make_rigid(so3_exp(vector(1e-3)) * exact.linear(), exact.translation());
+    pair.registration.attempted = pair.registration.converged = true;
+    pair.registration.information = 1e4 * Matrix6d::Identity();
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+TEST(cancelling, the_preparation_of_a_large_scan) {
+  const PointCloud cloud = dense_street().session.scans->load(0);
+  ASSERT_GT(cloud.size(), 90000U);
+  expect_back_soon("preparing a scan", moments_or(10),
+                   [&](Progress& progress) { PreparedCloud(cloud, {}, {}, progress); });
+}
+
+TEST(cancelling, an_alignment_and_its_equations) {
+  const auto& scans = *dense_street().session.scans;
+  const PreparedCloud a(scans.load(0), {}), b(scans.load(1), {});
+  const RigidTransform far = make_rigid(so3_exp({0.1, 0.2, 0.4}), {-3.0, 3.0, 0.5});
+  expect_back_soon("aligning from far away", moments_or(10),
+                   [&](Progress& progress) { align_scans(a, b, far, {}, progress); });
+  expect_back_soon("aligning", moments_or(10), [&](Progress& progress) {
+    align_scans(a, b, make_rigid(Eigen::Matrix3d::Identity(), {-2.5, 0, 0}), {}, progress);
+  });
+  expect_back_soon("alignment equations", moments_or(10), [&](Progress& progress) {
+    for (int i = 0; i < 5 && !progress.cancelled(); ++i)
+      alignment_equations(a, b, RigidTransform::Identity(), 0.5, progress);
+  });
+}
+
+TEST(cancelling, many_pairs_on_two_workers) {
+  const SimulatedDrive drive = simulate_drive(small_street());
+  const DriveMotion motion({std::make_shared<Session>(drive.session)});
+  const Settings settings;
+  const std::vector<Keyframe> keyframes =
+      select_keyframes(0, motion.lidar_stamps_ns(0), motion.track(0), 0.0, settings.keyframes);
+  std::vector<RigidTransform> poses;
+  for (const JointNode& node : motion.nodes(keyframes)) poses.push_back(node.local_from_ins);
+  const std::vector<Pair> pairs = propose_pairs(keyframes, poses, settings.pairing);
+  const StageContext context{motion, settings, keyframes, drive.ins_from_lidar, 2};
+  expect_back_soon("registering pairs", moments_or(10), [&](Progress& progress) {
+    ScanStore scans(motion, settings.registration, std::size_t{256} << 20);
+    scans.compensate_motion(drive.ins_from_lidar, {true});
+    std::vector<Pair> mine = pairs;
+    std::vector<KeyframeObjects> objects = find_keyframe_objects(context, scans, mine, progress);
+    register_pairs(context, scans, objects, mine, progress);
+  });
+}
+
+TEST(cancelling, the_robust_start_and_the_certified_search) {
+  const std::vector<Pair> pairs = random_pairs(2000);
+  std::vector<int> all(pairs.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  expect_back_soon("robust start, 2000 pairs", moments_or(10), [&](Progress& progress) {
+    robust_start(pairs, all, NoiseModel{}, std::nullopt, {}, Eigen::Vector3d::Zero(), progress);
+  });
+  std::vector<MotionPair> motions;
+  for (const Pair& pair : pairs) motions.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, 1.0});
+  const QuadraticForm form(motions, 10.0);
+  expect_back_soon("certified search", moments_or(10), [&](Progress& progress) {
+    for (int i = 0; i < 20 && !progress.cancelled(); ++i)
+      certified_search(form, SearchRange{}, RigidTransform::Identity(), {}, progress);
+  });
+}
+
+TEST(cancelling, a_whole_calibration) {
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(simulate_drive(small_street()).session));
+  input.threads = 2;
+  expect_back_soon("calibrating a street", moments_or(8), [&](Progress& progress) { run_pipeline(input, progress); });
+}
+
+}  // namespace
+}  // namespace remount
