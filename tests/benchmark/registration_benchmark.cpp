@@ -9,107 +9,20 @@
 #include <pcl/registration/ndt.h>
 
 #include <ctime>
-#include <filesystem>
 #include <functional>
 #include <map>
-#include <random>
 
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"
-#include "model/io/session_reader.h"
-#include "model/simulator/simulator.h"
+#include "tests/benchmark/pair_sets.h"
+#include "tests/benchmark/small_gicp_peer.h"
 
 namespace remount {
 namespace {
 
-struct BenchmarkPair {
-  std::size_t source = 0, target = 0;
-  RigidTransform truth = RigidTransform::Identity(), start = RigidTransform::Identity();
-};
-
-struct DataSet {
-  std::vector<PointCloud> clouds;
-  std::vector<std::unique_ptr<PreparedCloud>> prepared;
-  std::vector<BenchmarkPair> pairs;
-};
-
-// Start values off by 0.5 m and 2 degrees.
-void set_starts(DataSet& data) {
-  std::mt19937_64 random(1);
-  std::normal_distribution<double> normal;
-  for (BenchmarkPair& pair : data.pairs) {
-    const Eigen::Vector3d shift = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
-    const Eigen::Vector3d turn = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
-    Vector6d step;
-    step << 0.5 * shift, degrees_to_radians(2.0) * turn;
-    pair.start = perturbed(pair.truth, step);
-  }
-}
-
-void prepare_all(DataSet& data) {
-  for (const PointCloud& cloud : data.clouds)
-    data.prepared.push_back(std::make_unique<PreparedCloud>(cloud, RegistrationOptions{}));
-}
-
-DataSet make_street(std::size_t scans) {
-  SimulationOptions options;
-  options.scan_rate_hz = 2.0;
-  options.duration_s = static_cast<double>(scans) / options.scan_rate_hz;
-  options.azimuth_steps = 2000;
-  options.motion_distortion = false;
-  const SimulatedDrive drive = simulate_drive(options);
-  DataSet data;
-  const auto pose = [&](std::size_t i) { return RigidTransform(drive.enu_from_ins[i].pose * drive.ins_from_lidar); };
-  for (std::size_t i = 0; i < drive.session.scans->size(); ++i) {
-    data.clouds.push_back(drive.session.scans->load(i));
-    if (i > 0) data.pairs.push_back({i, i - 1, pose(i - 1).inverse() * pose(i)});
-  }
-  prepare_all(data);
-  set_starts(data);
-  return data;
-}
-
-// The best of own alignments from several distances travelled.
-RigidTransform own_result(const PreparedCloud& source, const PreparedCloud& target) {
-  RegistrationResult best;
-  for (double ahead_m = 0.0; ahead_m <= 2.5; ahead_m += 0.5) {
-    RegistrationOptions options;
-    options.max_correspondence_m = 2.0;
-    const RigidTransform start = make_rigid(Eigen::Matrix3d::Identity(), {ahead_m, 0.0, 0.0});
-    const RegistrationResult result = align_scans(source, target, start, options, {});
-    if (result.quality.overlap > best.quality.overlap) best = result;
-  }
-  return align_scans(source, target, best.target_from_source, {}, {}).target_from_source;
-}
-
-DataSet make_kitti() {
-  DataSet data;
-  const std::filesystem::path folder = std::filesystem::path(REMOUNT_SOURCE_DIR) / ".." / "shared" / "data" / "kitti";
-  for (const char* drive : {"05", "07", "10"}) {
-    if (!std::filesystem::exists(folder / drive)) continue;
-    Progress progress;
-    const Session session = open_session(folder / drive, progress);
-    for (std::size_t i = 0; i < session.scans->size(); ++i) {
-      data.clouds.push_back(session.scans->load(i));
-      if (i > 0 && i % 2 == 0) data.pairs.push_back({data.clouds.size() - 1, data.clouds.size() - 2});
-    }
-  }
-  prepare_all(data);
-  for (BenchmarkPair& pair : data.pairs)
-    pair.truth = own_result(*data.prepared[pair.source], *data.prepared[pair.target]);
-  set_starts(data);
-  return data;
-}
-
 const DataSet& data_set(bool kitti) {
-  static const DataSet street = make_street(24), recorded = make_kitti();
+  static const DataSet street = make_street(24), recorded = make_kitti({"05", "07", "10"}, 2);
   return kitti ? recorded : street;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
 }
 
 // Time of the own engine by data set, for ratios; its benchmarks are registered first.
@@ -264,9 +177,22 @@ const bool kRegistered = [] {
       benchmark::DoNotOptimize(PreparedCloud(c, options).size());
     });
     prepare("prepare pcl", false, prepare_with_pcl);
+    if (small_gicp_peer::available())
+      prepare("prepare small_gicp", false,
+              [](const PointCloud& c) { benchmark::DoNotOptimize(small_gicp_peer::prepare_scan(c)); });
     align("align ours", true, method(align_plane_to_plane));
     align("align ours, portable", false, method(align_plane_to_plane, InstructionSet::Portable));
     align("align ours with quality", false, method(align_scans));
+    const auto peer = [&](const std::string& name, Align body) {
+      RegisterBenchmark((name + on).c_str(), [=](benchmark::State& s) {
+        if (!small_gicp_peer::available())
+          return s.SkipWithError("configure with -D REMOUNT_SMALL_GICP_DIR=<checkout>");
+        small_gicp_peer::prepare_set(data_set(kitti));
+        run_pairs(s, kitti, false, body);
+      })->Iterations(1);
+    };
+    peer("align small_gicp gicp", small_gicp_peer::align_gicp);
+    peer("align small_gicp vgicp", small_gicp_peer::align_vgicp);
     align("align pcl gicp", false, method(align_pcl_gicp));
     align("align pcl point-to-plane", false, point_to_plane);
     align("align pcl icp", false, method(align_pcl_icp));

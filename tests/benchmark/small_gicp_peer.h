@@ -1,0 +1,18 @@
+// small_gicp (Koide, MIT) beside our engine, where REMOUNT_SMALL_GICP_DIR names a checkout at configuration. Benchmarks
+// only: nothing of it is in the product.
+#pragma once
+
+#include "tests/benchmark/pair_sets.h"
+
+namespace remount::small_gicp_peer {
+
+bool available();
+/// Thinning, tree and covariances of one scan, one thread.
+std::size_t prepare_scan(const PointCloud& cloud_in_lidar);
+/// Covariances and voxel maps of every scan of the set, from the same thinned points as ours; kept until the next call.
+void prepare_set(const DataSet& data);
+/// One thread, its own stop criteria. Both scans must be of the set prepared last.
+RigidTransform align_gicp(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start);
+RigidTransform align_vgicp(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& start);
+
+}  // namespace remount::small_gicp_peer
