@@ -95,20 +95,32 @@ UndeterminedDirections undetermined_of(const std::vector<Term>& terms) {
   return undetermined_directions(elements);
 }
 
+// Sum of n n' over the points of a block, by planarity (0 where there is no point).
+Eigen::Matrix3f facing_of(const PointBlock& block) {
+  float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (int i = 0; i < kBlockSize; ++i) {
+    const float x = block.planarity[i] * block.nx[i], y = block.planarity[i] * block.ny[i],
+                z = block.planarity[i] * block.nz[i];
+    xx += x * block.nx[i], xy += x * block.ny[i], xz += x * block.nz[i];
+    yy += y * block.ny[i], yz += y * block.nz[i], zz += z * block.nz[i];
+  }
+  Eigen::Matrix3f sum;
+  sum << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return sum;
+}
+
 // The share of the source's surfaces that lie on a surface of the target, by the directions they face.
 double agreement_of(const PreparedCloud& source, const RigidTransform& target_from_source,
                     const std::vector<Term>& terms) {
   constexpr double kOnSurface_m = 0.1;
   Eigen::Matrix3d all = Eigen::Matrix3d::Zero(), met = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const Eigen::Vector3d normal = source.normal(i).cast<double>();
-    all.noalias() += source.planarity(i) * normal * normal.transpose();
-  }
+  for (const PointBlock& block : source.tree().blocks()) all += facing_of(block).cast<double>();
   all = target_from_source.linear() * all * target_from_source.linear().transpose();
   for (const Term& term : terms) {
     const double ratio = term.residual_m / kOnSurface_m;
     const double weight = term.source_planarity / ((1.0 + ratio * ratio) * (1.0 + ratio * ratio));
-    met.noalias() += weight * term.row.head<3>() * term.row.head<3>().transpose();
+    const Eigen::Vector3d normal = term.row.head<3>();
+    for (int i = 0; i < 3; ++i) met.col(i) += weight * normal[i] * normal;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(all);
   double sum = 0.0;

@@ -34,9 +34,9 @@ Matrix6d scaled_information(const std::vector<SurfaceElement>& elements, double 
   for (const SurfaceElement& element : elements) {
     Vector6d row;
     row << element.normal, element.arm.cross(element.normal) / lever_m;
-    for (int i = 0; i < 6; ++i) sum.col(i) += element.weight * row[i] * row;
+    for (int i = 0; i < 6; ++i) sum.col(i).head(i + 1) += element.weight * row[i] * row.head(i + 1);
   }
-  return sum;
+  return sum.selfadjointView<Eigen::Upper>();
 }
 
 std::string join(std::string list, const std::string& word) { return list + (list.empty() ? "" : ", ") + word; }
