@@ -160,6 +160,31 @@ TEST(pairwise, as_many_pairs_are_counted_as_are_used_whatever_was_accepted) {
   EXPECT_LT(solved.result.translation_rms_m, 0.5) << "their motion is in the residuals";
 }
 
+TEST(pairwise, takes_nothing_from_a_pair_where_its_scans_determine_nothing) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 3);
+  std::vector<Pair> pairs = pairs_of(drive);
+  // A corridor's length: whatever stands there does not count, and the pair is good for the rest.
+  for (const std::size_t i : {2U, 5U, 8U}) {
+    Matrix6d& information = pairs[i].registration.information;
+    information.row(0).setZero();
+    information.col(0).setZero();
+    pairs[i].registration.undetermined = "x (axes of the lidar)";
+    pairs[i].lidar_b_from_lidar_a.translation().x() += 2.0;
+  }
+  pairs[6].registration.information.setZero();
+  const Solved solved = solve(drive, options, pairs);
+  for (const std::size_t i : {2U, 5U, 8U}) {
+    EXPECT_EQ(solved.pairs[i].state, PairState::Accepted) << solved.pairs[i].reason;
+    EXPECT_EQ(solved.pairs[i].reason, "does not determine x (axes of the lidar)");
+  }
+  EXPECT_NE(solved.pairs[6].state, PairState::Accepted);
+  const Solved plain = solve(drive, options, pairs_of(drive));
+  const Vector6d apart = difference(plain.result.ins_from_lidar, solved.result.ins_from_lidar);
+  EXPECT_LT(apart.head<3>().norm(), 0.02) << apart.transpose();
+  EXPECT_LT(apart.tail<3>().norm(), degrees_to_radians(0.1)) << apart.transpose();
+}
+
 TEST(pairwise, flat_driving_keeps_the_nominal_height_and_says_so) {
   DriveOptions options;
   options.tilt_rad = 0.0;
