@@ -9,6 +9,7 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/progress.h"
+#include "algorithms/quality/map_sharpness.h"
 #include "model/session.h"
 #include "model/settings.h"
 
@@ -27,7 +28,8 @@ struct PipelineOutput {
   std::vector<Keyframe> keyframes;
   std::vector<Pair> pairs;
   CalibrationResult result;
-  std::vector<Finding> findings;  ///< of every stage, the readers' included
+  std::vector<NamedSharpness> sharpness;  ///< the result's first; empty where it was not or could not be checked
+  std::vector<Finding> findings;          ///< of every stage, the readers' included
   /// The X under which objects and starts of registrations were predicted: the nominal, or the coarse X found without
   /// one.
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
@@ -36,6 +38,8 @@ struct PipelineOutput {
   /// Whether motion within the scans of each session was compensated by the sweep's azimuth; empty before that is
   /// decided.
   std::vector<bool> session_uses_sweep;
+  /// The ground in the scans; where the settings give the height of the INS above it.
+  std::optional<ObservedGround> ground;
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };
@@ -59,9 +63,11 @@ struct PairClouds {
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair);
 
 /// Solves P X = X Q from motion pairs alone (no scans): the `solve` verb. `pairs` carry P and Q; where
-/// `registration.information` is zero all pairs weigh alike. Throws Error(Contract) for a nominal outside the search
-/// range.
-CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& settings,
+/// `registration.information` is zero all pairs weigh alike. Where the keyframes' numbers name poses (P of
+/// the loops that they form close), pairs share their errors; otherwise each stands for itself, its neighbours in the list counting
+/// as neighbours in time. Throws Error(Contract) for a nominal outside the search range.
+CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
+                                     const Settings& settings,
                                      const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress);
 
 }  // namespace remount

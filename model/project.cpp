@@ -71,6 +71,26 @@ DocumentNode findings_document(const std::vector<Finding>& findings) {
   return list;
 }
 
+DocumentNode ground_document(const ObservedGround& ground) {
+  DocumentNode node = DocumentNode::map();
+  node.add("up_in_lidar",
+           DocumentNode::numbers({ground.up_in_lidar.x(), ground.up_in_lidar.y(), ground.up_in_lidar.z()}));
+  node.add("lidar_height_m", DocumentNode::number(ground.lidar_height_m));
+  node.add("height_sigma_m", DocumentNode::number(ground.height_sigma_m));
+  node.add("up_sigma_rad", DocumentNode::number(ground.up_sigma_rad));
+  return node;
+}
+
+ObservedGround ground_from_document(const DocumentView& view) {
+  ObservedGround ground;
+  ground.up_in_lidar = Eigen::Map<const Eigen::Vector3d>(view.at("up_in_lidar").numbers(3).data()).eval();
+  if (!(std::abs(ground.up_in_lidar.norm() - 1.0) < 1e-6)) view.at("up_in_lidar").fail("expected a unit vector");
+  ground.lidar_height_m = view.at("lidar_height_m").number();
+  ground.height_sigma_m = view.at("height_sigma_m").number();
+  ground.up_sigma_rad = view.at("up_sigma_rad").number();
+  return ground;
+}
+
 DocumentNode calibration_document(const Project& project) {
   const PipelineOutput& output = *project.output;
   PipelineInput input;
@@ -85,6 +105,7 @@ DocumentNode calibration_document(const Project& project) {
   node.add("compensation_ins_from_lidar", transform_document(output.compensation_ins_from_lidar));
   node.add("initial_known", DocumentNode::boolean(output.initial_known));
   node.add("nominal_known", DocumentNode::boolean(output.nominal_known));
+  if (output.ground) node.add("ground", ground_document(*output.ground));
   DocumentNode& sweeps = node.add("session_uses_sweep", DocumentNode::sequence());
   for (const bool uses : output.session_uses_sweep) sweeps.add(DocumentNode::boolean(uses));
   node.add("findings", findings_document(output.findings));
@@ -100,6 +121,7 @@ void read_calibration(const DocumentView& view, Project& project) {
   PipelineOutput& output = project.output.emplace();
   ResultFile file = result_from_document(view.at("result"));
   output.result = std::move(file.result);
+  output.sharpness = std::move(file.sharpness);
   project.inputs = std::move(file.inputs);
   project.basis.settings = file.settings;
   project.basis.nominal_ins_from_lidar = file.nominal_ins_from_lidar;
@@ -111,6 +133,7 @@ void read_calibration(const DocumentView& view, Project& project) {
   output.compensation_ins_from_lidar = transform_from_document(view.at("compensation_ins_from_lidar"));
   output.initial_known = view.at("initial_known").boolean();
   output.nominal_known = view.at("nominal_known").boolean();
+  if (view.has("ground")) output.ground = ground_from_document(view.at("ground"));
   if (view.has("session_uses_sweep"))
     for (const DocumentView& item : view.at("session_uses_sweep").items())
       output.session_uses_sweep.push_back(item.boolean());
@@ -232,6 +255,7 @@ ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& ou
   file.result = output.result;
   file.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   file.pairs = pair_records(output.keyframes, output.pairs);
+  file.sharpness = output.sharpness;
   for (const Finding& finding : output.findings)
     if (finding.severity != Severity::Note) file.findings.push_back(finding.where + ": " + finding.explanation);
   file.version = kVersion;

@@ -25,6 +25,7 @@ DocumentNode error_document(const CalibrationResult& result) {
   node.add("frobenius_sum", DocumentNode::number(result.frobenius_sum));
   node.add("rotation_rms_deg", DocumentNode::number(radians_to_degrees(result.rotation_rms_rad)));
   node.add("translation_rms_m", DocumentNode::number(result.translation_rms_m));
+  node.add("session_disagreement", DocumentNode::number(result.session_disagreement));
   return node;
 }
 
@@ -81,6 +82,19 @@ DocumentNode directions_document(const std::vector<ObservabilityDirection>& dire
     node.add("sigma", DocumentNode::number(direction.sigma));
     node.add("observed", DocumentNode::boolean(direction.observed));
     node.add("words", DocumentNode::string(direction.words));
+  }
+  return list;
+}
+
+DocumentNode sharpness_document(const std::vector<NamedSharpness>& sharpness) {
+  DocumentNode list = DocumentNode::sequence();
+  for (const NamedSharpness& one : sharpness) {
+    DocumentNode& node = list.add(DocumentNode::map());
+    node.on_one_line = true;
+    node.add("source", DocumentNode::string(one.source));
+    node.add("mean_map_entropy", DocumentNode::number(one.sharpness.mean_map_entropy));
+    node.add("plane_thickness_m", DocumentNode::number(one.sharpness.plane_thickness_m));
+    node.add("points", DocumentNode::integer(static_cast<std::int64_t>(one.sharpness.points)));
   }
   return list;
 }
@@ -225,6 +239,10 @@ DocumentNode result_document(const ResultFile& file) {
   observed.on_one_line = true;
   for (std::size_t i = 0; i < 6; ++i)
     observed.add(std::string(kParameterNames[i]), DocumentNode::boolean(result.observed[i]));
+  DocumentNode& measured = root.add("measured", DocumentNode::map());
+  measured.on_one_line = true;
+  for (std::size_t i = 0; i < 6; ++i)
+    measured.add(std::string(kParameterNames[i]), DocumentNode::boolean(result.measured[i]));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   root.add("sigma", sigma_document([&](std::size_t i) { return result.sigma(i).value_or(nan); }));
   root.add("bootstrap_sigma",
@@ -243,6 +261,7 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("directions", directions_document(result.directions));
   root.add("nominal_ins_from_lidar",
            file.nominal_ins_from_lidar ? transform_document(*file.nominal_ins_from_lidar) : DocumentNode::null());
+  root.add("map_sharpness", sharpness_document(file.sharpness));
   root.add("candidates", candidates_document(result.candidates));
   root.add("findings", strings_document(file.findings));
   root.add("provenance", provenance_document(file));

@@ -10,6 +10,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/core/progress.h"
+#include "algorithms/quality/map_sharpness.h"
 #include "model/io/document.h"
 #include "model/session.h"
 #include "model/settings.h"
@@ -58,8 +59,9 @@ struct ResultFile {
   CalibrationResult result;
   std::optional<RigidTransform> nominal_ins_from_lidar;  ///< what the search started from
   std::vector<PairRecord> pairs;
-  std::vector<std::string> findings;  ///< warnings and problems met on the way, one sentence each
-  std::string version;                ///< of the program that wrote it
+  std::vector<NamedSharpness> sharpness;  ///< the map check; empty where there was none
+  std::vector<std::string> findings;      ///< warnings and problems met on the way, one sentence each
+  std::string version;                    ///< of the program that wrote it
   Settings settings;
   std::vector<InputFile> inputs;
 };

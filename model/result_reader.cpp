@@ -148,6 +148,11 @@ ResultFile result_from_document(const DocumentView& root) {
   result.frobenius_sum = number_or(root.at("error").at("frobenius_sum"), kNan);
   result.rotation_rms_rad = degrees_to_radians(number_or(root.at("error").at("rotation_rms_deg"), kNan));
   result.translation_rms_m = number_or(root.at("error").at("translation_rms_m"), kNan);
+  if (root.at("error").has("session_disagreement"))
+    result.session_disagreement = number_or(root.at("error").at("session_disagreement"), kNan);
+  if (root.has("measured"))
+    for (std::size_t i = 0; i < 6; ++i)
+      result.measured[i] = root.at("measured").at(std::string(kParameterNames[i])).boolean();
   result.time_offset.offset_s = number_or(root.at("time_offset_s"), kNan);
   if (root.has("time_offset_sigma_s")) result.time_offset.sigma_s = number_or(root.at("time_offset_sigma_s"), kNan);
   if (root.has("time_offset_applied")) result.time_offset.applied = root.at("time_offset_applied").boolean();
@@ -157,6 +162,12 @@ ResultFile result_from_document(const DocumentView& root) {
   read_candidates(root, result);
   if (root.has("nominal_ins_from_lidar") && !root.at("nominal_ins_from_lidar").is_null())
     file.nominal_ins_from_lidar = transform_from_document(root.at("nominal_ins_from_lidar"));
+  if (root.has("map_sharpness"))
+    for (const DocumentView& item : root.at("map_sharpness").items())
+      file.sharpness.push_back(
+          {item.at("source").string(),
+           {number_or(item.at("mean_map_entropy"), kNan), number_or(item.at("plane_thickness_m"), kNan),
+            static_cast<std::size_t>(count_of(item.at("points")))}});
   file.findings = strings_of(root, "findings");
   read_provenance(root.at("provenance"), file);
   if (root.has("pair_list"))

@@ -52,10 +52,10 @@ class ScanSource {
 /// One drive. Motion of the INS is either geodetic samples (`ins`) or poses in a metric world (`world_from_ins`);
 /// motion of the lidar comes either from scans or from poses of somebody's odometry (`odometry_from_lidar`).
 struct Session {
-  std::string name;             ///< for lists: the folder or file name
-  std::filesystem::path path;   ///< what was opened
-  std::string format;           ///< id of the reader, "kitti-raw"
-  std::vector<InsSample> ins;   ///< ascending stamps; empty where world_from_ins is given
+  std::string name;            ///< for lists: the folder or file name
+  std::filesystem::path path;  ///< what was opened
+  std::string format;          ///< id of the reader, "kitti-raw"
+  std::vector<InsSample> ins;  ///< ascending stamps; empty where world_from_ins is given
   std::vector<StampedPose> world_from_ins;
   std::vector<StampedPose> odometry_from_lidar;
   std::shared_ptr<const ScanSource> scans;  ///< null where odometry_from_lidar is given
@@ -67,6 +67,9 @@ struct Session {
   double ins_attitude_white_sigma_rad = std::numeric_limits<double>::quiet_NaN();
   /// Constant over the drive (misalignment, slow heading error); NaN where the data do not declare it.
   double ins_attitude_bias_sigma_rad = std::numeric_limits<double>::quiet_NaN();
+  /// Errors that walk randomly, growing with the root of time; NaN where the data do not declare them.
+  double ins_position_drift = std::numeric_limits<double>::quiet_NaN();  ///< m per root of a second
+  double ins_attitude_drift = std::numeric_limits<double>::quiet_NaN();  ///< rad per root of a second
   std::optional<RigidTransform> nominal_ins_from_lidar;
   std::vector<Finding> findings;             ///< of the reader: skipped lines, clock trouble, gaps
   std::vector<std::filesystem::path> files;  ///< what was read, for provenance hashes

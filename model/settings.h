@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/calibration/measured.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
@@ -19,6 +20,7 @@ enum class DeskewMode { Auto, On, Off };
 struct RunOptions {
   DeskewMode deskew = DeskewMode::Auto;
   int cache_mb = 1024;
+  bool map_check = true;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -27,6 +29,9 @@ struct RunOptions {
     visitor({"cache_mb", "MB", "Memory for scans and what is prepared from them; independent of the length of a drive.",
              64, 1000000},
             self.cache_mb);
+    visitor({"map_check", "",
+             "Compare how sharp the accumulated scans are under the nominal, the candidates and the result."},
+            self.map_check);
   }
 };
 
@@ -38,6 +43,7 @@ struct Settings {
   RegistrationOptions registration;
   SearchRange range;
   SolveOptions solve;
+  MeasuredOptions measured;
 
   /// visitor(section name, option struct) for each section; the names are the sections of a configuration file.
   template <class Self, class Visitor>
@@ -49,6 +55,7 @@ struct Settings {
     visitor("registration", self.registration);
     visitor("range", self.range);
     visitor("solve", self.solve);
+    visitor("measured", self.measured);
   }
 
   /// Every problem, prefixed by its section ("range.x_min_m ..."); includes settings that contradict each other: a

@@ -63,7 +63,8 @@ struct CalibrationResult {
   std::vector<std::string> advice;  ///< what to drive or to add, one sentence each
 
   RigidTransform ins_from_lidar = RigidTransform::Identity();
-  std::array<bool, 6> observed{};  ///< order of kParameterNames
+  std::array<bool, 6> observed{};  ///< order of kParameterNames; with the help of what was measured
+  std::array<bool, 6> measured{};  ///< held near a value measured by hand
   /// Covariance of (x, y, z, yaw, pitch, roll) in m and rad; rows and columns of unobserved parameters are NaN.
   Matrix6d covariance = Matrix6d::Constant(std::numeric_limits<double>::quiet_NaN());
   /// 1-sigma from the bootstrap over blocks of time, same order; NaN where not observed or not computed.
@@ -71,6 +72,9 @@ struct CalibrationResult {
   std::vector<ObservabilityDirection> directions;
 
   NoiseModel noise;  ///< as estimated from the residuals: what the sigmas rest on
+  /// How much more the sessions' own answers scatter than their errors explain; where above 1, every sigma is larger by
+  /// it. NaN where it cannot be told (one session).
+  double session_disagreement = std::numeric_limits<double>::quiet_NaN();
   int pairs_proposed = 0, pairs_accepted = 0, pairs_rejected = 0;
   double frobenius_sum = 0.0;
   double rotation_rms_rad = 0.0;

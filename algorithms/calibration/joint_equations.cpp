@@ -117,6 +117,12 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
   equations.shared.topLeftCorner<6, 6>() += problem.prior_information;
   equations.shared_side.head<6>() -= weighted;
   equations.cost += from_prior.dot(weighted);
+  for (const MeasuredRow& known : problem.measured.rows(state.ins_from_lidar)) {
+    const double information = 1.0 / (known.sigma * known.sigma);
+    equations.shared.topLeftCorner<6, 6>() += information * known.row * known.row.transpose();
+    equations.shared_side.head<6>() += information * known.residual * known.row;
+    equations.cost += information * known.residual * known.residual;
+  }
 }
 
 NodePart node_part(const JointNode& node, std::size_t index, const Matrix6d& body_jacobian, const Layout& layout) {

@@ -23,10 +23,10 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   solution.ins_from_lidar.linear() = nearest_rotation(state.ins_from_lidar.linear());
   const Eigen::MatrixXd covariance = last.reduced.ldlt().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
   solution.covariance = covariance.topLeftCorner<6, 6>();
-  // Marginal information of X without its weak prior: the Schur complement over the sessions' unknowns, minus the
-  // prior.
+  // Marginal information of X from the pairs alone: the Schur complement over the sessions' unknowns, without the prior
+  // and what was measured.
   Eigen::MatrixXd without_prior = last.reduced;
-  without_prior.topLeftCorner<6, 6>() -= problem.prior_information;
+  without_prior.topLeftCorner<6, 6>() -= problem.prior_information + problem.measured.information(state.ins_from_lidar);
   const int rest = layout.size() - 6;
   solution.information = without_prior.topLeftCorner<6, 6>();
   if (rest > 0)

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/calibration/measured.h"
 #include "algorithms/calibration/noise_model.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
@@ -44,14 +45,15 @@ struct JointProblem {
   /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.
   RigidTransform prior_ins_from_lidar = RigidTransform::Identity();
   Matrix6d prior_information = Matrix6d::Identity();  ///< under `perturbed`, axes of the INS
+  Measured measured;
 };
 
 struct JointSolution {
   bool converged = false;
   RigidTransform ins_from_lidar = RigidTransform::Identity();
-  /// Covariance of X under `perturbed`, everything else marginalised, the weak prior included.
+  /// Covariance of X under `perturbed`, everything else marginalised, the weak prior and what was measured included.
   Matrix6d covariance = Matrix6d::Identity();
-  /// Information of X from the data alone (without the prior), everything else marginalised.
+  /// Information of X from the pairs alone (without prior and measurements), everything else marginalised.
   Matrix6d information = Matrix6d::Zero();
   std::vector<Vector6d> node_errors;                       ///< estimated error of each INS pose, body axes
   std::vector<Eigen::Vector3d> attitude_bias_rad;          ///< per session, INS axes

@@ -33,13 +33,6 @@ std::string direction_words(const Vector6d& direction, bool observed, const Moti
   return text;
 }
 
-Vector6d observation_limits(const SolveOptions& options) {
-  Vector6d limits;
-  limits << Eigen::Vector3d::Constant(options.max_translation_sigma_m),
-      Eigen::Vector3d::Constant(degrees_to_radians(options.max_rotation_sigma_deg));
-  return limits;
-}
-
 // `observed` in the order x, y, z, yaw, pitch, roll.
 void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion, CalibrationResult& result) {
   const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
@@ -58,6 +51,13 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
 }
 
 }  // namespace
+
+Vector6d observation_limits(const SolveOptions& options) {
+  Vector6d limits;
+  limits << Eigen::Vector3d::Constant(options.max_translation_sigma_m),
+      Eigen::Vector3d::Constant(degrees_to_radians(options.max_rotation_sigma_deg));
+  return limits;
+}
 
 MotionSummary summarise_motion(const std::vector<Pair>& pairs) {
   MotionSummary summary;
@@ -131,6 +131,13 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
       result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
       result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
     }
+  // The directions then say what the parameters do: the final sigma includes more than the pairs' information.
+  for (ObservabilityDirection& direction : result.directions) {
+    const Vector6d row = limits.cwiseInverse().cwiseProduct(direction.direction);
+    if (std::isfinite(direction.sigma)) direction.sigma = std::sqrt(row.dot(covariance * row));
+    direction.observed = direction.sigma < 1.0;
+    direction.words = direction_words(direction.direction, direction.observed, motion);
+  }
   add_advice(result.observed, motion, result);
 }
 

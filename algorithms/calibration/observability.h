@@ -25,6 +25,9 @@ struct SpuriousInformation {
   Matrix6d spurious = Matrix6d::Zero();
 };
 
+/// Largest sigma of (x, y, z, rotation about x, y, z) that counts as observed, m and rad.
+Vector6d observation_limits(const SolveOptions& options);
+
 /// Eigen-directions of the information, each freed of its spurious share, with words; ascending by information. Units
 /// are the options' limits: a direction with sigma 1 lies at the limit of what counts as observed.
 std::vector<ObservabilityDirection> observed_directions(const Matrix6d& information,
@@ -35,7 +38,7 @@ std::vector<ObservabilityDirection> observed_directions(const Matrix6d& informat
 Matrix6d trusted_information(const std::vector<ObservabilityDirection>& directions, const SolveOptions& options);
 
 /// Fills `observed` and `covariance` from the covariance of X under `perturbed`: a parameter counts as observed where
-/// its sigma is below the options' limit. Adds advice for those that do not.
+/// its sigma is below the options' limit. The directions' sigmas and words follow. Adds advice for those that do not.
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
                       CalibrationResult& result);
 

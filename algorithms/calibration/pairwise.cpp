@@ -10,6 +10,7 @@
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/calibration/robust_start.h"
+#include "algorithms/calibration/session_agreement.h"
 #include "algorithms/calibration/uncertainty.h"
 #include "algorithms/search/candidates.h"
 
@@ -127,13 +128,15 @@ void set_status(const SearchRange& range, CalibrationResult& result) {
                          "check axes and units of the INS, and whether the LiDAR is the one that the range is for.");
   } else if (observed < 6) {
     result.status = Status::Degenerate;
-    result.message = "Solved, but not everything is observed:";
+    std::string names;
     for (std::size_t i = 0; i < 6; ++i)
-      if (!result.observed[i]) result.message += " " + std::string(kParameterNames[i]);
-    result.message += ".";
+      if (!result.observed[i]) names += (names.empty() ? "" : ", ") + std::string(kParameterNames[i]);
+    result.message = "Solved, but not everything is observed: " + names + ".";
   } else {
     result.status = Status::Ok;
-    result.message = "Solved; all six parameters are observed.";
+    const bool any = std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();
+    result.message = any ? "Solved; all six parameters are known, with what was measured."
+                         : "Solved; all six parameters are observed.";
   }
 }
 
@@ -176,12 +179,42 @@ JointProblem solve_and_judge(const PairwiseInput& input, const NoisePrior& prior
   return problem;
 }
 
+// Where all other sessions agree against one, its pairs are rejected and the others solved alone.
+void leave_out_outlier_session(const PairwiseInput& input, const NoisePrior& prior, const RigidTransform& prior_x,
+                               std::vector<int>& usable, std::vector<Pair>& pairs, PairwiseDetails& details,
+                               JointProblem& problem, CalibrationResult& result, const Progress& progress) {
+  if (problem.terms.size() < kFewestPairs || progress.cancelled()) return;
+  const std::optional<OutlierSession> outlier =
+      outlier_session(session_answers(problem, details, progress), input.options);
+  if (!outlier) return;
+  char text[200];
+  std::snprintf(text, sizeof text, "its session contradicts all others, which agree (%.1f times its errors)",
+                outlier->disagreement);
+  std::erase_if(usable, [&](int i) {
+    Pair& pair = pairs[static_cast<std::size_t>(i)];
+    if (input.nodes[static_cast<std::size_t>(pair.keyframe_a)].session != outlier->session) return false;
+    if (pair.decided_by == DecidedBy::User) return false;
+    pair.state = PairState::Rejected;
+    pair.decided_by = DecidedBy::Program;
+    pair.weight = 0.0;
+    pair.reason = text;
+    return true;
+  });
+  const RigidTransform start = perturbed(details.joint.ins_from_lidar, outlier->common);
+  problem = solve_and_judge(input, prior, prior_x, start, usable, pairs, details, progress);
+  std::snprintf(text, sizeof text,
+                "Session %d was left out: the others agree with each other and contradict it. Look at its INS, its "
+                "clock, and whether the lidar was moved.",
+                outlier->session + 1);
+  result.advice.emplace_back(text);
+}
+
 }  // namespace
 
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress) {
   refuse_unusable(pairs);
-  const std::vector<int> usable = usable_pairs(pairs);
+  std::vector<int> usable = usable_pairs(pairs);
   if (usable.size() < kFewestPairs) return too_few(pairs, usable.size());
   const NoisePrior prior = noise_prior(input);
   details.noise = prior.expected;
@@ -199,11 +232,12 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   judge_pairs(pairs, usable, start.ins_from_lidar, prior.expected.scaled(start.noise_scale),
               input.options.outlier_threshold);
 
-  const JointProblem problem =
-      solve_and_judge(input, prior, prior_x, start.ins_from_lidar, usable, pairs, details, progress);
+  JointProblem problem = solve_and_judge(input, prior, prior_x, start.ins_from_lidar, usable, pairs, details, progress);
   CalibrationResult result;
+  leave_out_outlier_session(input, prior, prior_x, usable, pairs, details, problem, result, progress);
   result.ins_from_lidar = details.joint.ins_from_lidar;
   result.noise = details.noise;
+  result.measured = input.measured.parameters();
   if (progress.cancelled()) {
     count_pairs(pairs, result);
     return cancelled(result);

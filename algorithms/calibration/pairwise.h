@@ -21,13 +21,15 @@ struct SessionNoise {
 };
 
 struct PairwiseInput {
-  std::vector<JointNode> nodes;      ///< one for each keyframe, same indices as in the pairs
-  std::vector<double> node_times_s;  ///< since the start of its session; for blocks of the bootstrap
+  std::vector<JointNode> nodes;  ///< one for each keyframe, same indices as in the pairs
   std::vector<SessionNoise> sessions;
   bool pairs_share_scans = true;  ///< false: every motion stands for itself
+  /// P and Q were computed elsewhere: their residuals and their order are all that is known of their errors.
+  bool motions_only = false;
   std::optional<RigidTransform> nominal_ins_from_lidar;
   /// An earlier estimate where there is no nominal: settles rotations that the motion does not determine.
   std::optional<RigidTransform> initial_ins_from_lidar;
+  Measured measured;
   SearchRange range;
   SolveOptions options;
 };

@@ -3,9 +3,11 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "algorithms/calibration/bootstrap.h"
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/session_agreement.h"
 
 namespace remount {
 namespace {
@@ -47,14 +49,31 @@ Eigen::Matrix3d cross_noise(const Eigen::Matrix3d& m) { return m.trace() * Eigen
 // follow the braking and steering that cause them too closely to show a lever arm.
 constexpr double kUndeclaredAttitude_rad = 0.005;
 
-SpuriousInformation spurious_information(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                         const RigidTransform& x, const NoiseModel& noise) {
-  SpuriousInformation out;
+// Square of the turns that may not be what they seem (rad^2). Motions computed elsewhere, perhaps exactly, are doubted
+// as far as they contradict each other.
+double doubtful_attitude2(const PairwiseInput& input, const std::vector<Pair>& pairs, const RigidTransform& x) {
+  if (input.motions_only) {
+    double sum = 0.0, count = 0.0;
+    for (const Pair& pair : pairs) {
+      if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
+      sum += difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x))
+                 .tail<3>()
+                 .squaredNorm();
+      count += 1.0;
+    }
+    return count > 0.0 ? sum / count : 0.0;
+  }
   const bool declared = std::all_of(input.sessions.begin(), input.sessions.end(), [](const SessionNoise& session) {
     return std::isfinite(session.attitude_white_sigma_rad);
   });
+  return declared ? 0.0 : kUndeclaredAttitude_rad * kUndeclaredAttitude_rad;
+}
+
+SpuriousInformation spurious_information(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                                         const RigidTransform& x, const NoiseModel& noise) {
+  SpuriousInformation out;
   const double white2 = 2.0 * noise.ins_attitude_sigma_rad * noise.ins_attitude_sigma_rad;
-  const double attitude2 = declared ? white2 : std::max(white2, kUndeclaredAttitude_rad * kUndeclaredAttitude_rad);
+  const double attitude2 = std::max(white2, doubtful_attitude2(input, pairs, x));
   const double position2 = 2.0 * noise.ins_position_sigma_m * noise.ins_position_sigma_m;
   for (const Pair& pair : pairs) {
     if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
@@ -72,12 +91,13 @@ SpuriousInformation spurious_information(const PairwiseInput& input, const std::
 
 // Where resampling whole blocks of time scatters X more than the noise model allows, errors are correlated in ways that
 // the model does not hold (pairs see the same surfaces for seconds). Half of the excess variance is added: some twenty
-// blocks know a variance to a third, and taking the larger of two always would overstate what the model has right.
-Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& bootstrap) {
+// blocks know a variance to a third, and taking the larger of two always would overstate what the model has right. Of
+// motions computed elsewhere the model holds nothing: the whole excess.
+Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& bootstrap, double share) {
   Vector6d factors = Vector6d::Ones();
   for (int i = 0; i < 6; ++i) {
     const double ratio2 = bootstrap(i, i) / covariance(i, i);
-    if (ratio2 > 1.0) factors[i] = std::sqrt(0.5 * (1.0 + ratio2));
+    if (ratio2 > 1.0) factors[i] = std::sqrt(1.0 + share * (ratio2 - 1.0));
   }
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
@@ -99,6 +119,17 @@ Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& d
   for (JointTerm& term : longer.terms) term.lidar_b_from_lidar_a.translation() *= 1.0 + kEnlarged;
   const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 8, progress);
   return kScale / kEnlarged * difference(details.joint.ins_from_lidar, solution.ins_from_lidar);
+}
+
+void add_disagreement_advice(CalibrationResult& result) {
+  constexpr double kWorthSaying = 2.0;
+  if (!(result.session_disagreement > kWorthSaying)) return;
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "The sessions contradict one another %.1f times as much as their errors explain; every sigma is larger "
+                "by that factor. Look for one whose INS or clock is worse, and calibrate without it.",
+                result.session_disagreement);
+  result.advice.push_back(text);
 }
 
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
@@ -128,12 +159,20 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
   const MotionSummary motion = summarise_motion(pairs);
   result.directions = observed_directions(details.joint.information,
                                           spurious_information(input, pairs, x, details.noise), motion, input.options);
-  const Matrix6d covariance = inverse(trusted_information(result.directions, input.options) + weak_prior());
-  const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), weak_prior(),
+  result.session_disagreement = session_disagreement(session_answers(problem, details, progress), input.options);
+  // Not below 1: a few sessions may agree by chance.
+  const double scale2 = result.session_disagreement > 1.0 ? std::pow(result.session_disagreement, 2) : 1.0;
+  const Matrix6d beside_pairs = weak_prior() + input.measured.information(x);
+  const Matrix6d covariance = inverse(trusted_information(result.directions, input.options) / scale2 + beside_pairs);
+  const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), beside_pairs,
                                                   input.options.bootstrap_samples, input.options.seed, progress);
-  judge_parameters(with_registration_limits(inflated_by_bootstrap(covariance, bootstrap),
-                                            response_to_scale(problem, details, progress)),
-                   motion, input.options, result);
+  constexpr double kExcessOfLogs = 0.5;
+  judge_parameters(
+      with_registration_limits(inflated_by_bootstrap(covariance, bootstrap, input.motions_only ? 1.0 : kExcessOfLogs),
+                               response_to_scale(problem, details, progress)),
+      motion, input.options, result);
+  add_disagreement_advice(result);
+  for (const std::string& text : contradictions(input.measured, x, covariance)) result.advice.push_back(text);
   const Matrix6d parameters = parameter_covariance(x, bootstrap);
   for (int i = 0; i < 6; ++i) {
     const auto at = static_cast<std::size_t>(i);

@@ -104,6 +104,9 @@ RelaxedRegion region_of(const AngleBox& box, const BoxedForm& form) {
       wide.low[i] -= kLeastHalfWidth_rad;
       wide.high[i] += kLeastHalfWidth_rad;
     }
+  // Beyond the pole the sine of pitch turns back.
+  wide.low[1] = std::max(wide.low[1], -0.5 * kPi);
+  wide.high[1] = std::min(wide.high[1], 0.5 * kPi);
   add_angles(wide, region);
   return region;
 }

@@ -84,9 +84,11 @@ class DualBarrier {
     flat_.resize(169, variables_);
     for (Eigen::Index i = 0; i < variables_; ++i)
       flat_.col(i) = Eigen::Map<const Eigen::VectorXd>(terms_[static_cast<std::size_t>(i)].data(), 169);
-    start();
+    started_ = start();
   }
 
+  /// Whether there is a point to start from; without one there are no bounds.
+  bool started() const { return started_; }
   double bound() const { return value_[variables_ - 1] * scale_; }
   double scale() const { return scale_; }
   double weight() const { return weight_; }
@@ -132,7 +134,7 @@ class DualBarrier {
  private:
   // A point inside: large multipliers of |R|^2 = 3 and of the boxes of t make all but the last row positive; then s low
   // enough makes it so.
-  void start() {
+  bool start() {
     value_ = Eigen::VectorXd::Zero(variables_);
     for (const int diagonal : {0, 3, 5}) value_[diagonal] = 1.0;
     for (Eigen::Index i = kEquations; i < variables_ - 1; ++i) value_[i] = 0.05;
@@ -143,10 +145,11 @@ class DualBarrier {
       if (block.info() == Eigen::Success) {
         const Eigen::Matrix<double, 12, 1> side = slack.block<12, 1>(0, 12);
         value_[variables_ - 1] = slack(12, 12) - side.dot(block.solve(side)) - 1.0;
-        if (move(value_)) return;
+        if (move(value_)) return true;
       }
       for (const int diagonal : {0, 3, 5}) value_[diagonal] *= 2.0;
     }
+    return false;
   }
 
   Matrix13d assemble(const Eigen::VectorXd& value) const {
@@ -170,6 +173,7 @@ class DualBarrier {
   Eigen::MatrixXd flat_;
   Eigen::VectorXd value_;
   Eigen::LLT<Matrix13d> factor_;
+  bool started_ = false;
 };
 
 RigidTransform to_rigid(const Vector13d& x) {
@@ -185,6 +189,8 @@ RelaxedMinimum relaxed_minimum(const Matrix13d& form, const RelaxedRegion& regio
   const Recentred around(centre, region.t_half_width_m);
   DualBarrier barrier(form, region, around);
   RelaxedMinimum out;
+  out.nearest = centre;
+  if (!barrier.started()) return out;  // zero bounds a positive semidefinite form
   double best = barrier.bound();
   for (; out.steps < kMostSteps && best < target && !progress.cancelled(); ++out.steps) {
     const std::optional<double> length = barrier.step();

@@ -1,6 +1,8 @@
 #include "app/cli/arguments.h"
 
+#include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "algorithms/core/error.h"
 #include "model/exporters/exporter.h"
@@ -111,6 +113,28 @@ void apply_range(SearchRange& range, const std::string& text) {
   }
 }
 
+void apply_measured(MeasuredOptions& options, const std::string& text) {
+  const std::array<std::tuple<std::string_view, double*, double*>, 7> members{
+      {{"x", &options.x_m, &options.x_sigma_m},
+       {"y", &options.y_m, &options.y_sigma_m},
+       {"z", &options.z_m, &options.z_sigma_m},
+       {"yaw", &options.yaw_deg, &options.yaw_sigma_deg},
+       {"pitch", &options.pitch_deg, &options.pitch_sigma_deg},
+       {"roll", &options.roll_deg, &options.roll_sigma_deg},
+       {"ins-height", &options.ins_height_m, &options.ins_height_sigma_m}}};
+  const std::vector<std::string> sides = split(text, '=');
+  const std::vector<std::string> numbers = split(sides.back(), ',');
+  const auto value = parse_number(trimmed(numbers.front())), sigma = parse_number(trimmed(numbers.back()));
+  const auto member = std::find_if(members.begin(), members.end(),
+                                   [&](const auto& named) { return std::get<0>(named) == trimmed(sides.front()); });
+  if (sides.size() != 2 || numbers.size() != 2 || !value || !sigma || !(*sigma > 0.0) || member == members.end())
+    throw Error(ErrorCode::Contract, "--measured " + text,
+                "expected NAME=VALUE,SIGMA with a sigma above 0, NAME one of x, y, z, ins-height (m), yaw, pitch, roll "
+                "(degrees)");
+  *std::get<1>(*member) = *value;
+  *std::get<2>(*member) = *sigma;
+}
+
 void SolveArguments::add_to(CLI::App& verb) {
   verb.add_option("--nominal", nominal,
                   "Where the LiDAR was before: x,y,z,yaw,pitch,roll (m, degrees), or a result or exported file "
@@ -121,6 +145,12 @@ void SolveArguments::add_to(CLI::App& verb) {
           "--range", ranges,
           "Search range: six min:max for x,y,z (m), yaw,pitch,roll (degrees), or x=-1:1,yaw=-10:10; may be repeated")
       ->type_name("RANGE")
+      ->allow_extra_args(false);
+  verb.add_option(
+          "--measured", measured,
+          "A value known beforehand with its sigma: z=1.73,0.01 (x, y, z in m, yaw, pitch, roll in degrees), or "
+          "ins-height=0.62,0.02 (m) to take z, pitch and roll from the ground in the scans; may be repeated")
+      ->type_name("NAME=VALUE,SIGMA")
       ->allow_extra_args(false);
   verb.add_option("--config", config, "Settings (YAML); \"remount-cli settings\" prints a full one")->type_name("FILE");
   verb.add_option("--set", assignments, "One setting, section.key=value; may be repeated, goes before --range")
@@ -133,6 +163,7 @@ Settings SolveArguments::settings(const Settings& base) const {
   Settings settings = config.empty() ? base : load_settings(config, base);
   for (const std::string& assignment : assignments) apply_setting(settings, assignment);
   for (const std::string& range : ranges) apply_range(settings.range, range);
+  for (const std::string& text : measured) apply_measured(settings.measured, text);
   require_valid(settings);
   return settings;
 }

@@ -24,10 +24,15 @@ RigidTransform parse_nominal(const std::string& text, std::vector<std::string>& 
 /// several separated by commas. Throws Error(Contract).
 void apply_range(SearchRange& range, const std::string& text);
 
+/// Notes a measured value: "z=1.73,0.01" (m or degrees, with its sigma) or "ins-height=0.62,0.02".
+/// Throws Error(Contract).
+void apply_measured(MeasuredOptions& options, const std::string& text);
+
 /// Options that calibrate and solve have in common.
 struct SolveArguments {
   std::string nominal;  ///< empty: not given; "none": unknown even where the data declare one
   std::vector<std::string> ranges;
+  std::vector<std::string> measured;
   std::string config;
   std::vector<std::string> assignments;
   std::string output;

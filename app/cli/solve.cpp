@@ -44,12 +44,8 @@ int solve(const PairsArguments& arguments, Console& console) {
   PipelineOutput output;
   output.keyframes = motions.keyframes;
   output.pairs = motions.pairs;
-  output.result = solve_motion_pairs(output.pairs, input.settings, input.nominal_ins_from_lidar, console.progress());
-  for (std::size_t i = 0; i < output.pairs.size(); ++i) {
-    // The solver numbers poses by itself; the list in the result names the file's own.
-    output.pairs[i].keyframe_a = motions.pairs[i].keyframe_a;
-    output.pairs[i].keyframe_b = motions.pairs[i].keyframe_b;
-  }
+  output.result = solve_motion_pairs(output.keyframes, output.pairs, input.settings, input.nominal_ins_from_lidar,
+                                     console.progress());
   return finish(make_result_file(input, output, {hash_input(arguments.pairs)}), arguments.solve.output, console);
 }
 

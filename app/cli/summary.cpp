@@ -30,7 +30,8 @@ std::string parameters(const CalibrationResult& result) {
     if (!sigma)
       text += "not observed: do not rely on this value\n";
     else
-      text += sigma_text(on_screen(i, *sigma)) + (angle ? " deg\n" : " m\n");
+      text += sigma_text(on_screen(i, *sigma)) + (angle ? " deg" : " m") +
+              (result.measured[i] ? ", with the measured value\n" : "\n");
   }
   return text;
 }
@@ -49,6 +50,15 @@ std::string without_numbers(const std::string& reason) {
       kind += '#';
   }
   return kind;
+}
+
+std::string sharpness(const std::vector<NamedSharpness>& list) {
+  std::string text;
+  for (const NamedSharpness& one : list)
+    if ((one.source == "result" || one.source == "nominal") && std::isfinite(one.sharpness.plane_thickness_m))
+      text += format("%s %.1f mm thick under the %s (entropy %.3f)", text.empty() ? "" : ",",
+                     1e3 * one.sharpness.plane_thickness_m, one.source.c_str(), one.sharpness.mean_map_entropy);
+  return text.empty() ? text : "map check: surfaces are" + text + "\n";
 }
 
 std::string pairs(const ResultFile& file) {
@@ -85,6 +95,10 @@ std::string summary(const ResultFile& file) {
     text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
                    radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
   }
+  if (is_usable(result) && result.session_disagreement > 1.0)
+    text += format("sessions: scatter %.1f times as much as their errors explain; the sigmas include it\n",
+                   result.session_disagreement);
+  if (is_usable(result)) text += sharpness(file.sharpness);
   text += pairs(file);
   if (is_usable(result) && std::isfinite(result.time_offset.offset_s))
     text += format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", result.time_offset.offset_s,

@@ -245,7 +245,8 @@ void read_ins(const DocumentView& node, const fs::path& folder, Session& session
 }
 
 void read_noise(const DocumentView& node, Session& session) {
-  node.allow_only({"position_sigma_m", "attitude_sigma_deg", "attitude_bias_sigma_deg"});
+  node.allow_only(
+      {"position_sigma_m", "attitude_sigma_deg", "attitude_bias_sigma_deg", "position_drift_m", "attitude_drift_deg"});
   const auto read = [&](const char* key, double unit, double& sigma) {
     const auto value = find(node, key);
     if (!value) return;
@@ -255,6 +256,8 @@ void read_noise(const DocumentView& node, Session& session) {
   read("position_sigma_m", 1.0, session.ins_position_white_sigma_m);
   read("attitude_sigma_deg", kPi / 180.0, session.ins_attitude_white_sigma_rad);
   read("attitude_bias_sigma_deg", kPi / 180.0, session.ins_attitude_bias_sigma_rad);
+  read("position_drift_m", 1.0, session.ins_position_drift);
+  read("attitude_drift_deg", kPi / 180.0, session.ins_attitude_drift);
 }
 
 RigidTransform read_nominal(const DocumentView& node) {

@@ -123,6 +123,8 @@ std::string optional_sections(const Session& session) {
   add("position_sigma_m", session.ins_position_white_sigma_m);
   add("attitude_sigma_deg", radians_to_degrees(session.ins_attitude_white_sigma_rad));
   add("attitude_bias_sigma_deg", radians_to_degrees(session.ins_attitude_bias_sigma_rad));
+  add("position_drift_m", session.ins_position_drift);
+  add("attitude_drift_deg", radians_to_degrees(session.ins_attitude_drift));
   if (session.nominal_ins_from_lidar) {
     const SixParameters six = six_from_rigid(*session.nominal_ins_from_lidar);
     nominal = "nominal: {x_m: " + exact_text(six.x_m) + ", y_m: " + exact_text(six.y_m) +

@@ -59,7 +59,8 @@ std::vector<SessionNoise> DriveMotion::noise() const {
   for (std::size_t s = 0; s < sessions_.size(); ++s)
     out.push_back({tracks_[s].position_noise_factor() * sessions_[s]->ins_position_white_sigma_m,
                    tracks_[s].attitude_noise_factor() * sessions_[s]->ins_attitude_white_sigma_rad,
-                   sessions_[s]->ins_attitude_bias_sigma_rad});
+                   sessions_[s]->ins_attitude_bias_sigma_rad, sessions_[s]->ins_position_drift,
+                   sessions_[s]->ins_attitude_drift});
   return out;
 }
 

@@ -9,8 +9,10 @@
 #include "algorithms/core/error.h"
 #include "algorithms/search/candidates.h"
 #include "model/pipeline/coarse_start.h"
+#include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/register_stage.h"
+#include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/result_file.h"
 
@@ -187,6 +189,15 @@ bool moved_much(const RigidTransform& from, const RigidTransform& to) {
          (to.translation() - from.translation()).norm() > 0.02;
 }
 
+void use_ground(const StageContext& context, const ScanStore& scans, PipelineOutput& output, Progress& progress) {
+  output.ground = observe_ground(context, scans, progress);
+  const bool told = std::any_of(output.findings.begin(), output.findings.end(),
+                                [](const Finding& finding) { return finding.code == "ground-not-seen"; });
+  if (!output.ground && !told && !progress.cancelled())
+    output.findings.push_back({Severity::Warning, "ground-not-seen", "scans",
+                               "Too few scans show the ground near the vehicle; the height of the INS is not used."});
+}
+
 // Objects, registration, solution and joint alignment of sessions with scans. Scans are compensated for motion through
 // the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace.
 void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details,
@@ -214,6 +225,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     }
     register_pairs(context, scans, objects, output.pairs, progress);
     use_odometry(motion, output.keyframes, output.pairs);
+    if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
     output.result = solve_with_clock(input, motion, output, details, progress);
     if (!solved(output.result)) return;
     if (pass == 0 && compensate && any_distortion(input, uses_sweep) && moved_much(x, output.result.ins_from_lidar)) {
@@ -223,6 +235,8 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     }
     if (input.settings.solve.joint_clouds)
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
+    if (input.settings.run.map_check && solved(output.result))
+      output.sharpness = check_sharpness(context, scans, output.result, input.nominal_ins_from_lidar, progress);
     return;
   }
 }
@@ -293,6 +307,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
   drop_clock_of_failed(output.result);
   report_clock(output.result, output.findings);
+  report_sharpness(output.sharpness, output.findings);
   return output;
 }
 
@@ -321,6 +336,7 @@ void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   drop_clock_of_failed(result);
   output.pairs = std::move(pairs);
   output.result = std::move(result);
+  output.sharpness.clear();  // it was the former X's
 }
 
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair_index) {
@@ -345,41 +361,6 @@ PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& ou
                                  predicted_lidar_motion(pair.ins_b_from_ins_a, output.initial_ins_from_lidar),
                                  input.settings.objects);
   return clouds;
-}
-
-CalibrationResult solve_motion_pairs(std::vector<Pair>& pairs, const Settings& settings,
-                                     const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress) {
-  check_nominal(nominal_ins_from_lidar, settings.range);
-  PairwiseInput input;
-  input.nominal_ins_from_lidar = nominal_ins_from_lidar;
-  input.range = settings.range;
-  input.options = settings.solve;
-  // Nothing is known of which fixes the pairs share, nor of the INS: each pair has its own two poses, and an attitude
-  // error common to all cannot be told from X, so none is assumed.
-  input.pairs_share_scans = false;
-  input.sessions.push_back({});
-  input.sessions.back().attitude_bias_sigma_rad = 0.0;
-  // Taken at their word: what is given is P and Q, not a log.
-  input.sessions.back().attitude_white_sigma_rad = degrees_to_radians(settings.solve.ins_attitude_sigma_deg);
-  input.sessions.back().position_drift = input.sessions.back().attitude_drift = 0.0;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    Pair& pair = pairs[i];
-    JointNode node;
-    node.time_s = static_cast<double>(i);
-    input.nodes.push_back(node);
-    pair.keyframe_b = static_cast<int>(2 * i);
-    node.local_from_ins = pair.ins_b_from_ins_a;
-    input.nodes.push_back(node);
-    pair.keyframe_a = static_cast<int>(2 * i + 1);
-    pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();
-    pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
-    pair.registration.attempted = pair.registration.converged = true;
-    if (pair.registration.information.isZero(0.0)) pair.registration.information = Matrix6d::Identity() * 1e8;
-  }
-  CalibrationResult result = solve_pairwise(input, pairs, progress);
-  result.time_offset = {};  // motion pairs carry no time
-  result.session_time_offset_s.clear();
-  return result;
 }
 
 }  // namespace remount

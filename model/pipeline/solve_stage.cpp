@@ -56,6 +56,7 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
   if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
   out.range = input.settings.range;
   out.options = input.settings.solve;
+  out.measured = Measured(input.settings.measured, output.ground);
   return out;
 }
 

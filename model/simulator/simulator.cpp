@@ -53,6 +53,8 @@ SimulatedDrive simulate_drive(const SimulationOptions& options) {
   session.ins_position_white_sigma_m = options.ins_position_noise_m;
   session.ins_attitude_white_sigma_rad = degrees_to_radians(options.ins_attitude_noise_deg);
   session.ins_attitude_bias_sigma_rad = degrees_to_radians(options.ins_attitude_bias_deg);
+  session.ins_position_drift = options.ins_position_drift_m;
+  session.ins_attitude_drift = degrees_to_radians(options.ins_attitude_drift_deg);
   return drive;
 }
 

@@ -32,6 +32,8 @@ struct SimulationOptions {
   double ins_position_noise_m = 0.005;
   double ins_attitude_noise_deg = 0.02;
   double ins_attitude_bias_deg = 0.0;
+  double ins_position_drift_m = 0.0;
+  double ins_attitude_drift_deg = 0.0;
   double lidar_clock_offset_s = 0.0;
   double latitude_deg = 48.78;
   double longitude_deg = 9.18;
@@ -65,6 +67,12 @@ struct SimulationOptions {
     visitor(
         {"ins_attitude_bias_deg", "deg", "1-sigma of an attitude error constant over the drive, each axis.", 0.0, 10.0},
         self.ins_attitude_bias_deg);
+    visitor({"ins_position_drift_m", "m/sqrt(s)",
+             "Position error that walks randomly, growing with the root of time, each axis.", 0.0, 10.0},
+            self.ins_position_drift_m);
+    visitor({"ins_attitude_drift_deg", "deg/sqrt(s)",
+             "Attitude error that walks randomly, growing with the root of time, each axis.", 0.0, 10.0},
+            self.ins_attitude_drift_deg);
     visitor({"lidar_clock_offset_s", "s", "t_ins = t_lidar + this: the lidar's stamps are early by it.", -10.0, 10.0},
             self.lidar_clock_offset_s);
     visitor({"latitude_deg", "deg", "Start of the drive.", -79.0, 83.0}, self.latitude_deg);

@@ -133,7 +133,6 @@ inline std::vector<Pair> pairs_of(const SimulatedDrive& drive) {
 inline PairwiseInput input_of(const SimulatedDrive& drive, const DriveOptions& options) {
   PairwiseInput input;
   input.nodes = drive.problem.nodes;
-  for (const JointNode& node : input.nodes) input.node_times_s.push_back(node.time_s);
   SessionNoise noise;
   noise.position_white_sigma_m = std::max(1e-6, options.noise.ins_position_sigma_m);
   noise.attitude_white_sigma_rad = std::max(1e-8, options.noise.ins_attitude_sigma_rad);

@@ -1,0 +1,99 @@
+#include "algorithms/calibration/measured.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/calibration/calibration_result.h"
+
+namespace remount {
+namespace {
+
+struct Value {
+  double value, sigma;  // m, rad
+};
+
+std::array<Value, 6> values(const MeasuredOptions& o) {
+  const auto angle = [](double value_deg, double sigma_deg) {
+    return Value{degrees_to_radians(value_deg), degrees_to_radians(sigma_deg)};
+  };
+  return {Value{o.x_m, o.x_sigma_m},
+          Value{o.y_m, o.y_sigma_m},
+          Value{o.z_m, o.z_sigma_m},
+          angle(o.yaw_deg, o.yaw_sigma_deg),
+          angle(o.pitch_deg, o.pitch_sigma_deg),
+          angle(o.roll_deg, o.roll_sigma_deg)};
+}
+
+double shorter_way(double angle_rad) { return std::remainder(angle_rad, 2.0 * kPi); }
+
+}  // namespace
+
+std::array<bool, 6> Measured::parameters() const {
+  std::array<bool, 6> out{};
+  const std::array<Value, 6> all = values(options_);
+  for (std::size_t i = 0; i < 6; ++i) out[i] = all[i].sigma > 0.0;
+  return out;
+}
+
+std::vector<MeasuredRow> Measured::rows(const RigidTransform& x) const {
+  std::vector<MeasuredRow> out;
+  const SixParameters six = six_from_rigid(x);
+  const std::array<double, 6> said{six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+  Matrix6d to_parameters = Matrix6d::Identity();
+  to_parameters.bottomRightCorner<3, 3>() = yaw_pitch_roll_jacobian({six.yaw_rad, six.pitch_rad, six.roll_rad});
+  const std::array<Value, 6> known = values(options_);
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    // Where pitch stands at 90 degrees, yaw and roll are no angles of their own.
+    if (!(known[at].sigma > 0.0) || !to_parameters.row(i).allFinite()) continue;
+    const double residual = known[at].value - said[at];
+    out.push_back({i < 3 ? residual : shorter_way(residual), to_parameters.row(i).transpose(), known[at].sigma, i});
+  }
+  if (!ground_) return out;
+  // The plane in INS axes: up . p = up . t - lidar height. It passes below the INS at its height, and its normal is z.
+  const Eigen::Vector3d up = x.linear() * ground_->up_in_lidar, t = x.translation();
+  MeasuredRow height;
+  height.residual = -options_.ins_height_m - (up.dot(t) - ground_->lidar_height_m);
+  height.row << up, up.cross(t);
+  height.sigma = std::hypot(options_.ins_height_sigma_m, ground_->height_sigma_m);
+  out.push_back(height);
+  for (int i = 0; i < 2; ++i) {
+    MeasuredRow lean;
+    lean.residual = -up[i];
+    lean.row.tail<3>() = up.cross(Eigen::Vector3d::Unit(i));
+    lean.sigma = std::hypot(degrees_to_radians(options_.ins_tilt_sigma_deg), ground_->up_sigma_rad);
+    out.push_back(lean);
+  }
+  return out;
+}
+
+Matrix6d Measured::information(const RigidTransform& x) const {
+  Matrix6d information = Matrix6d::Zero();
+  for (const MeasuredRow& known : rows(x))
+    information += known.row * known.row.transpose() / (known.sigma * known.sigma);
+  return information;
+}
+
+std::vector<std::string> contradictions(const Measured& measured, const RigidTransform& x, const Matrix6d& covariance) {
+  constexpr double kContradicts = 3.0;
+  std::vector<std::string> out;
+  for (const MeasuredRow& known : measured.rows(x)) {
+    // What is left of the measurement after it took part in X has less variance than it has itself.
+    const double left2 = known.sigma * known.sigma - known.row.dot(covariance * known.row);
+    const double score = left2 > 0.0 ? std::abs(known.residual) / std::sqrt(left2) : 0.0;
+    if (!(score > kContradicts)) continue;
+    const bool angle = known.parameter >= 3;
+    const std::string name =
+        known.parameter < 0 ? "The ground in the scans with the height of the INS"
+                            : "The measured " + std::string(kParameterNames[static_cast<std::size_t>(known.parameter)]);
+    char text[240];
+    std::snprintf(text, sizeof text,
+                  "%s contradicts the drive by %.1f sigma (%.4f %s are left): check the measurement and its sigma.",
+                  name.c_str(), score, angle ? radians_to_degrees(known.residual) : known.residual,
+                  angle ? "deg" : "m");
+    out.emplace_back(text);
+  }
+  return out;
+}
+
+}  // namespace remount

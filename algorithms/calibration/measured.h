@@ -1,0 +1,94 @@
+// What is known of X beside the pairs: components measured by hand, and the ground under the vehicle.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/core/options.h"
+#include "algorithms/geometry/rigid_transform.h"
+
+namespace remount {
+
+/// Values measured by hand, each with its own sigma; a sigma of 0 says that it was not measured.
+struct MeasuredOptions {
+  double x_m = 0.0, x_sigma_m = 0.0;
+  double y_m = 0.0, y_sigma_m = 0.0;
+  double z_m = 0.0, z_sigma_m = 0.0;
+  double yaw_deg = 0.0, yaw_sigma_deg = 0.0;
+  double pitch_deg = 0.0, pitch_sigma_deg = 0.0;
+  double roll_deg = 0.0, roll_sigma_deg = 0.0;
+  double ins_height_m = 0.0, ins_height_sigma_m = 0.0;
+  double ins_tilt_sigma_deg = 1.0;
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    constexpr const char* kSigma = "Sigma of the measured value; 0: not measured.";
+    visitor({"x_m", "m", "x of X (forward in the INS frame) as measured, for example by tape.", -1000.0, 1000.0},
+            self.x_m);
+    visitor({"x_sigma_m", "m", kSigma, 0.0, 100.0}, self.x_sigma_m);
+    visitor({"y_m", "m", "y of X (left in the INS frame) as measured.", -1000.0, 1000.0}, self.y_m);
+    visitor({"y_sigma_m", "m", kSigma, 0.0, 100.0}, self.y_sigma_m);
+    visitor({"z_m", "m", "z of X (up in the INS frame) as measured.", -1000.0, 1000.0}, self.z_m);
+    visitor({"z_sigma_m", "m", kSigma, 0.0, 100.0}, self.z_sigma_m);
+    visitor({"yaw_deg", "deg", "Yaw of X as measured.", -180.0, 180.0}, self.yaw_deg);
+    visitor({"yaw_sigma_deg", "deg", kSigma, 0.0, 180.0}, self.yaw_sigma_deg);
+    visitor({"pitch_deg", "deg", "Pitch of X as measured.", -90.0, 90.0}, self.pitch_deg);
+    visitor({"pitch_sigma_deg", "deg", kSigma, 0.0, 180.0}, self.pitch_sigma_deg);
+    visitor({"roll_deg", "deg", "Roll of X as measured.", -180.0, 180.0}, self.roll_deg);
+    visitor({"roll_sigma_deg", "deg", kSigma, 0.0, 180.0}, self.roll_sigma_deg);
+    visitor({"ins_height_m", "m", "Height of the INS above the ground; with the ground in the scans it gives z.", 0.0,
+             100.0},
+            self.ins_height_m);
+    visitor({"ins_height_sigma_m", "m", "Sigma of that height; 0: not known, the ground is not used.", 0.0, 100.0},
+            self.ins_height_sigma_m);
+    visitor({"ins_tilt_sigma_deg", "deg",
+             "How far the INS may lean against the ground on which the vehicle stands; where the ground is used it "
+             "gives pitch and roll this well.",
+             0.001, 45.0},
+            self.ins_tilt_sigma_deg);
+  }
+};
+
+/// The ground as the scans see it, mean over a drive.
+struct ObservedGround {
+  Eigen::Vector3d up_in_lidar = Eigen::Vector3d::UnitZ();  ///< normal, unit length
+  double lidar_height_m = 0.0;                             ///< of the lidar's origin above the plane
+  double height_sigma_m = 0.0;                             ///< of that mean
+  double up_sigma_rad = 0.0;                               ///< of each of the normal's two angles
+};
+
+/// One scalar that is known of X, linearised under `perturbed`: residual = known - said by X, to first order
+/// residual - row . delta.
+struct MeasuredRow {
+  double residual = 0.0;
+  Vector6d row = Vector6d::Zero();
+  double sigma = 1.0;
+  int parameter = -1;  ///< order of kParameterNames; -1: of the ground
+};
+
+class Measured {
+ public:
+  Measured() = default;
+  Measured(const MeasuredOptions& options, const std::optional<ObservedGround>& ground)
+      : options_(options), ground_(ground) {}
+
+  /// Which of (x, y, z, yaw, pitch, roll) were measured by hand.
+  std::array<bool, 6> parameters() const;
+  /// Everything that is known, at this X (m, rad). Angles are compared along the shorter way.
+  std::vector<MeasuredRow> rows(const RigidTransform& ins_from_lidar) const;
+  /// Their information on X under `perturbed`.
+  Matrix6d information(const RigidTransform& ins_from_lidar) const;
+
+ private:
+  MeasuredOptions options_;
+  std::optional<ObservedGround> ground_;
+};
+
+/// "z = 1.73 +- 0.01 m as measured contradicts the drive by 4.1 sigma", for each row that does by more than three.
+/// @param covariance of X under `perturbed`, the measurements included
+std::vector<std::string> contradictions(const Measured& measured, const RigidTransform& ins_from_lidar,
+                                        const Matrix6d& covariance);
+
+}  // namespace remount

@@ -1,0 +1,94 @@
+#include "algorithms/calibration/session_agreement.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/uncertainty.h"
+
+namespace remount {
+namespace {
+
+// Columns d such that d' e has unit variance for an error e of X: the directions whose sigma is below half the limit of
+// what counts as observed.
+Eigen::MatrixXd well_determined(const Matrix6d& information, const SolveOptions& options) {
+  constexpr double kLeast = 4.0;
+  const Vector6d limits = observation_limits(options);
+  const Matrix6d scaled = limits.asDiagonal() * information * limits.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(0.5 * (scaled + scaled.transpose()));
+  const auto count = (eigen.eigenvalues().array() >= kLeast).count();
+  Eigen::MatrixXd columns = limits.cwiseInverse().asDiagonal() * eigen.eigenvectors().rightCols(count);
+  for (Eigen::Index i = 0; i < count; ++i) columns.col(i) *= std::sqrt(eigen.eigenvalues()[6 - count + i]);
+  return columns;
+}
+
+bool takes_part(std::size_t session, int without) { return static_cast<int>(session) != without; }
+
+struct Common {
+  Matrix6d information = Matrix6d::Zero();
+  Vector6d from_common = Vector6d::Zero();
+};
+
+Common combine(const std::vector<SessionAnswer>& answers, int without) {
+  Common common;
+  Vector6d side = Vector6d::Zero();
+  for (std::size_t s = 0; s < answers.size(); ++s) {
+    if (!takes_part(s, without)) continue;
+    common.information += answers[s].information;
+    side += answers[s].information * answers[s].from_common;
+  }
+  // What no session determines stays where it is.
+  common.from_common = (common.information + weak_prior()).ldlt().solve(side);
+  return common;
+}
+
+}  // namespace
+
+std::vector<SessionAnswer> session_answers(const JointProblem& problem, const PairwiseDetails& details,
+                                           const Progress& progress) {
+  constexpr int kIterations = 8;
+  const RigidTransform& x = details.joint.ins_from_lidar;
+  const auto sessions = static_cast<int>(problem.session_attitude_bias_sigma_rad.size());
+  std::vector<SessionAnswer> answers;
+  for (int s = 0; sessions > 1 && s < sessions && !progress.cancelled(); ++s) {
+    JointProblem alone = problem;
+    std::erase_if(alone.terms, [&](const JointTerm& term) {
+      return problem.nodes[static_cast<std::size_t>(term.node_a)].session != s;
+    });
+    alone.prior_ins_from_lidar = x;
+    const JointSolution own = solve_joint(alone, details.noise, x, kIterations, progress);
+    answers.push_back({own.information, difference(x, own.ins_from_lidar)});
+  }
+  return answers;
+}
+
+double session_disagreement(const std::vector<SessionAnswer>& answers, const SolveOptions& options, int without) {
+  const Common common = combine(answers, without);
+  double chi2 = 0.0;
+  auto freedom = -static_cast<int>(well_determined(common.information, options).cols());
+  for (std::size_t s = 0; s < answers.size(); ++s) {
+    if (!takes_part(s, without)) continue;
+    const Eigen::MatrixXd directions = well_determined(answers[s].information, options);
+    chi2 += (directions.transpose() * (answers[s].from_common - common.from_common)).squaredNorm();
+    freedom += static_cast<int>(directions.cols());
+  }
+  return freedom > 0 && std::isfinite(chi2) ? std::sqrt(chi2 / freedom) : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& answers, const SolveOptions& options) {
+  constexpr std::size_t kFewest = 3;
+  constexpr double kContradict = 4.0, kAgree = 1.5;
+  if (answers.size() < kFewest) return std::nullopt;
+  const double all = session_disagreement(answers, options);
+  if (!(all > kContradict)) return std::nullopt;
+  std::optional<OutlierSession> found;
+  for (int s = 0; s < static_cast<int>(answers.size()); ++s) {
+    if (!(session_disagreement(answers, options, s) < kAgree)) continue;
+    if (found) return std::nullopt;
+    found = OutlierSession{s, all, combine(answers, s).from_common};
+  }
+  return found;
+}
+
+}  // namespace remount

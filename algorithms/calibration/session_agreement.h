@@ -1,0 +1,38 @@
+// Whether several sessions say the same about X.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/calibration/pairwise.h"
+
+namespace remount {
+
+/// What one session says about X on its own.
+struct SessionAnswer {
+  Matrix6d information = Matrix6d::Zero();  ///< of X under `perturbed`
+  Vector6d from_common = Vector6d::Zero();  ///< its own X as seen from the common one
+};
+
+/// The answer of each session, linearised at the common X of `details`. Empty with a single session.
+std::vector<SessionAnswer> session_answers(const JointProblem& problem, const PairwiseDetails& details,
+                                           const Progress& progress);
+
+/// How far the answers scatter about their common one, as a multiple of what their errors explain (the Birge ratio:
+/// root of chi-square over its degrees of freedom, over the directions that each session determines well); about 1
+/// where the noise model holds. NaN where no two sessions determine the same direction.
+/// @param without a session that is left out; -1: none
+double session_disagreement(const std::vector<SessionAnswer>& answers, const SolveOptions& options, int without = -1);
+
+/// A session that all others contradict.
+struct OutlierSession {
+  int session = 0;
+  double disagreement = 0.0;           ///< with it
+  Vector6d common = Vector6d::Zero();  ///< what the others agree on, as seen from the common X
+};
+
+/// The session without which the others, at least two, agree, where they badly do not with it. Nothing where none or
+/// more than one would have to go: then nobody knows who is right.
+std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& answers, const SolveOptions& options);
+
+}  // namespace remount

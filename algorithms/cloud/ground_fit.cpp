@@ -1,0 +1,94 @@
+#include "algorithms/cloud/ground_fit.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <vector>
+
+#include "algorithms/cloud/level_frame.h"
+
+namespace remount {
+namespace {
+
+using Eigen::Vector3d;
+
+// Mean of the ground's points in each cell: near the sensor points lie a hundred times denser than at the edge, and
+// what is seen from nearby is not more of the ground.
+std::vector<Vector3d> cell_means(const std::vector<Vector3d>& points, double radius_m) {
+  constexpr double kCell_m = 1.0;
+  const int half = static_cast<int>(std::ceil(radius_m / kCell_m)), side = 2 * half;
+  std::vector<Vector3d> sums(static_cast<std::size_t>(side * side), Vector3d::Zero());
+  std::vector<int> counts(sums.size(), 0);
+  for (const Vector3d& p : points) {
+    const int column = static_cast<int>(std::floor(p.x() / kCell_m)) + half,
+              row = static_cast<int>(std::floor(p.y() / kCell_m)) + half;
+    if (column < 0 || row < 0 || column >= side || row >= side) continue;
+    const auto cell = static_cast<std::size_t>(row * side + column);
+    sums[cell] += p;
+    ++counts[cell];
+  }
+  constexpr int kFewest = 4;
+  std::vector<Vector3d> means;
+  for (std::size_t cell = 0; cell < sums.size(); ++cell)
+    if (counts[cell] >= kFewest) means.push_back(sums[cell] / counts[cell]);
+  return means;
+}
+
+// z = c0 x + c1 y + c2, by iteratively reweighted least squares (Tukey).
+struct LevelPlane {
+  Vector3d coefficients = Vector3d::Zero();
+  double rms_m = 0.0;
+  bool valid = false;
+};
+
+LevelPlane fit_plane(const std::vector<Vector3d>& points) {
+  constexpr double kLimit_m = 0.15;  // beyond it a point is no ground
+  constexpr int kRounds = 10;
+  LevelPlane plane;
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Vector3d side = Vector3d::Zero();
+    double weights = 0.0, sum2 = 0.0;
+    for (const Vector3d& p : points) {
+      const Vector3d row(p.x(), p.y(), 1.0);
+      const double residual = p.z() - row.dot(plane.coefficients);
+      const double ratio2 = round == 0 ? 0.0 : residual * residual / (kLimit_m * kLimit_m);
+      if (ratio2 >= 1.0) continue;
+      const double weight = (1.0 - ratio2) * (1.0 - ratio2);
+      normal += weight * row * row.transpose();
+      side += weight * p.z() * row;
+      weights += weight;
+      sum2 += weight * residual * residual;
+    }
+    const Eigen::LDLT<Eigen::Matrix3d> factors(normal);
+    // Points on one side or in a line do not hold a plane: their spread about the origin is what counts.
+    constexpr double kFewest = 20.0, kLeastSpread_m2 = 1.0;
+    plane.valid =
+        weights >= kFewest && factors.info() == Eigen::Success && factors.vectorD().minCoeff() > kLeastSpread_m2;
+    if (!plane.valid) return plane;
+    plane.coefficients = factors.solve(side);
+    plane.rms_m = std::sqrt(sum2 / weights);
+  }
+  return plane;
+}
+
+}  // namespace
+
+std::optional<GroundFit> fit_ground(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& up_in_lidar,
+                                    const ObjectOptions& options, double radius_m) {
+  const std::vector<bool> mask = ground_mask(cloud_in_lidar, up_in_lidar, options);
+  const Eigen::Matrix3d level = level_from_lidar(up_in_lidar).cast<double>();
+  std::vector<Vector3d> ground;
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (!mask[i]) continue;
+    const Vector3d p = level * cloud_in_lidar.points[i].cast<double>();
+    if (p.head<2>().norm() < radius_m) ground.push_back(p);
+  }
+  const std::vector<Vector3d> means = cell_means(ground, radius_m);
+  const LevelPlane plane = fit_plane(means);
+  if (!plane.valid) return std::nullopt;
+  const Vector3d up_level = Vector3d(-plane.coefficients.x(), -plane.coefficients.y(), 1.0).normalized();
+  return GroundFit{level.transpose() * up_level, -plane.coefficients.z() * up_level.z(),
+                   static_cast<int>(ground.size()), plane.rms_m};
+}
+
+}  // namespace remount

@@ -1,0 +1,76 @@
+#include "model/pipeline/ground_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/cloud/ground_fit.h"
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+
+namespace remount {
+namespace {
+
+constexpr std::size_t kMostScans = 60, kFewestScans = 5;
+constexpr double kRadius_m = 12.0;  // sparse sensors see no ground nearer than some seven metres
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// Sigma of a median from the scatter about it.
+double sigma_of_median(const std::vector<double>& values, double middle) {
+  std::vector<double> distances;
+  for (const double value : values) distances.push_back(std::abs(value - middle));
+  constexpr double kToSigma = 1.4826, kOfMedian = 1.2533;
+  return kOfMedian * kToSigma * median(distances) / std::sqrt(static_cast<double>(values.size()));
+}
+
+std::vector<std::size_t> spread_keyframes(const StageContext& context) {
+  std::vector<std::size_t> with_scans, chosen;
+  for (std::size_t k = 0; k < context.keyframes.size(); ++k)
+    if (context.motion.session(context.keyframes[k].session).scans) with_scans.push_back(k);
+  const std::size_t count = std::min(kMostScans, with_scans.size());
+  for (std::size_t i = 0; i < count; ++i) chosen.push_back(with_scans[i * with_scans.size() / count]);
+  return chosen;
+}
+
+}  // namespace
+
+std::optional<ObservedGround> observe_ground(const StageContext& context, const ScanStore& scans, Progress& progress) {
+  const std::vector<std::size_t> keyframes = spread_keyframes(context);
+  std::vector<std::optional<GroundFit>> fits(keyframes.size());
+  // Across the vehicle, not against gravity: on a hill both lean.
+  const Eigen::Vector3f up = (context.ins_from_lidar.linear().transpose() * Eigen::Vector3d::UnitZ()).cast<float>();
+  parallel_for(keyframes.size(), context.threads, [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    try {
+      fits[i] = fit_ground(scans.load(context.keyframes[keyframes[i]]), up, context.settings.objects, kRadius_m);
+    } catch (const Error&) {
+      // Reported where objects are found.
+    }
+  });
+  std::vector<double> heights, first, second;
+  const Eigen::Matrix3d level =
+      Eigen::Quaterniond::FromTwoVectors(up.cast<double>(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  for (const auto& fit : fits) {
+    if (!fit) continue;
+    const Eigen::Vector3d normal = level * fit->up_in_lidar;
+    heights.push_back(fit->lidar_height_m);
+    first.push_back(normal.x());
+    second.push_back(normal.y());
+  }
+  if (heights.size() < kFewestScans || progress.cancelled()) return std::nullopt;
+  // Below a vehicle the road is no plane to the millimetre (crown, ruts), and beams hit it at a shallow angle.
+  constexpr double kLeastHeight_m = 0.005, kLeastTilt_rad = 1e-3;
+  ObservedGround plane;
+  const double x = median(first), y = median(second);
+  plane.up_in_lidar = level.transpose() * Eigen::Vector3d(x, y, 1.0).normalized();
+  plane.lidar_height_m = median(heights);
+  plane.height_sigma_m = std::hypot(kLeastHeight_m, sigma_of_median(heights, plane.lidar_height_m));
+  plane.up_sigma_rad = std::hypot(kLeastTilt_rad, std::max(sigma_of_median(first, x), sigma_of_median(second, y)));
+  return plane;
+}
+
+}  // namespace remount

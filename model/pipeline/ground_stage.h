@@ -1,0 +1,13 @@
+// The ground in the scans, for an INS whose height above it is known.
+#pragma once
+
+#include "algorithms/calibration/measured.h"
+#include "model/pipeline/register_stage.h"
+
+namespace remount {
+
+/// Mean ground plane over keyframes spread evenly through the drive, in the lidar frame. Nothing where fewer than five
+/// scans show it. Unreadable scans are left out (they are reported where objects are found).
+std::optional<ObservedGround> observe_ground(const StageContext& context, const ScanStore& scans, Progress& progress);
+
+}  // namespace remount

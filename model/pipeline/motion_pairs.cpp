@@ -1,0 +1,145 @@
+// Solving from motions that were computed elsewhere.
+#include <algorithm>
+#include <deque>
+#include <limits>
+
+#include "algorithms/calibration/pairwise.h"
+#include "algorithms/core/error.h"
+#include "model/pipeline.h"
+
+namespace remount {
+namespace {
+
+// Local frame of each keyframe's group from its INS, chained through the pairs; nothing where keyframes that share
+// numbers do not share poses: P of a loop does not close, a pair names one keyframe twice, or no loop tells.
+std::optional<std::vector<RigidTransform>> chained_poses(std::size_t keyframes, const std::vector<Pair>& pairs) {
+  constexpr double kClosed_m = 2e-3, kClosed_rad = 1e-4;  // digits that were not printed, and their sum along a chain
+  std::vector<std::vector<std::size_t>> pairs_of(keyframes);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (pairs[i].keyframe_a == pairs[i].keyframe_b) return std::nullopt;
+    pairs_of[static_cast<std::size_t>(pairs[i].keyframe_a)].push_back(i);
+    pairs_of[static_cast<std::size_t>(pairs[i].keyframe_b)].push_back(i);
+  }
+  std::vector<RigidTransform> poses(keyframes, RigidTransform::Identity());
+  std::size_t tree_pairs = 0;
+  std::vector<bool> placed(keyframes, false);
+  for (std::size_t start = 0; start < keyframes; ++start) {
+    if (placed[start]) continue;
+    placed[start] = true;
+    for (std::deque<std::size_t> queue{start}; !queue.empty(); queue.pop_front()) {
+      const std::size_t here = queue.front();
+      for (const std::size_t i : pairs_of[here]) {
+        const auto a = static_cast<std::size_t>(pairs[i].keyframe_a), b = static_cast<std::size_t>(pairs[i].keyframe_b);
+        const RigidTransform& p = pairs[i].ins_b_from_ins_a;
+        const std::size_t other = here == a ? b : a;
+        const RigidTransform pose = poses[here] * (here == a ? RigidTransform(p.inverse()) : p);
+        if (!placed[other]) {
+          poses[other] = pose;
+          placed[other] = true;
+          ++tree_pairs;
+          queue.push_back(other);
+        }
+        const Vector6d gap = difference(poses[other], pose);
+        if (!(gap.head<3>().norm() < kClosed_m && gap.tail<3>().norm() < kClosed_rad)) return std::nullopt;
+      }
+    }
+  }
+  if (tree_pairs == pairs.size()) return std::nullopt;
+  return poses;
+}
+
+// One node a keyframe, in the order of their numbers. Fills the pairs' nodes.
+void add_shared_nodes(const std::vector<Keyframe>& keyframes, const std::vector<RigidTransform>& poses,
+                      PairwiseInput& input, std::vector<Pair>& pairs) {
+  std::vector<std::size_t> order(keyframes.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t left, std::size_t right) {
+    return std::pair(keyframes[left].session, keyframes[left].scan) <
+           std::pair(keyframes[right].session, keyframes[right].scan);
+  });
+  std::vector<int> node_of(keyframes.size());
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const std::size_t k = order[place];
+    node_of[k] = static_cast<int>(place);
+    JointNode node;
+    node.session = keyframes[k].session;
+    node.time_s = keyframes[k].scan;
+    node.local_from_ins = poses[k];
+    input.nodes.push_back(node);
+  }
+  for (Pair& pair : pairs) {
+    pair.keyframe_a = node_of[static_cast<std::size_t>(pair.keyframe_a)];
+    pair.keyframe_b = node_of[static_cast<std::size_t>(pair.keyframe_b)];
+  }
+}
+
+// Two nodes a pair, in the order of the list. Fills the pairs' nodes.
+void add_own_nodes(const std::vector<Keyframe>& keyframes, PairwiseInput& input, std::vector<Pair>& pairs) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    Pair& pair = pairs[i];
+    JointNode node;
+    node.session = keyframes[static_cast<std::size_t>(pair.keyframe_b)].session;
+    node.time_s = static_cast<double>(i);
+    input.nodes.push_back(node);
+    pair.keyframe_b = static_cast<int>(2 * i);
+    node.local_from_ins = pair.ins_b_from_ins_a;
+    input.nodes.push_back(node);
+    pair.keyframe_a = static_cast<int>(2 * i + 1);
+  }
+}
+
+PairwiseInput motions_input(const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
+                            const Settings& settings) {
+  PairwiseInput input;
+  input.range = settings.range;
+  input.options = settings.solve;
+  input.measured = Measured(settings.measured, std::nullopt);
+  input.motions_only = true;
+  // Places in the list are no seconds: as many blocks as a drive has.
+  input.options.bootstrap_block_s = std::numeric_limits<double>::infinity();
+  const std::optional<std::vector<RigidTransform>> poses = chained_poses(keyframes.size(), pairs);
+  input.pairs_share_scans = poses.has_value();
+  if (poses)
+    add_shared_nodes(keyframes, *poses, input, pairs);
+  else
+    add_own_nodes(keyframes, input, pairs);
+  for (const JointNode& node : input.nodes)
+    if (static_cast<std::size_t>(node.session) >= input.sessions.size())
+      input.sessions.resize(static_cast<std::size_t>(node.session) + 1);
+  for (SessionNoise& session : input.sessions) {
+    // An attitude error common to all cannot be told from X, and without times nothing drifts.
+    session.attitude_bias_sigma_rad = 0.0;
+    session.position_drift = session.attitude_drift = 0.0;
+  }
+  return input;
+}
+
+}  // namespace
+
+CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
+                                     const Settings& settings,
+                                     const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress) {
+  const std::string problem = nominal_problem(nominal_ins_from_lidar, settings.range);
+  if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
+  for (Pair& pair : pairs) {
+    pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();
+    pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
+    pair.registration.attempted = pair.registration.converged = true;
+    if (pair.registration.information.isZero(0.0)) pair.registration.information = Matrix6d::Identity() * 1e8;
+  }
+  // The solver's nodes are not the caller's keyframes.
+  std::vector<Pair> solved = pairs;
+  PairwiseInput input = motions_input(keyframes, solved, settings);
+  input.nominal_ins_from_lidar = nominal_ins_from_lidar;
+  CalibrationResult result = solve_pairwise(input, solved, progress);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    solved[i].keyframe_a = pairs[i].keyframe_a;
+    solved[i].keyframe_b = pairs[i].keyframe_b;
+  }
+  pairs = std::move(solved);
+  result.time_offset = {};  // motion pairs carry no time
+  result.session_time_offset_s.clear();
+  return result;
+}
+
+}  // namespace remount

@@ -1,0 +1,70 @@
+#include "algorithms/calibration/session_agreement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/algorithms/support/simulated_drive.h"
+
+namespace remount {
+namespace {
+
+CalibrationResult solve(const DriveOptions& options, int seed, double second_turned_rad,
+                        std::vector<Pair>* judged = nullptr) {
+  SimulatedDrive drive = simulate(options, seed);
+  std::vector<Pair> pairs = pairs_of(drive);
+  // A lidar that was turned between the sessions.
+  const RigidTransform turn =
+      make_rigid(so3_exp(Eigen::Vector3d(0.0, 0.0, second_turned_rad)), Eigen::Vector3d::Zero());
+  for (Pair& pair : pairs)
+    if (drive.problem.nodes[static_cast<std::size_t>(pair.keyframe_a)].session == 1)
+      pair.lidar_b_from_lidar_a = turn.inverse() * pair.lidar_b_from_lidar_a * turn;
+  const CalibrationResult result = solve_pairwise(input_of(drive, options), pairs, {});
+  if (judged != nullptr) *judged = pairs;
+  return result;
+}
+
+TEST(session_agreement, is_about_one_where_the_errors_are_as_modelled) {
+  DriveOptions options;
+  options.sessions = 3;
+  double sum = 0.0;
+  constexpr int kProblems = 5;
+  for (int seed = 1; seed <= kProblems; ++seed) sum += solve(options, seed, 0.0).session_disagreement;
+  EXPECT_GT(sum / kProblems, 0.6);
+  EXPECT_LT(sum / kProblems, 1.4);
+}
+
+TEST(session_agreement, sessions_that_contradict_each_other_enlarge_every_sigma_and_are_reported) {
+  DriveOptions options;
+  options.sessions = 2;
+  const CalibrationResult together = solve(options, 3, 0.0), apart = solve(options, 3, 0.003);
+  EXPECT_GT(apart.session_disagreement, 3.0);
+  ASSERT_TRUE(together.sigma(3) && apart.sigma(3));
+  EXPECT_GT(*apart.sigma(3), 2.5 * *together.sigma(3));
+  bool reported = false;
+  for (const std::string& advice : apart.advice) reported = reported || advice.find("contradict") != std::string::npos;
+  EXPECT_TRUE(reported);
+}
+
+TEST(session_agreement, a_session_that_all_others_contradict_is_left_out_with_the_reason) {
+  DriveOptions options;
+  options.sessions = 3;
+  std::vector<Pair> pairs;
+  const CalibrationResult result = solve(options, 4, 0.004, &pairs);
+  EXPECT_LT(rotation_angle_between_rad(result.ins_from_lidar, mounting()), 5e-4);
+  EXPECT_LT(result.session_disagreement, 2.0);
+  const auto of_second = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) {
+    return pair.reason.find("its session contradicts") != std::string::npos;
+  }));
+  EXPECT_EQ(of_second, pairs.size() / 3);
+  bool reported = false;
+  for (const std::string& advice : result.advice) reported = reported || advice.find("Session 2") != std::string::npos;
+  EXPECT_TRUE(reported);
+}
+
+TEST(session_agreement, a_single_session_says_nothing_of_it) {
+  EXPECT_TRUE(std::isnan(solve({}, 1, 0.0).session_disagreement));
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,130 @@
+// A hundred drives of each kind: errors must be as large as the stated sigma says, neither larger nor smaller, and what
+// is not observed must carry none. Runs for an hour; REMOUNT_DRIVES sets another number of drives.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+
+#include "algorithms/core/parallel.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+std::size_t drive_count() {
+  const char* text = std::getenv("REMOUNT_DRIVES");
+  const int count = text != nullptr ? std::atoi(text) : 100;
+  return count > 0 ? static_cast<std::size_t>(count) : 100U;
+}
+
+SimulationOptions drive_options(ScenarioKind scenario, int seed) {
+  SimulationOptions options;
+  options.scenario = scenario;
+  options.seed = seed;
+  options.beams = 24;
+  options.azimuth_steps = 400;
+  options.duration_s = 9.0;
+  return options;
+}
+
+CalibrationResult calibrate(const std::vector<SimulationOptions>& sessions) {
+  PipelineInput input;
+  for (const SimulationOptions& options : sessions) {
+    SimulatedDrive drive = simulate_drive(options);
+    drive.session.ins_attitude_bias_sigma_rad = 0.0;  // an INS does not know what is wrong with it
+    input.sessions.push_back(std::make_shared<Session>(drive.session));
+    input.nominal_ins_from_lidar = sessions.front().ins_from_lidar;
+  }
+  input.settings.pairing.max_partners = 4;
+  input.settings.run.map_check = false;
+  input.threads = 1;
+  Progress progress;
+  return run_pipeline(input, progress).result;
+}
+
+// Quantile of chi-square by Wilson and Hilferty; within 0.3% from ten degrees of freedom on.
+double chi2_quantile(double freedom, double normal_quantile) {
+  const double spread = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(1.0 - spread + normal_quantile * std::sqrt(spread), 3.0);
+}
+
+/// @param observed which parameters every drive must show, which none may (order of kParameterNames)
+void expect_honest(const std::function<std::vector<SimulationOptions>(int seed)>& sessions_of,
+                   const std::array<bool, 6>& observed) {
+  const std::size_t drives = drive_count();
+  std::vector<std::array<double, 6>> normalised(drives);
+  parallel_for(drives, 0, [&](std::size_t i) {
+    const auto sessions = sessions_of(static_cast<int>(i));
+    normalised[i] = normalised_errors(calibrate(sessions), sessions.front().ins_from_lidar);
+  });
+  constexpr double kOnePercent = 2.5758;  // two-sided
+  for (std::size_t parameter = 0; parameter < 6; ++parameter) {
+    double sum = 0.0, largest = 0.0;
+    std::size_t count = 0;
+    for (const auto& drive : normalised) {
+      if (!std::isfinite(drive[parameter])) continue;
+      sum += drive[parameter] * drive[parameter];
+      largest = std::max(largest, std::abs(drive[parameter]));
+      ++count;
+    }
+    const auto freedom = static_cast<double>(count);
+    const double lower = chi2_quantile(freedom, -kOnePercent), upper = chi2_quantile(freedom, kOnePercent);
+    std::printf("  %-5s: %3zu of %zu drives, chi-square %.1f (%.1f to %.1f), largest %.2f sigma\n",
+                kParameterNames[parameter].data(), count, drives, sum, lower, upper, largest);
+    if (!observed[parameter]) {
+      EXPECT_EQ(count, 0U) << kParameterNames[parameter] << " cannot be observed and has a sigma";
+      continue;
+    }
+    EXPECT_EQ(count, drives) << kParameterNames[parameter];
+    EXPECT_LT(sum, upper) << kParameterNames[parameter] << ": sigma is too small";
+    EXPECT_GT(sum, lower) << kParameterNames[parameter] << ": sigma is too large";
+  }
+}
+
+TEST(sigma_of_a_hundred_drives, undulating) {
+  expect_honest([](int i) { return std::vector{drive_options(ScenarioKind::Street, 20000 + i)}; },
+                {true, true, true, true, true, true});
+}
+
+TEST(sigma_of_a_hundred_drives, flat) {
+  expect_honest([](int i) { return std::vector{drive_options(ScenarioKind::Flat, 21000 + i)}; },
+                {true, true, false, true, true, true});
+}
+
+TEST(sigma_of_a_hundred_drives, straight) {
+  expect_honest([](int i) { return std::vector{drive_options(ScenarioKind::Straight, 22000 + i)}; },
+                {false, false, false, true, true, false});
+}
+
+TEST(sigma_of_a_hundred_drives, figure_of_eight) {
+  expect_honest([](int i) { return std::vector{drive_options(ScenarioKind::FigureEight, 23000 + i)}; },
+                {true, true, true, true, true, true});
+}
+
+// Three drives, one of them with an INS that is turned by some tenths of a degree and does not know.
+TEST(sigma_of_a_hundred_drives, one_outlier_session) {
+  expect_honest(
+      [](int i) {
+        std::vector<SimulationOptions> sessions;
+        for (int s = 0; s < 3; ++s) sessions.push_back(drive_options(ScenarioKind::Street, 24000 + 10 * i + s));
+        sessions[2].ins_attitude_bias_deg = 0.3;
+        return sessions;
+      },
+      {true, true, true, true, true, true});
+}
+
+TEST(sigma_of_a_hundred_drives, drifting_ins) {
+  expect_honest(
+      [](int i) {
+        SimulationOptions options = drive_options(ScenarioKind::Street, 25000 + i);
+        options.ins_position_drift_m = 0.01;
+        options.ins_attitude_drift_deg = 0.01;
+        return std::vector{options};
+      },
+      {true, true, true, true, true, true});
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,63 @@
+// What is known beside the pairs, and the map check, in whole calibrations of simulated drives.
+#include <gtest/gtest.h>
+
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+SimulationOptions flat() {
+  SimulationOptions options;
+  options.scenario = ScenarioKind::Flat;
+  options.beams = 32;
+  options.azimuth_steps = 600;
+  return options;
+}
+
+PipelineOutput calibrate(const SimulatedDrive& drive, const Settings& settings,
+                         const std::optional<RigidTransform>& nominal) {
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  input.settings = settings;
+  input.nominal_ins_from_lidar = nominal;
+  Progress progress;
+  return run_pipeline(input, progress);
+}
+
+TEST(measured_drive, ground_below_an_ins_of_known_height_gives_z_on_a_flat_road) {
+  const SimulatedDrive drive = simulate_drive(flat());
+  Settings settings;
+  settings.measured.ins_height_m = 0.8;  // of the simulated vehicle
+  settings.measured.ins_height_sigma_m = 0.01;
+  const PipelineOutput output = calibrate(drive, settings, {});
+  ASSERT_TRUE(output.ground);
+  std::printf("  lidar %.3f m above the ground, sigma %.4f m\n", output.ground->lidar_height_m,
+              output.ground->height_sigma_m);
+  const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
+  ASSERT_TRUE(output.result.observed[2]) << output.result.message;
+  EXPECT_LE(std::abs(error.z_m), 0.03);
+  EXPECT_LE(*output.result.sigma(2), 0.03);
+  expect_within_sigma(output.result, drive.ins_from_lidar, 3.5);
+}
+
+TEST(measured_drive, map_is_sharper_under_the_result_than_under_a_wrong_nominal) {
+  const SimulatedDrive drive = simulate_drive(flat());
+  SixParameters six = six_from_rigid(drive.ins_from_lidar);
+  six.yaw_rad += 0.03;
+  six.x_m += 0.15;
+  const PipelineOutput output = calibrate(drive, {}, rigid_from_six(six));
+  ASSERT_GE(output.sharpness.size(), 3U);
+  EXPECT_EQ(output.sharpness[0].source, "result");
+  EXPECT_EQ(output.sharpness[1].source, "nominal");
+  const MapSharpness &result = output.sharpness[0].sharpness, &nominal = output.sharpness[1].sharpness;
+  std::printf("  surfaces %.1f mm under the result, %.1f mm under the nominal; entropy %.3f, %.3f; %zu points\n",
+              1e3 * result.plane_thickness_m, 1e3 * nominal.plane_thickness_m, result.mean_map_entropy,
+              nominal.mean_map_entropy, result.points);
+  EXPECT_LT(result.plane_thickness_m, 0.8 * nominal.plane_thickness_m);
+  EXPECT_LT(result.mean_map_entropy, nominal.mean_map_entropy - 0.1);
+  for (const Finding& finding : output.findings) EXPECT_NE(finding.code, "map-less-sharp") << finding.explanation;
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,106 @@
+// Solving from motions that were computed elsewhere.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "model/io/motion_pairs_file.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+const std::filesystem::path kPairs = std::filesystem::path(REMOUNT_SOURCE_DIR) / "../shared/data/pairs";
+
+CalibrationResult solve(MotionPairs motions, const std::string& only_set = "") {
+  std::erase_if(motions.pairs, [&](const Pair& pair) {
+    const int set = motions.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session;
+    return !only_set.empty() && motions.sets[static_cast<std::size_t>(set)] != only_set;
+  });
+  Progress progress;
+  return solve_motion_pairs(motions.keyframes, motions.pairs, {}, {}, progress);
+}
+
+TEST(motion_pairs_solution, exact_pairs_give_x_to_the_digits_of_the_file) {
+  if (!std::filesystem::exists(kPairs)) GTEST_SKIP() << kPairs << " is not there";
+  Eigen::Matrix3d rotation;
+  rotation << 0.000534078, -0.999853228, 0.017124172, 0.999955744, 0.000373132, -0.009400599, 0.009392830, 0.017128435,
+      0.999809178;
+  const RigidTransform truth = make_rigid(nearest_rotation(rotation), {0.002460668, 1.194937238, 1.388801166});
+  const CalibrationResult result = solve(read_motion_pairs(kPairs / "opencalib_PQ_exact.csv"));
+  EXPECT_LE(rotation_angle_between_rad(result.ins_from_lidar, truth), 1e-6);
+  EXPECT_LE((result.ins_from_lidar.translation() - truth.translation()).norm(), 1e-5);
+  EXPECT_EQ(result.status, Status::Ok) << result.message;
+  expect_within_sigma(result, truth, 3.5);
+}
+
+TEST(motion_pairs_solution, recorded_pairs_that_share_scans_are_within_the_sigma) {
+  if (!std::filesystem::exists(kPairs)) GTEST_SKIP() << kPairs << " is not there";
+  Eigen::Matrix3d rotation;
+  rotation << 0.999997642, -0.000785403, 0.002024406, 0.000755307, 0.999889825, 0.014824542, -0.002035826, -0.014822978,
+      0.999888061;
+  const RigidTransform kitti = make_rigid(nearest_rotation(rotation), {0.810543938, -0.307054366, 0.802724026});
+  const CalibrationResult result = solve(read_motion_pairs(kPairs / "kitti_PQ_icp_vs_ins.csv"));
+  error_of(result, kitti);
+  expect_within_sigma(result, kitti, 3.5);
+  for (const ObservabilityDirection& direction : result.directions)
+    if (std::abs(direction.direction[2]) > 0.9) EXPECT_EQ(direction.observed, result.observed[2]) << direction.words;
+}
+
+TEST(motion_pairs_solution, sets_that_contradict_each_other_leave_the_reference_within_the_sigma) {
+  if (!std::filesystem::exists(kPairs)) GTEST_SKIP() << kPairs << " is not there";
+  const MotionPairs motions = read_motion_pairs(kPairs / "zxl19_PQ_inspvax_vs_aloam.csv");
+  const RigidTransform reference = make_rigid((Eigen::AngleAxisd(degrees_to_radians(0.134), Eigen::Vector3d::UnitX()) *
+                                               Eigen::AngleAxisd(degrees_to_radians(0.619), Eigen::Vector3d::UnitY()) *
+                                               Eigen::AngleAxisd(degrees_to_radians(-90.443), Eigen::Vector3d::UnitZ()))
+                                                  .toRotationMatrix(),
+                                              {-0.004, 0.379, 0.13});
+  const CalibrationResult together = solve(motions);
+  error_of(together, reference);
+  std::printf("  sets scatter %.2f times as much as their errors explain\n", together.session_disagreement);
+  EXPECT_GT(together.session_disagreement, 2.0) << "the drives' own answers differ by half a degree of yaw";
+  expect_within_sigma(together, reference, 3.5);
+}
+
+// Exact motions of a winding drive, each pair's keyframes by number.
+MotionPairs winding() {
+  MotionPairs motions;
+  motions.sets = {"drive"};
+  const RigidTransform x = rigid_from_six({1.0, 0.2, 1.5, 0.3, 0.05, -0.04});
+  std::vector<RigidTransform> poses;
+  for (int k = 0; k < 20; ++k) {
+    poses.push_back(rigid_from_six(
+        {1.5 * k, std::sin(0.5 * k), 0.0, 0.5 * std::sin(0.4 * k), 0.1 * std::sin(0.9 * k), 0.1 * std::cos(0.7 * k)}));
+    motions.keyframes.push_back({0, k, k, 0.0});
+  }
+  for (int a = 0; a < 20; ++a)
+    for (int b = a + 1; b < std::min(20, a + 4); ++b) {
+      Pair pair;
+      pair.keyframe_a = b;
+      pair.keyframe_b = a;
+      pair.ins_b_from_ins_a = poses[static_cast<std::size_t>(a)].inverse() * poses[static_cast<std::size_t>(b)];
+      pair.lidar_b_from_lidar_a = x.inverse() * pair.ins_b_from_ins_a * x;
+      motions.pairs.push_back(pair);
+    }
+  return motions;
+}
+
+TEST(motion_pairs_solution, pairs_keep_their_keyframes_whether_these_name_poses_or_not) {
+  const RigidTransform truth = rigid_from_six({1.0, 0.2, 1.5, 0.3, 0.05, -0.04});
+  for (const bool poses_shared : {true, false}) {
+    MotionPairs motions = winding();
+    if (!poses_shared)
+      for (Pair& pair : motions.pairs) pair.keyframe_a = pair.keyframe_b;  // numbers of rows
+    const std::vector<Pair> before = motions.pairs;
+    Progress progress;
+    const CalibrationResult result = solve_motion_pairs(motions.keyframes, motions.pairs, {}, {}, progress);
+    EXPECT_EQ(result.status, Status::Ok) << result.message;
+    EXPECT_LT((result.ins_from_lidar.translation() - truth.translation()).norm(), 1e-6);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      EXPECT_EQ(motions.pairs[i].keyframe_a, before[i].keyframe_a);
+      EXPECT_EQ(motions.pairs[i].keyframe_b, before[i].keyframe_b);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace remount
