@@ -7,6 +7,7 @@
 
 #include "algorithms/cloud/level_frame.h"
 #include "algorithms/cloud/objects.h"
+#include "algorithms/geometry/rotation.h"
 
 namespace remount {
 namespace {
@@ -160,7 +161,7 @@ std::vector<Cell> apart(std::vector<Cell> peaks, std::size_t most) {
   for (const Cell& peak : peaks) {
     const bool beside = std::any_of(kept.begin(), kept.end(), [&](const Cell& other) {
       const double distance_m = kCell_m * std::hypot(peak.dx - other.dx, peak.dy - other.dy);
-      return std::hypot(distance_m / kApart_m, (peak.yaw_rad - other.yaw_rad) / kApart_rad) < 1.0;
+      return std::hypot(distance_m / kApart_m, wrap_angle_rad(peak.yaw_rad - other.yaw_rad) / kApart_rad) < 1.0;
     });
     if (!beside) kept.push_back(peak);
     if (kept.size() == most) break;

@@ -15,7 +15,7 @@ FloatTransform float_transform(const RigidTransform& target_from_source);
 /// Blocks are worked on a few hundred at a time, with a look at the progress in between.
 inline constexpr std::int32_t kBlocksAtOnce = 256;
 
-///
+/// Finds the neighbours of one scan's blocks in another scan.
 /// Keeps references to `source`, to the blocks of `target` and to nothing else: both must outlive it and stay
 /// unchanged. One matcher serves one pair on one thread.
 class Matcher {

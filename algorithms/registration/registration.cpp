@@ -35,7 +35,7 @@ JudgedAlignment align_from(const PreparedCloud& source, const PreparedCloud& tar
     result.quality.converged = false;
   }
   const AlignmentEquations equations =
-      alignment_equations(source, target, result.target_from_source, 0.5 * options.max_correspondence_m);
+      alignment_equations(source, target, result.target_from_source, 0.5 * options.max_correspondence_m, progress);
   out.agreement = equations.agreement;
   result.quality.rmse_m = equations.rmse_m;
   result.quality.overlap = equations.overlap;

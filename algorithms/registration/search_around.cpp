@@ -74,9 +74,10 @@ AroundSearch search_around(const PreparedCloud& source, const PreparedCloud& tar
   for (const CoarseMode& mode : coarse_modes(source, target, start, options, kModes, progress)) {
     const RigidTransform found = refined(source, target, mode.target_from_source, options, progress);
     if (progress.cancelled()) return {};
-    if (found.matrix().allFinite())
-      add_place({found, alignment_equations(source, target, found, 0.5 * options.max_correspondence_m).agreement},
-                places);
+    if (!found.matrix().allFinite()) continue;
+    const double radius_m = 0.5 * options.max_correspondence_m;
+    add_place({found, alignment_equations(source, target, found, radius_m, progress).agreement}, places);
+    if (progress.cancelled()) return {};
   }
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.agreement > b.agreement; });

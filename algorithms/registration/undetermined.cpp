@@ -1,6 +1,7 @@
 #include "algorithms/registration/undetermined.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,6 +40,18 @@ Matrix6d scaled_information(const std::vector<SurfaceElement>& elements, double 
   return sum.selfadjointView<Eigen::Upper>();
 }
 
+// What is known along the columns of `rest` where nothing is known along those of `open`: the inverse of the
+// covariance's block. The block of the information itself would take the open directions for known exactly.
+Eigen::MatrixXd marginal(const Matrix6d& information, const Eigen::MatrixXd& open, const Eigen::MatrixXd& rest) {
+  constexpr double kNothing = 1e-13;  // of the largest: what is smaller is rounding, and so is its coupling
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(open.transpose() * information * open);
+  const double least = kNothing * information.trace();
+  const Eigen::VectorXd inverse =
+      eigen.eigenvalues().unaryExpr([least](double value) { return value > least ? 1.0 / value : 0.0; });
+  const Eigen::MatrixXd coupling = rest.transpose() * information * open * eigen.eigenvectors();
+  return rest.transpose() * information * rest - coupling * inverse.asDiagonal() * coupling.transpose();
+}
+
 std::string join(std::string list, const std::string& word) { return list + (list.empty() ? "" : ", ") + word; }
 
 // Names of the axes that a subspace of R^3 (as a projector) holds, or its directions where they lie between axes.
@@ -60,7 +73,7 @@ std::string axes_of(const Eigen::Matrix3d& projector, const std::array<const cha
     v.cwiseAbs().maxCoeff(&largest);
     if (v[largest] < 0.0) v = -v;
     char text[80];
-    std::snprintf(text, sizeof text, "%s (%.2f, %.2f, %.2f)", between, v.x(), v.y(), v.z());
+    std::snprintf(text, sizeof text, "%s [%.2f, %.2f, %.2f]", between, v.x(), v.y(), v.z());
     list = join(list, text);
   }
   return list;
@@ -71,8 +84,8 @@ std::string axes_of(const Eigen::Matrix3d& projector, const std::array<const cha
 std::string UndeterminedDirections::words() const {
   if (empty()) return {};
   const Matrix6d projector = basis * basis.transpose();
-  const std::string shifts = axes_of(projector.topLeftCorner<3, 3>(), {"x", "y", "z"}, "along"),
-                    turns = axes_of(projector.bottomRightCorner<3, 3>(), {"roll", "pitch", "yaw"}, "about");
+  const std::string shifts = axes_of(projector.topLeftCorner<3, 3>(), {"x", "y", "z"}, "the shift along"),
+                    turns = axes_of(projector.bottomRightCorner<3, 3>(), {"roll", "pitch", "yaw"}, "the turn about");
   const std::string both = shifts.empty() ? turns : turns.empty() ? shifts : shifts + ", " + turns;
   // A turn about an axis beside the sensor is half shift and half turn.
   return (both.empty() ? "a turn about an axis beside the sensor" : both) + " (axes of the lidar)";
@@ -80,11 +93,13 @@ std::string UndeterminedDirections::words() const {
 
 Matrix6d UndeterminedDirections::removed_from(const Matrix6d& information) const {
   if (empty()) return information;
+  if (all()) return Matrix6d::Zero();  // exactly: projections leave rounding errors, which pass for knowledge
   Vector6d scale = Vector6d::Ones();
   scale.tail<3>().setConstant(lever_m);
-  const Matrix6d keep = Matrix6d::Identity() - basis * basis.transpose();
   const Matrix6d scaled = scale.cwiseInverse().asDiagonal() * information * scale.cwiseInverse().asDiagonal();
-  const Matrix6d kept = keep * scaled * keep;
+  const Matrix6d axes = Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ();
+  const Eigen::MatrixXd rest = axes.rightCols(6 - basis.cols());
+  const Matrix6d kept = rest * marginal(scaled, basis, rest) * rest.transpose();
   return scale.asDiagonal() * (0.5 * (kept + kept.transpose())) * scale.asDiagonal();
 }
 

@@ -22,10 +22,10 @@ struct UndeterminedDirections {
 
   bool empty() const { return basis.cols() == 0; }
   bool all() const { return basis.cols() == 6; }
-  /// "x, y, yaw of the lidar"; "along (0.71, 0.70, 0.02)" for a direction between axes; empty for none. Axes of the
-  /// target's lidar.
+  /// "x, y, yaw of the lidar"; "the shift along [0.71, 0.70, 0.02]" for a direction between axes; empty for none. Axes
+  /// of the target's lidar.
   std::string words() const;
-  /// The information without what it claims to know of these directions.
+  /// What the information says of the other directions where nothing is known of these; exactly zero for all().
   Matrix6d removed_from(const Matrix6d& information) const;
 };
 

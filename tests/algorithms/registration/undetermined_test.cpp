@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <random>
+
 #include "algorithms/registration/registration.h"
 #include "tests/algorithms/support/room.h"
 
@@ -42,7 +46,7 @@ TEST(undetermined_directions, are_named_in_the_axes_of_a_turned_sensor) {
   const Eigen::Matrix3d quarter = so3_exp({0.0, 0.0, 0.5 * kPi}), eighth = so3_exp({0.0, 0.0, 0.25 * kPi});
   EXPECT_EQ(align_in(corridor(), quarter).quality.undetermined, "y (axes of the lidar)");
   const std::string between = align_in(corridor(), eighth).quality.undetermined;
-  EXPECT_EQ(between.rfind("along (0.7", 0), 0U) << between;
+  EXPECT_EQ(between.rfind("the shift along [0.7", 0), 0U) << between;
 }
 
 TEST(undetermined_directions, of_an_open_field_are_its_plane_and_yaw) {
@@ -55,7 +59,47 @@ TEST(undetermined_directions, of_an_open_field_are_its_plane_and_yaw) {
 TEST(undetermined_directions, of_nothing_are_all) {
   const UndeterminedDirections none = undetermined_directions({});
   EXPECT_TRUE(none.all());
-  EXPECT_TRUE(none.removed_from(Matrix6d::Identity()).isZero(1e-12));
+  EXPECT_TRUE(none.removed_from(Matrix6d::Identity()).isZero(0.0));
+}
+
+TEST(undetermined_directions, of_a_few_surfaces_are_all_and_leave_exactly_nothing) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  const auto vector = [&] { return Eigen::Vector3d(normal(random), normal(random), normal(random)); };
+  std::vector<SurfaceElement> elements;
+  for (int i = 0; i < 5; ++i) elements.push_back({vector().normalized(), 8.0 * vector(), 1.0});
+  const UndeterminedDirections few = undetermined_directions(elements);
+  ASSERT_TRUE(few.all());
+  EXPECT_TRUE(few.removed_from(1e4 * Matrix6d::Identity()).isZero(0.0));
+}
+
+TEST(undetermined_directions, leave_the_inverse_of_the_covariance_of_the_rest) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  const auto filled = [&] { return Matrix6d(Matrix6d::NullaryExpr([&] { return normal(random); })); };
+  const Matrix6d root = filled(), information = root * root.transpose() + Matrix6d::Identity(),
+                 axes = Eigen::HouseholderQR<Matrix6d>(filled()).householderQ();
+  UndeterminedDirections directions;
+  directions.lever_m = 5.0;
+  directions.basis = axes.leftCols<2>();
+  const Vector6d scale = (Vector6d() << 1.0, 1.0, 1.0, 5.0, 5.0, 5.0).finished();
+  const Eigen::Matrix<double, 6, 4> rest = axes.rightCols<4>();
+  const Matrix6d covariance = scale.asDiagonal() * information.inverse() * scale.asDiagonal();
+  const Matrix6d expected = scale.asDiagonal() * rest * (rest.transpose() * covariance * rest).inverse() *
+                            rest.transpose() * scale.asDiagonal();
+  const Matrix6d found = directions.removed_from(information);
+  EXPECT_TRUE(found.isApprox(expected, 1e-9)) << found << "\n\n" << expected;
+}
+
+TEST(undetermined_directions, of_which_nothing_at_all_is_known_leave_the_rest_finite) {
+  UndeterminedDirections directions;
+  directions.basis = Vector6d::Unit(2);
+  Matrix6d information = Matrix6d::Identity();
+  information(2, 2) = 1e-18;
+  information(2, 0) = information(0, 2) = 1e-16;
+  const Matrix6d left = directions.removed_from(information);
+  EXPECT_NEAR(left(0, 0), 1.0, 1e-12);
+  EXPECT_EQ(left(2, 2), 0.0);
 }
 
 TEST(undetermined_directions, leave_the_rest_of_the_information_as_it_was) {
