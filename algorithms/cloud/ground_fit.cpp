@@ -1,10 +1,12 @@
 #include "algorithms/cloud/ground_fit.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "algorithms/cloud/level_frame.h"
+#include "algorithms/geometry/rotation.h"
 
 namespace remount {
 namespace {
@@ -33,6 +35,8 @@ std::vector<Vector3d> cell_means(const std::vector<Vector3d>& points, double rad
   return means;
 }
 
+constexpr double kLimit_m = 0.15;  // farther from the plane a point is no ground
+
 // z = c0 x + c1 y + c2, by iteratively reweighted least squares (Tukey).
 struct LevelPlane {
   Vector3d coefficients = Vector3d::Zero();
@@ -41,7 +45,6 @@ struct LevelPlane {
 };
 
 LevelPlane fit_plane(const std::vector<Vector3d>& points) {
-  constexpr double kLimit_m = 0.15;  // beyond it a point is no ground
   constexpr int kRounds = 10;
   LevelPlane plane;
   for (int round = 0; round < kRounds; ++round) {
@@ -60,7 +63,7 @@ LevelPlane fit_plane(const std::vector<Vector3d>& points) {
       sum2 += weight * residual * residual;
     }
     const Eigen::LDLT<Eigen::Matrix3d> factors(normal);
-    // Points on one side or in a line do not hold a plane: their spread about the origin is what counts.
+    // Points in a line do not hold a plane.
     constexpr double kFewest = 20.0, kLeastSpread_m2 = 1.0;
     plane.valid =
         weights >= kFewest && factors.info() == Eigen::Success && factors.vectorD().minCoeff() > kLeastSpread_m2;
@@ -69,6 +72,21 @@ LevelPlane fit_plane(const std::vector<Vector3d>& points) {
     plane.rms_m = std::sqrt(sum2 / weights);
   }
   return plane;
+}
+
+// Whether the ground lies around the sensor: below it, a plane that is held on one side only is a guess.
+bool surrounds_sensor(const std::vector<Vector3d>& points, const LevelPlane& plane) {
+  constexpr double kWidestGap_rad = 150.0 / 180.0 * kPi;  // half a plane leaves 180 deg, a car beside the sensor 90
+  std::vector<double> azimuths_rad;
+  for (const Vector3d& p : points)
+    if (std::abs(p.z() - Vector3d(p.x(), p.y(), 1.0).dot(plane.coefficients)) < kLimit_m)
+      azimuths_rad.push_back(std::atan2(p.y(), p.x()));
+  if (azimuths_rad.empty()) return false;
+  std::sort(azimuths_rad.begin(), azimuths_rad.end());
+  double gap_rad = azimuths_rad.front() + 2.0 * kPi - azimuths_rad.back();
+  for (std::size_t i = 1; i < azimuths_rad.size(); ++i)
+    gap_rad = std::max(gap_rad, azimuths_rad[i] - azimuths_rad[i - 1]);
+  return gap_rad < kWidestGap_rad;
 }
 
 }  // namespace
@@ -85,7 +103,7 @@ std::optional<GroundFit> fit_ground(const PointCloud& cloud_in_lidar, const Eige
   }
   const std::vector<Vector3d> means = cell_means(ground, radius_m);
   const LevelPlane plane = fit_plane(means);
-  if (!plane.valid) return std::nullopt;
+  if (!plane.valid || !surrounds_sensor(means, plane)) return std::nullopt;
   const Vector3d up_level = Vector3d(-plane.coefficients.x(), -plane.coefficients.y(), 1.0).normalized();
   return GroundFit{level.transpose() * up_level, -plane.coefficients.z() * up_level.z(),
                    static_cast<int>(ground.size()), plane.rms_m};

@@ -16,8 +16,8 @@ struct GroundFit {
   double rms_m = 0.0;  ///< of the points that were kept
 };
 
-/// Robust fit to the ground within `radius_m` of the lidar. Nothing where too little of it is seen, or only on one
-/// side, so that the plane below the vehicle would be a guess.
+/// Robust fit to the ground within `radius_m` of the lidar. Nothing where too little of it is seen, or none of it
+/// over 150 deg of azimuth and more (on one side only): the plane below the vehicle would be a guess.
 /// @param up_in_lidar rough direction away from the ground, unit length
 std::optional<GroundFit> fit_ground(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& up_in_lidar,
                                     const ObjectOptions& options, double radius_m);

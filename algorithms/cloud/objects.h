@@ -74,7 +74,7 @@ struct GroundPlane {
   bool found = false;                                      ///< false: nothing like ground is seen; up is the fallback
 };
 
-/// The same plane with the sensor's height above it.
+/// The plane that estimate_up finds, and the height above it; not `found` where no plane below holds enough points.
 GroundPlane estimate_ground_plane(const PointCloud& cloud_in_lidar, const Eigen::Vector3f& hint);
 
 /// True for each point on the ground.

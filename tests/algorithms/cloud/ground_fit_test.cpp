@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "algorithms/geometry/rigid_transform.h"
@@ -45,6 +46,31 @@ TEST(ground_fit, an_empty_scan_and_a_strip_to_the_left_give_none) {
   PointCloud strip;
   for (double x = 0.0; x < 10.0; x += 0.02) strip.points.emplace_back(static_cast<float>(x), 4.2f, -1.8f);
   EXPECT_FALSE(fit_ground(strip, Eigen::Vector3f::UnitZ(), {}, 12.0));
+}
+
+// Even ground 1.8 m below the sensor wherever `seen` says so.
+template <class Seen>
+PointCloud ground_where(const Seen& seen) {
+  PointCloud cloud;
+  for (float x = -12.0f; x < 12.0f; x += 0.2f)
+    for (float y = -12.0f; y < 12.0f; y += 0.2f)
+      if (std::hypot(x, y) > 3.0f && seen(x, y)) cloud.points.emplace_back(x, y, -1.8f);
+  return cloud;
+}
+
+TEST(ground_fit, ground_on_one_side_only_gives_none) {
+  const auto fit = [](const auto& seen) {
+    return fit_ground(ground_where(seen), Eigen::Vector3f::UnitZ(), {}, 12.0).has_value();
+  };
+  for (const float turn_rad : {0.0f, 0.4f, 0.8f, 2.5f, 4.0f}) {
+    const float c = std::cos(turn_rad), s = std::sin(turn_rad);
+    EXPECT_FALSE(fit([&](float x, float y) { return c * x + s * y > 0.0f; })) << "half plane towards " << turn_rad;
+    EXPECT_FALSE(fit([&](float x, float y) { return c * x + s * y > 5.0f && c * x + s * y < 9.0f; }))
+        << "strip towards " << turn_rad;
+    EXPECT_TRUE(fit([&](float x, float y) { return c * x + s * y > 0.0f || c * y - s * x > 0.0f; }))
+        << "three quadrants, from " << turn_rad;
+  }
+  EXPECT_TRUE(fit([](float, float) { return true; }));
 }
 
 }  // namespace
