@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 
 #include "algorithms/core/parallel.h"
 #include "algorithms/geometry/rotation.h"

@@ -336,7 +336,8 @@ void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   drop_clock_of_failed(result);
   output.pairs = std::move(pairs);
   output.result = std::move(result);
-  output.sharpness.clear();  // it was the former X's
+  output.sharpness.clear();  // it was the former X's, and so was what it said
+  std::erase_if(output.findings, [](const Finding& finding) { return finding.code == kMapLessSharp; });
 }
 
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair_index) {

@@ -99,7 +99,9 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
 
 void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<Finding>& findings) {
   if (sharpness.size() < 2 || sharpness[1].source != "nominal") return;
-  constexpr double kBlunter = 1.05;  // less is chance: neighbourhoods are few and INS noise blurs both
+  constexpr double kBlunter = 1.05;     // less is chance: neighbourhoods are few and INS noise blurs both
+  constexpr std::size_t kFewest = 200;  // fewer are one wall, or chance
+  if (sharpness[0].sharpness.points < kFewest) return;
   const double result_m = sharpness[0].sharpness.plane_thickness_m,
                nominal_m = sharpness[1].sharpness.plane_thickness_m;
   if (!(result_m > kBlunter * nominal_m)) return;
@@ -109,7 +111,7 @@ void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<
       "Surfaces in the accumulated scans are %.1f mm thick under the result and %.1f mm under the nominal: the "
       "map contradicts the result. Look at the pairs and at the clock offset before using it.",
       result_m * 1e3, nominal_m * 1e3);
-  findings.push_back({Severity::Warning, "map-less-sharp", "map check", text});
+  findings.push_back({Severity::Warning, kMapLessSharp, "map check", text});
 }
 
 }  // namespace remount
