@@ -1,5 +1,6 @@
 #include "model/clock_hint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -24,7 +25,9 @@ std::string likely_cause(double difference_s, double slack_s) {
   const double size_s = std::abs(difference_s);
   if (std::abs(size_s - kGpsEpoch_s) < 86400.0)
     return "That is the time between the epochs of Unix and GPS: one of them counts from 1980; declare its time scale.";
-  if (size_s <= 20.0 + slack_s && size_s >= 10.0)
+  // Recorders start within seconds of each other; with the slack of a long drive any difference would do.
+  const double leap_slack_s = std::min(slack_s, 3.0);
+  if (size_s >= 17.0 - leap_slack_s && size_s <= 18.0 + leap_slack_s)
     return "GPS time is 18 s ahead of UTC since 2017 (17 s before): likely leap seconds; declare the time scale.";
   const double hours = std::round(size_s / 1800.0) * 0.5;
   if (hours >= 0.5 && hours <= 14.0 && std::abs(size_s - hours * 3600.0) <= std::max(slack_s, 30.0)) {

@@ -11,8 +11,8 @@ struct TimeSpan {
   std::int64_t first_ns = 0, last_ns = 0;
 };
 
-/// "the scans end 17.8 s before the INS data begin; ... leap seconds": for spans without a common instant. `lidar` and
-/// `ins` are on clocks that should be one.
+/// "the LiDAR's times end 8.000 s before the INS data begin, and the beginnings are 18.000 s apart. GPS time is 18 s
+/// ahead of UTC ...": for spans without a common instant. `lidar` and `ins` are on clocks that should be one.
 std::string time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins);
 
 }  // namespace remount

@@ -53,13 +53,23 @@ bool same_scans(const ScanSource& a, const ScanSource& b) {
   return a.size() == b.size() && same_points(a, 0, b, 0);
 }
 
+/// Most poses of the stamps that both have are equal. Drives whose stamps count from their start share stamps, and the
+/// pose in which they rest at first.
 bool same_odometry(const std::vector<StampedPose>& a, const std::vector<StampedPose>& b) {
-  std::size_t shared = 0;
+  constexpr std::size_t kMany = 10;
+  std::size_t shared = 0, equal = 0, first_equal = 0;
+  bool moved = false;
   for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
-    shared += a[i].stamp_ns == b[k].stamp_ns && a[i].pose.matrix() == b[k].pose.matrix();
+    if (a[i].stamp_ns == b[k].stamp_ns) {
+      ++shared;
+      if (a[i].pose.matrix() == b[k].pose.matrix()) {
+        if (equal++ == 0) first_equal = i;
+        moved = moved || a[i].pose.matrix() != a[first_equal].pose.matrix();
+      }
+    }
     a[i].stamp_ns < b[k].stamp_ns ? ++i : ++k;
   }
-  return shared >= 2;
+  return moved && (shared < kMany ? equal == shared : equal >= kMany && 10 * equal >= 9 * shared);
 }
 
 bool same_recording(const Session& a, const Session& b) {
@@ -129,7 +139,8 @@ CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vec
   }
   result.message =
       "Of " + std::to_string(keyframes.size()) + " keyframes no pair is " + pairing_limits(settings.pairing) + ".";
-  const double travelled_m = keyframes.back().travelled_m;
+  double travelled_m = 0.0;  // the farthest of all sessions
+  for (const Keyframe& keyframe : keyframes) travelled_m = std::max(travelled_m, keyframe.travelled_m);
   if (keyframes.size() == 1)
     result.advice.push_back("One keyframe only: lower keyframes." +
                             std::string(settings.keyframes.mode == KeyframeMode::Time

@@ -19,6 +19,8 @@ TEST(clock_hint, says_by_how_much_and_why) {
     EXPECT_NE(apart(leap).find("leap seconds"), std::string::npos) << apart(leap);
   for (const double zone : {3600.0, -7200.3, 5.5 * 3600.0})
     EXPECT_NE(apart(zone).find("time zone"), std::string::npos) << apart(zone);
+  for (const double other : {60.0, 100.0, 400.0})
+    EXPECT_EQ(apart(other, 0.8 * other).find("leap"), std::string::npos) << apart(other, 0.8 * other);
   EXPECT_NE(apart(7200.0).find("about 2 hours"), std::string::npos) << apart(7200.0);
   EXPECT_NE(apart(-315964782.0).find("1980"), std::string::npos) << apart(-315964782.0);
   for (const double other : {500.0, 1e6, -1.6e9}) {

@@ -60,6 +60,39 @@ TEST(input_checks, part_of_a_recording_and_shifted_stamps_are_the_same_recording
   EXPECT_ERROR(check_sessions({poses, part}), "same recording");
 }
 
+TEST(input_checks, drives_that_begin_at_rest_on_relative_stamps_are_not_taken_for_one) {
+  const auto drive = [](int poses, int rest, double step_m, double later_step_m) {
+    auto session = tiny_session();
+    session->scans = nullptr;
+    double x_m = 0.0;
+    for (int i = 0; i < poses; ++i) {
+      x_m += i < rest ? 0.0 : i < poses / 2 ? step_m : later_step_m;
+      session->odometry_from_lidar.push_back({i * 100, rigid_from_six({x_m, 0, 0, 0, 0, 0})});
+    }
+    return session;
+  };
+  EXPECT_NO_THROW(check_sessions({drive(40, 10, 0.1, 0.1), drive(40, 10, 0.2, 0.2)}));
+  EXPECT_NO_THROW(check_sessions({drive(40, 38, 0.1, 0.1), drive(40, 38, 0.2, 0.2)})) << "equal at rest only";
+  EXPECT_NO_THROW(check_sessions({drive(40, 10, 0.1, 0.1), drive(40, 10, 0.1, 0.2)})) << "half is not most";
+  EXPECT_NO_THROW(check_sessions({drive(6, 2, 0.1, 0.1), drive(6, 2, 0.2, 0.2)}));
+  EXPECT_ERROR(check_sessions({drive(40, 10, 0.1, 0.1), drive(40, 10, 0.1, 0.1)}), "same recording");
+  EXPECT_ERROR(check_sessions({drive(40, 10, 0.1, 0.1), drive(8, 2, 0.1, 0.1)}), "same recording");
+}
+
+TEST(input_checks, one_session_at_rest_does_not_make_a_drive_one_at_rest) {
+  Settings settings;
+  settings.pairing.min_distance_m = 2.0;
+  const DriveMotion motion({tiny_session(1), tiny_session(2)});
+  std::vector<Keyframe> keyframes(4);
+  keyframes[1].travelled_m = 50.0;
+  keyframes[2].session = keyframes[3].session = 1;
+  const CalibrationResult driven = result_without_pairs(motion, keyframes, settings);
+  ASSERT_EQ(driven.advice.size(), 1U);
+  EXPECT_EQ(driven.advice[0].find("stands still"), std::string::npos) << driven.advice[0];
+  keyframes[1].travelled_m = 0.0;
+  EXPECT_NE(result_without_pairs(motion, keyframes, settings).advice.at(0).find("stands still"), std::string::npos);
+}
+
 TEST(input_checks, drives_of_one_vehicle_are_not_taken_for_one) {
   EXPECT_NO_THROW(check_sessions({tiny_session(1), tiny_session(2), tiny_session(3)}));
 }
