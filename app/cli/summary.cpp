@@ -52,6 +52,13 @@ std::string without_numbers(const std::string& reason) {
   return kind;
 }
 
+using CountedReasons = std::map<std::string, std::pair<int, std::string>>;  // how many of a kind, and the first
+
+void count_reason(const std::string& reason, CountedReasons& reasons) {
+  auto& [count, example] = reasons[without_numbers(reason)];
+  if (count++ == 0) example = reason;
+}
+
 std::string sharpness(const std::vector<NamedSharpness>& list) {
   std::string text;
   for (const NamedSharpness& one : list)
@@ -65,14 +72,12 @@ std::string pairs(const ResultFile& file) {
   const CalibrationResult& result = file.result;
   std::string text = format("pairs: %d proposed, %d accepted, %d rejected\n", result.pairs_proposed,
                             result.pairs_accepted, result.pairs_rejected);
-  std::map<std::string, std::pair<int, std::string>> reasons;
-  std::map<std::string, int> open_directions;  // of accepted pairs
+  CountedReasons reasons;
+  CountedReasons open_directions;  // of accepted pairs
   for (const PairRecord& pair : file.pairs) {
     if (pair.state == PairState::Accepted && pair.decided_by == DecidedBy::Program && !pair.reason.empty())
-      ++open_directions[without_numbers(pair.reason)];
-    if (pair.state != PairState::Rejected) continue;
-    auto& [count, example] = reasons[without_numbers(pair.reason)];
-    if (count++ == 0) example = pair.reason;
+      count_reason(pair.reason, open_directions);
+    if (pair.state == PairState::Rejected) count_reason(pair.reason, reasons);
   }
   std::vector<std::pair<int, std::string>> sorted;
   for (const auto& [kind, counted] : reasons) sorted.push_back({-counted.first, counted.second});
@@ -80,7 +85,9 @@ std::string pairs(const ResultFile& file) {
   for (std::size_t i = 0; i < std::min<std::size_t>(sorted.size(), 8); ++i)
     text += format("  %5d rejected: ", -sorted[i].first) + sorted[i].second +
             (sorted[i].first < -1 ? " (and alike)" : "") + "\n";
-  for (const auto& [kind, count] : open_directions) text += format("  %5d accepted: ", count) + kind + "\n";
+  for (const auto& [kind, counted] : open_directions)
+    text +=
+        format("  %5d accepted: ", counted.first) + counted.second + (counted.first > 1 ? " (and alike)" : "") + "\n";
   return text;
 }
 
@@ -95,7 +102,7 @@ std::string summary(const ResultFile& file) {
     text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
                    radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
   }
-  if (is_usable(result) && result.session_disagreement > 1.0)
+  if (is_usable(result) && result.session_disagreement >= 1.05)
     text += format("sessions: scatter %.1f times as much as their errors explain; the sigmas include it\n",
                    result.session_disagreement);
   if (is_usable(result)) text += sharpness(file.sharpness);

@@ -72,7 +72,7 @@ QString result_as_text(const CalibrationResult& result) {
                  .arg(values[i], 0, 'f', 4)
                  .arg(unit_suffix(i),
                       sigma ? QStringLiteral("± %1%2").arg(on_screen(i, *sigma), 0, 'f', 4).arg(unit_suffix(i))
-                            : ResultPanel::tr("(not observed: the value assumed before)"));
+                            : ResultPanel::tr("(not observed: do not rely on it)"));
   }
   return lines.join('\n');
 }
@@ -224,7 +224,7 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
     row.sigma->setToolTip(sigma || !numbers
                               ? (bootstrap > 0.0 ? tr("Bootstrap over blocks of time: ± %1").arg(bootstrap, 0, 'f', 4)
                                                  : tr("From the information of the solution"))
-                              : tr("This drive says nothing about it; the value shown is the one assumed before"));
+                              : tr("This drive says nothing about it: do not rely on the value shown"));
     double change = values[i] - old[i];
     if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
     const bool visible = numbers && before && std::abs(change) >= 5e-5;
@@ -236,8 +236,6 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   const CalibrationResult& result = output.result;
   QString html = "<p>" + QString::fromStdString(result.message).toHtmlEscaped() + "</p>";
   QStringList advice, blind, figures;
-  if (result.status == Status::OutOfRange)
-    advice << tr("Widen the search range if the sensor may sit there. Where it cannot, look for wrong pairs.");
   for (const std::string& sentence : result.advice) advice << QString::fromStdString(sentence);
   for (const ObservabilityDirection& direction : result.directions)
     if (!direction.observed && !direction.words.empty()) blind << QString::fromStdString(direction.words);
