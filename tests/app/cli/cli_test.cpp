@@ -17,21 +17,10 @@
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/exporters/exporter.h"
 #include "model/project.h"
+#include "tests/app/cli/program_fixture.h"
 
 namespace remount {
 namespace {
-
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// Asks until the answer is yes, for a minute at most.
 template <class Question>
@@ -43,26 +32,11 @@ bool eventually(Question&& question) {
   return false;
 }
 
-class cli : public ::testing::Test {
+class cli : public ProgramFixture<cli> {
  protected:
   static void SetUpTestSuite() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "remount_cli_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    const Outcome made =
-        run("simulate street " + path("drive") +
-            " --duration-s 3 --beams 24 --azimuth-steps 400 --scan-rate-hz 5 --ins-from-lidar 1.2,-0.3,0.8,5,1,-1");
-    ASSERT_EQ(made.code, 0) << made.err;
-  }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
-
-  static std::string path(const std::string& name) { return (folder_ / name).string(); }
-
-  static Outcome run(const std::string& arguments) {
-    const std::string command = std::string("'") + REMOUNT_CLI + "' " + arguments + " > '" + path("out.txt") +
-                                "' 2> '" + path("err.txt") + "' < /dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(path("out.txt")),
-            text_of(path("err.txt"))};
+    make_folder_with_drive(
+        "--duration-s 3 --beams 24 --azimuth-steps 400 --scan-rate-hz 5 --ins-from-lidar 1.2,-0.3,0.8,5,1,-1");
   }
 
   /// Motion pairs for a known X; `planar` turns about the vertical only.
@@ -87,10 +61,7 @@ class cli : public ::testing::Test {
     }
     return path(name);
   }
-
-  static std::filesystem::path folder_;
 };
-std::filesystem::path cli::folder_;
 
 TEST_F(cli, wrong_usage_is_exit_code_1) {
   for (const std::string& arguments : std::vector<std::string>{

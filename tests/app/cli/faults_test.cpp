@@ -1,9 +1,6 @@
 // What the program says to inputs and arguments that are wrong in ways that happen.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,41 +8,17 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/exporters/exporter.h"
+#include "tests/app/cli/program_fixture.h"
 
 namespace remount {
 namespace {
 
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path).rdbuf();
-  return text.str();
-}
-
-class cli_faults : public ::testing::Test {
+class cli_faults : public ProgramFixture<cli_faults> {
  protected:
   static void SetUpTestSuite() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "remount_faults_XXXXXX").string();
-    folder_ = ::mkdtemp(pattern.data());
-    const Outcome made = run("simulate street " + path("drive") +
-                             " --duration-s 1.5 --beams 12 --azimuth-steps 200 --ins-from-lidar 1.2,-0.3,0.8,5,1,-1");
-    ASSERT_EQ(made.code, 0) << made.err;
+    make_folder_with_drive("--duration-s 1.5 --beams 12 --azimuth-steps 200 --ins-from-lidar 1.2,-0.3,0.8,5,1,-1");
   }
-  static void TearDownTestSuite() { std::filesystem::remove_all(folder_); }
 
-  static std::string path(const std::string& name) { return (folder_ / name).string(); }
-
-  static Outcome run(const std::string& arguments) {
-    const std::string command = std::string("'") + REMOUNT_CLI + "' " + arguments + " > '" + path("out.txt") +
-                                "' 2> '" + path("err.txt") + "' < /dev/null";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(path("out.txt")),
-            text_of(path("err.txt"))};
-  }
   static void expect(const std::string& arguments, int code, const std::string& said) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, code) << arguments << "\n" << outcome.out << outcome.err;
@@ -66,10 +39,7 @@ class cli_faults : public ::testing::Test {
     std::ofstream(folder_ / name / file) << text;
     return path(name);
   }
-
-  static std::filesystem::path folder_;
 };
-std::filesystem::path cli_faults::folder_;
 
 TEST_F(cli_faults, wrong_usage_is_said_with_one_prefix_and_is_exit_code_1) {
   std::ofstream(path("pairs.csv"))
