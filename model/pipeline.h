@@ -45,8 +45,8 @@ struct PipelineOutput {
 };
 
 /// load -> keyframes -> pairs -> objects -> register -> motions -> candidates -> rank -> refine -> joint clouds ->
-/// report. Scans that cannot be read are skipped and become findings. Throws Error only for a broken contract (no
-/// sessions, settings out of range, a nominal outside the search range, no INS motion at all).
+/// report. Scans that cannot be read are skipped and become findings. Throws Error(Contract) for no
+/// session, one given twice, or settings or a nominal out of range; Error(Unsupported) for one without LiDAR or INS.
 PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress);
 
 /// Solves again from pairs that are already registered, with their present states and the present search range:
@@ -63,9 +63,9 @@ struct PairClouds {
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair);
 
 /// Solves P X = X Q from motion pairs alone (no scans): the `solve` verb. `pairs` carry P and Q; where
-/// `registration.information` is zero all pairs weigh alike. Where the keyframes' numbers name poses (P of
-/// the loops that they form close), pairs share their errors; otherwise each stands for itself, its neighbours in the list counting
-/// as neighbours in time. Throws Error(Contract) for a nominal outside the search range.
+/// `registration.information` is zero all pairs weigh alike. Where the keyframes' numbers name poses (P of the loops
+/// that they form close), pairs share their errors; otherwise each stands for itself, its neighbours in the list
+/// counting as neighbours in time. Throws Error(Contract) for a nominal outside the search range.
 CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
                                      const Settings& settings,
                                      const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress);

@@ -49,8 +49,7 @@ struct OptionWriter {
   }
 };
 
-/// A full turn is typed as 3.1416 or 3.15 rad, which is beyond half a turn by less than half a degree: the bound is
-/// meant.
+/// Half a turn is typed as 3.1416 or 3.15 rad, which is beyond it by less than half a degree: the bound is meant.
 double snapped_to_bounds(const OptionInfo& info, double value) {
   constexpr double kSlack_rad = 0.5 / 57.295779513082323;
   if (info.unit != "rad") return value;
@@ -119,20 +118,6 @@ struct OptionReader {
   throw Error(ErrorCode::Format, "", text);
 }
 
-}  // namespace
-
-DocumentNode settings_document(const Settings& settings, bool comments) {
-  DocumentNode document = DocumentNode::map();
-  Settings::visit_sections(settings, [&](std::string_view name, const auto& options) {
-    DocumentNode section = DocumentNode::map();
-    std::decay_t<decltype(options)>::visit(options, OptionWriter{section, comments});
-    document.add(std::string(name), std::move(section));
-  });
-  return document;
-}
-
-namespace {
-
 /// Each value for itself; whether they go together is asked once all of them are known.
 Settings read_values(const DocumentView& document, const Settings& base) {
   Settings settings = base;
@@ -169,6 +154,16 @@ Settings read_values(const DocumentView& document, const Settings& base) {
 }
 
 }  // namespace
+
+DocumentNode settings_document(const Settings& settings, bool comments) {
+  DocumentNode document = DocumentNode::map();
+  Settings::visit_sections(settings, [&](std::string_view name, const auto& options) {
+    DocumentNode section = DocumentNode::map();
+    std::decay_t<decltype(options)>::visit(options, OptionWriter{section, comments});
+    document.add(std::string(name), std::move(section));
+  });
+  return document;
+}
 
 Settings settings_from_document(const DocumentView& document, const Settings& base) {
   const Settings settings = read_values(document, base);

@@ -23,6 +23,7 @@
 #include "widgets/theme.h"
 
 namespace remount {
+
 void MainWindow::connect_intents() {
   connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
   connect(welcome_, &WelcomePanel::open_requested, this, &MainWindow::ask_for_folder);

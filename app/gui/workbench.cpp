@@ -7,6 +7,7 @@
 #include "widgets/forms/option_access.h"
 
 namespace remount {
+
 Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(std::move(engine)) {
   qRegisterMetaType<CloudsPtr>();
   connect(&jobs_, &JobRunner::progressed, this,

@@ -5,7 +5,6 @@
 #include "algorithms/geometry/rotation.h"
 
 namespace remount {
-
 namespace {
 
 /// "scans" as "scan", "INS files" as "INS file".
@@ -13,19 +12,6 @@ std::string singular(std::string noun) {
   if (noun.ends_with('s')) noun.pop_back();
   return noun;
 }
-
-}  // namespace
-
-void BadItems::report(std::vector<Finding>& findings, const std::string& code, const std::string& where,
-                      const std::string& noun) const {
-  if (count_ == 0) return;
-  findings.push_back(make_finding(Severity::Warning, code, where,
-                                  std::to_string(count_) + " " + (count_ == 1 ? singular(noun) : noun) +
-                                      " cannot be used and " + (count_ == 1 ? "is" : "are") +
-                                      " left out. First: " + first_));
-}
-
-namespace {
 
 /// 1843 to 2096: differences of two stamps within fit 64 bits.
 constexpr std::int64_t kLatestStamp_ns = 4'000'000'000'000'000'000;
@@ -40,6 +26,15 @@ double median_of(std::vector<double> values) {
 }
 
 }  // namespace
+
+void BadItems::report(std::vector<Finding>& findings, const std::string& code, const std::string& where,
+                      const std::string& noun) const {
+  if (count_ == 0) return;
+  findings.push_back(make_finding(Severity::Warning, code, where,
+                                  std::to_string(count_) + " " + (count_ == 1 ? singular(noun) : noun) +
+                                      " cannot be used and " + (count_ == 1 ? "is" : "are") +
+                                      " left out. First: " + first_));
+}
 
 void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings) {
   if (ins.empty()) return;

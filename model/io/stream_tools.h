@@ -36,8 +36,8 @@ class BadItems {
 
 /// Makes stamps strictly ascending: stamps that are no time at all and single stamps far in the future are taken out,
 /// then every item that is not later than the one before it. What was taken out becomes findings
-/// "<code>-duplicate-stamps", "<code>-reversed-stamps" and
-/// "<code>-impossible-stamps". Throws Error(Format) where no stamp is possible.
+/// "<code>-duplicate-stamps", "<code>-reversed-stamps" and "<code>-impossible-stamps". Throws Error(Format) where no
+/// stamp is possible.
 template <class Item>
 void keep_ascending(std::vector<Item>& items, const std::string& code, const std::string& where,
                     std::vector<Finding>& findings);

@@ -75,6 +75,8 @@ void visit_fields(S& settings, Edit edit) {
   });
 }
 
+bool is_angle(const OptionField& field) { return field.unit == QLatin1String("rad"); }
+
 }  // namespace
 
 std::vector<OptionField> option_fields(const Settings& settings) {
@@ -92,10 +94,6 @@ bool set_option(Settings& settings, const QString& section, const QString& name,
   });
   return found;
 }
-
-namespace {
-bool is_angle(const OptionField& field) { return field.unit == QLatin1String("rad"); }
-}  // namespace
 
 double on_screen(const OptionField& field, double value) { return is_angle(field) ? radians_to_degrees(value) : value; }
 

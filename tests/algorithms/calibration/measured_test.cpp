@@ -45,7 +45,8 @@ TEST(measured, the_ground_agrees_with_the_pose_that_sees_it) {
   MeasuredOptions options;
   options.ins_height_m = 0.6, options.ins_height_sigma_m = 0.02;
   const RigidTransform& x = mounting();
-  const ObservedGround ground{x.linear().transpose() * Eigen::Vector3d::UnitZ(), 0.6 + x.translation().z(), 0.01, 0.002};
+  const ObservedGround ground{x.linear().transpose() * Eigen::Vector3d::UnitZ(), 0.6 + x.translation().z(), 0.01,
+                              0.002};
   for (const MeasuredRow& row : Measured(options, ground).rows(x)) EXPECT_NEAR(row.residual, 0.0, 1e-12);
 }
 
@@ -77,7 +78,7 @@ TEST(measured, ground_under_an_ins_of_known_height_gives_z) {
   MeasuredOptions options;
   options.ins_height_m = 0.6, options.ins_height_sigma_m = 0.02;
   const ObservedGround ground{mounting().linear().transpose() * Eigen::Vector3d::UnitZ(),
-                           0.6 + mounting().translation().z(), 0.005, 0.001};
+                              0.6 + mounting().translation().z(), 0.005, 0.001};
   const CalibrationResult result = solve_flat(options, ground);
   ASSERT_TRUE(result.observed[2]) << result.message;
   EXPECT_LT(std::abs(result.ins_from_lidar.translation().z() - mounting().translation().z()), 3.0 * *result.sigma(2));
