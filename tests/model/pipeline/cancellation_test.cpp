@@ -44,7 +44,7 @@ template <class Body>
 void expect_back_soon(const char* what, int moments, const Body& body) {
   Progress whole;
   const double begin_ms = wall_ms();
-  body(whole);
+  EXPECT_FALSE(body(whole)) << what << " says that it was cancelled, and was not";
   const double full_ms = wall_ms() - begin_ms;
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> share(0.0, 0.9);
