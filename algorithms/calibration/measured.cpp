@@ -1,5 +1,6 @@
 #include "algorithms/calibration/measured.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -12,13 +13,19 @@ struct Value {
   double value, sigma;  // m, rad
 };
 
+// No tape and no level is better: smaller sigmas would only make the equations singular.
+constexpr double kLeastSigma = 1e-5;
+
 std::array<Value, 6> values(const MeasuredOptions& o) {
-  const auto angle = [](double value_deg, double sigma_deg) {
-    return Value{degrees_to_radians(value_deg), degrees_to_radians(sigma_deg)};
+  const auto known = [](double value, double sigma) {
+    return Value{value, sigma > 0.0 ? std::max(sigma, kLeastSigma) : 0.0};
   };
-  return {Value{o.x_m, o.x_sigma_m},
-          Value{o.y_m, o.y_sigma_m},
-          Value{o.z_m, o.z_sigma_m},
+  const auto angle = [&](double value_deg, double sigma_deg) {
+    return known(degrees_to_radians(value_deg), degrees_to_radians(sigma_deg));
+  };
+  return {known(o.x_m, o.x_sigma_m),
+          known(o.y_m, o.y_sigma_m),
+          known(o.z_m, o.z_sigma_m),
           angle(o.yaw_deg, o.yaw_sigma_deg),
           angle(o.pitch_deg, o.pitch_sigma_deg),
           angle(o.roll_deg, o.roll_sigma_deg)};
@@ -32,6 +39,7 @@ std::array<bool, 6> Measured::parameters() const {
   std::array<bool, 6> out{};
   const std::array<Value, 6> all = values(options_);
   for (std::size_t i = 0; i < 6; ++i) out[i] = all[i].sigma > 0.0;
+  if (uses_ground()) out[2] = out[4] = out[5] = true;
   return out;
 }
 
@@ -47,18 +55,21 @@ std::vector<MeasuredRow> Measured::rows(const RigidTransform& x) const {
     // Where pitch stands at 90 degrees, yaw and roll are no angles of their own.
     if (!(known[at].sigma > 0.0) || !to_parameters.row(i).allFinite()) continue;
     const double residual = known[at].value - said[at];
-    out.push_back({i < 3 ? residual : shorter_way(residual), to_parameters.row(i).transpose(), known[at].sigma, i});
+    out.push_back({i < 3 ? residual : shorter_way(residual), to_parameters.row(i).transpose(), known[at].sigma,
+                   MeasuredRow::Of::Parameter, at});
   }
-  if (!ground_) return out;
+  if (!uses_ground()) return out;
   // The plane in INS axes: up . p = up . t - lidar height. It passes below the INS at its height, and its normal is z.
   const Eigen::Vector3d up = x.linear() * ground_->up_in_lidar, t = x.translation();
   MeasuredRow height;
   height.residual = -options_.ins_height_m - (up.dot(t) - ground_->lidar_height_m);
   height.row << up, up.cross(t);
+  height.of = MeasuredRow::Of::GroundHeight;
   height.sigma = std::hypot(options_.ins_height_sigma_m, ground_->height_sigma_m);
   out.push_back(height);
   for (int i = 0; i < 2; ++i) {
     MeasuredRow lean;
+    lean.of = MeasuredRow::Of::GroundTilt;
     lean.residual = -up[i];
     lean.row.tail<3>() = up.cross(Eigen::Vector3d::Unit(i));
     lean.sigma = std::hypot(degrees_to_radians(options_.ins_tilt_sigma_deg), ground_->up_sigma_rad);
@@ -74,18 +85,25 @@ Matrix6d Measured::information(const RigidTransform& x) const {
   return information;
 }
 
-std::vector<std::string> contradictions(const Measured& measured, const RigidTransform& x, const Matrix6d& covariance) {
+std::vector<std::string> contradictions(const Measured& measured, const RigidTransform& x, const Matrix6d& joint,
+                                        const Matrix6d& trusted) {
   constexpr double kContradicts = 3.0;
   std::vector<std::string> out;
   for (const MeasuredRow& known : measured.rows(x)) {
-    // What is left of the measurement after it took part in X has less variance than it has itself.
-    const double left2 = known.sigma * known.sigma - known.row.dot(covariance * known.row);
-    const double score = left2 > 0.0 ? std::abs(known.residual) / std::sqrt(left2) : 0.0;
+    // What is left of a measurement after it took part is its distance from the pairs, shrunk as the joint solution
+    // weighed the two; how large that distance may be is what is believed of the pairs.
+    const double sigma2 = known.sigma * known.sigma;
+    const double left_joint = sigma2 - known.row.dot(joint * known.row);
+    const double left_trusted = sigma2 - known.row.dot(trusted * known.row);
+    if (!(left_joint > 0.0 && left_trusted > 0.0)) continue;
+    const double score = std::abs(known.residual) * std::sqrt(left_trusted) / left_joint;
     if (!(score > kContradicts)) continue;
-    const bool angle = known.parameter >= 3;
+    const bool angle =
+        known.of == MeasuredRow::Of::GroundTilt || (known.of == MeasuredRow::Of::Parameter && known.parameter >= 3);
     const std::string name =
-        known.parameter < 0 ? "The ground in the scans with the height of the INS"
-                            : "The measured " + std::string(kParameterNames[static_cast<std::size_t>(known.parameter)]);
+        known.of == MeasuredRow::Of::GroundHeight ? "The ground in the scans with the height of the INS"
+        : known.of == MeasuredRow::Of::GroundTilt ? "The tilt of the ground in the scans"
+                                                  : "The measured " + std::string(kParameterNames[known.parameter]);
     char text[240];
     std::snprintf(text, sizeof text,
                   "%s contradicts the drive by %.1f sigma (%.4f %s are left): check the measurement and its sigma.",

@@ -20,7 +20,7 @@ struct MeasuredOptions {
   double pitch_deg = 0.0, pitch_sigma_deg = 0.0;
   double roll_deg = 0.0, roll_sigma_deg = 0.0;
   double ins_height_m = 0.0, ins_height_sigma_m = 0.0;
-  double ins_tilt_sigma_deg = 1.0;
+  double ins_tilt_sigma_deg = 0.5;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -65,7 +65,8 @@ struct MeasuredRow {
   double residual = 0.0;
   Vector6d row = Vector6d::Zero();
   double sigma = 1.0;
-  int parameter = -1;  ///< order of kParameterNames; -1: of the ground
+  enum class Of { Parameter, GroundHeight, GroundTilt } of = Of::Parameter;
+  std::size_t parameter = 0;  ///< order of kParameterNames; of Parameter only
 };
 
 class Measured {
@@ -74,7 +75,7 @@ class Measured {
   Measured(const MeasuredOptions& options, const std::optional<ObservedGround>& ground)
       : options_(options), ground_(ground) {}
 
-  /// Which of (x, y, z, yaw, pitch, roll) were measured by hand.
+  /// Which of (x, y, z, yaw, pitch, roll) were measured by hand, or follow from the ground.
   std::array<bool, 6> parameters() const;
   /// Everything that is known, at this X (m, rad). Angles are compared along the shorter way.
   std::vector<MeasuredRow> rows(const RigidTransform& ins_from_lidar) const;
@@ -82,13 +83,16 @@ class Measured {
   Matrix6d information(const RigidTransform& ins_from_lidar) const;
 
  private:
+  bool uses_ground() const { return ground_.has_value() && options_.ins_height_sigma_m > 0.0; }
+
   MeasuredOptions options_;
   std::optional<ObservedGround> ground_;
 };
 
 /// "z = 1.73 +- 0.01 m as measured contradicts the drive by 4.1 sigma", for each row that does by more than three.
-/// @param covariance of X under `perturbed`, the measurements included
+/// @param joint covariance of X under `perturbed` with which the measurements took part in `ins_from_lidar`
+/// @param trusted the covariance that is believed, the measurements included
 std::vector<std::string> contradictions(const Measured& measured, const RigidTransform& ins_from_lidar,
-                                        const Matrix6d& covariance);
+                                        const Matrix6d& joint, const Matrix6d& trusted);
 
 }  // namespace remount

@@ -134,10 +134,14 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
   // The directions then say what the parameters do: the final sigma includes more than the pairs' information.
   for (ObservabilityDirection& direction : result.directions) {
     const Vector6d row = limits.cwiseInverse().cwiseProduct(direction.direction);
-    if (std::isfinite(direction.sigma)) direction.sigma = std::sqrt(row.dot(covariance * row));
+    const double sigma = std::sqrt(row.dot(covariance * row));
+    // The weak prior bounds every sigma; a direction that the pairs leave open stays so unless a measurement closes it.
+    direction.sigma = std::isfinite(direction.sigma) || sigma < 1.0 ? sigma : direction.sigma;
     direction.observed = direction.sigma < 1.0;
     direction.words = direction_words(direction.direction, direction.observed, motion);
   }
+  std::stable_sort(result.directions.begin(), result.directions.end(),
+                   [](const auto& left, const auto& right) { return left.sigma > right.sigma; });
   add_advice(result.observed, motion, result);
 }
 

@@ -150,18 +150,26 @@ CalibrationResult too_few(std::vector<Pair>& pairs, std::size_t usable) {
   CalibrationResult result;
   count_pairs(pairs, result);
   result.status = Status::TooFewPairs;
-  result.message =
-      "Only " + std::to_string(usable) + " usable pairs; at least " + std::to_string(kFewestPairs) + " are needed.";
+  result.message = "Only " + std::to_string(usable) +
+                   (usable == 1 ? " usable pair; at least " : " usable pairs; at least ") +
+                   std::to_string(kFewestPairs) + " are needed.";
   result.advice.push_back(
       "Drive longer, take keyframes closer together, or relax the limits of pairing and registration.");
   return result;
 }
 
+struct Context {
+  const PairwiseInput& input;
+  const NoisePrior& prior;
+  const RigidTransform& prior_x;  // centre of the weak prior
+  const Progress& progress;
+};
+
 // Noise, solution and judgement of the pairs in turn, until no pair changes its state. Fewer than kFewestPairs terms in
 // what is returned: nothing was solved.
-JointProblem solve_and_judge(const PairwiseInput& input, const NoisePrior& prior, const RigidTransform& prior_x,
-                             const RigidTransform& start, const std::vector<int>& usable, std::vector<Pair>& pairs,
-                             PairwiseDetails& details, const Progress& progress) {
+JointProblem solve_and_judge(const Context& context, const RigidTransform& start, const std::vector<int>& usable,
+                             std::vector<Pair>& pairs, PairwiseDetails& details) {
+  const auto& [input, prior, prior_x, progress] = context;
   constexpr int kMostRounds = 4;
   RigidTransform x = start;
   JointProblem problem;
@@ -180,15 +188,16 @@ JointProblem solve_and_judge(const PairwiseInput& input, const NoisePrior& prior
 }
 
 // Where all other sessions agree against one, its pairs are rejected and the others solved alone.
-void leave_out_outlier_session(const PairwiseInput& input, const NoisePrior& prior, const RigidTransform& prior_x,
-                               std::vector<int>& usable, std::vector<Pair>& pairs, PairwiseDetails& details,
-                               JointProblem& problem, CalibrationResult& result, const Progress& progress) {
+void leave_out_outlier_session(const Context& context, std::vector<int>& usable, std::vector<Pair>& pairs,
+                               PairwiseDetails& details, JointProblem& problem, CalibrationResult& result) {
+  const auto& [input, prior, prior_x, progress] = context;
   if (problem.terms.size() < kFewestPairs || progress.cancelled()) return;
   const std::optional<OutlierSession> outlier =
       outlier_session(session_answers(problem, details, progress), input.options);
-  if (!outlier) return;
+  if (!outlier || progress.cancelled()) return;
   char text[200];
-  std::snprintf(text, sizeof text, "its session contradicts all others, which agree (%.1f times its errors)",
+  std::snprintf(text, sizeof text,
+                "its session contradicts all others, which agree (with it they scatter %.1f times their errors)",
                 outlier->disagreement);
   std::erase_if(usable, [&](int i) {
     Pair& pair = pairs[static_cast<std::size_t>(i)];
@@ -201,7 +210,7 @@ void leave_out_outlier_session(const PairwiseInput& input, const NoisePrior& pri
     return true;
   });
   const RigidTransform start = perturbed(details.joint.ins_from_lidar, outlier->common);
-  problem = solve_and_judge(input, prior, prior_x, start, usable, pairs, details, progress);
+  problem = solve_and_judge(context, start, usable, pairs, details);
   std::snprintf(text, sizeof text,
                 "Session %d was left out: the others agree with each other and contradict it. Look at its INS, its "
                 "clock, and whether the lidar was moved.",
@@ -232,9 +241,10 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   judge_pairs(pairs, usable, start.ins_from_lidar, prior.expected.scaled(start.noise_scale),
               input.options.outlier_threshold);
 
-  JointProblem problem = solve_and_judge(input, prior, prior_x, start.ins_from_lidar, usable, pairs, details, progress);
+  const Context context{input, prior, prior_x, progress};
+  JointProblem problem = solve_and_judge(context, start.ins_from_lidar, usable, pairs, details);
   CalibrationResult result;
-  leave_out_outlier_session(input, prior, prior_x, usable, pairs, details, problem, result, progress);
+  leave_out_outlier_session(context, usable, pairs, details, problem, result);
   result.ins_from_lidar = details.joint.ins_from_lidar;
   result.noise = details.noise;
   result.measured = input.measured.parameters();

@@ -57,8 +57,11 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
       return problem.nodes[static_cast<std::size_t>(term.node_a)].session != s;
     });
     alone.prior_ins_from_lidar = x;
+    alone.measured = {};  // what all sessions are given is no agreement
     const JointSolution own = solve_joint(alone, details.noise, x, kIterations, progress);
-    answers.push_back({own.information, difference(x, own.ins_from_lidar)});
+    // A session that cannot be solved on its own says nothing.
+    answers.push_back(own.converged ? SessionAnswer{own.information, difference(x, own.ins_from_lidar)}
+                                    : SessionAnswer{});
   }
   return answers;
 }

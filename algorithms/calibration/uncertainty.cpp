@@ -35,7 +35,8 @@ std::vector<PairInfluence> influences(const PairwiseInput& input, const std::vec
     const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
     const Matrix6d information = residual_information(pair, equation, noise);
     const auto node = static_cast<std::size_t>(pair.keyframe_a);
-    const int block = input.nodes[node].session * 1'000'000 + static_cast<int>(input.nodes[node].time_s / block_s);
+    const int block = input.nodes[node].session * 1'000'000 +
+                      static_cast<int>(std::min(input.nodes[node].time_s / block_s, 999'999.0));
     out.push_back({equation.d_x.transpose() * information * equation.d_x,
                    -equation.d_x.transpose() * information * equation.residual, block});
   }
@@ -49,8 +50,8 @@ Eigen::Matrix3d cross_noise(const Eigen::Matrix3d& m) { return m.trace() * Eigen
 // follow the braking and steering that cause them too closely to show a lever arm.
 constexpr double kUndeclaredAttitude_rad = 0.005;
 
-// Square of the turns that may not be what they seem (rad^2). Motions computed elsewhere, perhaps exactly, are doubted
-// as far as they contradict each other.
+// Square of the turns that may not be what they seem (rad^2, each axis). Motions computed elsewhere, perhaps exactly,
+// are doubted as far as they contradict each other.
 double doubtful_attitude2(const PairwiseInput& input, const std::vector<Pair>& pairs, const RigidTransform& x) {
   if (input.motions_only) {
     double sum = 0.0, count = 0.0;
@@ -58,7 +59,8 @@ double doubtful_attitude2(const PairwiseInput& input, const std::vector<Pair>& p
       if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
       sum += difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x))
                  .tail<3>()
-                 .squaredNorm();
+                 .squaredNorm() /
+             3.0;
       count += 1.0;
     }
     return count > 0.0 ? sum / count : 0.0;
@@ -72,9 +74,8 @@ double doubtful_attitude2(const PairwiseInput& input, const std::vector<Pair>& p
 SpuriousInformation spurious_information(const PairwiseInput& input, const std::vector<Pair>& pairs,
                                          const RigidTransform& x, const NoiseModel& noise) {
   SpuriousInformation out;
-  const double white2 = 2.0 * noise.ins_attitude_sigma_rad * noise.ins_attitude_sigma_rad;
-  const double attitude2 = std::max(white2, doubtful_attitude2(input, pairs, x));
-  const double position2 = 2.0 * noise.ins_position_sigma_m * noise.ins_position_sigma_m;
+  const Matrix6d white = 2.0 * noise.ins_covariance();
+  const double doubtful2 = doubtful_attitude2(input, pairs, x);
   for (const Pair& pair : pairs) {
     if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
     const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
@@ -83,6 +84,8 @@ SpuriousInformation spurious_information(const PairwiseInput& input, const std::
     const Eigen::Matrix3d to_ins = x.linear();
     const Eigen::Matrix3d translation = to_ins * information.topLeftCorner<3, 3>() * to_ins.transpose();
     const Eigen::Matrix3d rotation = to_ins * information.bottomRightCorner<3, 3>() * to_ins.transpose();
+    const Matrix6d errors = white + noise.drift_covariance(std::abs(pair.gap_s));
+    const double position2 = errors(0, 0), attitude2 = std::max(errors(3, 3), doubtful2);
     out.spurious.topLeftCorner<3, 3>() += attitude2 * cross_noise(translation);
     out.spurious.bottomRightCorner<3, 3>() += attitude2 * cross_noise(rotation) + position2 * cross_noise(translation);
   }
@@ -125,10 +128,11 @@ void add_disagreement_advice(CalibrationResult& result) {
   constexpr double kWorthSaying = 2.0;
   if (!(result.session_disagreement > kWorthSaying)) return;
   char text[240];
-  std::snprintf(text, sizeof text,
-                "The sessions contradict one another %.1f times as much as their errors explain; every sigma is larger "
-                "by that factor. Look for one whose INS or clock is worse, and calibrate without it.",
-                result.session_disagreement);
+  std::snprintf(
+      text, sizeof text,
+      "The sessions contradict one another %.1f times as much as their errors explain; what the pairs say counts "
+      "the less. Look for one whose INS or clock is worse, and calibrate without it.",
+      result.session_disagreement);
   result.advice.push_back(text);
 }
 
@@ -146,8 +150,9 @@ Matrix6d weak_prior() {
 
 Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise) {
   const Matrix6d ins = noise.ins_covariance();
+  const Matrix6d ins_and_drift = ins + noise.drift_covariance(std::abs(pair.gap_s));
   const Matrix6d from_ins =
-      equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins * equation.d_b.transpose();
+      equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins_and_drift * equation.d_b.transpose();
   const Matrix6d ins_information = from_ins.ldlt().solve(Matrix6d::Identity());
   const Matrix6d sum = ins_information + noise.registration_information(pair.registration.information);
   return ins_information - ins_information * sum.ldlt().solve(ins_information);
@@ -159,6 +164,7 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
   const MotionSummary motion = summarise_motion(pairs);
   result.directions = observed_directions(details.joint.information,
                                           spurious_information(input, pairs, x, details.noise), motion, input.options);
+  const std::vector<ObservabilityDirection> trusted = result.directions;
   result.session_disagreement = session_disagreement(session_answers(problem, details, progress), input.options);
   // Not below 1: a few sessions may agree by chance.
   const double scale2 = result.session_disagreement > 1.0 ? std::pow(result.session_disagreement, 2) : 1.0;
@@ -172,13 +178,18 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
                                response_to_scale(problem, details, progress)),
       motion, input.options, result);
   add_disagreement_advice(result);
-  for (const std::string& text : contradictions(input.measured, x, covariance)) result.advice.push_back(text);
+  for (const std::string& text : contradictions(input.measured, x, details.joint.covariance, covariance))
+    result.advice.push_back(text);
+  // Resampling pairs says nothing of what only a measurement tells.
+  const Matrix6d pairs_alone =
+      parameter_covariance(x, inverse(trusted_information(trusted, input.options) / scale2 + weak_prior()));
   const Matrix6d parameters = parameter_covariance(x, bootstrap);
+  const Vector6d limits = observation_limits(input.options);
   for (int i = 0; i < 6; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    result.bootstrap_sigma[at] = result.observed[at] && parameters(i, i) > 0.0
-                                     ? std::sqrt(parameters(i, i))
-                                     : std::numeric_limits<double>::quiet_NaN();
+    const bool by_pairs = result.observed[at] && pairs_alone(i, i) < limits[i] * limits[i];
+    result.bootstrap_sigma[at] =
+        by_pairs && parameters(i, i) > 0.0 ? std::sqrt(parameters(i, i)) : std::numeric_limits<double>::quiet_NaN();
   }
 }
 

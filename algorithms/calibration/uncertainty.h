@@ -10,8 +10,8 @@ namespace remount {
 /// the data do not show (2 m, 0.1 rad).
 Matrix6d weak_prior();
 
-/// Information of a pair's residual with both INS errors and the registration's error marginalised: (M + L^-1)^-1
-/// without the inverse of L, which may be singular.
+/// Information of a pair's residual with the errors of both INS poses, the drift between them and the registration's
+/// error marginalised: (M + L^-1)^-1 without the inverse of L, which may be singular.
 Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise);
 
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma` and `advice` of the result from the joint solution.

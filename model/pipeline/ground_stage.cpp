@@ -66,7 +66,7 @@ std::optional<ObservedGround> observe_ground(const StageContext& context, const 
   constexpr double kLeastHeight_m = 0.005, kLeastTilt_rad = 1e-3;
   ObservedGround plane;
   const double x = median(first), y = median(second);
-  plane.up_in_lidar = level.transpose() * Eigen::Vector3d(x, y, 1.0).normalized();
+  plane.up_in_lidar = level.transpose() * Eigen::Vector3d(x, y, std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
   plane.lidar_height_m = median(heights);
   plane.height_sigma_m = std::hypot(kLeastHeight_m, sigma_of_median(heights, plane.lidar_height_m));
   plane.up_sigma_rad = std::hypot(kLeastTilt_rad, std::max(sigma_of_median(first, x), sigma_of_median(second, y)));

@@ -58,12 +58,15 @@ void add_shared_nodes(const std::vector<Keyframe>& keyframes, const std::vector<
            std::pair(keyframes[right].session, keyframes[right].scan);
   });
   std::vector<int> node_of(keyframes.size());
+  int first_scan = 0;
   for (std::size_t place = 0; place < order.size(); ++place) {
     const std::size_t k = order[place];
     node_of[k] = static_cast<int>(place);
     JointNode node;
     node.session = keyframes[k].session;
-    node.time_s = keyframes[k].scan;
+    const bool first = place == 0 || keyframes[order[place - 1]].session != node.session;
+    if (first) first_scan = keyframes[k].scan;
+    node.time_s = keyframes[k].scan - first_scan;
     node.local_from_ins = poses[k];
     input.nodes.push_back(node);
   }
@@ -121,6 +124,9 @@ CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std
                                      const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress) {
   const std::string problem = nominal_problem(nominal_ins_from_lidar, settings.range);
   if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
+  if (settings.measured.ins_height_sigma_m > 0.0)
+    throw Error(ErrorCode::Contract, "measured.ins_height_m",
+                "motion pairs have no scans that show the ground; give z instead");
   for (Pair& pair : pairs) {
     pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();
     pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();

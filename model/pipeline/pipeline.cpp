@@ -189,13 +189,17 @@ bool moved_much(const RigidTransform& from, const RigidTransform& to) {
          (to.translation() - from.translation()).norm() > 0.02;
 }
 
-void use_ground(const StageContext& context, const ScanStore& scans, PipelineOutput& output, Progress& progress) {
-  output.ground = observe_ground(context, scans, progress);
+void report_unseen_ground(PipelineOutput& output) {
   const bool told = std::any_of(output.findings.begin(), output.findings.end(),
                                 [](const Finding& finding) { return finding.code == "ground-not-seen"; });
-  if (!output.ground && !told && !progress.cancelled())
+  if (!told)
     output.findings.push_back({Severity::Warning, "ground-not-seen", "scans",
                                "Too few scans show the ground near the vehicle; the height of the INS is not used."});
+}
+
+void use_ground(const StageContext& context, const ScanStore& scans, PipelineOutput& output, Progress& progress) {
+  output.ground = observe_ground(context, scans, progress);
+  if (!output.ground && !progress.cancelled()) report_unseen_ground(output);
 }
 
 // Objects, registration, solution and joint alignment of sessions with scans. Scans are compensated for motion through
@@ -301,6 +305,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     }
     calibrate_scans(input, motion, output, details, progress);
   } else {
+    if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
     use_odometry(motion, output.keyframes, output.pairs);
     output.result = solve_with_clock(input, motion, output, details, progress);
   }

@@ -67,12 +67,14 @@ struct SimulationOptions {
     visitor(
         {"ins_attitude_bias_deg", "deg", "1-sigma of an attitude error constant over the drive, each axis.", 0.0, 10.0},
         self.ins_attitude_bias_deg);
-    visitor({"ins_position_drift_m", "m/sqrt(s)",
-             "Position error that walks randomly, growing with the root of time, each axis.", 0.0, 10.0},
-            self.ins_position_drift_m);
-    visitor({"ins_attitude_drift_deg", "deg/sqrt(s)",
-             "Attitude error that walks randomly, growing with the root of time, each axis.", 0.0, 10.0},
-            self.ins_attitude_drift_deg);
+    visitor(
+        {"ins_position_drift_m", "m/sqrt(s)",
+         "Position error that walks randomly, growing with the root of time since the start, each axis.", 0.0, 10.0},
+        self.ins_position_drift_m);
+    visitor(
+        {"ins_attitude_drift_deg", "deg/sqrt(s)",
+         "Attitude error that walks randomly, growing with the root of time since the start, each axis.", 0.0, 10.0},
+        self.ins_attitude_drift_deg);
     visitor({"lidar_clock_offset_s", "s", "t_ins = t_lidar + this: the lidar's stamps are early by it.", -10.0, 10.0},
             self.lidar_clock_offset_s);
     visitor({"latitude_deg", "deg", "Start of the drive.", -79.0, 83.0}, self.latitude_deg);

@@ -72,6 +72,11 @@ TEST(measured, height_from_a_tape_stands_where_a_flat_drive_does_not_show_it) {
   EXPECT_NEAR(result.ins_from_lidar.translation().z(), options.z_m, 2e-3);
   EXPECT_NEAR(*result.sigma(2), 0.01, 2e-3);
   EXPECT_NE(result.message.find("measured"), std::string::npos) << result.message;
+  EXPECT_TRUE(std::isnan(result.bootstrap_sigma[2])) << "resampling pairs says nothing of a tape";
+  for (const std::string& advice : result.advice)
+    EXPECT_EQ(advice.find("measured z"), std::string::npos) << "a flat drive cannot contradict it: " << advice;
+  for (const ObservabilityDirection& direction : result.directions)
+    if (std::abs(direction.direction[2]) > 0.9) EXPECT_TRUE(direction.observed) << direction.words;
 }
 
 TEST(measured, ground_under_an_ins_of_known_height_gives_z) {

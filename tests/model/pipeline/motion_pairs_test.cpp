@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "algorithms/core/error.h"
 #include "model/io/motion_pairs_file.h"
 #include "tests/support/calibration_checks.h"
 
@@ -100,6 +101,14 @@ TEST(motion_pairs_solution, pairs_keep_their_keyframes_whether_these_name_poses_
       EXPECT_EQ(motions.pairs[i].keyframe_b, before[i].keyframe_b);
     }
   }
+}
+
+TEST(motion_pairs_solution, the_height_of_the_ins_is_refused_for_want_of_scans) {
+  MotionPairs motions = winding();
+  Settings settings;
+  settings.measured.ins_height_sigma_m = 0.01;
+  Progress progress;
+  EXPECT_THROW(solve_motion_pairs(motions.keyframes, motions.pairs, settings, {}, progress), Error);
 }
 
 }  // namespace
