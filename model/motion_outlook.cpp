@@ -77,7 +77,7 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
       pairs.empty() ? 0.0 : std::min(1.0, static_cast<double>(keyframes.size()) / static_cast<double>(pairs.size()));
   const MotionSummary summary = summarise_motion(pairs);
   const auto directions = observed_directions(independent * sum.apparent, sum, summary, settings.solve);
-  const Matrix6d covariance = (trusted_information(directions, settings.solve) + weak_prior()).inverse();
+  const Matrix6d covariance = (trusted_information(directions, settings.solve) + weak_prior(false)).inverse();
   judge_parameters(covariance, summary, settings.solve, result);
   outlook.determinable = result.observed;
   outlook.advice = result.advice;

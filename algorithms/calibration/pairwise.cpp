@@ -114,6 +114,8 @@ void trim_candidates(int limit, CalibrationResult& result) {
   result.candidates.resize(most);
 }
 
+bool is_solved(Status status) { return status == Status::Ok || status == Status::Degenerate; }
+
 void set_status(const SearchRange& range, CalibrationResult& result) {
   const auto observed = static_cast<int>(std::count(result.observed.begin(), result.observed.end(), true));
   const std::string outside = outside_range(result.ins_from_lidar, range);
@@ -218,6 +220,41 @@ void leave_out_outlier_session(const Context& context, std::vector<int>& usable,
   result.advice.emplace_back(text);
 }
 
+// Without a nominal, a yaw that is not observed may be anything: X then lies anywhere on an arc, and what is stated of
+// the other parameters holds at one place of it only.
+void claim_nothing_at_unknown_yaw(CalibrationResult& result) {
+  constexpr std::size_t kYaw = 3;
+  if (result.observed[kYaw]) return;
+  result.observed.fill(false);
+  result.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
+  result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  result.advice.emplace_back(
+      "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are "
+      "enough), "
+      "or drive longer, with turns to both sides.");
+}
+
+// Two mountings in one calibration have no common X; a session that is bad in itself can be left out.
+void report_rejected_sessions(const Context& context, const std::vector<int>& usable, const std::vector<Pair>& pairs,
+                              CalibrationResult& result) {
+  const std::vector<RejectedSession> rejected =
+      rejected_sessions(context.input, pairs, usable, context.prior.expected, context.progress);
+  const std::size_t kept = context.input.sessions.size() - rejected.size();
+  for (const RejectedSession& one : rejected) {
+    const std::string name = "Session " + std::to_string(one.session + 1);
+    result.advice.push_back(
+        one.coherent ? name +
+                           " agrees with itself on another mounting than the rest and was left out: was the lidar "
+                           "moved, or is it another vehicle? Calibrate it on its own."
+                     : name + " was left out: its INS motion and its registrations contradict each other.");
+    // One against one: nobody can tell which is right.
+    if (one.coherent && kept < 2 && is_solved(result.status)) {
+      result.status = Status::Inconsistent;
+      result.message = "The sessions say different mountings: " + name + " against the rest.";
+    }
+  }
+}
+
 }  // namespace
 
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
@@ -254,6 +291,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   }
   if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
   describe_uncertainty(input, pairs, problem, details, progress, result);
+  if (!input.nominal_ins_from_lidar) claim_nothing_at_unknown_yaw(result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
         solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
@@ -267,6 +305,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     result.status = Status::NotConverged;
     result.message = "The joint solution did not converge.";
   }
+  report_rejected_sessions(context, usable, pairs, result);
   // A stop on the way leaves numbers that look complete and are not.
   if (progress.cancelled()) return cancelled(result);
   return result;

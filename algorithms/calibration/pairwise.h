@@ -42,6 +42,8 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
 struct PairwiseDetails {
   NoiseModel noise;
   JointSolution joint;
+  /// How (x, y, z, yaw, pitch, roll) move when an estimated clock offset is applied that was not; m and rad.
+  std::optional<Vector6d> clock_bias;
 };
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress);

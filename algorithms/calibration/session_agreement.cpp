@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/robust_start.h"
 #include "algorithms/calibration/uncertainty.h"
 
 namespace remount {
@@ -39,7 +40,7 @@ Common combine(const std::vector<SessionAnswer>& answers, int without) {
     side += answers[s].information * answers[s].from_common;
   }
   // What no session determines stays where it is.
-  common.from_common = (common.information + weak_prior()).ldlt().solve(side);
+  common.from_common = (common.information + weak_prior(true)).ldlt().solve(side);
   return common;
 }
 
@@ -92,6 +93,32 @@ std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& 
     found = OutlierSession{s, all, combine(answers, s).from_common};
   }
   return found;
+}
+
+std::vector<RejectedSession> rejected_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                                               const std::vector<int>& usable, const NoiseModel& expected,
+                                               const Progress& progress) {
+  constexpr std::size_t kFewest = 5;
+  constexpr double kHardlyAny = 0.1;
+  // Against the expected noise: pairs of one mounting fit each other about as well as the noise says.
+  constexpr double kCoherentScale = 5.0;
+  std::vector<std::vector<int>> of_session(input.sessions.size());
+  std::vector<std::size_t> accepted(input.sessions.size(), 0);
+  for (const int i : usable) {
+    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const auto session = static_cast<std::size_t>(input.nodes[static_cast<std::size_t>(pair.keyframe_a)].session);
+    of_session[session].push_back(i);
+    accepted[session] += pair.state == PairState::Accepted ? 1 : 0;
+  }
+  std::vector<RejectedSession> out;
+  for (std::size_t s = 0; s < of_session.size() && of_session.size() > 1; ++s) {
+    const std::size_t count = of_session[s].size();
+    if (count < kFewest || static_cast<double>(accepted[s]) > kHardlyAny * static_cast<double>(count)) continue;
+    const RobustStart own =
+        robust_start(pairs, of_session[s], expected, std::nullopt, {}, Eigen::Vector3d::Zero(), progress);
+    out.push_back({static_cast<int>(s), own.noise_scale < kCoherentScale});
+  }
+  return out;
 }
 
 }  // namespace remount

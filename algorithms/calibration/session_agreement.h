@@ -35,4 +35,15 @@ struct OutlierSession {
 /// more than one would have to go: then nobody knows who is right.
 std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& answers, const SolveOptions& options);
 
+/// A session of which hardly any pair was accepted.
+struct RejectedSession {
+  int session = 0;
+  bool coherent = false;  ///< its pairs agree with each other on another X: the lidar was mounted differently
+};
+
+/// Sessions that the solution rejected whole, or nearly so, while it kept others. The pairs' states are as judged.
+std::vector<RejectedSession> rejected_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                                               const std::vector<int>& usable, const NoiseModel& expected,
+                                               const Progress& progress);
+
 }  // namespace remount

@@ -140,11 +140,14 @@ Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::
 
 }  // namespace
 
-Matrix6d weak_prior() {
-  constexpr double kPriorTranslation_m = 2.0, kPriorRotation_rad = 0.1;
+Matrix6d weak_prior(bool nominal_known) {
+  constexpr double kPriorTranslation_m = 2.0, kPriorRotation_rad = 0.1, kUnknownYaw_rad = 1.0;
   Vector6d information;
   information << Eigen::Vector3d::Constant(1.0 / (kPriorTranslation_m * kPriorTranslation_m)),
       Eigen::Vector3d::Constant(1.0 / (kPriorRotation_rad * kPriorRotation_rad));
+  // On an arc X may turn about the middle of the arc: where that is far from where it was linearised, the others
+  // follow.
+  if (!nominal_known) information[5] = 1.0 / (kUnknownYaw_rad * kUnknownYaw_rad);
   return information.asDiagonal();
 }
 
@@ -168,7 +171,8 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
   result.session_disagreement = session_disagreement(session_answers(problem, details, progress), input.options);
   // Not below 1: a few sessions may agree by chance.
   const double scale2 = result.session_disagreement > 1.0 ? std::pow(result.session_disagreement, 2) : 1.0;
-  const Matrix6d beside_pairs = weak_prior() + input.measured.information(x);
+  const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
+  const Matrix6d beside_pairs = prior + input.measured.information(x);
   const Matrix6d covariance = inverse(trusted_information(result.directions, input.options) / scale2 + beside_pairs);
   const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), beside_pairs,
                                                   input.options.bootstrap_samples, input.options.seed, progress);
@@ -182,7 +186,7 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
     result.advice.push_back(text);
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone =
-      parameter_covariance(x, inverse(trusted_information(trusted, input.options) / scale2 + weak_prior()));
+      parameter_covariance(x, inverse(trusted_information(trusted, input.options) / scale2 + prior));
   const Matrix6d parameters = parameter_covariance(x, bootstrap);
   const Vector6d limits = observation_limits(input.options);
   for (int i = 0; i < 6; ++i) {

@@ -7,8 +7,9 @@
 namespace remount {
 
 /// Information of the weak prior on X under `perturbed`: how far the truth may lie from the nominal in directions that
-/// the data do not show (2 m, 0.1 rad).
-Matrix6d weak_prior();
+/// the data do not show (2 m, 0.1 rad). Without a nominal yaw may be anything (1 rad); the ground in the scans still
+/// settles roll and pitch.
+Matrix6d weak_prior(bool nominal_known);
 
 /// Information of a pair's residual with the errors of both INS poses, the drift between them and the registration's
 /// error marginalised: (M + L^-1)^-1 without the inverse of L, which may be singular.

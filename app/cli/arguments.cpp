@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <tuple>
 
 #include "algorithms/core/error.h"
@@ -163,7 +164,12 @@ Settings SolveArguments::settings(const Settings& base) const {
   Settings settings = config.empty() ? base : load_settings(config, base);
   for (const std::string& assignment : assignments) apply_setting(settings, assignment);
   for (const std::string& range : ranges) apply_range(settings.range, range);
-  for (const std::string& text : measured) apply_measured(settings.measured, text);
+  std::set<std::string> names;
+  for (const std::string& text : measured) {
+    apply_measured(settings.measured, text);
+    const std::string name(trimmed(split(text, '=').front()));
+    if (!names.insert(name).second) throw Error(ErrorCode::Contract, "--measured " + text, name + " is given twice");
+  }
   require_valid(settings);
   return settings;
 }

@@ -62,6 +62,20 @@ TEST(session_agreement, a_session_that_all_others_contradict_is_left_out_with_th
   EXPECT_TRUE(reported);
 }
 
+TEST(session_agreement, two_mountings_are_no_result_and_a_third_session_decides) {
+  DriveOptions options;
+  options.sessions = 2;
+  const CalibrationResult two = solve(options, 4, 1.5);
+  EXPECT_EQ(two.status, Status::Inconsistent) << two.message;
+  options.sessions = 3;
+  const CalibrationResult three = solve(options, 4, 1.5);
+  EXPECT_EQ(three.status, Status::Ok) << three.message;
+  EXPECT_LT(rotation_angle_between_rad(three.ins_from_lidar, mounting()), 5e-4);
+  bool reported = false;
+  for (const std::string& advice : three.advice) reported = reported || advice.find("Session 2") != std::string::npos;
+  EXPECT_TRUE(reported);
+}
+
 TEST(session_agreement, a_single_session_says_nothing_of_it) {
   EXPECT_TRUE(std::isnan(solve({}, 1, 0.0).session_disagreement));
 }

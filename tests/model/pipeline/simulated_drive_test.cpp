@@ -117,6 +117,7 @@ TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.lidar_clock_offset_s = 0.04;
   const Calibrated without = calibrate(options);
+  expect_within_sigma(without.output.result, without.drive.ins_from_lidar, 3.5);
   const CalibrationError before = error_of(without.output.result, without.drive.ins_from_lidar);
   EXPECT_NEAR(without.output.result.time_offset.offset_s, 0.04, 0.005);
   EXPECT_FALSE(without.output.result.time_offset.applied);
