@@ -44,6 +44,7 @@ Pair make_pair(int a, int b, const RigidTransform& ins_from_lidar, std::mt19937&
   pair.registration.attempted = pair.registration.converged = true;
   pair.registration.rmse_m = 0.02 + 0.003 * std::abs(noise(random));
   pair.registration.overlap = 0.8 - 0.02 * std::abs(noise(random));
+  pair.registration.information.diagonal() << Eigen::Vector3d::Constant(1e4), Eigen::Vector3d::Constant(1e6);
   pair.screw.score = std::abs(noise(random));
   pair.residual_rotation_rad = 4e-4 * std::abs(noise(random));
   pair.residual_translation_m = 0.012 * std::abs(noise(random));
