@@ -58,7 +58,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (!arguments.no_hashes) inputs = hash_inputs(input.sessions, input.threads, console.progress());
   console.report(output.findings);
 
-  if (!arguments.save_project.empty()) {
+  if (!arguments.save_project.empty() && !keeps_old_file(output.result, arguments.save_project, console)) {
     project.settings = input.settings;
     project.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
     project.inputs = inputs;

@@ -1,13 +1,24 @@
 #include "app/cli/finish.h"
 
+#include <filesystem>
+
 #include "app/cli/summary.h"
 
 namespace remount {
 
+bool keeps_old_file(const CalibrationResult& result, const std::string& path, Console& console) {
+  if (result.status != Status::Cancelled || path.empty() || !std::filesystem::exists(path)) return false;
+  console.complain("cancelled: " + path + " stays as it was");
+  return true;
+}
+
 int finish(const ResultFile& file, const std::string& output, Console& console) {
-  if (!output.empty()) save_result(file, output);
+  const bool kept = keeps_old_file(file.result, output, console);
+  if (!output.empty() && !kept) save_result(file, output);
   console.print(summary(file));
-  console.print(output.empty() ? std::string("the result was not written: give -o RESULT.yaml") : "result: " + output);
+  if (!kept)
+    console.print(output.empty() ? std::string("the result was not written: give -o RESULT.yaml")
+                                 : "result: " + output);
   if (is_usable(file.result)) return kSolved;
   console.complain("no usable result (" + std::string(to_string(file.result.status)) + "): " + file.result.message);
   for (const std::string& advice : file.result.advice) console.complain("advice: " + advice);

@@ -12,4 +12,7 @@ namespace remount {
 /// with reason and advice on stderr. A result without a usable X is written all the same: its status says why.
 int finish(const ResultFile& file, const std::string& output, Console& console);
 
+/// Whether a cancelled run must leave `path` alone, because something was there before: says so.
+bool keeps_old_file(const CalibrationResult& result, const std::string& path, Console& console);
+
 }  // namespace remount
