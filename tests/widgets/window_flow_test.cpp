@@ -97,6 +97,7 @@ TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
   QTest::keyClick(pairs.table(), Qt::Key_Space);
   EXPECT_NE(view.alignment(), before) << "Space flips in the table";
   auto* top = view.findChildren<QToolButton*>().last();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return top->isEnabled(); }, kPatience_ms)) << "once there is something to view";
   top->setFocus();
   const PairAlignment flipped = view.alignment();
   QSignalSpy pressed(top, &QToolButton::clicked);
