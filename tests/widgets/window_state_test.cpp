@@ -51,8 +51,8 @@ TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_
   for (const Step which : {Step::Pairs, Step::Align, Step::Solve, Step::Export})
     EXPECT_EQ(step(which).state, StepState::Attention) << static_cast<int>(which);
   workbench_.select_pair(7);
-  QTest::qWait(200);  // the scans of the pair are read, and the strip said so
-  EXPECT_TRUE(strip().contains("out of date")) << strip().toStdString();
+  // The scans of the pair are read, and the strip says so.
+  EXPECT_TRUE(QTest::qWaitFor([&] { return strip().contains("out of date"); }, kPatience_ms)) << strip().toStdString();
   workbench_.undo_stack().undo();
   ASSERT_TRUE(settle());
   EXPECT_FALSE(result().contains("Out of date")) << result().toStdString();
