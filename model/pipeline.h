@@ -38,6 +38,8 @@ struct PipelineOutput {
   /// Whether motion within the scans of each session was compensated by the sweep's azimuth; empty before that is
   /// decided.
   std::vector<bool> session_uses_sweep;
+  /// How far X is off, under `perturbed`, by a clock offset that was found and not applied.
+  std::optional<Vector6d> clock_bias;
   /// The ground in the scans; where the settings give the height of the INS above it.
   std::optional<ObservedGround> ground;
   bool nominal_known = false;

@@ -85,16 +85,17 @@ Matrix6d Measured::information(const RigidTransform& x) const {
   return information;
 }
 
-std::vector<std::string> contradictions(const Measured& measured, const RigidTransform& x, const Matrix6d& joint,
-                                        const Matrix6d& trusted) {
+std::vector<Contradiction> contradictions(const Measured& measured, const RigidTransform& x, const Matrix6d& joint,
+                                          const Matrix6d& trusted) {
   constexpr double kContradicts = 3.0;
-  std::vector<std::string> out;
+  std::vector<Contradiction> out;
   for (const MeasuredRow& known : measured.rows(x)) {
     // What is left of a measurement after it took part is its distance from the pairs, shrunk as the joint solution
     // weighed the two; how large that distance may be is what is believed of the pairs.
     const double sigma2 = known.sigma * known.sigma;
-    const double left_joint = sigma2 - known.row.dot(joint * known.row);
-    const double left_trusted = sigma2 - known.row.dot(trusted * known.row);
+    const double joint2 = known.row.dot(joint * known.row), left_joint = sigma2 - joint2;
+    const Vector6d reach = trusted * known.row;
+    const double said2 = known.row.dot(reach), left_trusted = sigma2 - said2;
     if (!(left_joint > 0.0 && left_trusted > 0.0)) continue;
     const double score = std::abs(known.residual) * std::sqrt(left_trusted) / left_joint;
     if (!(score > kContradicts)) continue;
@@ -109,7 +110,9 @@ std::vector<std::string> contradictions(const Measured& measured, const RigidTra
                   "%s contradicts the drive by %.1f sigma (%.4f %s are left): check the measurement and its sigma.",
                   name.c_str(), score, angle ? radians_to_degrees(known.residual) : known.residual,
                   angle ? "deg" : "m");
-    out.emplace_back(text);
+    const double scatter = std::sqrt((score * score - 1.0) * said2);
+    const double drawn = std::abs(known.residual) * joint2 / left_joint;
+    out.push_back({text, reach * (std::max(scatter, drawn) / said2)});
   }
   return out;
 }

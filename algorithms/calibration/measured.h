@@ -89,10 +89,18 @@ class Measured {
   std::optional<ObservedGround> ground_;
 };
 
-/// "z = 1.73 +- 0.01 m as measured contradicts the drive by 4.1 sigma", for each row that does by more than three.
+/// A measurement against which the drive speaks.
+struct Contradiction {
+  std::string text;  ///< "The measured z contradicts the drive by 4.1 sigma ..."
+  /// To be added to the covariance as doubt doubt', for nobody knows which is wrong: errors of both that explain their
+  /// distance (the Birge ratio), or how far the measurement drew X away from the pairs, whichever is more.
+  Vector6d doubt = Vector6d::Zero();
+};
+
+/// Those that contradict by more than three sigma.
 /// @param joint covariance of X under `perturbed` with which the measurements took part in `ins_from_lidar`
 /// @param trusted the covariance that is believed, the measurements included
-std::vector<std::string> contradictions(const Measured& measured, const RigidTransform& ins_from_lidar,
-                                        const Matrix6d& joint, const Matrix6d& trusted);
+std::vector<Contradiction> contradictions(const Measured& measured, const RigidTransform& ins_from_lidar,
+                                          const Matrix6d& joint, const Matrix6d& trusted);
 
 }  // namespace remount

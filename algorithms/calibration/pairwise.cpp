@@ -189,14 +189,16 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
   return problem;
 }
 
-// Where all other sessions agree against one, its pairs are rejected and the others solved alone.
-void leave_out_outlier_session(const Context& context, std::vector<int>& usable, std::vector<Pair>& pairs,
-                               PairwiseDetails& details, JointProblem& problem, CalibrationResult& result) {
+// Where all other sessions agree against one, its pairs are rejected and the others solved alone. Returns what each
+// session says in the end.
+std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std::vector<int>& usable,
+                                                     std::vector<Pair>& pairs, PairwiseDetails& details,
+                                                     JointProblem& problem, CalibrationResult& result) {
   const auto& [input, prior, prior_x, progress] = context;
-  if (problem.terms.size() < kFewestPairs || progress.cancelled()) return;
-  const std::optional<OutlierSession> outlier =
-      outlier_session(session_answers(problem, details, progress), input.options);
-  if (!outlier || progress.cancelled()) return;
+  if (problem.terms.size() < kFewestPairs || progress.cancelled()) return {};
+  std::vector<SessionAnswer> answers = session_answers(problem, details, progress);
+  const std::optional<OutlierSession> outlier = outlier_session(answers, input.options);
+  if (!outlier || progress.cancelled()) return answers;
   char text[200];
   std::snprintf(text, sizeof text,
                 "its session contradicts all others, which agree (with it they scatter %.1f times their errors)",
@@ -218,6 +220,7 @@ void leave_out_outlier_session(const Context& context, std::vector<int>& usable,
                 "clock, and whether the lidar was moved.",
                 outlier->session + 1);
   result.advice.emplace_back(text);
+  return session_answers(problem, details, progress);
 }
 
 // Without a nominal, a yaw that is not observed may be anything: X then lies anywhere on an arc, and what is stated of
@@ -228,19 +231,23 @@ void claim_nothing_at_unknown_yaw(CalibrationResult& result) {
   result.observed.fill(false);
   result.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
   result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  for (ObservabilityDirection& direction : result.directions) {
+    if (!direction.observed) continue;
+    direction.sigma = std::numeric_limits<double>::infinity();
+    direction.observed = false;
+    direction.words = direction.words.substr(0, direction.words.rfind(':')) + ": not observable while yaw is unknown";
+  }
   result.advice.emplace_back(
       "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are "
-      "enough), "
-      "or drive longer, with turns to both sides.");
+      "enough), or drive longer, with turns to both sides.");
 }
 
 // Two mountings in one calibration have no common X; a session that is bad in itself can be left out.
 void report_rejected_sessions(const Context& context, const std::vector<int>& usable, const std::vector<Pair>& pairs,
                               CalibrationResult& result) {
-  const std::vector<RejectedSession> rejected =
-      rejected_sessions(context.input, pairs, usable, context.prior.expected, context.progress);
-  const std::size_t kept = context.input.sessions.size() - rejected.size();
-  for (const RejectedSession& one : rejected) {
+  const SessionVerdicts verdicts =
+      judge_sessions(context.input, pairs, usable, context.prior.expected, context.progress);
+  for (const RejectedSession& one : verdicts.rejected) {
     const std::string name = "Session " + std::to_string(one.session + 1);
     result.advice.push_back(
         one.coherent ? name +
@@ -248,7 +255,7 @@ void report_rejected_sessions(const Context& context, const std::vector<int>& us
                            "moved, or is it another vehicle? Calibrate it on its own."
                      : name + " was left out: its INS motion and its registrations contradict each other.");
     // One against one: nobody can tell which is right.
-    if (one.coherent && kept < 2 && is_solved(result.status)) {
+    if (one.coherent && verdicts.kept < 2 && is_solved(result.status)) {
       result.status = Status::Inconsistent;
       result.message = "The sessions say different mountings: " + name + " against the rest.";
     }
@@ -281,7 +288,8 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   const Context context{input, prior, prior_x, progress};
   JointProblem problem = solve_and_judge(context, start.ins_from_lidar, usable, pairs, details);
   CalibrationResult result;
-  leave_out_outlier_session(context, usable, pairs, details, problem, result);
+  const std::vector<SessionAnswer> answers =
+      leave_out_outlier_session(context, usable, pairs, details, problem, result);
   result.ins_from_lidar = details.joint.ins_from_lidar;
   result.noise = details.noise;
   result.measured = input.measured.parameters();
@@ -290,7 +298,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     return cancelled(result);
   }
   if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
-  describe_uncertainty(input, pairs, problem, details, progress, result);
+  describe_uncertainty(input, pairs, problem, answers, details, progress, result);
   if (!input.nominal_ins_from_lidar) claim_nothing_at_unknown_yaw(result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =

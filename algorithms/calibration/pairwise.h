@@ -30,6 +30,8 @@ struct PairwiseInput {
   /// An earlier estimate where there is no nominal: settles rotations that the motion does not determine.
   std::optional<RigidTransform> initial_ins_from_lidar;
   Measured measured;
+  /// How far X is off, under `perturbed`, by a clock offset that was found and is not applied: it joins the sigmas.
+  std::optional<Vector6d> clock_bias;
   SearchRange range;
   SolveOptions options;
 };
@@ -42,8 +44,6 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
 struct PairwiseDetails {
   NoiseModel noise;
   JointSolution joint;
-  /// How (x, y, z, yaw, pitch, roll) move when an estimated clock offset is applied that was not; m and rad.
-  std::optional<Vector6d> clock_bias;
 };
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress);

@@ -95,9 +95,8 @@ std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& 
   return found;
 }
 
-std::vector<RejectedSession> rejected_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                               const std::vector<int>& usable, const NoiseModel& expected,
-                                               const Progress& progress) {
+SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                               const std::vector<int>& usable, const NoiseModel& expected, const Progress& progress) {
   constexpr std::size_t kFewest = 5;
   constexpr double kHardlyAny = 0.1;
   // Against the expected noise: pairs of one mounting fit each other about as well as the noise says.
@@ -110,13 +109,15 @@ std::vector<RejectedSession> rejected_sessions(const PairwiseInput& input, const
     of_session[session].push_back(i);
     accepted[session] += pair.state == PairState::Accepted ? 1 : 0;
   }
-  std::vector<RejectedSession> out;
+  SessionVerdicts out;
   for (std::size_t s = 0; s < of_session.size() && of_session.size() > 1; ++s) {
     const std::size_t count = of_session[s].size();
-    if (count < kFewest || static_cast<double>(accepted[s]) > kHardlyAny * static_cast<double>(count)) continue;
+    const bool hardly_any = static_cast<double>(accepted[s]) <= kHardlyAny * static_cast<double>(count);
+    if (!hardly_any && accepted[s] >= kFewest) ++out.kept;
+    if (!hardly_any || count < kFewest) continue;
     const RobustStart own =
         robust_start(pairs, of_session[s], expected, std::nullopt, {}, Eigen::Vector3d::Zero(), progress);
-    out.push_back({static_cast<int>(s), own.noise_scale < kCoherentScale});
+    out.rejected.push_back({static_cast<int>(s), own.noise_scale < kCoherentScale});
   }
   return out;
 }

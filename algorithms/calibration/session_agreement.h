@@ -41,9 +41,13 @@ struct RejectedSession {
   bool coherent = false;  ///< its pairs agree with each other on another X: the lidar was mounted differently
 };
 
+struct SessionVerdicts {
+  std::vector<RejectedSession> rejected;
+  int kept = 0;  ///< those with enough accepted pairs to speak for the solution
+};
+
 /// Sessions that the solution rejected whole, or nearly so, while it kept others. The pairs' states are as judged.
-std::vector<RejectedSession> rejected_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                               const std::vector<int>& usable, const NoiseModel& expected,
-                                               const Progress& progress);
+SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                               const std::vector<int>& usable, const NoiseModel& expected, const Progress& progress);
 
 }  // namespace remount

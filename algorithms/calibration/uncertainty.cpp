@@ -162,38 +162,44 @@ Matrix6d residual_information(const Pair& pair, const PairEquation& equation, co
 }
 
 void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
-                          const PairwiseDetails& details, const Progress& progress, CalibrationResult& result) {
+                          const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
+                          const Progress& progress, CalibrationResult& result) {
   const RigidTransform& x = details.joint.ins_from_lidar;
   const MotionSummary motion = summarise_motion(pairs);
   result.directions = observed_directions(details.joint.information,
                                           spurious_information(input, pairs, x, details.noise), motion, input.options);
-  const std::vector<ObservabilityDirection> trusted = result.directions;
-  result.session_disagreement = session_disagreement(session_answers(problem, details, progress), input.options);
+  result.session_disagreement = session_disagreement(answers, input.options);
   // Not below 1: a few sessions may agree by chance.
   const double scale2 = result.session_disagreement > 1.0 ? std::pow(result.session_disagreement, 2) : 1.0;
+  const Matrix6d by_pairs = trusted_information(result.directions, input.options) / scale2;
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);
-  const Matrix6d covariance = inverse(trusted_information(result.directions, input.options) / scale2 + beside_pairs);
+  const Matrix6d covariance = inverse(by_pairs + beside_pairs);
   const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), beside_pairs,
                                                   input.options.bootstrap_samples, input.options.seed, progress);
   constexpr double kExcessOfLogs = 0.5;
-  judge_parameters(
+  Matrix6d honest =
       with_registration_limits(inflated_by_bootstrap(covariance, bootstrap, input.motions_only ? 1.0 : kExcessOfLogs),
-                               response_to_scale(problem, details, progress)),
-      motion, input.options, result);
+                               response_to_scale(problem, details, progress));
+  const std::vector<Contradiction> doubts = contradictions(input.measured, x, details.joint.covariance, covariance);
+  for (const Contradiction& one : doubts) honest += one.doubt * one.doubt.transpose();
+  if (input.clock_bias) honest += *input.clock_bias * input.clock_bias->transpose();
+  judge_parameters(honest, motion, input.options, result);
   add_disagreement_advice(result);
-  for (const std::string& text : contradictions(input.measured, x, details.joint.covariance, covariance))
-    result.advice.push_back(text);
+  for (const Contradiction& one : doubts) result.advice.push_back(one.text);
+  if (input.clock_bias)
+    result.advice.emplace_back(
+        "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: "
+        "without the offset X is far better known.");
   // Resampling pairs says nothing of what only a measurement tells.
-  const Matrix6d pairs_alone =
-      parameter_covariance(x, inverse(trusted_information(trusted, input.options) / scale2 + prior));
+  const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));
   const Matrix6d parameters = parameter_covariance(x, bootstrap);
   const Vector6d limits = observation_limits(input.options);
   for (int i = 0; i < 6; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    const bool by_pairs = result.observed[at] && pairs_alone(i, i) < limits[i] * limits[i];
-    result.bootstrap_sigma[at] =
-        by_pairs && parameters(i, i) > 0.0 ? std::sqrt(parameters(i, i)) : std::numeric_limits<double>::quiet_NaN();
+    const bool seen_by_pairs = result.observed[at] && pairs_alone(i, i) < limits[i] * limits[i];
+    result.bootstrap_sigma[at] = seen_by_pairs && parameters(i, i) > 0.0 ? std::sqrt(parameters(i, i))
+                                                                         : std::numeric_limits<double>::quiet_NaN();
   }
 }
 

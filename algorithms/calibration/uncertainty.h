@@ -3,6 +3,7 @@
 
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pairwise.h"
+#include "algorithms/calibration/session_agreement.h"
 
 namespace remount {
 
@@ -16,7 +17,9 @@ Matrix6d weak_prior(bool nominal_known);
 Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise);
 
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma` and `advice` of the result from the joint solution.
+/// @param answers what each session says on its own; empty with a single one
 void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
-                          const PairwiseDetails& details, const Progress& progress, CalibrationResult& result);
+                          const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
+                          const Progress& progress, CalibrationResult& result);
 
 }  // namespace remount

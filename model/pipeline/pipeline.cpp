@@ -311,7 +311,6 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
   drop_clock_of_failed(output.result);
-  widen_by_clock(details, input.settings.solve, output.result);
   report_clock(output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
   return output;

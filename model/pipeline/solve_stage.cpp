@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "algorithms/calibration/observability.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -46,14 +45,6 @@ CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& 
   return result;
 }
 
-Vector6d parameter_change(const RigidTransform& from, const RigidTransform& to) {
-  const SixParameters a = six_from_rigid(from), b = six_from_rigid(to);
-  Vector6d change;
-  change << b.x_m - a.x_m, b.y_m - a.y_m, b.z_m - a.z_m, wrap_angle_rad(b.yaw_rad - a.yaw_rad),
-      b.pitch_rad - a.pitch_rad, wrap_angle_rad(b.roll_rad - a.roll_rad);
-  return change;
-}
-
 }  // namespace
 
 PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output) {
@@ -66,44 +57,30 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
   out.range = input.settings.range;
   out.options = input.settings.solve;
   out.measured = Measured(input.settings.measured, output.ground);
+  out.clock_bias = output.clock_bias;
   return out;
 }
 
 CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                                    PairwiseDetails& details, const Progress& progress) {
+  output.clock_bias.reset();
   CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
   if (input.settings.solve.apply_time_offset)
     return solve_without_offset(input, motion, output, std::move(result), details, progress);
-  if (clock_differs(result.time_offset)) {
-    // Only the estimate is wanted: the pairs and the solution stay without it.
-    DriveMotion shifted = motion;
-    PipelineOutput copy = output;
-    PairwiseDetails unused;
-    const CalibrationResult estimate = solve_without_offset(input, shifted, copy, result, unused, progress);
-    result.time_offset = estimate.time_offset;
-    result.time_offset.applied = false;
-    result.session_time_offset_s = estimate.session_time_offset_s;
-    if (is_usable(estimate)) details.clock_bias = parameter_change(result.ins_from_lidar, estimate.ins_from_lidar);
+  if (!clock_differs(result.time_offset)) return result;
+  // Only the estimate is wanted, and how far it moves X: the pairs and the solution stay without it.
+  DriveMotion shifted = motion;
+  PipelineOutput copy = output;
+  PairwiseDetails unused;
+  const CalibrationResult estimate = solve_without_offset(input, shifted, copy, result, unused, progress);
+  if (is_usable(result) && is_usable(estimate)) {
+    output.clock_bias = difference(result.ins_from_lidar, estimate.ins_from_lidar);
+    result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
   }
+  result.time_offset = estimate.time_offset;
+  result.time_offset.applied = false;
+  result.session_time_offset_s = estimate.session_time_offset_s;
   return result;
-}
-
-void widen_by_clock(const PairwiseDetails& details, const SolveOptions& options, CalibrationResult& result) {
-  if (!details.clock_bias || result.time_offset.applied || !is_usable(result)) return;
-  const Vector6d limits = observation_limits(options);
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j) result.covariance(i, j) += (*details.clock_bias)[i] * (*details.clock_bias)[j];
-  for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (!result.observed[at] || result.covariance(i, i) < limits[i] * limits[i]) continue;
-    result.observed[at] = false;
-    result.bootstrap_sigma[at] = std::numeric_limits<double>::quiet_NaN();
-    result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-    result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-    result.status = Status::Degenerate;
-  }
-  result.message += " The clocks of lidar and INS differ, which biases X; the sigmas include it.";
-  result.advice.emplace_back("Set solve.apply_time_offset: without the clock offset X is far better known.");
 }
 
 void report_clock(const CalibrationResult& result, std::vector<Finding>& findings) {

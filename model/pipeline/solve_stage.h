@@ -11,13 +11,10 @@ namespace remount {
 PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output);
 
 /// Solves the pairs of `output` and estimates the clock offset to convergence. Where the settings ask for it, the
-/// offset is applied: to `motion`, to P of every pair and to the result; otherwise it is only reported.
+/// offset is applied: to `motion`, to P of every pair and to the result; otherwise it is reported, and how far it
+/// biases X goes into `output` and the sigmas.
 CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                                    PairwiseDetails& details, const Progress& progress);
-
-/// Where an offset was found and not applied, X is biased by it: widens the sigmas by how far X moves without the
-/// offset, and says so in message and advice. Parameters beyond the limits of what counts as observed no longer do.
-void widen_by_clock(const PairwiseDetails& details, const SolveOptions& options, CalibrationResult& result);
 
 /// A finding where an offset was found and not applied.
 void report_clock(const CalibrationResult& result, std::vector<Finding>& findings);

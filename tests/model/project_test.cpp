@@ -63,6 +63,7 @@ Project example(const std::filesystem::path& folder) {
   output.initial_ins_from_lidar = *project.nominal_ins_from_lidar;
   output.nominal_known = true;
   output.session_uses_sweep = {true, false};
+  output.clock_bias = Vector6d::Constant(0.25);
   project.output = output;
   project.basis = {2, project.settings, project.nominal_ins_from_lidar};
   project.inputs.push_back({"one", "ins.csv", 5, "abc"});
@@ -84,6 +85,7 @@ TEST_F(project, reads_back_what_it_saved) {
       1e-14);
   EXPECT_EQ(back.output->findings.at(0).code, "ins-gap");
   EXPECT_EQ(back.output->session_uses_sweep, (std::vector<bool>{true, false}));
+  EXPECT_EQ(back.output->clock_bias, example(folder_).output->clock_bias);
   EXPECT_EQ(back.inputs.at(0).sha256, "abc");
   const std::string first = read_regular_file(path);
   save_project(back, path);

@@ -76,7 +76,9 @@ TEST(measured, height_from_a_tape_stands_where_a_flat_drive_does_not_show_it) {
   for (const std::string& advice : result.advice)
     EXPECT_EQ(advice.find("measured z"), std::string::npos) << "a flat drive cannot contradict it: " << advice;
   for (const ObservabilityDirection& direction : result.directions)
-    if (std::abs(direction.direction[2]) > 0.9) EXPECT_TRUE(direction.observed) << direction.words;
+    if (std::abs(direction.direction[2]) > 0.9) {
+      EXPECT_TRUE(direction.observed) << direction.words;
+    }
 }
 
 TEST(measured, ground_under_an_ins_of_known_height_gives_z) {
@@ -98,6 +100,18 @@ TEST(measured, what_contradicts_the_drive_is_named) {
   bool named = false;
   for (const std::string& advice : result.advice) named = named || advice.find("measured x") != std::string::npos;
   EXPECT_TRUE(named);
+  // Nobody knows whether the tape or the drive is wrong: neither makes sure of the other.
+  EXPECT_FALSE(result.observed[0]);
+  options.x_m = mounting().translation().x() + 0.1;
+  const CalibrationResult nearer = solve_flat(options, {});
+  ASSERT_TRUE(nearer.sigma(0));
+  EXPECT_LT(std::abs(nearer.ins_from_lidar.translation().x() - mounting().translation().x()), 3.0 * *nearer.sigma(0));
+  options.x_sigma_m = 0.3;
+  options.x_m = mounting().translation().x() + 1.2;
+  const CalibrationResult rough = solve_flat(options, {});
+  ASSERT_TRUE(rough.sigma(0)) << "a rough measurement does not spoil what the drive knows well";
+  EXPECT_GT(*rough.sigma(0), *solve_flat({}, {}).sigma(0)) << "what contradicts does not make sure";
+  options.x_sigma_m = 0.005;
   options.x_m = mounting().translation().x();
   for (const std::string& advice : solve_flat(options, {}).advice)
     EXPECT_EQ(advice.find("measured x"), std::string::npos) << advice;

@@ -218,6 +218,41 @@ TEST(pairwise, straight_driving_shows_no_translation_and_no_roll) {
   EXPECT_FALSE(result.advice.empty());
 }
 
+TEST(pairwise, a_bias_by_the_clock_joins_the_sigmas_and_what_it_covers_is_not_observed) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 4);
+  PairwiseInput input = input_of(drive, options);
+  std::vector<Pair> pairs = pairs_of(drive);
+  const CalibrationResult right = solve_pairwise(input, pairs, {});
+  ASSERT_EQ(right.status, Status::Ok) << right.message;
+  input.clock_bias = Vector6d::Unit(0) * 0.03;
+  const CalibrationResult biased = solve_pairwise(input, pairs, {});
+  EXPECT_NEAR(*biased.sigma(0), std::hypot(*right.sigma(0), 0.03), 1e-9);
+  EXPECT_NEAR(*biased.sigma(1), *right.sigma(1), 1e-9);
+  EXPECT_NE(biased.advice.back().find("apply_time_offset"), std::string::npos) << biased.advice.back();
+  input.clock_bias = Vector6d::Unit(0) * 1.0;
+  const CalibrationResult lost = solve_pairwise(input, pairs, {});
+  EXPECT_EQ(lost.status, Status::Degenerate);
+  EXPECT_FALSE(lost.observed[0]);
+  EXPECT_TRUE(lost.observed[1]);
+  EXPECT_FALSE(lost.directions.front().observed) << lost.directions.front().words;
+}
+
+TEST(pairwise, without_a_nominal_nothing_is_claimed_while_yaw_is_unknown) {
+  DriveOptions options;
+  options.tilt_rad = options.turn_rad = 0.0;
+  const SimulatedDrive drive = simulate(options, 5);
+  PairwiseInput input = input_of(drive, options);
+  input.options.max_rotation_sigma_deg = 1e-4;
+  input.nominal_ins_from_lidar.reset();
+  std::vector<Pair> pairs = pairs_of(drive);
+  const CalibrationResult result = solve_pairwise(input, pairs, {});
+  ASSERT_FALSE(result.observed[3]) << result.message;
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
+  for (const ObservabilityDirection& direction : result.directions)
+    EXPECT_FALSE(direction.observed || direction.words.ends_with("observed")) << direction.words;
+}
+
 TEST(pairwise, too_few_pairs_is_a_result_with_advice) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 6);
