@@ -1,11 +1,11 @@
 #include "model/ins_findings.h"
 
-#include <GeographicLib/LocalCartesian.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "algorithms/geometry/rotation.h"
+#include "model/attitude_check.h"
 
 namespace remount {
 
@@ -29,22 +29,6 @@ std::string number(double value, int decimals) {
   char text[48];
   std::snprintf(text, sizeof text, "%.*f", decimals, value);
   return text;
-}
-
-/// INS poses in a local metric frame, for lengths and turns.
-std::vector<StampedPose> metric_poses(const Session& session) {
-  if (session.ins.empty()) return session.world_from_ins;
-  const InsSample& first = session.ins.front();
-  const GeographicLib::LocalCartesian local(radians_to_degrees(first.latitude_rad),
-                                            radians_to_degrees(first.longitude_rad), first.height_m);
-  std::vector<StampedPose> poses;
-  for (const InsSample& sample : session.ins) {
-    Eigen::Vector3d position;
-    local.Forward(radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad), sample.height_m,
-                  position.x(), position.y(), position.z());
-    poses.push_back({sample.stamp_ns, make_rigid(sample.enu_from_ins.toRotationMatrix(), position)});
-  }
-  return poses;
 }
 
 /// A pose at most every 0.2 s: noise of the single sample must not pass for motion.
@@ -159,6 +143,7 @@ std::vector<Finding> ins_findings(const Session& session) {
                             " s; was it still aligning, or did the log stall?"});
   const std::vector<StampedPose> shared = during_lidar(session, poses);
   if (shared.size() >= 2) report_motion(measure_motion(shared), session.name, findings);
+  for (Finding& finding : attitude_findings(session)) findings.push_back(std::move(finding));
   return findings;
 }
 

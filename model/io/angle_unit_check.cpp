@@ -12,9 +12,8 @@ namespace remount {
 namespace {
 
 constexpr double kEarthRadius_m = 6371000.0;
-constexpr double kStep_m = 2.0;         ///< apart enough that noise of positions does not turn the direction
-constexpr std::size_t kManySteps = 50;  ///< from here on a heading that goes its own way is no chance
-constexpr std::size_t kFewSteps = 10;   ///< below this many nothing is said of the direction of travel
+constexpr double kStep_m = 2.0;        ///< apart enough that noise of positions does not turn the direction
+constexpr std::size_t kFewSteps = 10;  ///< below this many nothing is said of the direction of travel
 
 /// A stretch of travel: its direction, from east counter-clockwise, and the sample in its middle.
 struct Step {
@@ -113,10 +112,6 @@ void check_angle_unit(const std::vector<InsSample>& samples, const std::vector<A
                         text_of("As unit: %s, the heading is %.0f degrees off the direction of travel; as %s, %.0f. ",
                                 declared_name, declared_deg, other_name, other_deg) +
                             advice + ", unless the INS is mounted like that."});
-  else if (steps.size() >= kManySteps && declared.concentration < 0.6)
-    findings.push_back({Severity::Warning, "heading-against-travel", path.string(),
-                        "The heading does not follow the direction of travel: check the convention of the attitude, "
-                        "and which column is yaw."});
 }
 
 }  // namespace remount

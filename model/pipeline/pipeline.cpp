@@ -8,6 +8,7 @@
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/core/error.h"
 #include "algorithms/search/candidates.h"
+#include "model/attitude_check.h"
 #include "model/pipeline/coarse_start.h"
 #include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
@@ -279,8 +280,10 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   check_input(input);
   DriveMotion motion(input.sessions);
   PipelineOutput output;
-  for (const auto& session : input.sessions)
+  for (const auto& session : input.sessions) {
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+    for (Finding& finding : attitude_findings(*session)) output.findings.push_back(std::move(finding));
+  }
   output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
   output.pairs = propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
   keep_independent_odometry(motion, output.keyframes, output.pairs);
@@ -311,6 +314,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
   drop_clock_of_failed(output.result);
+  blame_attitude(output.findings, output.result);
   report_clock(output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
   return output;
@@ -339,6 +343,7 @@ void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
     result.session_time_offset_s = output.result.session_time_offset_s;
   }
   drop_clock_of_failed(result);
+  blame_attitude(output.findings, result);
   output.pairs = std::move(pairs);
   output.result = std::move(result);
   output.sharpness.clear();  // it was the former X's, and so was what it said

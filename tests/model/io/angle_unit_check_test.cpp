@@ -83,12 +83,7 @@ TEST(angle_unit, on_a_straight_road_the_other_unit_is_suspected) {
   }
 }
 
-TEST(angle_unit, a_heading_that_means_something_else_is_said_and_a_few_glitches_are_not) {
-  Log mirrored(circles, 1.0);
-  for (AttitudeAngles& angles : mirrored.logged) angles.yaw_rad = -angles.yaw_rad;
-  mirrored.check(kDegree);
-  ASSERT_EQ(mirrored.findings.size(), 1U);
-  EXPECT_EQ(mirrored.findings[0].code, "heading-against-travel");
+TEST(angle_unit, a_few_glitches_and_a_vehicle_that_stands_say_nothing) {
   Log glitches(winding, kDegree);
   glitches.logged[5].roll_rad = 1e6;
   glitches.check(kRadian);
