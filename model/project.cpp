@@ -10,6 +10,7 @@
 #include "model/io/pair_document.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
+#include "model/pipeline/input_checks.h"
 #include "model/settings_file.h"
 #include "remount_version.h"
 
@@ -256,6 +257,7 @@ Project load_project(const std::filesystem::path& path) {
 ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs) {
   ResultFile file;
   file.result = output.result;
+  file.ins_axes = common_axes(input.sessions);
   file.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   file.pairs = pair_records(output.keyframes, output.pairs);
   file.sharpness = output.sharpness;

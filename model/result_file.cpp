@@ -235,6 +235,7 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("message", DocumentNode::string(result.message));
   root.add("advice", strings_document(result.advice));
   root.add("ins_from_lidar", transform_document(result.ins_from_lidar));
+  root.add("ins_axes", file.ins_axes ? DocumentNode::string(to_string(*file.ins_axes)) : DocumentNode::null());
   DocumentNode& observed = root.add("observed", DocumentNode::map());
   observed.on_one_line = true;
   for (std::size_t i = 0; i < 6; ++i)

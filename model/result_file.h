@@ -57,6 +57,7 @@ InputFile hash_input(const std::filesystem::path& path);
 
 struct ResultFile {
   CalibrationResult result;
+  std::optional<InsAxes> ins_axes;                       ///< of the frame that X is expressed in; nothing: not known
   std::optional<RigidTransform> nominal_ins_from_lidar;  ///< what the search started from
   std::vector<PairRecord> pairs;
   std::vector<NamedSharpness> sharpness;  ///< the map check; empty where there was none

@@ -141,6 +141,10 @@ ResultFile result_from_document(const DocumentView& root) {
   if (root.has("message")) result.message = root.at("message").string();
   result.advice = strings_of(root, "advice");
   result.ins_from_lidar = transform_from_document(root.at("ins_from_lidar"));
+  if (root.has("ins_axes") && !root.at("ins_axes").is_null()) {
+    constexpr InsAxes kAxes[] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp};
+    file.ins_axes = kAxes[root.at("ins_axes").choice({to_string(kAxes[0]), to_string(kAxes[1])})];
+  }
   read_uncertainty(root, result);
   result.pairs_proposed = count_of(root.at("pairs").at("proposed"));
   result.pairs_accepted = count_of(root.at("pairs").at("accepted"));

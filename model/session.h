@@ -10,6 +10,7 @@
 
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/trajectory/ins_sample.h"
+#include "model/io/attitude_convention.h"
 
 namespace remount {
 
@@ -61,7 +62,8 @@ struct Session {
   std::shared_ptr<const ScanSource> scans;  ///< null where odometry_from_lidar is given
   ScanTiming scan_timing = ScanTiming::Instant;
   SweepModel sweep;
-  std::string ins_axes = "x forward, y left, z up";  ///< of the INS frame in which X is expressed, for display
+  /// Of the INS frame in which X is expressed; nothing: as a pose file defines them, which does not say.
+  std::optional<InsAxes> ins_axes = InsAxes::ForwardLeftUp;
   /// Errors of the INS as the data declare them; NaN where they do not. White: independent from sample to sample.
   double ins_position_white_sigma_m = std::numeric_limits<double>::quiet_NaN();
   double ins_attitude_white_sigma_rad = std::numeric_limits<double>::quiet_NaN();

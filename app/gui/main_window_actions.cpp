@@ -174,11 +174,11 @@ void MainWindow::show_export() {
   }
   auto* dialog = new ExportDialog(
       export_formats(),
-      [this](const QString& id) -> QString {
+      [this](const QString& id) -> ExportText {
         try {
-          return export_text(workbench_, id);
+          return {export_text(workbench_, id), {}};
         } catch (const Error& error) {
-          return tr("Cannot be written in this format: %1").arg(QString::fromStdString(error.what_happened()));
+          return {{}, tr("Cannot be written in this format: %1").arg(QString::fromStdString(error.what_happened()))};
         }
       },
       this);

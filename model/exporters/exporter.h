@@ -27,7 +27,8 @@ class Exporter {
   /// Which way the numbers in the file go, in words ("lidar to ins: point_in_ins = R point_in_lidar + t").
   virtual std::string_view direction() const = 0;
   virtual std::string_view file_name() const = 0;  ///< the name under which the format's users look for it
-  /// The whole file. States its direction, and what of X is not observed, where the format allows comments.
+  /// The whole file. States its direction, and what of X is not observed, where the format allows comments. Throws
+  /// Error(Contract) that names the right format where this one would be wrong for the result's axes.
   virtual std::string write(const ResultFile& result, const ExportNames& names) const = 0;
   /// ins_from_lidar of a text that write() made, or that other programs made in the same format. `where` is named in
   /// errors. Throws Error(Format).

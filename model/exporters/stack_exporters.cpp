@@ -81,6 +81,10 @@ class ApolloExporter final : public Exporter {
   std::string_view file_name() const override { return "lidar_novatel_extrinsics.yaml"; }
 
   std::string write(const ResultFile& result, const ExportNames& names) const override {
+    if (right_forward_up_ && result.ins_axes == InsAxes::RightForwardUp)
+      throw Error(ErrorCode::Contract, "apollo-rfu",
+                  "the INS axes of this result are x right, y forward, z up already and must not be turned again: "
+                  "export it as apollo");
     const RigidTransform x = axes_from_ins_ * result.result.ins_from_lidar;
     const Eigen::Quaterniond q = canonical_quaternion(x.linear());
     DocumentNode root = DocumentNode::map();

@@ -239,7 +239,7 @@ std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& fo
 void read_ins(const DocumentView& node, const fs::path& folder, Session& session) {
   node.allow_only({"file", "columns"});
   const InsTableLayout layout = read_layout(node.at("columns"));
-  if (!layout.quaternion) session.ins_axes = to_string(axes_of(layout.attitude));
+  if (!layout.quaternion) session.ins_axes = axes_of(layout.attitude);
   session.files.push_back(folder / node.at("file").string());
   session.ins = read_ins_table(session.files.back(), layout, session.findings);
 }
@@ -310,10 +310,12 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   session.format = id();
   session.files.push_back(manifest);
   progress.report("reading INS", 0, 2);
-  if (const auto ins = find(root, "ins"))
+  if (const auto ins = find(root, "ins")) {
     read_ins(*ins, folder, session);
-  else
+  } else {
     session.world_from_ins = read_poses(root.at("ins_poses"), folder, session);
+    session.ins_axes.reset();
+  }
   progress.report("listing scans", 1, 2);
   if (const auto scans = find(root, "scans"))
     read_scans(*scans, folder, session);

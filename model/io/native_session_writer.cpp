@@ -25,8 +25,7 @@ void check_writable(const Session& session) {
 }
 
 AttitudeConvention convention_of(const Session& session) {
-  return session.ins_axes == to_string(InsAxes::RightForwardUp) ? AttitudeConvention::NovAtel
-                                                                : AttitudeConvention::EnuYaw;
+  return session.ins_axes == InsAxes::RightForwardUp ? AttitudeConvention::NovAtel : AttitudeConvention::EnuYaw;
 }
 
 bool declares_sigma(const std::vector<InsSample>& ins) {

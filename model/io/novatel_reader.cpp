@@ -94,7 +94,7 @@ Session NovatelReader::open(const fs::path& path, Progress& progress) const {
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
-  session.ins_axes = to_string(InsAxes::RightForwardUp);
+  session.ins_axes = InsAxes::RightForwardUp;
   read_best_log(contents, session);
   progress.report("reading poses", 1, 2);
   if (contents.poses.empty()) {

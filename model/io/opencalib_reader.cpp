@@ -104,7 +104,7 @@ Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
-  session.ins_axes = "as the pose file defines them";
+  session.ins_axes.reset();
   report_choice(contents.ins_poses, "ins-file-chosen", "the INS", session.findings);
   session.world_from_ins = read_pose_file(contents.ins_poses[0], PoseFormat::PoseLines, session.findings);
   session.files.push_back(contents.ins_poses[0]);

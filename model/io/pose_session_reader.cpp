@@ -79,7 +79,7 @@ Session PoseSessionReader::open(const fs::path& path, Progress& progress) const 
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
-  session.ins_axes = "as the pose file defines them";
+  session.ins_axes.reset();
   if (is_file(path)) {
     const auto format = recognise_pose_file(path);
     if (!format) throw Error(ErrorCode::Format, path.string(), "is no pose file");

@@ -82,6 +82,14 @@ std::string value_of(const char* name, double value, const char* unit) {
   return std::string(name) + " = " + shortest(value) + " " + unit;
 }
 
+void check_same_axes(const Session& first, const Session& other) {
+  if (!first.ins_axes || !other.ins_axes || *first.ins_axes == *other.ins_axes) return;
+  throw Error(ErrorCode::Contract, named(other),
+              "has INS axes " + std::string(to_string(*other.ins_axes)) + ", but " + named(first) + " has " +
+                  std::string(to_string(*first.ins_axes)) +
+                  ": they have no common X. Calibrate them one by one, or declare the same attitude convention.");
+}
+
 /// Which of the settings of pairs a pair must meet.
 std::string pairing_limits(const PairingOptions& options) {
   std::string near;
@@ -111,11 +119,21 @@ void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions)
                   "has both");
   }
   for (std::size_t i = 0; i < sessions.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) check_same_axes(*sessions[k], *sessions[i]);
+  for (std::size_t i = 0; i < sessions.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (same_recording(*sessions[k], *sessions[i]))
         throw Error(ErrorCode::Contract, named(*sessions[i]),
                     "is the same recording as " + named(*sessions[k]) +
                         ": its pairs would count as evidence twice. Give it once.");
+}
+
+std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  if (sessions.empty()) return std::nullopt;
+  const auto& axes = sessions.front()->ins_axes;
+  const bool same =
+      std::all_of(sessions.begin(), sessions.end(), [&](const auto& session) { return session->ins_axes == axes; });
+  return same ? axes : std::nullopt;
 }
 
 std::string why_not_covered(const DriveMotion& motion, int session) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,14 @@
 
 namespace remount {
 
-/// Throws Error(Unsupported) for a session without an INS or without a LiDAR, and Error(Contract) for one that is given
-/// twice, by path or by content: its pairs would count as evidence twice. To compare contents it reads up to two scans
-/// of each session that shares stamps with another, and the first of two that have equally many; of LiDAR poses most of
-/// those that share stamps must be equal.
+/// Throws Error(Unsupported) for a session without an INS or without a LiDAR, and Error(Contract) for sessions whose
+/// INS axes differ, for they have no common X, and for one that is given twice, by path or by content: its pairs would
+/// count as evidence twice. To compare contents it reads up to two scans of each session that shares stamps with
+/// another, and the first of two that have equally many; of LiDAR poses most of those that share stamps must be equal.
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions);
+
+/// The INS axes that all sessions declare; nothing where one does not say or there is none.
+std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// Why the LiDAR's stamps of a session all lie outside its INS data; for a session where none lies within.
 std::string why_not_covered(const DriveMotion& motion, int session);

@@ -37,6 +37,7 @@ ResultFile example() {
   file.pairs.push_back({0, 1317636475123456789LL, 1317636476123456789LL, PairState::Rejected, DecidedBy::User,
                         "by \"hand\": no", 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9});
   file.findings = {"scan 7 was skipped"};
+  file.ins_axes = InsAxes::RightForwardUp;
   file.settings.solve.seed = 5;
   file.inputs.push_back({"drive", "ins.csv", 123, std::string(64, 'a')});
   return file;
@@ -70,6 +71,10 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
   EXPECT_EQ(back.pairs.at(0).stamp_a_ns, 1317636475123456789LL);
   EXPECT_EQ(back.pairs.at(0).reason, "by \"hand\": no");
   EXPECT_EQ(settings_text(back.settings), settings_text(file.settings));
+  EXPECT_EQ(back.ins_axes, InsAxes::RightForwardUp);
+  DocumentNode older = result_document(file);
+  at(older, "ins_axes") = DocumentNode::null();
+  EXPECT_FALSE(result_from_document(DocumentView(older, "r")).ins_axes) << "a file need not say";
 }
 
 TEST(result_file, has_the_documented_keys_and_orders) {

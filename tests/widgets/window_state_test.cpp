@@ -3,6 +3,8 @@
 
 #include <QLabel>
 #include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeView>
@@ -158,6 +160,25 @@ TEST_F(window_state, names_of_formats_are_shown_on_one_line_each) {
     EXPECT_FALSE(list.item(row)->toolTip().isEmpty());
   }
   child<ExportDialog>().close();
+}
+
+TEST(export_dialog, a_reason_against_a_format_is_shown_and_cannot_be_saved_for_it) {
+  ExportDialog dialog({{"good", "good", "there", "a"}, {"bad", "bad", "there", "b"}}, [](const QString& id) {
+    return id == "good" ? ExportText{"X", {}} : ExportText{{}, "turned"};
+  });
+  const auto enabled = [&] {
+    int count = 0;
+    for (const QPushButton* button : dialog.findChildren<QPushButton*>()) count += button->isEnabled();
+    return count;
+  };
+  EXPECT_EQ(dialog.current_text(), "X");
+  EXPECT_EQ(enabled(), 3);
+  dialog.choose("bad");
+  EXPECT_TRUE(dialog.current_text().isEmpty());
+  EXPECT_EQ(dialog.findChild<QPlainTextEdit*>()->toPlainText(), "turned");
+  EXPECT_EQ(enabled(), 1) << "only Close";
+  dialog.choose("good");
+  EXPECT_EQ(enabled(), 3);
 }
 
 TEST_F(window_state, fits_into_1280_by_800_with_its_steps_whole) {

@@ -33,7 +33,6 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   // One line for each, whole: names are told apart by their ends.
   list_->setFixedWidth(list_->sizeHintForColumn(0) + 2 * list_->frameWidth() + 24);
   preview_->setReadOnly(true);
-  preview_->setLineWrapMode(QPlainTextEdit::NoWrap);
   preview_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   preview_->setAccessibleName(tr("Preview"));
   direction_->setWordWrap(true);
@@ -42,14 +41,14 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   warning_->setTextFormat(Qt::PlainText);
   warning_->hide();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  QPushButton* copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
-  QPushButton* save = buttons->addButton(tr("Save…"), QDialogButtonBox::ActionRole);
-  save->setDefault(true);
-  connect(copy, &QPushButton::clicked, this, [this] {
+  copy_ = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
+  save_ = buttons->addButton(tr("Save…"), QDialogButtonBox::ActionRole);
+  save_->setDefault(true);
+  connect(copy_, &QPushButton::clicked, this, [this] {
     QGuiApplication::clipboard()->setText(current_text());
     emit copied(current_id());
   });
-  connect(save, &QPushButton::clicked, this, &ExportDialog::ask_where);
+  connect(save_, &QPushButton::clicked, this, &ExportDialog::ask_where);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(list_, &QListWidget::currentRowChanged, this, &ExportDialog::show_current);
   auto* grid = new QGridLayout(this);
@@ -77,7 +76,7 @@ QString ExportDialog::current_id() const {
   return row < 0 ? QString() : formats_[static_cast<std::size_t>(row)].id;
 }
 
-QString ExportDialog::current_text() const { return preview_->toPlainText(); }
+QString ExportDialog::current_text() const { return text_; }
 
 void ExportDialog::choose(const QString& id) {
   for (std::size_t i = 0; i < formats_.size(); ++i)
@@ -88,7 +87,13 @@ void ExportDialog::show_current() {
   if (list_->currentRow() < 0) return;
   const ExportFormat& format = formats_[static_cast<std::size_t>(list_->currentRow())];
   direction_->setText("<b>" + tr("Direction:").toHtmlEscaped() + "</b> " + format.direction.toHtmlEscaped());
-  preview_->setPlainText(text_of_(format.id));
+  const ExportText current = text_of_(format.id);
+  text_ = current.text;
+  preview_->setLineWrapMode(current.problem.isEmpty() ? QPlainTextEdit::NoWrap : QPlainTextEdit::WidgetWidth);
+  preview_->setPlainText(current.problem.isEmpty() ? current.text : current.problem);
+  // A message must not be saved for a calibration.
+  copy_->setEnabled(current.problem.isEmpty());
+  save_->setEnabled(current.problem.isEmpty());
 }
 
 void ExportDialog::ask_where() {

@@ -8,6 +8,7 @@
 class QLabel;
 class QListWidget;
 class QPlainTextEdit;
+class QPushButton;
 
 namespace remount {
 
@@ -17,15 +18,21 @@ struct ExportFormat {
   QString file_name;  ///< suggested
 };
 
+/// What a format makes of the result; nothing to copy or save where there is a problem.
+struct ExportText {
+  QString text;
+  QString problem;  ///< why there is none, and what to choose instead
+};
+
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
-  using TextOf = std::function<QString(const QString& id)>;
+  using TextOf = std::function<ExportText(const QString& id)>;
   ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent = nullptr);
   /// What is to be known before anything is written; empty for nothing.
   void show_warning(const QString& warning);
   QString current_id() const;
-  QString current_text() const;
+  QString current_text() const;  ///< empty where the format cannot hold the result
   void choose(const QString& id);
 
  signals:
@@ -41,6 +48,8 @@ class ExportDialog : public QDialog {
   QListWidget* list_;
   QPlainTextEdit* preview_;
   QLabel *direction_, *warning_;
+  QPushButton *copy_ = nullptr, *save_ = nullptr;
+  QString text_;
 };
 
 }  // namespace remount

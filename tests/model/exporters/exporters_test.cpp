@@ -101,6 +101,20 @@ TEST(exporters, apollo_rfu_turns_forward_into_its_y) {
   EXPECT_NE(text.find("    z: 0.7071067811865"), std::string::npos) << text;
 }
 
+TEST(exporters, apollo_rfu_refuses_axes_that_are_apollos_already) {
+  ResultFile file = result_with(rigid_from_six({0, 1, 0.5, 0, 0, 0}));
+  file.ins_axes = InsAxes::RightForwardUp;
+  try {
+    exporter("apollo-rfu").write(file, {});
+    ADD_FAILURE() << "the axes were turned twice";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("export it as apollo"), std::string::npos) << error.what();
+  }
+  EXPECT_NE(exporter("apollo").write(file, {}).find("    y: 1\n"), std::string::npos);
+  file.ins_axes = InsAxes::ForwardLeftUp;
+  EXPECT_FALSE(exporter("apollo-rfu").write(file, {}).empty());
+}
+
 TEST(exporters, published_calibrations_are_read) {
   const std::filesystem::path file =
       std::filesystem::path(REMOUNT_SOURCE_DIR) / "../shared/data/opencalib/gnss-to-top_center_lidar-extrinsic.json";

@@ -112,7 +112,7 @@ TEST(native_session, reads_back_what_was_written) {
 TEST(native_session, keeps_the_sweep_and_novatel_axes) {
   const TemporaryFolder folder;
   Session written = made_session(false);
-  written.ins_axes = std::string(to_string(InsAxes::RightForwardUp));
+  written.ins_axes = InsAxes::RightForwardUp;
   Progress progress;
   write_native_session(written, folder.path() / "drive", 1, progress);
   const Session read = NativeSessionReader().open(folder.path() / "drive" / "session.yaml", progress);

@@ -63,7 +63,7 @@ TEST(novatel_reader, a_log_alone_says_what_is_missing) {
   const TemporaryFolder folder;
   const Session session = open(folder.write("a.log", inspvaxa(2183, 1.0, 90.0) + inspvaxa(2183, 1.02, 90.0)));
   EXPECT_EQ(session.format, "novatel-inspvax");
-  EXPECT_EQ(session.ins_axes, to_string(InsAxes::RightForwardUp));
+  EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp);
   ASSERT_NE(find(session, "one-stream"), nullptr);
 }
 

@@ -33,6 +33,19 @@ PipelineOutput run(std::vector<std::shared_ptr<const Session>> sessions, const S
   return run_pipeline(input, progress);
 }
 
+TEST(input_checks, sessions_with_other_ins_axes_are_refused_and_those_that_do_not_say_are_not) {
+  const auto first = tiny_session(1), second = tiny_session(2);
+  first->path = "/data/first", second->path = "/data/second";
+  second->ins_axes = InsAxes::RightForwardUp;
+  EXPECT_ERROR(check_sessions({first, second}), "/data/second: has INS axes x right, y forward, z up, but /data/first");
+  EXPECT_FALSE(common_axes({first, second}));
+  second->ins_axes.reset();
+  EXPECT_NO_THROW(check_sessions({first, second}));
+  EXPECT_FALSE(common_axes({first, second}));
+  EXPECT_EQ(common_axes({first}), InsAxes::ForwardLeftUp);
+  EXPECT_FALSE(common_axes({}));
+}
+
 TEST(input_checks, one_recording_given_twice_is_refused_and_both_are_named) {
   const TemporaryFolder folder;
   Progress progress;
