@@ -73,7 +73,9 @@ TEST(session_report, says_in_words_what_the_motion_can_tell) {
     const SessionReport report = report_session(session, progress);
     EXPECT_NE(describe(session, report).find(said), std::string::npos) << said << "\n" << describe(session, report);
     EXPECT_EQ(report.usable, road != Road::Parked) << said;
-    if (road == Road::Straight) EXPECT_FALSE(report.outlook.advice.empty());
+    if (road == Road::Straight) {
+      EXPECT_FALSE(report.outlook.advice.empty());
+    }
   }
 }
 

@@ -47,9 +47,10 @@ inline std::array<double, 6> normalised_errors(const CalibrationResult& result, 
 inline void expect_within_sigma(const CalibrationResult& result, const RigidTransform& truth, double limit) {
   const std::array<double, 6> normalised = normalised_errors(result, truth);
   for (std::size_t i = 0; i < 6; ++i)
-    if (std::isfinite(normalised[i]))
+    if (std::isfinite(normalised[i])) {
       EXPECT_LT(std::abs(normalised[i]), limit)
           << kParameterNames[i] << " is off by " << normalised[i] << " sigma of " << *result.sigma(i);
+    }
 }
 
 }  // namespace remount

@@ -44,7 +44,9 @@ TEST(motion_pairs_solution, recorded_pairs_that_share_scans_are_within_the_sigma
   error_of(result, kitti);
   expect_within_sigma(result, kitti, 3.5);
   for (const ObservabilityDirection& direction : result.directions)
-    if (std::abs(direction.direction[2]) > 0.9) EXPECT_EQ(direction.observed, result.observed[2]) << direction.words;
+    if (std::abs(direction.direction[2]) > 0.9) {
+      EXPECT_EQ(direction.observed, result.observed[2]) << direction.words;
+    }
 }
 
 TEST(motion_pairs_solution, sets_that_contradict_each_other_leave_the_reference_within_the_sigma) {
