@@ -1,90 +1,151 @@
 #include "model/attitude_check.h"
 
 #include <Eigen/Eigenvalues>
-#include <GeographicLib/LocalCartesian.hpp>
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include "model/result_file.h"
+#include "model/session_frames.h"
 
 namespace remount {
 namespace {
 
-constexpr const char* kHeadingAgainstTravel = "heading-against-travel";
+constexpr const char* kAttitudeConvention = "attitude-convention";
 
-/// Directions of travel seen from the INS, unit vectors, one for each few metres.
-std::vector<Eigen::Vector3d> travel_in_ins(const std::vector<StampedPose>& world_from_ins) {
-  constexpr double kStep_m = 2.0;          // so far that noise of positions does not turn the direction
-  constexpr double kJump_m = 5 * kStep_m;  // a gap or a jump
-  std::vector<Eigen::Vector3d> directions;
-  for (std::size_t from = 0, i = 1; i < world_from_ins.size(); ++i) {
-    const Eigen::Vector3d step = world_from_ins[i].pose.translation() - world_from_ins[from].pose.translation();
-    if (step.norm() < kStep_m) continue;
-    const RigidTransform& middle = world_from_ins[(from + i) / 2].pose;
-    if (step.norm() < kJump_m) directions.push_back(middle.linear().transpose() * step.normalized());
-    from = i;
+/// A stretch of travel in the world, and the attitude in its middle.
+struct Step {
+  Eigen::Vector3d direction;
+  Eigen::Matrix3d world_from_ins;
+};
+
+/// Between the mean positions of successive half seconds: single samples are noisy.
+std::vector<Step> steps_of(const std::vector<StampedPose>& poses) {
+  constexpr std::int64_t kBlock_ns = 500'000'000;
+  constexpr double kSlowest_mps = 2.0, kFastest_mps = 100.0;
+  struct Block {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    double count = 0.0, time_s = 0.0;
+    std::size_t last = 0;
+  };
+  std::vector<Block> blocks;
+  std::int64_t number = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::int64_t here = (poses[i].stamp_ns - poses.front().stamp_ns) / kBlock_ns;
+    if (i == 0 || here != number) blocks.emplace_back();
+    number = here;
+    Block& block = blocks.back();
+    block.position += poses[i].pose.translation();
+    block.time_s += static_cast<double>(poses[i].stamp_ns - poses.front().stamp_ns) * 1e-9;
+    block.count += 1.0;
+    block.last = i;
   }
-  return directions;
+  std::vector<Step> steps;
+  for (std::size_t k = 1; k < blocks.size(); ++k) {
+    const Block &from = blocks[k - 1], &to = blocks[k];
+    const Eigen::Vector3d step = to.position / to.count - from.position / from.count;
+    const double speed_mps = step.norm() / (to.time_s / to.count - from.time_s / from.count);
+    if (speed_mps > kSlowest_mps && speed_mps < kFastest_mps)
+      steps.push_back({step.normalized(), poses[from.last].pose.linear()});
+  }
+  return steps;
 }
 
-/// 1 where all directions lie on one axis, forwards or backwards; 0 where they spread over a whole plane.
-double concentration(const std::vector<Eigen::Vector3d>& directions) {
+/// How well the direction of travel, seen from the INS, keeps to one axis, forwards or backwards: 1 where it does, 0
+/// where it spreads over a whole plane.
+template <class Convention>
+double agreement(const std::vector<Step>& steps, Convention&& world_from_ins) {
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& direction : directions) scatter += direction * direction.transpose();
+  for (const Step& step : steps) {
+    const Eigen::Vector3d direction = world_from_ins(step.world_from_ins).transpose() * step.direction;
+    scatter += direction * direction.transpose();
+  }
   const double share = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues()[2] / scatter.trace();
   return 2.0 * share - 1.0;
 }
 
-}  // namespace
+Eigen::Matrix3d inverse(const Eigen::Matrix3d& rotation) { return rotation.transpose(); }
 
-std::vector<StampedPose> metric_poses(const Session& session) {
-  if (session.ins.empty()) return session.world_from_ins;
-  const InsSample& first = session.ins.front();
-  const GeographicLib::LocalCartesian local(radians_to_degrees(first.latitude_rad),
-                                            radians_to_degrees(first.longitude_rad), first.height_m);
-  std::vector<StampedPose> poses;
-  for (const InsSample& sample : session.ins) {
-    Eigen::Vector3d position;
-    local.Forward(radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad), sample.height_m,
-                  position.x(), position.y(), position.z());
-    poses.push_back({sample.stamp_ns, make_rigid(sample.enu_from_ins.toRotationMatrix(), position)});
-  }
-  return poses;
+/// North-east-down and forward-right-down taken for east-north-up and forward-left-up, or the other way round; also a
+/// heading from north clockwise for a yaw from east counter-clockwise.
+Eigen::Matrix3d other_way_up(const Eigen::Matrix3d& rotation) {
+  const Eigen::Matrix3d ned_from_enu{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}};
+  return ned_from_enu * rotation * Eigen::Vector3d(1, -1, -1).asDiagonal();
 }
 
+/// The scalar part taken from the wrong end.
+Eigen::Matrix3d scalar_was_last(const Eigen::Matrix3d& rotation) {
+  const Eigen::Quaterniond q(rotation);
+  return Eigen::Quaterniond(q.z(), q.w(), q.x(), q.y()).toRotationMatrix();
+}
+Eigen::Matrix3d scalar_was_first(const Eigen::Matrix3d& rotation) {
+  const Eigen::Quaterniond q(rotation);
+  return Eigen::Quaterniond(q.x(), q.y(), q.z(), q.w()).toRotationMatrix();
+}
+
+struct Alternative {
+  Eigen::Matrix3d (*convention)(const Eigen::Matrix3d&);
+  const char* words;
+};
+constexpr std::array<Alternative, 4> kAlternatives{{
+    {other_way_up, "NED instead of ENU (or the other way round), or a heading from north instead of a yaw from east"},
+    {inverse, "the inverse rotation"},
+    {scalar_was_last, "a quaternion whose scalar part stands at the other end"},
+    {scalar_was_first, "a quaternion whose scalar part stands at the other end"},
+}};
+
+void judge_heading(const std::vector<Step>& steps, const std::string& where, std::vector<Finding>& findings) {
+  constexpr std::size_t kFewSteps = 10, kManySteps = 30;
+  constexpr double kFollows = 0.95, kAgainst = 0.6, kAtRandom = 0.2;
+  if (steps.size() < kFewSteps) return;
+  const double declared = agreement(steps, [](const Eigen::Matrix3d& same) { return same; });
+  if (declared > kAgainst) return;
+  // On level ground several fit; tilts tell them apart.
+  const Alternative* best = nullptr;
+  double highest = kFollows;
+  for (const Alternative& one : kAlternatives) {
+    const double follows = agreement(steps, one.convention);
+    if (follows > highest) best = &one, highest = follows;
+  }
+  if (best != nullptr)
+    findings.push_back(
+        {Severity::Problem, kAttitudeConvention, where,
+         std::string("The heading of the INS does not follow the direction of travel, but it would as ") + best->words +
+             ": correct the convention of the attitude. No mounting can be right with this one."});
+  else if (steps.size() >= kManySteps && declared < kAtRandom)
+    findings.push_back({Severity::Warning, "heading-against-travel", where,
+                        "The heading of the INS does not follow the direction of travel: check the convention of the "
+                        "attitude, and which column is yaw. A vehicle that moves sideways at will may look so too."});
+}
+
+}  // namespace
+
 std::vector<Finding> attitude_findings(const Session& session) {
-  constexpr std::size_t kFewSteps = 10;
-  constexpr double kSpread = 0.6;  // a turn of 90 degrees that goes the wrong way spreads to 0
+  constexpr double kDown = -0.5;
   std::vector<Finding> findings;
   const std::vector<StampedPose> poses = metric_poses(session);
-  const std::vector<Eigen::Vector3d> travel = travel_in_ins(poses);
-  if (travel.size() < kFewSteps) return findings;
-  if (concentration(travel) < kSpread)
-    findings.push_back({Severity::Problem, kHeadingAgainstTravel, session.name,
-                        "The heading of the INS does not follow the direction of travel: rotations and positions are "
-                        "not of one frame, and no mounting can be right. Check the convention of the attitude (heading "
-                        "or yaw, ENU or NED, the order of the quaternion), and which column is yaw."});
+  judge_heading(steps_of(poses), session.name, findings);
   double up = 0.0;
   for (const StampedPose& pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
-  if (!session.ins.empty() && up < -0.5)
-    findings.push_back({Severity::Problem, "attitude-upside-down", session.name,
-                        "The z axis of the INS points down, where its axes are declared with z up: check the "
-                        "convention of the attitude (ENU or NED, the order of the quaternion, roll by 180 degrees)."});
+  if (!session.ins.empty() && up < kDown)
+    findings.push_back({Severity::Warning, "attitude-upside-down", session.name,
+                        "The z axis of the INS points down, where its axes are declared with z up: is it mounted so? "
+                        "Otherwise check the convention of the attitude (ENU or NED, roll by 180 degrees)."});
   return findings;
 }
 
 void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& result) {
-  constexpr double kFits_m = 0.2;
   const bool found = std::any_of(findings.begin(), findings.end(),
-                                 [](const Finding& finding) { return finding.code == kHeadingAgainstTravel; });
+                                 [](const Finding& finding) { return finding.code == kAttitudeConvention; });
   if (!found || result.status == Status::Cancelled) return;
   if (is_usable(result)) {
-    if (result.translation_rms_m < kFits_m) return;
     result.status = Status::Inconsistent;
-    result.message = "The INS contradicts itself: its heading does not follow the direction of its travel.";
+    result.message = "The INS contradicts itself: its heading follows its travel only under another convention.";
+    result.advice.clear();
   }
-  result.advice = {
-      "Before anything else check the convention of the INS attitude (heading or yaw, ENU or NED, the order "
-      "of the quaternion): its heading does not follow the direction of travel."};
+  result.advice.insert(result.advice.begin(),
+                       "Before anything else correct the convention of the INS attitude: its heading does not follow "
+                       "the direction of travel, and would under another one (see the findings).");
 }
 
 }  // namespace remount

@@ -6,6 +6,7 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "model/attitude_check.h"
+#include "model/session_frames.h"
 
 namespace remount {
 

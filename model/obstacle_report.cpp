@@ -2,6 +2,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/pipeline/scan_store.h"
+#include "model/session_frames.h"
 
 namespace remount {
 namespace {
@@ -33,7 +34,9 @@ ObstacleComparison compare_obstacles_of_scan(const std::shared_ptr<const Session
   const Eigen::Vector3f hint =
       (calibrated_ins_from_lidar.linear().transpose() * Eigen::Vector3d::UnitZ()).cast<float>();
   const std::vector<SceneObject> objects = find_objects(cloud, estimate_up(cloud, hint), settings.objects);
-  return compare_obstacles(cloud, objects, nominal_ins_from_lidar, calibrated_ins_from_lidar, options);
+  const RigidTransform vehicle_from_ins = forward_left_up_from(session->ins_axes);
+  return compare_obstacles(cloud, objects, vehicle_from_ins * nominal_ins_from_lidar,
+                           vehicle_from_ins * calibrated_ins_from_lidar, options);
 }
 
 }  // namespace remount

@@ -11,8 +11,9 @@
 namespace remount {
 
 /// Obstacles of one scan under the nominal and the calibrated mounting. The scan is compensated for motion where the
-/// session says how and has INS motion at its time; objects are found once and are the same under both. Throws Error
-/// where the session has no scans, there is no such scan, it cannot be read, or options are out of range.
+/// session says how and has INS motion at its time; objects are found once and are the same under both. INS axes that
+/// are not x forward, y left are turned so, for the outline of the vehicle is given in these. Throws Error where the
+/// session has no scans, there is no such scan, it cannot be read, or options are out of range.
 ObstacleComparison compare_obstacles_of_scan(const std::shared_ptr<const Session>& session, std::size_t scan,
                                              const RigidTransform& nominal_ins_from_lidar,
                                              const RigidTransform& calibrated_ins_from_lidar, const Settings& settings,

@@ -48,7 +48,8 @@ struct PipelineOutput {
 
 /// load -> keyframes -> pairs -> objects -> register -> motions -> candidates -> rank -> refine -> joint clouds ->
 /// report. Scans that cannot be read are skipped and become findings. Throws Error(Contract) for no
-/// session, one given twice, or settings or a nominal out of range; Error(Unsupported) for one without LiDAR or INS.
+/// session, one given twice, other INS axes, or settings or a nominal out of range; Error(Unsupported) for one without
+/// LiDAR or INS.
 PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress);
 
 /// Solves again from pairs that are already registered, with their present states and the present search range:

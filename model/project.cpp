@@ -10,7 +10,7 @@
 #include "model/io/pair_document.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
-#include "model/pipeline/input_checks.h"
+#include "model/session_frames.h"
 #include "model/settings_file.h"
 #include "remount_version.h"
 

@@ -13,12 +13,17 @@ constexpr std::array<const char*, 6> kDirectionWords{
     "x (forward)",           "y (left)", "z (height)", "rotation about x (roll)", "rotation about y (pitch)",
     "rotation about z (yaw)"};
 
-std::string direction_words(const Vector6d& direction, bool observed, const MotionSummary& motion) {
+std::string direction_names(const Vector6d& direction) {
   std::string names;
   for (int i = 0; i < 6; ++i) {
     if (std::abs(direction[i]) < 0.4) continue;
     names += (names.empty() ? "" : " with ") + std::string(kDirectionWords[static_cast<std::size_t>(i)]);
   }
+  return names;
+}
+
+std::string direction_words(const Vector6d& direction, bool observed, const MotionSummary& motion) {
+  const std::string names = direction_names(direction);
   char text[240];
   if (observed) {
     std::snprintf(text, sizeof text, "%s: observed", names.c_str());
@@ -31,6 +36,11 @@ std::string direction_words(const Vector6d& direction, bool observed, const Moti
                            : "too little motion for it");
   }
   return text;
+}
+
+void sort_directions(CalibrationResult& result) {
+  std::stable_sort(result.directions.begin(), result.directions.end(),
+                   [](const auto& left, const auto& right) { return left.sigma > right.sigma; });
 }
 
 // `observed` in the order x, y, z, yaw, pitch, roll.
@@ -140,9 +150,41 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
     direction.observed = direction.sigma < 1.0;
     direction.words = direction_words(direction.direction, direction.observed, motion);
   }
-  std::stable_sort(result.directions.begin(), result.directions.end(),
-                   [](const auto& left, const auto& right) { return left.sigma > right.sigma; });
+  sort_directions(result);
   add_advice(result.observed, motion, result);
+}
+
+void claim_nothing(const std::string& reason, CalibrationResult& result) {
+  result.observed.fill(false);
+  result.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
+  result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  for (ObservabilityDirection& direction : result.directions) {
+    if (!direction.observed) continue;
+    direction.sigma = std::numeric_limits<double>::infinity();
+    direction.observed = false;
+    direction.words = direction_names(direction.direction) + ": not known, " + reason;
+  }
+  sort_directions(result);
+}
+
+void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
+               CalibrationResult& result) {
+  const Vector6d limits = observation_limits(options);
+  result.covariance += parameter_covariance(result.ins_from_lidar, doubt * doubt.transpose());
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!result.observed[at] || result.covariance(i, i) < limits[i] * limits[i]) continue;
+    result.observed[at] = false;
+    result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+    result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  for (ObservabilityDirection& direction : result.directions) {
+    if (!direction.observed) continue;
+    direction.sigma = std::hypot(direction.sigma, limits.cwiseInverse().cwiseProduct(direction.direction).dot(doubt));
+    direction.observed = direction.sigma < 1.0;
+    if (!direction.observed) direction.words = direction_names(direction.direction) + ": not known, " + reason;
+  }
+  sort_directions(result);
 }
 
 }  // namespace remount

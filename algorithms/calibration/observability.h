@@ -42,6 +42,14 @@ Matrix6d trusted_information(const std::vector<ObservabilityDirection>& directio
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
                       CalibrationResult& result);
 
+/// Widens a judged result by an error of X under `perturbed` that the pairs do not show. What is no longer observed by
+/// it says why: "x (forward): not known, `reason`".
+void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
+               CalibrationResult& result);
+
+/// Withdraws every parameter and direction of a judged result.
+void claim_nothing(const std::string& reason, CalibrationResult& result);
+
 /// Covariance of (x, y, z, yaw, pitch, roll) from the covariance of the perturbation [dt; phi] of X.
 Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix6d& perturbation_covariance);
 

@@ -7,6 +7,7 @@
 
 #include "algorithms/calibration/joint_problem.h"
 #include "algorithms/calibration/noise_prior.h"
+#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/calibration/robust_start.h"
@@ -116,12 +117,14 @@ void trim_candidates(int limit, CalibrationResult& result) {
 
 bool is_solved(Status status) { return status == Status::Ok || status == Status::Degenerate; }
 
-void set_status(const SearchRange& range, CalibrationResult& result) {
+void set_status(const PairwiseInput& input, CalibrationResult& result) {
   const auto observed = static_cast<int>(std::count(result.observed.begin(), result.observed.end(), true));
-  const std::string outside = outside_range(result.ins_from_lidar, range);
+  const std::string outside = outside_range(result.ins_from_lidar, input.range);
   if (observed == 0) {
     result.status = Status::Degenerate;
-    result.message = "Nothing is observed: the motion of this drive does not determine any component of X.";
+    result.message = input.clock_bias
+                         ? "Nothing is known: the clocks of lidar and INS differ by more than X can bear."
+                         : "Nothing is observed: the motion of this drive does not determine any component of X.";
   } else if (!outside.empty()) {
     result.status = Status::OutOfRange;
     result.message = "The solution lies outside the search range: " + outside + ".";
@@ -228,15 +231,7 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
 void claim_nothing_at_unknown_yaw(CalibrationResult& result) {
   constexpr std::size_t kYaw = 3;
   if (result.observed[kYaw]) return;
-  result.observed.fill(false);
-  result.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
-  result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
-  for (ObservabilityDirection& direction : result.directions) {
-    if (!direction.observed) continue;
-    direction.sigma = std::numeric_limits<double>::infinity();
-    direction.observed = false;
-    direction.words = direction.words.substr(0, direction.words.rfind(':')) + ": not observable while yaw is unknown";
-  }
+  claim_nothing("yaw may be anything", result);
   result.advice.emplace_back(
       "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are "
       "enough), or drive longer, with turns to both sides.");
@@ -308,7 +303,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   trim_candidates(input.options.max_listed_candidates, result);
   count_pairs(pairs, result);
   summarise_errors(pairs, input.options, result);
-  set_status(input.range, result);
+  set_status(input, result);
   if (!details.joint.converged && result.status != Status::OutOfRange) {
     result.status = Status::NotConverged;
     result.message = "The joint solution did not converge.";

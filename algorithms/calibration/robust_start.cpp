@@ -13,11 +13,42 @@ namespace {
 
 constexpr double kKernel2 = 16.0;  // squared distance at which a pair's weight has fallen to a quarter
 
-std::vector<double> distances2(const std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& x,
-                               const NoiseModel& noise) {
-  std::vector<double> out;
+// A pair with what does not change from pass to pass.
+struct NoisyPair {
+  RigidTransform ins_b_from_ins_a, lidar_b_from_lidar_a;
+  Matrix6d registration_information, registration_covariance;
+  Vector6d ins_variances_b;  ///< with the drift since a
+};
+
+std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
+                                   const NoiseModel& noise) {
+  constexpr double kNothing = 1e-6;  // a sigma of a kilometre, of a thousand turns
+  std::vector<NoisyPair> out;
   out.reserve(usable.size());
-  for (const int i : usable) out.push_back(pair_distance2(pairs[static_cast<std::size_t>(i)], x, noise));
+  for (const int i : usable) {
+    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const Matrix6d information = noise.registration_information(pair.registration.information);
+    const Matrix6d regular = information + kNothing * Matrix6d::Identity();
+    out.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, information,
+                   regular.ldlt().solve(Matrix6d::Identity()),
+                   (noise.ins_covariance() + noise.drift_covariance(std::abs(pair.gap_s))).diagonal()});
+  }
+  return out;
+}
+
+// As pair_distance2, which inverts three matrices for each pair instead of one.
+std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& x, const NoiseModel& noise) {
+  const Vector6d ins = noise.ins_covariance().diagonal();
+  std::vector<double> out;
+  out.reserve(pairs.size());
+  for (const NoisyPair& pair : pairs) {
+    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
+    Matrix6d covariance = pair.registration_covariance;
+    covariance.noalias() += equation.d_a * ins.asDiagonal() * equation.d_a.transpose();
+    covariance.noalias() += equation.d_b * pair.ins_variances_b.asDiagonal() * equation.d_b.transpose();
+    const double distance2 = equation.residual.dot(covariance.llt().solve(equation.residual));
+    out.push_back(std::isfinite(distance2) ? std::max(0.0, distance2) : std::numeric_limits<double>::max());
+  }
   return out;
 }
 
@@ -37,13 +68,11 @@ std::vector<double> kernel_weights(const std::vector<double>& d2, double scale2)
   return weights;
 }
 
-std::vector<MotionPair> weighted_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
-                                       const std::vector<double>& weights) {
+std::vector<MotionPair> weighted_pairs(const std::vector<NoisyPair>& pairs, const std::vector<double>& weights) {
   std::vector<MotionPair> out;
-  for (std::size_t k = 0; k < usable.size(); ++k) {
-    const Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
-    out.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, weights[k]});
-  }
+  out.reserve(pairs.size());
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    out.push_back({pairs[k].ins_b_from_ins_a, pairs[k].lidar_b_from_lidar_a, weights[k]});
   return out;
 }
 
@@ -69,16 +98,16 @@ RigidTransform settled(const RigidTransform& x, const QuadraticForm& form, const
 }
 
 // One reweighted Gauss-Newton step on X alone.
-RigidTransform weighted_step(const std::vector<Pair>& pairs, const std::vector<int>& usable,
-                             const std::vector<double>& weights, const NoiseModel& noise, const RigidTransform& x) {
+RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vector<double>& weights,
+                             const RigidTransform& x) {
   Matrix6d hessian = Matrix6d::Zero();
   Vector6d side = Vector6d::Zero();
-  for (std::size_t k = 0; k < usable.size(); ++k) {
-    const Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const NoisyPair& pair = pairs[k];
     const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
-    const Matrix6d information = weights[k] * noise.registration_information(pair.registration.information);
-    hessian += equation.d_x.transpose() * information * equation.d_x;
-    side -= equation.d_x.transpose() * information * equation.residual;
+    const Matrix6d weighted = weights[k] * equation.d_x.transpose() * pair.registration_information;
+    hessian.noalias() += weighted * equation.d_x;
+    side.noalias() -= weighted * equation.residual;
   }
   // Only along directions that stand out of the noise: a metre of translation weighs like 0.1 rad of rotation.
   constexpr double kUndetermined = 3e-4;
@@ -100,18 +129,20 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
                          const std::optional<RigidTransform>& nominal, const RotationReference& reference,
                          const Eigen::Vector3d& near_m, const Progress& progress) {
   RobustStart start;
+  const std::vector<NoisyPair> noisy = noisy_pairs(pairs, usable, noise);
   std::vector<RigidTransform> tried;
   std::vector<std::vector<double>> tried_d2;
   const auto consider = [&](const RigidTransform& x) {
     tried.push_back(x);
-    tried_d2.push_back(distances2(pairs, usable, x, noise));
+    tried_d2.push_back(distances2(noisy, x, noise));
+    ++start.passes;
   };
   if (nominal) consider(*nominal);
   std::vector<double> weights;
   for (const int i : usable) weights.push_back(pairs[static_cast<std::size_t>(i)].screw.passed ? 1.0 : 0.0);
   if (std::count(weights.begin(), weights.end(), 1.0) < 3) std::fill(weights.begin(), weights.end(), 1.0);
   for (int round = 0; round < 8 && !progress.cancelled(); ++round) {
-    const QuadraticForm form(weighted_pairs(pairs, usable, weights), 10.0);
+    const QuadraticForm form(weighted_pairs(noisy, weights), 10.0);
     consider(settled(joint_quadratic(form, near_m), form, reference, near_m));
     weights = kernel_weights(tried_d2.back(), residual_scale2(tried_d2.back()));
   }
@@ -123,9 +154,10 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
     least = std::min(least, cost);
   }
   for (int iteration = 0; iteration < 20 && !progress.cancelled(); ++iteration) {
-    const std::vector<double> d2 = distances2(pairs, usable, start.ins_from_lidar, noise);
+    const std::vector<double> d2 = distances2(noisy, start.ins_from_lidar, noise);
     scale2 = residual_scale2(d2);
-    const RigidTransform next = weighted_step(pairs, usable, kernel_weights(d2, scale2), noise, start.ins_from_lidar);
+    const RigidTransform next = weighted_step(noisy, kernel_weights(d2, scale2), start.ins_from_lidar);
+    ++start.passes;
     const Vector6d step = difference(start.ins_from_lidar, next);
     if (!step.allFinite()) break;
     start.ins_from_lidar = next;

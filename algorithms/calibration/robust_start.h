@@ -15,6 +15,7 @@ struct RobustStart {
   RigidTransform ins_from_lidar = RigidTransform::Identity();
   /// Typical size of the residuals against the noise model: 1 where the model holds, larger where it is too optimistic.
   double noise_scale = 1.0;
+  int passes = 0;  ///< how often all pairs were gone through
 };
 
 /// What settles a rotation that the motion does not determine (roll about the track of a straight drive).

@@ -136,6 +136,23 @@ void add_disagreement_advice(CalibrationResult& result) {
   result.advice.push_back(text);
 }
 
+// What the pairs do not show: measurements that contradict them, and clocks that differ.
+void add_doubts(const PairwiseInput& input, Matrix6d covariance, const PairwiseDetails& details,
+                CalibrationResult& result) {
+  // A tape that is right does not contradict pairs that are known to be biased.
+  if (input.clock_bias) covariance += *input.clock_bias * input.clock_bias->transpose();
+  for (const Contradiction& one :
+       contradictions(input.measured, details.joint.ins_from_lidar, details.joint.covariance, covariance)) {
+    add_doubt(one.doubt, "what was measured contradicts the drive", input.options, result);
+    result.advice.push_back(one.text);
+  }
+  if (!input.clock_bias) return;
+  add_doubt(*input.clock_bias, "the clocks of lidar and INS differ", input.options, result);
+  result.advice.emplace_back(
+      "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: X is "
+      "then no longer biased.");
+}
+
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
 
 }  // namespace
@@ -178,19 +195,12 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
   const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), beside_pairs,
                                                   input.options.bootstrap_samples, input.options.seed, progress);
   constexpr double kExcessOfLogs = 0.5;
-  Matrix6d honest =
+  judge_parameters(
       with_registration_limits(inflated_by_bootstrap(covariance, bootstrap, input.motions_only ? 1.0 : kExcessOfLogs),
-                               response_to_scale(problem, details, progress));
-  const std::vector<Contradiction> doubts = contradictions(input.measured, x, details.joint.covariance, covariance);
-  for (const Contradiction& one : doubts) honest += one.doubt * one.doubt.transpose();
-  if (input.clock_bias) honest += *input.clock_bias * input.clock_bias->transpose();
-  judge_parameters(honest, motion, input.options, result);
+                               response_to_scale(problem, details, progress)),
+      motion, input.options, result);
+  add_doubts(input, covariance, details, result);
   add_disagreement_advice(result);
-  for (const Contradiction& one : doubts) result.advice.push_back(one.text);
-  if (input.clock_bias)
-    result.advice.emplace_back(
-        "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: "
-        "without the offset X is far better known.");
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));
   const Matrix6d parameters = parameter_covariance(x, bootstrap);

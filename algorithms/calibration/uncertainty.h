@@ -16,7 +16,8 @@ Matrix6d weak_prior(bool nominal_known);
 /// error marginalised: (M + L^-1)^-1 without the inverse of L, which may be singular.
 Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise);
 
-/// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma` and `advice` of the result from the joint solution.
+/// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma`, `session_disagreement` and `advice` of the result
+/// from the joint solution.
 /// @param answers what each session says on its own; empty with a single one
 void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
                           const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,

@@ -14,6 +14,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/result_files.h"
 #include "app/gui/wording.h"
+#include "model/session_frames.h"
 #include "remount_version.h"
 #include "widgets/charts/error_bar_chart.h"
 #include "widgets/panels/obstacle_dialog.h"
@@ -203,9 +204,10 @@ void MainWindow::show_obstacles() {
   const OutputPtr output = workbench_.output();
   if (!output || !shown_clouds_ || workbench_.selected_pair() < 0) return;
   const Pair& pair = output->pairs.at(static_cast<std::size_t>(workbench_.selected_pair()));
-  auto* dialog =
-      new ObstacleDialog(tr("scan b of pair %1, %2").arg(workbench_.selected_pair()).arg(scan_name(pair.keyframe_b)),
-                         shown_clouds_, output->initial_ins_from_lidar, output->result.ins_from_lidar, this);
+  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.input_of_output().sessions));
+  auto* dialog = new ObstacleDialog(
+      tr("scan b of pair %1, %2").arg(workbench_.selected_pair()).arg(scan_name(pair.keyframe_b)), shown_clouds_,
+      vehicle_from_ins * output->initial_ins_from_lidar, vehicle_from_ins * output->result.ins_from_lidar, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
 }

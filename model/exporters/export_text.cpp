@@ -12,7 +12,9 @@ namespace remount {
 std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result) {
   std::vector<std::string> lines{
       "Written by Remount " + std::string(kVersion) + ".", "Direction: " + std::string(exporter.direction()) + ".",
-      "Axes of the INS frame: those of the log, x forward, y left, z up unless its format has others. Metres."};
+      "Axes of the INS frame in the result: " +
+          (result.ins_axes ? std::string(to_string(*result.ins_axes)) : "those of the log, which does not say") +
+          ". Metres."};
   for (const std::string& warning : export_warnings(result.result)) lines.push_back("WARNING: " + warning);
   return lines;
 }

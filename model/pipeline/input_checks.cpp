@@ -128,14 +128,6 @@ void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions)
                         ": its pairs would count as evidence twice. Give it once.");
 }
 
-std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Session>>& sessions) {
-  if (sessions.empty()) return std::nullopt;
-  const auto& axes = sessions.front()->ins_axes;
-  const bool same =
-      std::all_of(sessions.begin(), sessions.end(), [&](const auto& session) { return session->ins_axes == axes; });
-  return same ? axes : std::nullopt;
-}
-
 std::string why_not_covered(const DriveMotion& motion, int session) {
   const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
   const auto& samples = motion.track(session).samples();

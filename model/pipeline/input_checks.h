@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +18,6 @@ namespace remount {
 /// count as evidence twice. To compare contents it reads up to two scans of each session that shares stamps with
 /// another, and the first of two that have equally many; of LiDAR poses most of those that share stamps must be equal.
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions);
-
-/// The INS axes that all sessions declare; nothing where one does not say or there is none.
-std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// Why the LiDAR's stamps of a session all lie outside its INS data; for a session where none lies within.
 std::string why_not_covered(const DriveMotion& motion, int session);

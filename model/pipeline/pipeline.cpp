@@ -115,8 +115,11 @@ bool solved(const CalibrationResult& result) {
 
 // An estimate of the clocks stands and falls with X: residuals under a wrong one say nothing about them. An offset that
 // was applied is no estimate any more but part of the pairs.
-void drop_clock_of_failed(CalibrationResult& result) {
-  if (is_usable(result) || result.time_offset.applied) return;
+void drop_clock_of_failed(PipelineOutput& output) {
+  CalibrationResult& result = output.result;
+  // What the clock alone made unusable is known by it.
+  const bool by_clock = output.clock_bias && result.status == Status::Degenerate;
+  if (is_usable(result) || result.time_offset.applied || by_clock) return;
   result.time_offset = {};
   result.session_time_offset_s.clear();
 }
@@ -313,8 +316,8 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     output.result = solve_with_clock(input, motion, output, details, progress);
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
-  drop_clock_of_failed(output.result);
   blame_attitude(output.findings, output.result);
+  drop_clock_of_failed(output);
   report_clock(output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
   return output;
@@ -334,20 +337,24 @@ DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& o
 }  // namespace
 
 void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
-  const DriveMotion motion = motion_as_solved(input, output);
-  std::vector<Pair> pairs = output.pairs;  // a cancelled call leaves the output as it was
-  CalibrationResult result = solve_pairwise(solver_input(input, motion, output), pairs, progress);
-  if (result.status == Status::Cancelled) return;
+  DriveMotion motion = motion_as_solved(input, output);
+  PipelineOutput solved = output;  // a cancelled call leaves the output as it was
+  solved.result = solve_pairwise(solver_input(input, motion, solved), solved.pairs, progress);
   if (output.result.time_offset.applied) {
-    result.time_offset = output.result.time_offset;
-    result.session_time_offset_s = output.result.session_time_offset_s;
+    solved.result.time_offset = output.result.time_offset;
+    solved.result.session_time_offset_s = output.result.session_time_offset_s;
+  } else if (clock_differs(solved.result) != solved.clock_bias.has_value()) {
+    PairwiseDetails unused;
+    solved.result = solve_with_clock(input, motion, solved, unused, progress);
   }
-  drop_clock_of_failed(result);
-  blame_attitude(output.findings, result);
-  output.pairs = std::move(pairs);
-  output.result = std::move(result);
-  output.sharpness.clear();  // it was the former X's, and so was what it said
-  std::erase_if(output.findings, [](const Finding& finding) { return finding.code == kMapLessSharp; });
+  if (solved.result.status == Status::Cancelled) return;
+  blame_attitude(solved.findings, solved.result);
+  drop_clock_of_failed(solved);
+  solved.sharpness.clear();  // it was the former X's, and so was what it said
+  std::erase_if(solved.findings,
+                [](const Finding& finding) { return finding.code == kMapLessSharp || finding.code == kClockOffset; });
+  report_clock(solved.result, solved.findings);
+  output = std::move(solved);
 }
 
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair_index) {

@@ -15,10 +15,6 @@ void update_ins_motion(const std::vector<JointNode>& nodes, std::vector<Pair>& p
                             nodes[static_cast<std::size_t>(pair.keyframe_a)].local_from_ins;
 }
 
-bool clock_differs(const TimeOffset& clock) {
-  return std::isfinite(clock.offset_s) && std::abs(clock.offset_s) >= std::max(4.0 * clock.sigma_s, 0.002);
-}
-
 // Moves the INS poses by the estimated clock offset and solves again until no offset is left. A single estimate falls
 // short: what the offset distorts also passes for noise.
 CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
@@ -47,6 +43,18 @@ CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& 
 
 }  // namespace
 
+bool clock_differs(const CalibrationResult& result) {
+  const TimeOffset& clock = result.time_offset;
+  const auto stands_out = [](double offset_s, double sigma_s) {
+    return std::isfinite(offset_s) && std::abs(offset_s) >= std::max(4.0 * sigma_s, 0.002);
+  };
+  if (stands_out(clock.offset_s, clock.sigma_s)) return true;
+  // Those of several sessions may cancel in the mean.
+  const double sessions = static_cast<double>(result.session_time_offset_s.size());
+  return std::any_of(result.session_time_offset_s.begin(), result.session_time_offset_s.end(),
+                     [&](double offset_s) { return stands_out(offset_s, clock.sigma_s * std::sqrt(sessions)); });
+}
+
 PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output) {
   const std::vector<Keyframe>& keyframes = output.keyframes;
   PairwiseInput out;
@@ -67,14 +75,15 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
   CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
   if (input.settings.solve.apply_time_offset)
     return solve_without_offset(input, motion, output, std::move(result), details, progress);
-  if (!clock_differs(result.time_offset)) return result;
+  if (!clock_differs(result)) return result;
   // Only the estimate is wanted, and how far it moves X: the pairs and the solution stay without it.
   DriveMotion shifted = motion;
   PipelineOutput copy = output;
-  PairwiseDetails unused;
-  const CalibrationResult estimate = solve_without_offset(input, shifted, copy, result, unused, progress);
-  if (is_usable(result) && is_usable(estimate)) {
-    output.clock_bias = difference(result.ins_from_lidar, estimate.ins_from_lidar);
+  PairwiseDetails shifted_details;
+  const CalibrationResult estimate = solve_without_offset(input, shifted, copy, result, shifted_details, progress);
+  if (!is_usable(estimate)) return result;
+  if (is_usable(result)) {
+    output.clock_bias = difference(details.joint.ins_from_lidar, shifted_details.joint.ins_from_lidar);
     result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
   }
   result.time_offset = estimate.time_offset;
@@ -85,14 +94,14 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
 
 void report_clock(const CalibrationResult& result, std::vector<Finding>& findings) {
   const TimeOffset& clock = result.time_offset;
-  if (clock.applied || !is_usable(result) || !clock_differs(clock)) return;
+  if (clock.applied || !clock_differs(result)) return;
   char text[240];
   std::snprintf(text, sizeof text,
                 "The lidar's stamps are %s by %.1f ms (sigma %.1f ms) against the INS. X is biased by it while the "
                 "vehicle turns: "
                 "set solve.apply_time_offset to correct it.",
                 clock.offset_s > 0.0 ? "early" : "late", std::abs(clock.offset_s) * 1e3, clock.sigma_s * 1e3);
-  findings.push_back({Severity::Warning, "clock-offset", "lidar and INS", text});
+  findings.push_back({Severity::Warning, kClockOffset, "lidar and INS", text});
 }
 
 }  // namespace remount

@@ -16,6 +16,10 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
 CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                                    PairwiseDetails& details, const Progress& progress);
 
+/// Whether the estimated offset, or that of one session, stands out of its error.
+bool clock_differs(const CalibrationResult& result);
+
+inline constexpr const char* kClockOffset = "clock-offset";
 /// A finding where an offset was found and not applied.
 void report_clock(const CalibrationResult& result, std::vector<Finding>& findings);
 

@@ -3,17 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 
 #include "model/io/attitude_convention.h"
+#include "model/pipeline.h"
+#include "model/result_file.h"
+#include "model/session_frames.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {
 namespace {
 
-Session drive() {
+Session drive(double duration_s = 20.0) {
   SimulationOptions options;
-  options.duration_s = 20.0;
+  options.duration_s = duration_s;
   options.beams = 4;
   options.azimuth_steps = 20;
   return simulate_drive(options).session;
@@ -35,8 +39,8 @@ TEST(attitude_check, right_attitudes_pass_however_the_sensor_is_mounted) {
   }
 }
 
-TEST(attitude_check, a_quaternion_of_another_convention_is_named) {
-  Session as_if_enu = drive(), as_if_ned = drive(), conjugated = drive();
+TEST(attitude_check, a_quaternion_of_another_convention_is_named_with_the_right_one) {
+  Session as_if_enu = drive(), as_if_ned = drive(), conjugated = drive(), scalar_first = drive(), scalar_last = drive();
   // What each sample says when the log's frames are taken for the other ones.
   const Eigen::Quaterniond ned_from_enu(Eigen::Matrix3d{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}});
   const Eigen::Quaterniond frd_from_flu(Eigen::Matrix3d{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
@@ -45,9 +49,48 @@ TEST(attitude_check, a_quaternion_of_another_convention_is_named) {
   for (InsSample& sample : as_if_ned.ins)
     sample.enu_from_ins = enu_from_ins(sample.enu_from_ins, QuaternionConvention::NedFromBody);
   for (InsSample& sample : conjugated.ins) sample.enu_from_ins = sample.enu_from_ins.conjugate();
-  EXPECT_EQ(codes(as_if_enu), "heading-against-travel ");
-  EXPECT_EQ(codes(as_if_ned), "heading-against-travel ");
-  EXPECT_EQ(codes(conjugated), "heading-against-travel ");
+  for (InsSample& sample : scalar_first.ins) {
+    const Eigen::Vector4d xyzw = sample.enu_from_ins.coeffs();
+    sample.enu_from_ins = Eigen::Quaterniond(xyzw[0], xyzw[1], xyzw[2], xyzw[3]);
+  }
+  for (InsSample& sample : scalar_last.ins) {
+    const Eigen::Vector4d xyzw = sample.enu_from_ins.coeffs();
+    sample.enu_from_ins = Eigen::Quaterniond(xyzw[2], xyzw[3], xyzw[0], xyzw[1]);
+  }
+  for (const auto& [session, right] :
+       {std::pair(&as_if_enu, "as NED instead of ENU"), std::pair(&as_if_ned, "as NED instead of ENU"),
+        std::pair(&conjugated, "as the inverse"), std::pair(&scalar_first, "scalar part"),
+        std::pair(&scalar_last, "scalar part")}) {
+    const std::vector<Finding> findings = attitude_findings(*session);
+    ASSERT_FALSE(findings.empty()) << right;
+    EXPECT_EQ(findings[0].code, "attitude-convention") << right;
+    EXPECT_NE(findings[0].explanation.find(right), std::string::npos) << findings[0].explanation;
+  }
+}
+
+/// Poses of a vehicle on a circle of `radius_m` at 5 m/s, 10 Hz, half to either side; seen `ahead_m` of its rear axle.
+Session eight(double radius_m, double ahead_m, double noise_m) {
+  Session session;
+  session.name = "eight";
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double yaw_rad = 0.3;
+  for (int i = 0; i < 600; ++i) {
+    yaw_rad += 0.1 * 5.0 / radius_m * (i % 200 < 100 ? 1.0 : -1.0);
+    const Eigen::Vector3d forward(std::cos(yaw_rad), std::sin(yaw_rad), 0.0);
+    position += 0.5 * forward;
+    const Eigen::Vector3d noise = noise_m * Eigen::Vector3d(normal(random), normal(random), normal(random));
+    session.world_from_ins.push_back({i * 100'000'000LL, make_rigid(rotation_from_yaw_pitch_roll({yaw_rad, 0, 0}),
+                                                                    position + ahead_m * forward + noise)});
+  }
+  return session;
+}
+
+TEST(attitude_check, side_slip_and_noise_are_no_convention) {
+  for (const double noise_m : {0.0, 0.5})
+    for (const auto& [radius_m, ahead_m] : {std::pair(5.0, 2.7), std::pair(5.5, 3.5), std::pair(10.0, 6.0)})
+      EXPECT_EQ(codes(eight(radius_m, ahead_m, noise_m)), "") << radius_m << " " << ahead_m << " " << noise_m;
 }
 
 TEST(attitude_check, an_ins_upside_down_is_named_where_its_axes_are_known) {
@@ -61,7 +104,7 @@ TEST(attitude_check, an_ins_upside_down_is_named_where_its_axes_are_known) {
 }
 
 TEST(attitude_check, headings_of_their_own_are_named_for_poses_too) {
-  Session session = drive();
+  Session session = drive(40.0);
   for (InsSample& sample : session.ins)
     sample.enu_from_ins =
         Eigen::AngleAxisd(degrees_to_radians(1e-7) * static_cast<double>(sample.stamp_ns % 7200000000),
@@ -72,18 +115,13 @@ TEST(attitude_check, headings_of_their_own_are_named_for_poses_too) {
   EXPECT_EQ(codes(session), "heading-against-travel ");
 }
 
-TEST(attitude_check, no_result_stands_on_a_heading_that_contradicts_the_travel) {
-  const std::vector<Finding> findings = {{Severity::Problem, "heading-against-travel", "drive", ""}};
+TEST(attitude_check, no_result_stands_on_another_convention) {
+  const std::vector<Finding> findings = {{Severity::Problem, "attitude-convention", "drive", ""}};
   CalibrationResult good;
   good.status = Status::Degenerate;
   good.observed.fill(true);
-  good.translation_rms_m = 0.02;
   good.advice = {"drive more"};
-  CalibrationResult fits = good, bad = good, failed = good, cancelled = good, other = good;
-  blame_attitude(findings, fits);
-  EXPECT_EQ(fits.status, Status::Degenerate) << "a robot may move sideways";
-  bad.translation_rms_m = 6.0;
-  other.translation_rms_m = 6.0;
+  CalibrationResult bad = good, failed = good, cancelled = good, other = good;
   blame_attitude(findings, bad);
   EXPECT_EQ(bad.status, Status::Inconsistent);
   ASSERT_EQ(bad.advice.size(), 1U);
@@ -91,12 +129,31 @@ TEST(attitude_check, no_result_stands_on_a_heading_that_contradicts_the_travel) 
   failed.status = Status::TooFewPairs;
   blame_attitude(findings, failed);
   EXPECT_EQ(failed.status, Status::TooFewPairs);
+  ASSERT_EQ(failed.advice.size(), 2U) << "another cause stays known";
   EXPECT_NE(failed.advice[0].find("convention"), std::string::npos);
   cancelled.status = Status::Cancelled;
   blame_attitude(findings, cancelled);
   EXPECT_EQ(cancelled.advice[0], "drive more");
-  blame_attitude({}, other);
+  blame_attitude({{Severity::Warning, "heading-against-travel", "drive", ""}}, other);
   EXPECT_EQ(other.status, Status::Degenerate);
+}
+
+TEST(attitude_check, a_drive_with_inverse_rotations_ends_inconsistent_and_names_them) {
+  SimulationOptions options;
+  options.beams = 16;
+  options.azimuth_steps = 300;
+  options.duration_s = 8.0;
+  const SimulatedDrive right = simulate_drive(options);
+  auto wrong = std::make_shared<Session>(right.session);
+  for (InsSample& sample : wrong->ins) sample.enu_from_ins = sample.enu_from_ins.conjugate();
+  PipelineInput input;
+  input.sessions = {wrong};
+  input.nominal_ins_from_lidar = right.ins_from_lidar;
+  Progress progress;
+  const PipelineOutput output = run_pipeline(input, progress);
+  EXPECT_FALSE(is_usable(output.result)) << output.result.message;
+  ASSERT_FALSE(output.result.advice.empty());
+  EXPECT_NE(output.result.advice[0].find("convention"), std::string::npos) << output.result.advice[0];
 }
 
 TEST(attitude_check, a_vehicle_that_hardly_moves_tells_nothing) {

@@ -72,9 +72,13 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
   EXPECT_EQ(back.pairs.at(0).reason, "by \"hand\": no");
   EXPECT_EQ(settings_text(back.settings), settings_text(file.settings));
   EXPECT_EQ(back.ins_axes, InsAxes::RightForwardUp);
-  DocumentNode older = result_document(file);
-  at(older, "ins_axes") = DocumentNode::null();
-  EXPECT_FALSE(result_from_document(DocumentView(older, "r")).ins_axes) << "a file need not say";
+  DocumentNode unknown = result_document(file), older = unknown;
+  at(unknown, "ins_axes") = DocumentNode::null();
+  const auto place = std::find(older.keys.begin(), older.keys.end(), "ins_axes") - older.keys.begin();
+  older.keys.erase(older.keys.begin() + place);
+  older.items.erase(older.items.begin() + place);
+  for (const DocumentNode& node : {unknown, older})
+    EXPECT_FALSE(result_from_document(DocumentView(node, "r")).ins_axes) << "a file need not say";
 }
 
 TEST(result_file, has_the_documented_keys_and_orders) {

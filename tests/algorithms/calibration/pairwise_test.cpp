@@ -229,13 +229,16 @@ TEST(pairwise, a_bias_by_the_clock_joins_the_sigmas_and_what_it_covers_is_not_ob
   const CalibrationResult biased = solve_pairwise(input, pairs, {});
   EXPECT_NEAR(*biased.sigma(0), std::hypot(*right.sigma(0), 0.03), 1e-9);
   EXPECT_NEAR(*biased.sigma(1), *right.sigma(1), 1e-9);
+  ASSERT_FALSE(biased.advice.empty());
   EXPECT_NE(biased.advice.back().find("apply_time_offset"), std::string::npos) << biased.advice.back();
   input.clock_bias = Vector6d::Unit(0) * 1.0;
   const CalibrationResult lost = solve_pairwise(input, pairs, {});
   EXPECT_EQ(lost.status, Status::Degenerate);
   EXPECT_FALSE(lost.observed[0]);
   EXPECT_TRUE(lost.observed[1]);
-  EXPECT_FALSE(lost.directions.front().observed) << lost.directions.front().words;
+  EXPECT_FALSE(lost.directions.front().observed);
+  EXPECT_NE(lost.directions.front().words.find("clocks"), std::string::npos) << lost.directions.front().words;
+  for (const std::string& advice : lost.advice) EXPECT_EQ(advice.find("figure of eight"), std::string::npos) << advice;
 }
 
 TEST(pairwise, without_a_nominal_nothing_is_claimed_while_yaw_is_unknown) {

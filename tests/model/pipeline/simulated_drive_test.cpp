@@ -130,6 +130,21 @@ TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   EXPECT_LE(after.rotation_deg, 0.03);
   EXPECT_LE(std::hypot(after.x_m, after.y_m), 0.012);
   EXPECT_LT(std::hypot(after.x_m, after.y_m), std::hypot(before.x_m, before.y_m));
+  ASSERT_TRUE(without.output.clock_bias);
+  EXPECT_FALSE(with.output.clock_bias);
+  ASSERT_TRUE(without.output.result.sigma(0) && with.output.result.sigma(0));
+  EXPECT_GT(*without.output.result.sigma(0), 10.0 * *with.output.result.sigma(0));
+  // A decision in the window solves again: the clocks differ as before.
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(without.drive.session));
+  PipelineOutput again = without.output;
+  Progress progress;
+  solve_again(input, again, progress);
+  ASSERT_TRUE(again.result.sigma(0));
+  EXPECT_NEAR(*again.result.sigma(0), *without.output.result.sigma(0), 0.2 * *without.output.result.sigma(0));
+  const auto warnings = std::count_if(again.findings.begin(), again.findings.end(),
+                                      [](const Finding& finding) { return finding.code == "clock-offset"; });
+  EXPECT_EQ(warnings, 1);
 }
 
 // A source whose scan 30 cannot be read.

@@ -1,0 +1,37 @@
+#include "model/session_frames.h"
+
+#include <GeographicLib/LocalCartesian.hpp>
+#include <algorithm>
+
+namespace remount {
+
+std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  if (sessions.empty()) return std::nullopt;
+  const auto& axes = sessions.front()->ins_axes;
+  const bool same =
+      std::all_of(sessions.begin(), sessions.end(), [&](const auto& session) { return session->ins_axes == axes; });
+  return same ? axes : std::nullopt;
+}
+
+RigidTransform forward_left_up_from(const std::optional<InsAxes>& axes) {
+  RigidTransform turned = RigidTransform::Identity();
+  if (axes == InsAxes::RightForwardUp) turned.linear() << 0, 1, 0, -1, 0, 0, 0, 0, 1;
+  return turned;
+}
+
+std::vector<StampedPose> metric_poses(const Session& session) {
+  if (session.ins.empty()) return session.world_from_ins;
+  const InsSample& first = session.ins.front();
+  const GeographicLib::LocalCartesian local(radians_to_degrees(first.latitude_rad),
+                                            radians_to_degrees(first.longitude_rad), first.height_m);
+  std::vector<StampedPose> poses;
+  for (const InsSample& sample : session.ins) {
+    Eigen::Vector3d position;
+    local.Forward(radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad), sample.height_m,
+                  position.x(), position.y(), position.z());
+    poses.push_back({sample.stamp_ns, make_rigid(sample.enu_from_ins.toRotationMatrix(), position)});
+  }
+  return poses;
+}
+
+}  // namespace remount
