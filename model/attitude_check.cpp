@@ -5,7 +5,6 @@
 #include <array>
 #include <string>
 
-#include "model/result_file.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -138,7 +137,7 @@ void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& res
   const bool found = std::any_of(findings.begin(), findings.end(),
                                  [](const Finding& finding) { return finding.code == kAttitudeConvention; });
   if (!found || result.status == Status::Cancelled) return;
-  if (is_usable(result)) {
+  if (result.status == Status::Ok || result.status == Status::Degenerate) {
     result.status = Status::Inconsistent;
     result.message = "The INS contradicts itself: its heading follows its travel only under another convention.";
     result.advice.clear();

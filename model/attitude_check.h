@@ -15,7 +15,7 @@ namespace remount {
 /// Nothing where the vehicle moves for less than some five seconds.
 std::vector<Finding> attitude_findings(const Session& session);
 
-/// Where another convention is the right one, a usable result becomes inconsistent, and the advice says so first.
+/// Where another convention is the right one, what was solved becomes inconsistent, and the advice says so first.
 void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& result);
 
 }  // namespace remount

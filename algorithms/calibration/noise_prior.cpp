@@ -17,6 +17,8 @@ NoisePrior noise_prior(const PairwiseInput& input) {
     sum.ins_position_sigma_m += known_or(session.position_white_sigma_m, assumed.ins_position_sigma_m);
     sum.ins_attitude_sigma_rad +=
         known_or(session.attitude_white_sigma_rad, degrees_to_radians(assumed.ins_attitude_sigma_deg));
+    prior.declared_position_drift += known_or(session.position_drift, 0.0);
+    prior.declared_attitude_drift += known_or(session.attitude_drift, 0.0);
     sum.ins_position_drift += known_or(session.position_drift, here ? 0.0 : assumed.ins_position_drift_m);
     sum.ins_attitude_drift +=
         known_or(session.attitude_drift, here ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
@@ -26,6 +28,8 @@ NoisePrior noise_prior(const PairwiseInput& input) {
   constexpr double kLeastPosition_m = 1e-4, kLeastAttitude_rad = 1e-6;
   prior.expected.ins_position_sigma_m = std::max(kLeastPosition_m, sum.ins_position_sigma_m / sessions);
   prior.expected.ins_attitude_sigma_rad = std::max(kLeastAttitude_rad, sum.ins_attitude_sigma_rad / sessions);
+  prior.declared_position_drift /= sessions;
+  prior.declared_attitude_drift /= sessions;
   prior.expected.ins_position_drift = sum.ins_position_drift / sessions;
   prior.expected.ins_attitude_drift = sum.ins_attitude_drift / sessions;
   const double ins_spread = declared ? 0.3 : 1.5;
@@ -33,6 +37,12 @@ NoisePrior noise_prior(const PairwiseInput& input) {
   const double attitude_drift_spread = prior.expected.ins_attitude_drift > 0.0 ? 0.7 : 0.0;
   prior.log_spread = {ins_spread, ins_spread, 1.0, 1.0, 1.0, position_drift_spread, attitude_drift_spread};
   return prior;
+}
+
+NoiseModel with_declared_drift(NoiseModel estimated, const NoisePrior& prior) {
+  estimated.ins_position_drift = std::max(estimated.ins_position_drift, prior.declared_position_drift);
+  estimated.ins_attitude_drift = std::max(estimated.ins_attitude_drift, prior.declared_attitude_drift);
+  return estimated;
 }
 
 }  // namespace remount

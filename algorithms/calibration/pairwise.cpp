@@ -183,6 +183,7 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
     if (problem.terms.size() < kFewestPairs) break;
     details.noise = estimate_noise(problem, prior.expected, prior.log_spread, x,
                                    round == 0 ? std::nullopt : std::optional(details.noise), progress);
+    details.noise = with_declared_drift(details.noise, prior);
     details.joint = solve_joint(problem, details.noise, x, kIterations, progress);
     x = details.joint.ins_from_lidar;
     // After the last round the pairs stay as they were solved with.

@@ -83,19 +83,20 @@ RigidTransform parse_six(const std::string& text) {
   return rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, text, ErrorCode::Contract);
 }
 
-RigidTransform parse_nominal(const std::string& text, std::vector<std::string>& doubts) {
+ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& doubts) {
   std::error_code none;
-  if (is_file(text)) return read_any_ins_from_lidar(text, &doubts);
-  if (std::filesystem::exists(text, none)) return read_any_ins_from_lidar(text);  // which says why it cannot
+  if (is_file(text)) return read_any_mounting(text, &doubts);
+  if (std::filesystem::exists(text, none)) return read_any_mounting(text);  // which says why it cannot
   const std::size_t colon = text.find(':');
   for (const auto& format : exporters())
     if (colon != std::string::npos && text.substr(0, colon) == format->id()) {
       const std::string file = text.substr(colon + 1);
-      return format->read(read_regular_file(file, kMaxNominalBytes), file);
+      const std::string contents = read_regular_file(file, kMaxNominalBytes);
+      return {format->read(contents, file), format->axes(contents)};
     }
   if (text.find(',') == std::string::npos)
     throw Error(ErrorCode::Io, text, "is neither a file nor six numbers x,y,z,yaw,pitch,roll in m and degrees");
-  return parse_six(text);
+  return {parse_six(text), {}};
 }
 
 void apply_range(SearchRange& range, const std::string& text) {
@@ -174,12 +175,22 @@ Settings SolveArguments::settings(const Settings& base) const {
   return settings;
 }
 
-std::optional<RigidTransform> SolveArguments::nominal_ins_from_lidar(Console& console) const {
+std::optional<ReadMounting> SolveArguments::nominal_mounting(Console& console) const {
   if (nominal.empty() || nominal == "none") return std::nullopt;
   std::vector<std::string> doubts;
-  const RigidTransform ins_from_lidar = parse_nominal(nominal, doubts);
+  const ReadMounting mounting = parse_nominal(nominal, doubts);
   for (const std::string& doubt : doubts) console.complain("warning: " + doubt);
-  return ins_from_lidar;
+  return mounting;
+}
+
+void refuse_other_file(const std::filesystem::path& path, std::string_view ours) {
+  constexpr std::size_t kHead = 4096;
+  if (!is_file(path)) return;
+  const std::string head = read_file_head(path, kHead);
+  if (!head.empty() && head.find(ours) == std::string::npos)
+    throw Error(ErrorCode::Contract, path.string(),
+                "is there and is nothing that this would replace (no \"" + std::string(ours) +
+                    "\" in it): name another file, or remove it first");
 }
 
 void SolveArguments::check_output() const {
@@ -188,6 +199,7 @@ void SolveArguments::check_output() const {
   const auto ending = path.extension();
   if (ending != ".yaml" && ending != ".yml" && ending != ".json")
     throw Error(ErrorCode::Contract, "--output " + output, "expected a name that ends in .yaml, .yml or .json");
+  refuse_other_file(path, "remount-result/");
   check_can_save(path);
 }
 

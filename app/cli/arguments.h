@@ -9,6 +9,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "app/cli/console.h"
+#include "model/exporters/exporter.h"
 #include "model/settings.h"
 
 namespace remount {
@@ -18,7 +19,11 @@ RigidTransform parse_six(const std::string& text);
 
 /// Six numbers, a file in any format that can be exported, or "FORMAT:FILE". What a file leaves open is added to
 /// `doubts`. Throws Error.
-RigidTransform parse_nominal(const std::string& text, std::vector<std::string>& doubts);
+ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& doubts);
+
+/// A slip of the hand must not cost a recording: throws Error(Contract) where `path` is a file that holds something and
+/// does not have `ours` in its head.
+void refuse_other_file(const std::filesystem::path& path, std::string_view ours);
 
 /// Changes a search range: six "min:max" separated by commas (x,y,z in m, yaw,pitch,roll in degrees), or "yaw=-10:10",
 /// several separated by commas. Throws Error(Contract).
@@ -41,9 +46,9 @@ struct SolveArguments {
   /// Defaults or `base`, then --config, --set and --range. Throws Error.
   Settings settings(const Settings& base = {}) const;
   /// The nominal of the command line; nothing where it is not given or "none". Warns of what its file leaves open.
-  std::optional<RigidTransform> nominal_ins_from_lidar(Console& console) const;
+  std::optional<ReadMounting> nominal_mounting(Console& console) const;
   /// Before a long run whose result could not be written after it. Throws Error(Contract) for a name that ends in
-  /// nothing known, Error(Io) where the file cannot be written.
+  /// nothing known or that another file has, Error(Io) where the file cannot be written.
   void check_output() const;
 };
 

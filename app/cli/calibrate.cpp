@@ -7,6 +7,7 @@
 #include "model/io/atomic_save.h"
 #include "model/io/session_reader.h"
 #include "model/project.h"
+#include "model/session_frames.h"
 
 namespace remount {
 namespace {
@@ -38,15 +39,22 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (project.sessions.empty())
     throw Error(ErrorCode::Contract, "calibrate", "no session is given; name one, or a --project that holds some");
   arguments.solve.check_output();
-  if (!arguments.save_project.empty()) check_can_save(arguments.save_project);
+  if (!arguments.save_project.empty()) {
+    refuse_other_file(arguments.save_project, "remount-project/");
+    check_can_save(arguments.save_project);
+  }
 
   PipelineInput input;
   input.settings = arguments.solve.settings(project.settings);
   input.threads = console.options().threads;
-  input.nominal_ins_from_lidar = arguments.solve.nominal_ins_from_lidar(console);
+  const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console);
   for (const std::filesystem::path& path : project.sessions)
     input.sessions.push_back(std::make_shared<const Session>(open_session(path, console.progress())));
-  if (arguments.solve.nominal.empty()) {
+  if (nominal) {
+    std::vector<std::string> doubts;
+    input.nominal_ins_from_lidar = in_axes_of(*nominal, common_axes(input.sessions), doubts);
+    for (const std::string& doubt : doubts) console.complain("warning: " + arguments.solve.nominal + ": " + doubt);
+  } else if (arguments.solve.nominal.empty()) {
     input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
     if (!input.nominal_ins_from_lidar) input.nominal_ins_from_lidar = declared_nominal(input.sessions);
   }

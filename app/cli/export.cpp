@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -22,6 +23,9 @@ int export_result(const ExportArguments& arguments, Console& console) {
     console.complain(arguments.result + ": holds no usable result, nothing is exported; " + result.result.message);
     return kNoResult;
   }
+  std::error_code none;
+  if (!arguments.output.empty() && std::filesystem::equivalent(arguments.result, arguments.output, none))
+    throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which an export must not replace");
   const std::string text = format.write(result, arguments.names);
   if (arguments.output.empty()) {
     // What was asked for, not chatter: --quiet does not silence it.

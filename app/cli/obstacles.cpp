@@ -60,12 +60,15 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
   }
   for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
   const auto session = std::make_shared<const Session>(open_session(arguments.session, console.progress()));
-  std::optional<RigidTransform> nominal = result.nominal_ins_from_lidar;
-  if (!nominal) nominal = session->nominal_ins_from_lidar;
   std::vector<std::string> doubts;
-  if (!arguments.nominal.empty()) nominal = parse_nominal(arguments.nominal, doubts);
+  const auto in_session = [&](const ReadMounting& mounting) { return in_axes_of(mounting, session->ins_axes, doubts); };
+  const RigidTransform calibrated = in_session({result.result.ins_from_lidar, result.ins_axes});
+  std::optional<RigidTransform> nominal = session->nominal_ins_from_lidar;
+  if (!arguments.nominal.empty())
+    nominal = in_session(parse_nominal(arguments.nominal, doubts));
+  else if (result.nominal_ins_from_lidar)
+    nominal = in_session({*result.nominal_ins_from_lidar, result.ins_axes});
   for (const std::string& doubt : doubts) console.complain("warning: " + doubt);
-  const RigidTransform& calibrated = result.result.ins_from_lidar;
   const ObstacleComparison comparison =
       compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),
                                 calibrated, result.settings, arguments.options);

@@ -37,7 +37,8 @@ int solve(const PairsArguments& arguments, Console& console) {
   arguments.solve.check_output();
   PipelineInput input;
   input.settings = arguments.solve.settings();
-  input.nominal_ins_from_lidar = arguments.solve.nominal_ins_from_lidar(console);
+  if (const auto nominal = arguments.solve.nominal_mounting(console))
+    input.nominal_ins_from_lidar = nominal->ins_from_lidar;
   MotionPairs motions = read_motion_pairs(arguments.pairs);
   keep_sets(motions, arguments.sets);
 

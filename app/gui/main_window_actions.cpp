@@ -147,7 +147,9 @@ void MainWindow::ask_for_nominal() {
   const QString path = QFileDialog::getOpenFileName(this, tr("Nominal mounting from a result or an exported file"));
   if (path.isEmpty()) return;
   try {
-    workbench_.edit_nominal(nominal_from_file(path));
+    QStringList doubts;
+    workbench_.edit_nominal(nominal_from_file(path, workbench_, doubts));
+    if (!doubts.isEmpty()) show_message(Severity::Warning, path, doubts.join('\n'));
   } catch (const Error& error) {
     show_message(Severity::Problem, QString::fromStdString(error.where()),
                  QString::fromStdString(error.what_happened()));

@@ -3,6 +3,7 @@
 #include "model/exporters/exporter.h"
 #include "model/io/atomic_save.h"
 #include "model/project.h"
+#include "model/session_frames.h"
 
 namespace remount {
 namespace {
@@ -28,6 +29,12 @@ void save_text(const QString& path, const QString& contents) {
   save_atomically(path.toStdString(), contents.toStdString());
 }
 
-RigidTransform nominal_from_file(const QString& path) { return read_any_ins_from_lidar(path.toStdString()); }
+RigidTransform nominal_from_file(const QString& path, const Workbench& workbench, QStringList& doubts) {
+  std::vector<std::string> texts;
+  const ReadMounting mounting = read_any_mounting(path.toStdString(), &texts);
+  const RigidTransform ins_from_lidar = in_axes_of(mounting, common_axes(workbench.sessions()), texts);
+  for (const std::string& doubt : texts) doubts << QString::fromStdString(doubt);
+  return ins_from_lidar;
+}
 
 }  // namespace remount

@@ -19,7 +19,8 @@ QString export_text(const Workbench& workbench, const QString& format_id);
 /// Whole or not at all; throws Error.
 void save_text(const QString& path, const QString& text);
 
-/// ins_from_lidar from a result or from any format that can be exported; throws Error.
-RigidTransform nominal_from_file(const QString& path);
+/// The mounting of a result or of any format that can be exported, in the INS axes of the sessions; throws Error. What
+/// the file leaves open, and that it was turned, is added to `doubts`.
+RigidTransform nominal_from_file(const QString& path, const Workbench& workbench, QStringList& doubts);
 
 }  // namespace remount

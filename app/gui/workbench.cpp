@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "app/gui/edit_commands.h"
+#include "model/attitude_check.h"
 #include "widgets/forms/option_access.h"
 
 namespace remount {
@@ -99,6 +100,9 @@ void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> session
     emit message(Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
     for (const Finding& finding : session->findings)
       emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
+    // A wrong convention spoils all that follows: it is said where it can still be corrected.
+    for (const Finding& finding : attitude_findings(*session))
+      emit message(finding.severity, path, QString::fromStdString(finding.explanation));
     if (session->nominal_ins_from_lidar && !nominal_ins_from_lidar_) {
       apply_nominal(session->nominal_ins_from_lidar);
       emit message(Severity::Note, path, tr("its nominal mounting is used"));

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,8 @@ class Exporter {
   /// ins_from_lidar of a text that write() made, or that other programs made in the same format. `where` is named in
   /// errors. Throws Error(Format).
   virtual RigidTransform read(std::string_view text, const std::string& where) const = 0;
+  /// INS axes of what read() returns; nothing where the text does not say and read() did not turn it.
+  virtual std::optional<InsAxes> axes(std::string_view /*text*/) const { return {}; }
   /// What a text of this format leaves open and read() had to suppose, with what to do about it; usually nothing.
   virtual std::string doubt(std::string_view /*text*/) const { return {}; }
 };
@@ -51,9 +54,19 @@ std::vector<std::string> export_warnings(const CalibrationResult& result);
 /// angle beyond a whole turn, which is a typing error or another unit.
 RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::string& where, ErrorCode code);
 
-/// ins_from_lidar of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
+/// A mounting from outside, in INS axes that are known or not.
+struct ReadMounting {
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  std::optional<InsAxes> axes;
+};
+
+/// The mounting of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
 /// degrees), recognised by its content. What the file leaves open is added to `doubts`. Throws Error that says what was
 /// tried.
-RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path, std::vector<std::string>* doubts = nullptr);
+ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<std::string>* doubts = nullptr);
+
+/// The mounting in the axes of sessions, turned where both are known and differ; then a sentence is added to `doubts`.
+RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
+                          std::vector<std::string>& doubts);
 
 }  // namespace remount

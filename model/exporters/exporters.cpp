@@ -5,6 +5,7 @@
 #include "model/exporters/export_text.h"
 #include "model/exporters/exporter.h"
 #include "model/io/input_file.h"
+#include "model/session_frames.h"
 
 namespace remount {
 
@@ -56,7 +57,7 @@ RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::str
       {six[0], six[1], six[2], degrees_to_radians(six[3]), degrees_to_radians(six[4]), degrees_to_radians(six[5])});
 }
 
-RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path, std::vector<std::string>* doubts) {
+ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<std::string>* doubts) {
   const std::string text = read_regular_file(path, std::uint64_t{64} << 20U);
   const std::string where = path.string();
   if (text.find("remount-result/") != std::string::npos) {
@@ -66,17 +67,17 @@ RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path, std::v
       throw Error(
           ErrorCode::Format, where,
           "is a result without a usable transform (status " + std::string(to_string(result.result.status)) + ")");
-    return result.result.ins_from_lidar;
+    return {result.result.ins_from_lidar, result.ins_axes};
   }
   // Formats whose readers accept what others mean differently come after those that recognise themselves. Exports say
   // which axes they have; those of Apollo's own files cannot be recognised and are taken as the result's.
   std::string tried;
   for (const char* id : {"opencalib", "ros2", "ros1", "urdf", "apollo", "kitti", "matrix", "autoware"}) {
     try {
-      const RigidTransform ins_from_lidar = exporter(id).read(text, where);
+      const ReadMounting mounting{exporter(id).read(text, where), exporter(id).axes(text)};
       const std::string doubt = exporter(id).doubt(text);
       if (doubts && !doubt.empty()) doubts->push_back(where + ": " + doubt);
-      return ins_from_lidar;
+      return mounting;
     } catch (const Error& error) {
       tried += "\n  " + std::string(id) + ": " + error.what();
     }
@@ -84,11 +85,19 @@ RigidTransform read_any_ins_from_lidar(const std::filesystem::path& path, std::v
   try {
     const std::vector<double> six = numbers_in(text, where);
     if (six.size() == 6)
-      return rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, where, ErrorCode::Format);
+      return {rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, where, ErrorCode::Format), {}};
   } catch (const Error& error) {
     tried += "\n  six numbers: " + std::string(error.what());
   }
   throw Error(ErrorCode::Format, where, "holds no transform in a format that is known here:" + tried);
+}
+
+RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
+                          std::vector<std::string>& doubts) {
+  if (!mounting.axes || !axes || *mounting.axes == *axes) return mounting.ins_from_lidar;
+  doubts.push_back("the mounting is given in INS axes " + std::string(to_string(*mounting.axes)) +
+                   "; it is turned to those of the log, " + std::string(to_string(*axes)));
+  return forward_left_up_from(axes).inverse() * forward_left_up_from(mounting.axes) * mounting.ins_from_lidar;
 }
 
 }  // namespace remount

@@ -119,6 +119,12 @@ class ApolloExporter final : public Exporter {
            x;
   }
 
+  std::optional<InsAxes> axes(std::string_view text) const override {
+    const bool says = text.find(kAxesKey) != std::string_view::npos;
+    const bool turned = says ? text.find(kRightForwardUp) != std::string_view::npos : right_forward_up_;
+    return turned ? std::optional(InsAxes::ForwardLeftUp) : std::nullopt;
+  }
+
   std::string doubt(std::string_view text) const override {
     if (text.find(kAxesKey) != std::string_view::npos) return {};
     return "does not say which axes its INS frame has. They are taken to be those of the log; if they are Apollo's, "

@@ -79,6 +79,29 @@ TEST_F(cli, wrong_usage_is_exit_code_1) {
   EXPECT_EQ(run("calibrate --help").code, 0);
 }
 
+TEST_F(cli, a_file_that_is_something_else_is_not_replaced) {
+  const std::string manifest = path("drive/session.yaml"), ins = path("drive/ins.csv");
+  const std::string before = text_of(manifest), samples = text_of(ins);
+  ASSERT_FALSE(before.empty() || samples.empty());
+  for (const std::string& arguments :
+       {"calibrate " + path("drive") + " -o " + manifest, "calibrate " + path("drive") + " --save-project " + manifest,
+        "inspect " + path("drive") + " --log " + ins}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments << "\n" << outcome.err;
+    EXPECT_NE(outcome.err.find("is there and"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(text_of(manifest), before);
+  EXPECT_EQ(text_of(ins), samples);
+  const std::string result = path("kept.yaml");
+  ASSERT_EQ(run("calibrate " + path("drive") + " -q -o " + result).code, 0);
+  const std::string kept = text_of(result);
+  EXPECT_EQ(run("export " + result + " --to matrix -o " + result).code, 1);
+  EXPECT_EQ(text_of(result), kept);
+  const std::string log = path("run.log");
+  EXPECT_EQ(run("inspect " + path("drive") + " --log " + log).code, 0);
+  EXPECT_EQ(run("inspect " + path("drive") + " --log " + log).code, 0) << "a log follows a log";
+}
+
 TEST_F(cli, unreadable_input_is_exit_code_2_and_named) {
   std::ofstream(path("broken.yaml")) << "pairing:\n  max_gap_s: often\n  typo: 1\n";
   std::ofstream(path("broken.csv")) << "a,b,c\n1,2,3\n";

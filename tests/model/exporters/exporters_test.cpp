@@ -9,6 +9,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/exporters/exporter.h"
+#include "model/session_frames.h"
 
 namespace remount {
 namespace {
@@ -119,7 +120,7 @@ TEST(exporters, published_calibrations_are_read) {
   const std::filesystem::path file =
       std::filesystem::path(REMOUNT_SOURCE_DIR) / "../shared/data/opencalib/gnss-to-top_center_lidar-extrinsic.json";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
-  const RigidTransform x = read_any_ins_from_lidar(file);
+  const RigidTransform x = read_any_mounting(file).ins_from_lidar;
   EXPECT_NEAR((x.inverse().translation() - Eigen::Vector3d(-1, 0, -1.3)).norm(), 0.0, 1e-12);
 }
 
@@ -147,7 +148,7 @@ class exported_nominals : public ::testing::Test {
   /// As --nominal reads it.
   RigidTransform read(const std::string& name, const std::string& text) {
     doubts_.clear();
-    return read_any_ins_from_lidar(write(name, text), &doubts_);
+    return read_any_mounting(write(name, text), &doubts_).ins_from_lidar;
   }
 
   std::filesystem::path folder_;
@@ -187,6 +188,27 @@ TEST_F(exported_nominals, of_apollo_itself_are_read_as_documented_and_the_doubt_
   ASSERT_EQ(doubts_.size(), 1U);
   EXPECT_NE(doubts_[0].find("apollo-rfu:FILE"), std::string::npos) << doubts_[0];
   EXPECT_NEAR(exporter("apollo-rfu").read(foreign, "f").translation().x(), 1.0, 1e-12);
+}
+
+TEST_F(exported_nominals, are_turned_to_the_axes_of_the_log_where_both_are_known) {
+  const RigidTransform flu = rigid_from_six({1, 0, 0.5, 0, 0, 0});
+  ResultFile novatel = result_with(forward_left_up_from(InsAxes::RightForwardUp).inverse() * flu);
+  novatel.ins_axes = InsAxes::RightForwardUp;
+  std::vector<std::string> doubts;
+  const auto read_in = [&](const std::string& text, const std::optional<InsAxes>& axes) {
+    doubts.clear();
+    return in_axes_of(read_any_mounting(write("n.yaml", text)), axes, doubts);
+  };
+  const std::string result = exporter("yaml").write(novatel, {});
+  EXPECT_LT((read_in(result, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_NE(doubts[0].find("turned to those of the log"), std::string::npos) << doubts[0];
+  EXPECT_LT((read_in(result, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  EXPECT_TRUE(doubts.empty());
+  EXPECT_LT((read_in(result, {}).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  const std::string apollo = exporter("apollo-rfu").write(result_with(flu), {});
+  EXPECT_LT((read_in(apollo, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  EXPECT_LT((read_in(apollo, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
 }
 
 TEST_F(exported_nominals, of_other_pairs_of_sensors_are_refused) {

@@ -158,9 +158,9 @@ TEST_F(mutated_input, of_nominal_files) {
   for (const auto& format : exporters())
     run("nominal " + std::string(format->id()),
         of_one_file(std::string(format->file_name()), format->write(result(), {}),
-                    [](const fs::path& path) { read_any_ins_from_lidar(path); }));
+                    [](const fs::path& path) { read_any_mounting(path); }));
   run("nominal six numbers", of_one_file("six.txt", "# x y z yaw pitch roll\n0.9, -0.25, 0.75, 90, 0, 0\n",
-                                         [](const fs::path& path) { read_any_ins_from_lidar(path); }));
+                                         [](const fs::path& path) { read_any_mounting(path); }));
 }
 TEST_F(mutated_input, of_settings) {
   run("settings",
@@ -179,7 +179,7 @@ TEST_F(mutated_input, that_is_no_regular_file_is_refused_at_once) {
       {"cloud", [](const fs::path& path) { load_cloud(path, 0, CloudFormat::Pcd); }},
       {"pairs", [](const fs::path& path) { read_motion_pairs(path); }},
       {"result", [](const fs::path& path) { load_result(path); }},
-      {"nominal", [](const fs::path& path) { read_any_ins_from_lidar(path); }},
+      {"nominal", [](const fs::path& path) { read_any_mounting(path); }},
       {"settings", [](const fs::path& path) { load_settings(path); }},
       {"project", [](const fs::path& path) { load_project(path); }},
       {"session", [](const fs::path& path) { open(path); }}};
