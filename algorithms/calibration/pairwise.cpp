@@ -122,9 +122,11 @@ void set_status(const PairwiseInput& input, CalibrationResult& result) {
   const std::string outside = outside_range(result.ins_from_lidar, input.range);
   if (observed == 0) {
     result.status = Status::Degenerate;
-    result.message = input.clock_bias
-                         ? "Nothing is known: the clocks of lidar and INS differ by more than X can bear."
-                         : "Nothing is observed: the motion of this drive does not determine any component of X.";
+    result.message =
+        input.clock_bias ? "Nothing is known: the clocks of lidar and INS differ by more than X can bear."
+        : input.nominal_ins_from_lidar
+            ? "Nothing is observed: the motion of this drive does not determine any component of X."
+            : "Nothing is known: without a nominal mounting yaw is open, and everything else depends on it.";
   } else if (!outside.empty()) {
     result.status = Status::OutOfRange;
     result.message = "The solution lies outside the search range: " + outside + ".";

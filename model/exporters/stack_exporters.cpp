@@ -99,11 +99,12 @@ class ApolloExporter final : public Exporter {
                {x.translation().x(), x.translation().y(), x.translation().z()});
     add_vector(transform.add("rotation", DocumentNode::map()), {"x", "y", "z", "w"}, {q.x(), q.y(), q.z(), q.w()});
     root.add("child_frame_id", DocumentNode::string(names.lidar_frame.empty() ? "lidar" : names.lidar_frame));
-    root.add(std::string(kAxesKey), DocumentNode::string(right_forward_up_ ? kRightForwardUp : kAsInResult));
+    const bool right_forward_up = right_forward_up_ || result.ins_axes == InsAxes::RightForwardUp;
+    root.add(std::string(kAxesKey), DocumentNode::string(right_forward_up ? kRightForwardUp : kAsInResult));
     return with_header(root, *this, result,
-                       {right_forward_up_ ? "The numbers below are in axes x right, y forward, z up."
-                                          : "Apollo's own novatel frame has x right, y forward, z up: use apollo-rfu "
-                                            "unless the log has these axes too."});
+                       {right_forward_up ? "The numbers below are in axes x right, y forward, z up, as Apollo's own."
+                                         : "Apollo's own novatel frame has x right, y forward, z up: use apollo-rfu "
+                                           "unless the log has these axes too."});
   }
 
   RigidTransform read(std::string_view text, const std::string& where) const override {

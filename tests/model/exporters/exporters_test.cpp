@@ -206,6 +206,9 @@ TEST_F(exported_nominals, are_turned_to_the_axes_of_the_log_where_both_are_known
   EXPECT_LT((read_in(result, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
   EXPECT_TRUE(doubts.empty());
   EXPECT_LT((read_in(result, {}).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  const std::string same = exporter("apollo").write(novatel, {});
+  EXPECT_LT((read_in(same, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
+  EXPECT_LT((read_in(same, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
   const std::string apollo = exporter("apollo-rfu").write(result_with(flu), {});
   EXPECT_LT((read_in(apollo, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
   EXPECT_LT((read_in(apollo, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
