@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "algorithms/geometry/rotation.h"
-#include "model/attitude_check.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -144,7 +143,6 @@ std::vector<Finding> ins_findings(const Session& session) {
                             " s; was it still aligning, or did the log stall?"});
   const std::vector<StampedPose> shared = during_lidar(session, poses);
   if (shared.size() >= 2) report_motion(measure_motion(shared), session.name, findings);
-  for (Finding& finding : attitude_findings(session)) findings.push_back(std::move(finding));
   return findings;
 }
 

@@ -8,7 +8,7 @@
 namespace remount {
 
 /// Findings "ins-gaps", "ins-frozen", "ins-jump", "ins-status", "little-turning" and "flat-driving", each with what to
-/// do, and those of attitude_findings(). Motion but for the latter is judged while the LiDAR is recorded.
+/// do. Motion is judged while the LiDAR is recorded.
 std::vector<Finding> ins_findings(const Session& session);
 
 }  // namespace remount

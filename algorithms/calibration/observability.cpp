@@ -175,6 +175,7 @@ void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOpti
     const auto at = static_cast<std::size_t>(i);
     if (!result.observed[at] || result.covariance(i, i) < limits[i] * limits[i]) continue;
     result.observed[at] = false;
+    result.bootstrap_sigma[at] = std::numeric_limits<double>::quiet_NaN();
     result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
     result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
   }

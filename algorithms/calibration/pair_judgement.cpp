@@ -5,7 +5,6 @@
 #include <cstdio>
 
 #include "algorithms/calibration/pair_equation.h"
-#include "algorithms/calibration/uncertainty.h"
 #include "algorithms/trajectory/screw.h"
 
 namespace remount {
@@ -29,12 +28,12 @@ std::string open_directions(const Pair& pair) {
 
 }  // namespace
 
-double residual_scale2(std::vector<double> distances2) {
+double residual_scale2(std::vector<double> d2) {
   // More than half of the pairs may be wrong: the scale follows the better third.
   constexpr double kShare = 0.35, kShareChi2 = 4.197;  // that quantile of six degrees of freedom
-  if (distances2.empty()) return 1.0;
-  const auto place = distances2.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(distances2.size()));
-  std::nth_element(distances2.begin(), place, distances2.end());
+  if (d2.empty()) return 1.0;
+  const auto place = d2.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(d2.size()));
+  std::nth_element(d2.begin(), place, d2.end());
   return std::max(1.0, *place / kShareChi2);
 }
 
@@ -78,10 +77,35 @@ std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs) {
   return accepted;
 }
 
-double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise) {
-  const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, ins_from_lidar);
-  const double distance2 = equation.residual.dot(residual_information(pair, equation, noise) * equation.residual);
-  return std::isfinite(distance2) ? std::max(0.0, distance2) : std::numeric_limits<double>::max();
+std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
+                                   const NoiseModel& noise) {
+  constexpr double kNothing = 1e-6;  // a sigma of a kilometre, of a thousand radians: any motion
+  std::vector<NoisyPair> out;
+  out.reserve(usable.size());
+  for (const int i : usable) {
+    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const Matrix6d information = noise.registration_information(pair.registration.information);
+    const Matrix6d regular = information + kNothing * Matrix6d::Identity();
+    out.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, information,
+                   regular.ldlt().solve(Matrix6d::Identity()),
+                   (noise.ins_covariance() + noise.drift_covariance(std::abs(pair.gap_s))).diagonal()});
+  }
+  return out;
+}
+
+std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& x, const NoiseModel& noise) {
+  const Vector6d ins = noise.ins_covariance().diagonal();
+  std::vector<double> out;
+  out.reserve(pairs.size());
+  for (const NoisyPair& pair : pairs) {
+    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
+    Matrix6d covariance = pair.registration_covariance;
+    covariance.noalias() += equation.d_a * ins.asDiagonal() * equation.d_a.transpose();
+    covariance.noalias() += equation.d_b * pair.ins_variances_b.asDiagonal() * equation.d_b.transpose();
+    const double distance2 = equation.residual.dot(covariance.llt().solve(equation.residual));
+    out.push_back(std::isfinite(distance2) ? std::max(0.0, distance2) : std::numeric_limits<double>::max());
+  }
+  return out;
 }
 
 // Sigma of the two screw invariants from the noise of P and Q.
@@ -98,17 +122,15 @@ void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const
 int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& ins_from_lidar,
                 const NoiseModel& noise, double threshold) {
   int changed = 0;
-  std::vector<double> distances2;
-  for (const int i : usable)
-    distances2.push_back(pair_distance2(pairs[static_cast<std::size_t>(i)], ins_from_lidar, noise));
-  const double scale2 = residual_scale2(distances2);
+  const std::vector<double> d2 = distances2(noisy_pairs(pairs, usable, noise), ins_from_lidar, noise);
+  const double scale2 = residual_scale2(d2);
   for (std::size_t k = 0; k < usable.size(); ++k) {
     Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
     const Vector6d residual =
         difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
     pair.residual_translation_m = residual.head<3>().norm();
     pair.residual_rotation_rad = residual.tail<3>().norm();
-    const double score = sigma_equivalent(distances2[k] / scale2);
+    const double score = sigma_equivalent(d2[k] / scale2);
     pair.weight = pair.decided_by == DecidedBy::User ? 1.0 : score <= threshold ? 1.0 : 0.0;
     if (pair.decided_by == DecidedBy::User) continue;
     const PairState state = pair.weight > 0.0 ? PairState::Accepted : PairState::Rejected;

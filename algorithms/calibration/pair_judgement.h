@@ -24,13 +24,23 @@ void refuse_unusable(std::vector<Pair>& pairs);
 /// P and Q of the accepted pairs, in order.
 std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs);
 
-/// Squared Mahalanobis distance of a pair's residual under X, with the errors of both INS poses and of the
+/// A pair with its errors, which stay the same under every X.
+struct NoisyPair {
+  RigidTransform ins_b_from_ins_a, lidar_b_from_lidar_a;
+  Matrix6d registration_information, registration_covariance;
+  Vector6d ins_variances_b;  ///< m^2, rad^2; with the drift since a
+};
+std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
+                                   const NoiseModel& noise);
+
+/// Squared Mahalanobis distances of the pairs' residuals under X, with the errors of both INS poses and of the
 /// registration.
-double pair_distance2(const Pair& pair, const RigidTransform& ins_from_lidar, const NoiseModel& noise);
+std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& ins_from_lidar,
+                               const NoiseModel& noise);
 
 /// How much larger residuals are than the noise model says, from squared Mahalanobis distances; at least 1. Judging
 /// pairs by the model alone would spiral: fewer pairs, less noise, fewer pairs.
-double residual_scale2(std::vector<double> distances2);
+double residual_scale2(std::vector<double> d2);
 
 /// Fills `screw` of the usable pairs. @param threshold in sigma
 void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold);

@@ -296,11 +296,12 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     return cancelled(result);
   }
   if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
-  describe_uncertainty(input, pairs, problem, answers, details, progress, result);
+  const Matrix6d believed = describe_uncertainty(input, pairs, problem, answers, details, progress, result);
   if (!input.nominal_ins_from_lidar) claim_nothing_at_unknown_yaw(result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
         solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
+  add_doubts(input, believed, details, result);
   estimate_clock_offset(problem, details, progress, result);
   list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(details.joint.ins_from_lidar), progress, result);
   trim_candidates(input.options.max_listed_candidates, result);

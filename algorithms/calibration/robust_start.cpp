@@ -13,45 +13,6 @@ namespace {
 
 constexpr double kKernel2 = 16.0;  // squared distance at which a pair's weight has fallen to a quarter
 
-// A pair with what does not change from pass to pass.
-struct NoisyPair {
-  RigidTransform ins_b_from_ins_a, lidar_b_from_lidar_a;
-  Matrix6d registration_information, registration_covariance;
-  Vector6d ins_variances_b;  ///< with the drift since a
-};
-
-std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
-                                   const NoiseModel& noise) {
-  constexpr double kNothing = 1e-6;  // a sigma of a kilometre, of a thousand turns
-  std::vector<NoisyPair> out;
-  out.reserve(usable.size());
-  for (const int i : usable) {
-    const Pair& pair = pairs[static_cast<std::size_t>(i)];
-    const Matrix6d information = noise.registration_information(pair.registration.information);
-    const Matrix6d regular = information + kNothing * Matrix6d::Identity();
-    out.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, information,
-                   regular.ldlt().solve(Matrix6d::Identity()),
-                   (noise.ins_covariance() + noise.drift_covariance(std::abs(pair.gap_s))).diagonal()});
-  }
-  return out;
-}
-
-// As pair_distance2, which inverts three matrices for each pair instead of one.
-std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& x, const NoiseModel& noise) {
-  const Vector6d ins = noise.ins_covariance().diagonal();
-  std::vector<double> out;
-  out.reserve(pairs.size());
-  for (const NoisyPair& pair : pairs) {
-    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
-    Matrix6d covariance = pair.registration_covariance;
-    covariance.noalias() += equation.d_a * ins.asDiagonal() * equation.d_a.transpose();
-    covariance.noalias() += equation.d_b * pair.ins_variances_b.asDiagonal() * equation.d_b.transpose();
-    const double distance2 = equation.residual.dot(covariance.llt().solve(equation.residual));
-    out.push_back(std::isfinite(distance2) ? std::max(0.0, distance2) : std::numeric_limits<double>::max());
-  }
-  return out;
-}
-
 // Every pair counts, the wrong ones all alike: a few pairs that agree by chance, or that any X satisfies, do not win.
 double truncated_cost(const std::vector<double>& values, double scale2) {
   double sum = 0.0;

@@ -136,23 +136,6 @@ void add_disagreement_advice(CalibrationResult& result) {
   result.advice.push_back(text);
 }
 
-// What the pairs do not show: measurements that contradict them, and clocks that differ.
-void add_doubts(const PairwiseInput& input, Matrix6d covariance, const PairwiseDetails& details,
-                CalibrationResult& result) {
-  // A tape that is right does not contradict pairs that are known to be biased.
-  if (input.clock_bias) covariance += *input.clock_bias * input.clock_bias->transpose();
-  for (const Contradiction& one :
-       contradictions(input.measured, details.joint.ins_from_lidar, details.joint.covariance, covariance)) {
-    add_doubt(one.doubt, "what was measured contradicts the drive", input.options, result);
-    result.advice.push_back(one.text);
-  }
-  if (!input.clock_bias) return;
-  add_doubt(*input.clock_bias, "the clocks of lidar and INS differ", input.options, result);
-  result.advice.emplace_back(
-      "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: X is "
-      "then no longer biased.");
-}
-
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
 
 }  // namespace
@@ -178,9 +161,9 @@ Matrix6d residual_information(const Pair& pair, const PairEquation& equation, co
   return ins_information - ins_information * sum.ldlt().solve(ins_information);
 }
 
-void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
-                          const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
-                          const Progress& progress, CalibrationResult& result) {
+Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
+                              const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
+                              const Progress& progress, CalibrationResult& result) {
   const RigidTransform& x = details.joint.ins_from_lidar;
   const MotionSummary motion = summarise_motion(pairs);
   result.directions = observed_directions(details.joint.information,
@@ -199,7 +182,6 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
       with_registration_limits(inflated_by_bootstrap(covariance, bootstrap, input.motions_only ? 1.0 : kExcessOfLogs),
                                response_to_scale(problem, details, progress)),
       motion, input.options, result);
-  add_doubts(input, covariance, details, result);
   add_disagreement_advice(result);
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));
@@ -211,6 +193,24 @@ void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& p
     result.bootstrap_sigma[at] = seen_by_pairs && parameters(i, i) > 0.0 ? std::sqrt(parameters(i, i))
                                                                          : std::numeric_limits<double>::quiet_NaN();
   }
+  return covariance;
+}
+
+void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const PairwiseDetails& details,
+                CalibrationResult& result) {
+  Matrix6d covariance = believed;
+  // A tape that is right does not contradict pairs that are known to be biased.
+  if (input.clock_bias) covariance += *input.clock_bias * input.clock_bias->transpose();
+  for (const Contradiction& one :
+       contradictions(input.measured, details.joint.ins_from_lidar, details.joint.covariance, covariance)) {
+    add_doubt(one.doubt, "what was measured contradicts the drive", input.options, result);
+    result.advice.push_back(one.text);
+  }
+  if (!input.clock_bias) return;
+  add_doubt(*input.clock_bias, "the clocks of lidar and INS differ", input.options, result);
+  result.advice.emplace_back(
+      "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: X is "
+      "then no longer biased.");
 }
 
 }  // namespace remount

@@ -19,8 +19,14 @@ Matrix6d residual_information(const Pair& pair, const PairEquation& equation, co
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma`, `session_disagreement` and `advice` of the result
 /// from the joint solution.
 /// @param answers what each session says on its own; empty with a single one
-void describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
-                          const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
-                          const Progress& progress, CalibrationResult& result);
+/// @return the covariance of X under `perturbed` that is believed of pairs, prior and measurements
+Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
+                              const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
+                              const Progress& progress, CalibrationResult& result);
+
+/// Widens a described result by what the pairs do not show: measurements that contradict them, and clocks that differ.
+/// The values of X stay: they are in doubt, not unknown. @param believed of describe_uncertainty
+void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const PairwiseDetails& details,
+                CalibrationResult& result);
 
 }  // namespace remount

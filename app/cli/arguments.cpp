@@ -183,23 +183,13 @@ std::optional<ReadMounting> SolveArguments::nominal_mounting(Console& console) c
   return mounting;
 }
 
-void refuse_other_file(const std::filesystem::path& path, std::string_view ours) {
-  constexpr std::size_t kHead = 4096;
-  if (!is_file(path)) return;
-  const std::string head = read_file_head(path, kHead);
-  if (!head.empty() && head.find(ours) == std::string::npos)
-    throw Error(ErrorCode::Contract, path.string(),
-                "is there and is nothing that this would replace (no \"" + std::string(ours) +
-                    "\" in it): name another file, or remove it first");
-}
-
 void SolveArguments::check_output() const {
   if (output.empty()) return;
   const std::filesystem::path path(output);
   const auto ending = path.extension();
   if (ending != ".yaml" && ending != ".yml" && ending != ".json")
     throw Error(ErrorCode::Contract, "--output " + output, "expected a name that ends in .yaml, .yml or .json");
-  refuse_other_file(path, "remount-result/");
+  check_replaces_its_like(path, "remount-result/");
   check_can_save(path);
 }
 

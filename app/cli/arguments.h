@@ -21,10 +21,6 @@ RigidTransform parse_six(const std::string& text);
 /// `doubts`. Throws Error.
 ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& doubts);
 
-/// A slip of the hand must not cost a recording: throws Error(Contract) where `path` is a file that holds something and
-/// does not have `ours` in its head.
-void refuse_other_file(const std::filesystem::path& path, std::string_view ours);
-
 /// Changes a search range: six "min:max" separated by commas (x,y,z in m, yaw,pitch,roll in degrees), or "yaw=-10:10",
 /// several separated by commas. Throws Error(Contract).
 void apply_range(SearchRange& range, const std::string& text);

@@ -40,7 +40,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     throw Error(ErrorCode::Contract, "calibrate", "no session is given; name one, or a --project that holds some");
   arguments.solve.check_output();
   if (!arguments.save_project.empty()) {
-    refuse_other_file(arguments.save_project, "remount-project/");
+    check_replaces_its_like(arguments.save_project, "remount-project/");
     check_can_save(arguments.save_project);
   }
 

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "algorithms/core/error.h"
-#include "app/cli/arguments.h"
+#include "model/io/atomic_save.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -64,7 +64,7 @@ double Console::elapsed_s() const { return seconds(Clock::now() - started_); }
 
 void Console::start(const std::string& command_line) {
   if (options_.log_file.empty()) return;
-  refuse_other_file(options_.log_file, "remount-cli ");
+  check_replaces_its_like(options_.log_file, "remount-cli ");
   log_.open(options_.log_file, std::ios::trunc);
   if (!log_)
     throw Error(ErrorCode::Io, options_.log_file, std::string("the log cannot be written: ") + std::strerror(errno));

@@ -4,7 +4,6 @@
 
 #include "algorithms/core/error.h"
 #include "app/gui/edit_commands.h"
-#include "model/attitude_check.h"
 #include "widgets/forms/option_access.h"
 
 namespace remount {
@@ -98,11 +97,14 @@ void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> session
       continue;
     }
     emit message(Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
-    for (const Finding& finding : session->findings)
-      emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
-    // A wrong convention spoils all that follows: it is said where it can still be corrected.
-    for (const Finding& finding : attitude_findings(*session))
-      emit message(finding.severity, path, QString::fromStdString(finding.explanation));
+    for (const Finding& finding : session->findings) {
+      const QString where = QString::fromStdString(finding.where), what = QString::fromStdString(finding.explanation);
+      // A problem spoils all that follows: it is shown while it can still be corrected.
+      if (finding.severity == Severity::Problem)
+        emit message(finding.severity, where, what);
+      else
+        emit logged(finding.severity, where, what);
+    }
     if (session->nominal_ins_from_lidar && !nominal_ins_from_lidar_) {
       apply_nominal(session->nominal_ins_from_lidar);
       emit message(Severity::Note, path, tr("its nominal mounting is used"));

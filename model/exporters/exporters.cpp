@@ -43,7 +43,7 @@ std::vector<std::string> export_warnings(const CalibrationResult& result) {
     warnings.push_back("the calibration found no usable result (status " + std::string(to_string(result.status)) +
                        "); do not use these numbers");
   const std::string missing = parameter_list(result, false);
-  if (!missing.empty()) warnings.push_back("not observed, and therefore nominal and not measured: " + missing);
+  if (!missing.empty()) warnings.push_back("not observed, and therefore nominal or in doubt, not measured: " + missing);
   return warnings;
 }
 

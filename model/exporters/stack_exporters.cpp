@@ -4,6 +4,7 @@
 #include "model/exporters/export_text.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
+#include "model/session_frames.h"
 
 namespace remount {
 namespace {
@@ -114,16 +115,12 @@ class ApolloExporter final : public Exporter {
     const RigidTransform x =
         rigid_from_quaternion({t.at("x").number(), t.at("y").number(), t.at("z").number()},
                               {q.at("x").number(), q.at("y").number(), q.at("z").number(), q.at("w").number()}, where);
-    if (!root.has(kAxesKey)) return axes_from_ins_.inverse() * x;
-    return (root.at(kAxesKey).choice({kAsInResult, kRightForwardUp}) == 1 ? rfu_from_flu().inverse()
-                                                                          : RigidTransform::Identity()) *
-           x;
+    return (is_right_forward_up(root) ? rfu_from_flu().inverse() : RigidTransform::Identity()) * x;
   }
 
   std::optional<InsAxes> axes(std::string_view text) const override {
-    const bool says = text.find(kAxesKey) != std::string_view::npos;
-    const bool turned = says ? text.find(kRightForwardUp) != std::string_view::npos : right_forward_up_;
-    return turned ? std::optional(InsAxes::ForwardLeftUp) : std::nullopt;
+    const DocumentNode document = parse_yaml(text, "");
+    return is_right_forward_up(DocumentView(document, "")) ? std::optional(InsAxes::ForwardLeftUp) : std::nullopt;
   }
 
   std::string doubt(std::string_view text) const override {
@@ -134,11 +131,11 @@ class ApolloExporter final : public Exporter {
   }
 
  private:
-  static RigidTransform rfu_from_flu() {
-    RigidTransform turned = RigidTransform::Identity();
-    turned.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-    return turned;
+  /// Of a file; one that does not say has the axes of the format's name.
+  bool is_right_forward_up(const DocumentView& root) const {
+    return root.has(kAxesKey) ? root.at(kAxesKey).choice({kAsInResult, kRightForwardUp}) == 1 : right_forward_up_;
   }
+  static RigidTransform rfu_from_flu() { return forward_left_up_from(InsAxes::RightForwardUp).inverse(); }
   static void add_vector(DocumentNode& map, const std::vector<std::string>& keys, const std::vector<double>& values) {
     for (std::size_t i = 0; i < keys.size(); ++i) map.add(keys[i], DocumentNode::number(values[i]));
   }

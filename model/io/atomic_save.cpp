@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "model/io/input_file.h"
 #include "model/io/regular_file.h"
 
 namespace remount {
@@ -99,6 +100,16 @@ Target examined(const std::filesystem::path& path) {
 }  // namespace
 
 void check_can_save(const std::filesystem::path& path) { const TemporaryFile removed_at_once(examined(path).path); }
+
+void check_replaces_its_like(const std::filesystem::path& path, std::string_view mark) {
+  constexpr std::size_t kHead = 4096;
+  if (!is_file(path)) return;
+  const std::string head = read_file_head(path, kHead);
+  if (!head.empty() && head.find(mark) == std::string::npos)
+    throw Error(ErrorCode::Contract, path.string(),
+                "is there and is nothing that this would replace (no \"" + std::string(mark) +
+                    "\" in it): name another file, or remove it first");
+}
 
 void save_atomically(const std::filesystem::path& path, std::string_view bytes) {
   const Target target = examined(path);

@@ -16,4 +16,8 @@ void save_atomically(const std::filesystem::path& path, std::string_view bytes);
 /// makes a temporary file beside it and removes it again.
 void check_can_save(const std::filesystem::path& path);
 
+/// A slip of the hand must not cost a recording: throws Error(Contract) where `path` is a file that holds something and
+/// does not have `mark` within its first 4 KiB.
+void check_replaces_its_like(const std::filesystem::path& path, std::string_view mark);
+
 }  // namespace remount

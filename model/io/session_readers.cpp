@@ -1,4 +1,5 @@
 #include "algorithms/core/error.h"
+#include "model/attitude_check.h"
 #include "model/io/kitti_raw_reader.h"
 #include "model/io/native_session_reader.h"
 #include "model/io/novatel_reader.h"
@@ -30,7 +31,11 @@ Session open_session(const std::filesystem::path& path, Progress& progress) {
     const int score = reader->probe(path);
     if (score > best_score) best = reader.get(), best_score = score;
   }
-  if (best) return best->open(path, progress);
+  if (best) {
+    Session session = best->open(path, progress);
+    for (Finding& finding : attitude_findings(session)) session.findings.push_back(std::move(finding));
+    return session;
+  }
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
     throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
   std::string known;

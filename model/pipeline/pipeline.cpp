@@ -283,10 +283,8 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   check_input(input);
   DriveMotion motion(input.sessions);
   PipelineOutput output;
-  for (const auto& session : input.sessions) {
+  for (const auto& session : input.sessions)
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
-    for (Finding& finding : attitude_findings(*session)) output.findings.push_back(std::move(finding));
-  }
   output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
   output.pairs = propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
   keep_independent_odometry(motion, output.keyframes, output.pairs);

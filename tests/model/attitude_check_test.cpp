@@ -2,15 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
 
 #include "model/io/attitude_convention.h"
+#include "model/io/input_file.h"
+#include "model/io/session_reader.h"
 #include "model/pipeline.h"
 #include "model/result_file.h"
 #include "model/session_frames.h"
 #include "model/simulator/simulator.h"
+#include "tests/model/io/temporary_folder.h"
 
 namespace remount {
 namespace {
@@ -138,19 +142,26 @@ TEST(attitude_check, no_result_stands_on_another_convention) {
   EXPECT_EQ(other.status, Status::Degenerate);
 }
 
-TEST(attitude_check, a_drive_with_inverse_rotations_ends_inconsistent_and_names_them) {
+TEST(attitude_check, a_log_whose_manifest_declares_another_convention_is_named_when_opened_and_gives_no_result) {
   SimulationOptions options;
   options.beams = 16;
   options.azimuth_steps = 300;
   options.duration_s = 8.0;
   const SimulatedDrive right = simulate_drive(options);
-  auto wrong = std::make_shared<Session>(right.session);
-  for (InsSample& sample : wrong->ins) sample.enu_from_ins = sample.enu_from_ins.conjugate();
-  PipelineInput input;
-  input.sessions = {wrong};
-  input.nominal_ins_from_lidar = right.ins_from_lidar;
+  const TemporaryFolder folder;
   Progress progress;
+  write_drive(right, folder.path() / "drive", "native", 1, progress);
+  std::string manifest = read_regular_file(folder.path() / "drive" / "session.yaml");
+  const std::size_t at = manifest.find("enu-yaw");
+  ASSERT_NE(at, std::string::npos) << manifest;
+  folder.write("drive/session.yaml", manifest.replace(at, 7, "heading"));
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(open_session(folder.path() / "drive", progress))};
+  input.nominal_ins_from_lidar = right.ins_from_lidar;
   const PipelineOutput output = run_pipeline(input, progress);
+  EXPECT_EQ(std::count_if(output.findings.begin(), output.findings.end(),
+                          [](const Finding& finding) { return finding.code == "attitude-convention"; }),
+            1);
   EXPECT_FALSE(is_usable(output.result)) << output.result.message;
   ASSERT_FALSE(output.result.advice.empty());
   EXPECT_NE(output.result.advice[0].find("convention"), std::string::npos) << output.result.advice[0];

@@ -102,6 +102,7 @@ TEST(measured, what_contradicts_the_drive_is_named) {
   EXPECT_TRUE(named);
   // Nobody knows whether the tape or the drive is wrong: neither makes sure of the other.
   EXPECT_FALSE(result.observed[0]);
+  EXPECT_NEAR(result.ins_from_lidar.translation().x(), options.x_m, 0.05) << "in doubt, not unknown: the value stays";
   options.x_m = mounting().translation().x() + 0.1;
   const CalibrationResult nearer = solve_flat(options, {});
   ASSERT_TRUE(nearer.sigma(0));

@@ -1,0 +1,39 @@
+#include "algorithms/calibration/pair_judgement.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/uncertainty.h"
+#include "tests/algorithms/support/simulated_drive.h"
+
+namespace remount {
+namespace {
+
+TEST(pair_judgement, distances_marginalise_the_ins_errors_also_where_a_registration_leaves_something_open) {
+  DriveOptions options;
+  options.noise.ins_position_drift = 0.02;
+  const SimulatedDrive drive = simulate(options, 3);
+  std::vector<Pair> pairs = pairs_of(drive);
+  pairs.resize(20);
+  std::vector<int> all;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    all.push_back(static_cast<int>(i));
+    pairs[i].gap_s = 0.1 * static_cast<double>(i);
+    if (i % 2 == 0) continue;
+    // A corridor: nothing along its length.
+    pairs[i].registration.information.row(0).setZero();
+    pairs[i].registration.information.col(0).setZero();
+  }
+  const RigidTransform x = perturbed(mounting(), Vector6d::Constant(0.01));
+  const std::vector<double> found = distances2(noisy_pairs(pairs, all, options.noise), x, options.noise);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PairEquation equation = linearise_pair(pairs[i].ins_b_from_ins_a, pairs[i].lidar_b_from_lidar_a, x);
+    const double expected =
+        equation.residual.dot(residual_information(pairs[i], equation, options.noise) * equation.residual);
+    EXPECT_GT(expected, 1.0);
+    EXPECT_NEAR(found[i], expected, 1e-6 * expected) << "pair " << i;
+  }
+}
+
+}  // namespace
+}  // namespace remount
