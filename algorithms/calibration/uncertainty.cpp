@@ -117,7 +117,7 @@ Matrix6d with_registration_limits(Matrix6d covariance, const Vector6d& response_
 
 // How X moves where all distances that the lidar measures are too long by `kScale`.
 Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& details, const Progress& progress) {
-  constexpr double kScale = 4e-5, kEnlarged = 1e-3;
+  constexpr double kScale = 2.5e-5, kEnlarged = 1e-3;
   JointProblem longer = problem;
   for (JointTerm& term : longer.terms) term.lidar_b_from_lidar_a.translation() *= 1.0 + kEnlarged;
   const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 8, progress);

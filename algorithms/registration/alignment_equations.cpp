@@ -52,9 +52,11 @@ std::vector<Term> residual_terms(const PreparedCloud& source, const PreparedClou
     if (error.squaredNorm() > radius_m * radius_m || n.dot(m) < kMinCosine) continue;
     const Eigen::Vector3d normal = (n + m).normalized().cast<double>();
     const double along = normal.dot(error.cast<double>());
+    // As the aligner weighs it: normals of mixed surfaces (kerb and road) rarely agree.
+    const float agreement = 2.0f * (1.0f - kKeep) / (2.0f - kKeep * (1.0f + n.dot(m)));
     Term term{Vector6d::Zero(),
               along,
-              static_cast<double>(source.planarity(i) * near.planarity[k]),
+              static_cast<double>(agreement * source.planarity(i) * near.planarity[k]),
               static_cast<double>(source.planarity(i)),
               arm.cast<double>(),
               cell_of(query)};

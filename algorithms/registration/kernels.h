@@ -12,12 +12,15 @@ inline constexpr int kBlockSize = 16;
 inline constexpr float kFarAway_m = 1e18f;  ///< coordinates of missing points: finite, and near nothing
 
 inline constexpr float kMinCosine = 0.7f;  ///< of the normals of a match: surfaces that face apart are not the same
+/// 1 - variance along a normal against that in the plane: two normals that differ by 3.6 degrees count half as much
+/// along the surface's normal as two that agree.
+inline constexpr float kKeep = 0.999f;
 
 /// Sixteen neighbouring points with their surface. Missing ones at the end of a cloud are far away.
 struct alignas(64) PointBlock {
   float x[kBlockSize], y[kBlockSize], z[kBlockSize];     ///< m
   float nx[kBlockSize], ny[kBlockSize], nz[kBlockSize];  ///< unit length
-  float planarity[kBlockSize];                           ///< 0 (scattered, or no surface) to 1 (a plane)
+  float planarity[kBlockSize];                           ///< 0 (scattered, or no surface) to 1 (a thin plane)
 };
 
 /// Bounding boxes of up to eight children (blocks, or nodes one level down); missing ones are inside out.
@@ -82,13 +85,14 @@ struct AlignmentSums {
 };
 
 /// The surface through the points around each point: the smallest of the radii r, 2 r, 4 r whose sphere holds at least
-/// `min_points` points that are not on a line.
+/// `min_points` points that are not on a line. One ring alone is as wide as its range noise, and its plane tilts with
+/// the rays instead of lying on the ground.
 struct NormalTask {
   PointBlock* blocks = nullptr;  ///< normals and planarity are written; planarity -1: no surface
   std::int32_t first = 0, last = 0;
   float radius_m = 0.6f;
   float min_points = 8.0f;
-  float min_width_ratio = 0.02f;  ///< second variance against the first
+  float min_width_ratio = 0.2f;  ///< second variance against the first
   std::int32_t* scratch = nullptr;
 };
 

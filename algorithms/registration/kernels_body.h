@@ -7,7 +7,9 @@
 namespace remount {
 namespace {
 
-constexpr float kKeep = 0.999f;  // 1 - variance along a normal against that in the plane
+// Neighbours pull in the plane as well, which helps from afar, and towards no motion at all, for a sensor's rings look
+// alike from everywhere: no more of it than convergence needs.
+constexpr float kInPlane = 0.1f;
 // A new search looks this much farther than the neighbour that is known, so that the next one is often seen as well.
 constexpr float kMargin_m = 0.3f;
 constexpr float kFarther = 1.15f;     // than the largest distance that counts, to know when it may be passed
@@ -233,7 +235,7 @@ inline void add_equations(const Lanes (&m)[6], const Lanes3& arm, const Lanes3& 
 }
 
 // Eight points of a block. The weight matrix is the inverse of 2 I - keep (n n' + m m'), whose eigenvectors are n + m,
-// n - m and their normal.
+// n - m and their normal; all but the first lie in the plane and count less.
 inline void accumulate_lanes(const SumsTask& task, const PointBlock& source, const MatchBlock& match, int lane,
                              ResidualBlock& residuals, LaneSums& sums) {
   const Lanes3 turned = rotate(task.target_from_source, point_of(source, lane));
@@ -252,9 +254,9 @@ inline void accumulate_lanes(const SumsTask& task, const PointBlock& source, con
   const Lanes along2 = along * along / (2.0f * together);
   const Lanes soft = 1.0f / (1.0f + along2 * (1.0f / (task.kernel_m * task.kernel_m)));
   const Lanes weight = keep(valid, soft * soft * load(source.planarity + lane) * load(match.target.planarity + lane));
-  const Lanes plain = 0.5f * weight;
+  const Lanes plain = (0.5f * kInPlane) * weight;
   const Lanes p = (0.25f * kKeep) * weight / (2.0f - kKeep * together);
-  const Lanes q = (0.25f * kKeep) * weight / (2.0f - kKeep * apart);
+  const Lanes q = (0.25f * kInPlane * kKeep) * weight / (2.0f - kKeep * apart);
   const Lanes information[6] = {plain + p * sum.x * sum.x + q * difference.x * difference.x,
                                 p * sum.x * sum.y + q * difference.x * difference.y,
                                 p * sum.x * sum.z + q * difference.x * difference.z,

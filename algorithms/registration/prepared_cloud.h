@@ -31,7 +31,8 @@ class PreparedCloud {
   std::size_t size() const { return tree_.size(); }
   Eigen::Vector3f point(std::size_t i) const;   ///< m
   Eigen::Vector3f normal(std::size_t i) const;  ///< unit length, towards the sensor
-  float planarity(std::size_t i) const { return block_of(i).planarity[lane_of(i)]; }  ///< 0 (scattered) to 1 (a plane)
+  /// How far the surface is trusted, 0 (scattered or thick) to 1 (a thin plane).
+  float planarity(std::size_t i) const { return block_of(i).planarity[lane_of(i)]; }
   std::vector<Eigen::Vector3f> copy_points() const;                                   ///< all of them, m
   Neighbour nearest(const Eigen::Vector3f& query, float radius_m) const;
   const BlockTree& tree() const { return tree_; }

@@ -47,7 +47,7 @@ inline void jacobi(Lanes& pp, Lanes& qq, Lanes& pq, Lanes& pr, Lanes& qr, Lanes3
 
 struct Surface {
   Lanes3 normal;
-  Lanes planarity;
+  Lanes planarity;  // less where the surface is thick
   Mask found;
 };
 
@@ -77,8 +77,11 @@ Surface surface_of(const Moments& m, const NormalTask& task) {
   order(yy, zz, b, c);
   order(xx, yy, a, b);
   const Mask found = (m.count >= task.min_points) & (yy > task.min_width_ratio * zz) & (yy > 0.0f);
-  const Lanes thinness = square_root(larger(xx, Lanes{}) / larger(yy, all(1e-30f)));
-  return {a, 1.0f - thinness, found};
+  // A kerb and the road beside it, or a hedge: far thicker than range noise.
+  constexpr float kThick_m = 0.1f;
+  const Lanes thickness2_m2 = larger(xx, Lanes{});
+  const Lanes thinness = square_root(thickness2_m2 / larger(yy, all(1e-30f)));
+  return {a, (1.0f - thinness) / (1.0f + thickness2_m2 * (1.0f / (kThick_m * kThick_m))), found};
 }
 
 // Tries one radius for those of eight points that have no surface yet; true where all have one.

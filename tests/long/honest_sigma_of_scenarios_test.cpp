@@ -71,26 +71,36 @@ double chi2_quantile(double freedom, double normal_quantile) {
 /// @param observed which parameters every drive must show, which none may (order of kParameterNames)
 void expect_honest(const std::function<Drives(int drive)>& drives_of, const std::array<bool, 6>& observed) {
   const std::size_t drives = drive_count();
-  std::vector<std::array<double, 6>> normalised(drives);
+  std::vector<std::array<double, 6>> normalised(drives), sigmas(drives);
   parallel_for(drives, 0, [&](std::size_t i) {
     const Drives one = drives_of(static_cast<int>(i));
-    normalised[i] = normalised_errors(calibrate(one), one.sessions.front().ins_from_lidar);
+    const CalibrationResult result = calibrate(one);
+    normalised[i] = normalised_errors(result, one.sessions.front().ins_from_lidar);
+    for (std::size_t parameter = 0; parameter < 6; ++parameter)
+      sigmas[i][parameter] = result.sigma(parameter).value_or(0.0);
   });
   constexpr double kOnePercent = 2.5758;  // two-sided
   for (std::size_t parameter = 0; parameter < 6; ++parameter) {
-    double sum = 0.0, mean = 0.0, largest = 0.0;
+    double sum = 0.0, mean = 0.0, largest = 0.0, errors2 = 0.0, sigmas2 = 0.0;
     std::size_t count = 0;
-    for (const auto& drive : normalised) {
-      if (!std::isfinite(drive[parameter])) continue;
-      sum += drive[parameter] * drive[parameter];
-      mean += drive[parameter] / static_cast<double>(drives);
-      largest = std::max(largest, std::abs(drive[parameter]));
+    for (std::size_t i = 0; i < drives; ++i) {
+      const double error = normalised[i][parameter], sigma = sigmas[i][parameter];
+      if (!std::isfinite(error)) continue;
+      sum += error * error;
+      mean += error / static_cast<double>(drives);
+      largest = std::max(largest, std::abs(error));
+      errors2 += error * error * sigma * sigma;
+      sigmas2 += sigma * sigma;
       ++count;
     }
     const auto freedom = static_cast<double>(count);
     const double lower = chi2_quantile(freedom, -kOnePercent), upper = chi2_quantile(freedom, kOnePercent);
-    std::printf("  %-5s: %3zu of %zu drives, chi-square %.1f (%.1f to %.1f), mean %+.2f, largest %.2f sigma\n",
-                kParameterNames[parameter].data(), count, drives, sum, lower, upper, mean, largest);
+    const double unit = parameter < 3 ? 1e3 : radians_to_degrees(1e3), root = unit / std::sqrt(std::max(1.0, freedom));
+    std::printf(
+        "  %-5s: %3zu of %zu drives, chi-square %.1f (%.1f to %.1f), mean %+.2f, largest %.2f sigma; rms error %.2f, "
+        "rms sigma %.2f %s\n",
+        kParameterNames[parameter].data(), count, drives, sum, lower, upper, mean, largest, root * std::sqrt(errors2),
+        root * std::sqrt(sigmas2), parameter < 3 ? "mm" : "mdeg");
     if (!observed[parameter]) {
       EXPECT_EQ(count, 0U) << kParameterNames[parameter] << " cannot be observed and has a sigma";
       continue;
