@@ -64,6 +64,7 @@ CalibrationResult calibrate(const Drives& drives) {
 
 // Quantile of chi-square by Wilson and Hilferty; within 0.3% from ten degrees of freedom on.
 double chi2_quantile(double freedom, double normal_quantile) {
+  if (!(freedom > 0.0)) return 0.0;
   const double spread = 2.0 / (9.0 * freedom);
   return freedom * std::pow(1.0 - spread + normal_quantile * std::sqrt(spread), 3.0);
 }
