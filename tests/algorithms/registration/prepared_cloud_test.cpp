@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
+#include "algorithms/geometry/rotation.h"
 #include "tests/algorithms/support/room.h"
 
 namespace remount {
@@ -54,6 +57,31 @@ TEST(prepared_cloud, normals_are_unit_length_face_the_sensor_and_are_those_of_th
     if (cloud.normal(i).cwiseAbs().maxCoeff() > 0.99f) ++on_walls;
   }
   EXPECT_GT(on_walls, cloud.size() * 7 / 10) << "of " << cloud.size();
+}
+
+// Rings on level ground, as far apart as a sparse sensor's, with noise of range.
+PointCloud rings_on_the_ground(const std::vector<double>& radii_m) {
+  constexpr double kHeight_m = 2.0, kNoise_m = 0.03, kStep_rad = 0.006;
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0.0, kNoise_m);
+  PointCloud cloud;
+  for (const double radius_m : radii_m)
+    for (double azimuth_rad = 0.0; azimuth_rad < 2.0 * kPi; azimuth_rad += kStep_rad) {
+      const Eigen::Vector3d hit(radius_m * std::cos(azimuth_rad), radius_m * std::sin(azimuth_rad), -kHeight_m);
+      cloud.points.push_back((hit + noise(random) * hit.normalized()).cast<float>());
+    }
+  return cloud;
+}
+
+TEST(prepared_cloud, one_ring_is_no_surface_and_two_are_the_ground) {
+  // Its second direction is the noise along the rays, so a plane through it would lean with them.
+  EXPECT_EQ(PreparedCloud(rings_on_the_ground({12.0}), {}).size(), 0U);
+  const PreparedCloud ground(rings_on_the_ground({12.0, 13.0}), {});
+  ASSERT_GT(ground.size(), 300U);
+  double steepest_rad = 0.0;
+  for (std::size_t i = 0; i < ground.size(); ++i)
+    steepest_rad = std::max(steepest_rad, std::acos(std::min(1.0, static_cast<double>(ground.normal(i).z()))));
+  EXPECT_LT(radians_to_degrees(steepest_rad), 3.0);
 }
 
 TEST(prepared_cloud, keeps_the_range_limits_and_leaves_out_moving_points) {
