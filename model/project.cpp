@@ -254,6 +254,20 @@ Project load_project(const std::filesystem::path& path) {
   return project;
 }
 
+std::filesystem::path relocated(const std::filesystem::path& missing, const std::filesystem::path& from,
+                                const std::filesystem::path& to) {
+  std::filesystem::path old_root = from.lexically_normal(), new_root = to.lexically_normal();
+  while (old_root.has_filename() && old_root.filename() == new_root.filename()) {
+    old_root = old_root.parent_path();
+    new_root = new_root.parent_path();
+  }
+  const std::filesystem::path rest = missing.lexically_normal().lexically_relative(old_root);
+  if (rest.empty() || *rest.begin() == "..") return {};
+  const std::filesystem::path there = new_root / rest;
+  std::error_code none;
+  return std::filesystem::exists(there, none) ? there : std::filesystem::path();
+}
+
 ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs) {
   ResultFile file;
   file.result = output.result;

@@ -59,6 +59,12 @@ void save_project(const Project& project, const std::filesystem::path& path);
 /// read, Error(Format) with file and line where it is no project, of a later version, or damaged.
 Project load_project(const std::filesystem::path& path);
 
+/// Where `missing` must lie when what was at `from` lies at `to` now and both were moved with a folder above them;
+/// empty where that folder is not above `missing`, or nothing lies there. Data that were moved together are asked for
+/// once.
+std::filesystem::path relocated(const std::filesystem::path& missing, const std::filesystem::path& from,
+                                const std::filesystem::path& to);
+
 /// The result of a run as a file holds it: with pairs, warnings of the findings, settings and nominal.
 ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs);
 

@@ -1,6 +1,7 @@
 // remount [SESSION…]: the window.
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QStandardPaths>
 #include <QTimer>
 #include <iostream>
 #include <string_view>
@@ -49,6 +50,7 @@ int main(int argc, char** argv) {
   remount::Workbench workbench(remount::model_engine());
   remount::MainWindow window(workbench);
   window.show();
+  window.keep_work_in(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
   const QStringList paths = parser.positionalArguments();
   QTimer::singleShot(0, &window, [&] {
     if (parser.isSet(sample)) window.open_sample();

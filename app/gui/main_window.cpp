@@ -18,6 +18,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "app/gui/project_keeper.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
@@ -53,6 +54,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
   make_docks();
   progress_ = new ProgressStrip(this);
   statusBar()->addWidget(progress_, 1);
+  keeper_ = new ProjectKeeper(workbench_, *this);
   make_file_menu();
   make_edit_menu();
   make_review_menu();
@@ -201,6 +203,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue("window/state", saveState(kLayoutVersion));
   }
   workbench_.jobs().cancel_all();
+  keeper_->finish();
   QMainWindow::closeEvent(event);
 }
 

@@ -24,6 +24,7 @@ class PairsPanel;
 class PairTableModel;
 class PairView;
 class ProgressStrip;
+class ProjectKeeper;
 class RangePanel;
 class ResultPanel;
 class SessionListModel;
@@ -38,6 +39,8 @@ class MainWindow : public QMainWindow {
 
   void open_paths(const QStringList& paths);  ///< sessions and projects
   void open_sample();
+  /// Keeps unsaved work in a folder of the user's and offers what a crashed window left there.
+  void keep_work_in(const QString& data_folder);
   /// Where the bundled sample session lies; empty where it is not installed.
   static QString sample_path();
 
@@ -107,6 +110,7 @@ class MainWindow : public QMainWindow {
   ResultPanel* result_ = nullptr;
   LogPanel* log_ = nullptr;
   ProgressStrip* progress_ = nullptr;
+  ProjectKeeper* keeper_ = nullptr;
   OptionsDialog* options_ = nullptr;
   QDockWidget *pairs_dock_ = nullptr, *candidates_dock_ = nullptr, *log_dock_ = nullptr, *setup_dock_ = nullptr,
               *result_dock_ = nullptr;

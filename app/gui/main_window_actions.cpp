@@ -12,6 +12,7 @@
 
 #include "algorithms/core/error.h"
 #include "app/gui/main_window.h"
+#include "app/gui/project_keeper.h"
 #include "app/gui/result_files.h"
 #include "app/gui/wording.h"
 #include "model/session_frames.h"
@@ -24,6 +25,11 @@
 #include "widgets/panels/result_panel.h"
 
 namespace remount {
+namespace {
+
+bool is_project(const QString& path) { return path.endsWith(QLatin1String(".remount")); }
+
+}  // namespace
 
 QAction* MainWindow::add_action(QMenu& menu, const QString& text, const QKeySequence& key,
                                 const std::function<void()>& act) {
@@ -39,6 +45,11 @@ void MainWindow::make_file_menu() {
   add_action(menu, tr("Open session &file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
   menu.addSeparator();
   add_action(menu, tr("Open &project…"), tr("Ctrl+P"), [this] { open_project(); });
+  QMenu* recent = menu.addMenu(tr("Open &recent"));
+  recent->setToolTipsVisible(true);
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { keeper_->fill_recent_menu(*recent); });
+  connect(keeper_, &ProjectKeeper::open_requested, this, &MainWindow::open_paths);
+  menu.addSeparator();
   add_action(menu, tr("&Save project"), QKeySequence::Save, [this] { save_project(false); });
   add_action(menu, tr("Save project &as…"), QKeySequence::SaveAs, [this] { save_project(true); });
   menu.addSeparator();
@@ -125,7 +136,7 @@ void MainWindow::open_sample() {
 void MainWindow::open_paths(const QStringList& paths) {
   QStringList sessions;
   for (const QString& path : paths) {
-    if (path.endsWith(QLatin1String(".remount")))
+    if (is_project(path))
       workbench_.open_project(path);
     else
       sessions << path;

@@ -5,6 +5,7 @@
 #include <QMessageBox>
 
 #include "app/gui/main_window.h"
+#include "app/gui/project_keeper.h"
 
 namespace remount {
 namespace {
@@ -30,13 +31,21 @@ void MainWindow::show_project() {
   const QString path = workbench_.project_path();
   setWindowTitle((path.isEmpty() ? QString() : QFileInfo(path).completeBaseName() + QStringLiteral("[*] – ")) +
                  tr("Remount"));
-  setWindowModified(!path.isEmpty() && workbench_.has_unsaved_decisions());
+  setWindowModified(!path.isEmpty() && workbench_.unsaved());
 }
 
+void MainWindow::keep_work_in(const QString& data_folder) { keeper_->keep_in(data_folder); }
+
 bool MainWindow::may_close() {
-  if (!workbench_.has_unsaved_decisions()) return true;
+  if (!workbench_.has_unsaved_work()) return true;
+  QStringList unsaved;
+  if (workbench_.output()) unsaved << tr("the result of the calibration");
+  if (const int decisions = workbench_.decision_count(); decisions > 0)
+    unsaved << tr("%n decision(s) about pairs", nullptr, decisions);
   const auto answer = QMessageBox::question(
-      this, tr("Decisions are not saved"), tr("Save your decisions about pairs as a project before closing?"),
+      this, tr("Work is not saved"),
+      unsaved.isEmpty() ? tr("Save your changes to the project before closing?")
+                        : tr("Save your work as a project before closing? Not saved: %1.").arg(unsaved.join(", ")),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
   // Closes once the file is known to be whole; a failure keeps the window open and says why.

@@ -88,6 +88,7 @@ void Workbench::say_several_failed(const std::vector<JobFailure>& failures) {
 }
 
 void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
+  const std::size_t count_before = sessions_.size();
   for (auto& session : sessions) {
     const QString path = QString::fromStdString(session->path.string());
     const bool known = std::any_of(sessions_.begin(), sessions_.end(),
@@ -109,10 +110,12 @@ void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> session
       apply_nominal(session->nominal_ins_from_lidar);
       emit message(Severity::Note, path, tr("its nominal mounting is used"));
     }
+    emit session_opened(path);
     sessions_.push_back(std::move(session));
   }
   emit sessions_changed();
   emit state_changed();
+  if (sessions_.size() != count_before) mark_edited();
 }
 
 void Workbench::remove_session(int session) {
@@ -127,6 +130,7 @@ void Workbench::remove_session(int session) {
   emit sessions_changed();
   emit output_changed();
   emit state_changed();
+  mark_edited();
 }
 
 void Workbench::calibrate() {
@@ -182,6 +186,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   selected_ = -1;
   select_pair(output_->pairs.empty() ? -1 : 0);
   hash_input_files();
+  mark_edited();
 }
 
 void Workbench::hash_input_files() {
@@ -193,7 +198,9 @@ void Workbench::hash_input_files() {
         std::vector<InputFile> files = hash_inputs(sessions, 1, progress);
         const bool whole = !progress.cancelled();
         return [this, job, whole, files = std::move(files)] {
-          if (whole && *job == hash_job_) input_files_ = files;
+          if (!whole || *job != hash_job_) return;
+          input_files_ = files;
+          mark_edited();
         };
       },
       report_failure());
@@ -255,6 +262,7 @@ void Workbench::reset_settings() {
 void Workbench::apply_settings(const Settings& settings) {
   settings_ = settings;
   emit settings_changed();
+  mark_edited();
   if (!output_) return;
   // An option that only a whole calibration obeys needs no new solution; one under way may hold an earlier edit.
   const bool solvable = solving() || !changes_since(basis_of(run_input_), basis_of(input_of_next_solve())).empty();
@@ -274,6 +282,7 @@ void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lida
   nominal_ins_from_lidar_ = ins_from_lidar;
   emit nominal_changed();
   emit state_changed();
+  mark_edited();
 }
 
 void Workbench::mark_exported() {

@@ -29,6 +29,24 @@ struct PairDecision {
   std::string reason;
 };
 
+/// What the user works on at a moment, as it is saved: a value that a worker may write to a file.
+struct ProjectSnapshot {
+  Project project;   ///< without its output
+  OutputPtr output;  ///< null before the first calibration
+  int revision = 0;  ///< of the workbench
+};
+/// Writes it; throws Error(Io). Nothing of it is copied on the thread that took the snapshot.
+void write_snapshot(ProjectSnapshot snapshot, const QString& path);
+
+/// A project that is to be opened, and how.
+struct ProjectToOpen {
+  QString path;
+  bool recovered = false;  ///< an autosave: what is opened belongs to `belongs_to` and is not saved yet
+  QString belongs_to;      ///< of an autosave: the project's own path; empty where it never had one
+  std::map<std::string, std::filesystem::path> moved;  ///< sessions that lie elsewhere now, by the path in the file
+  bool without_missing = false;                        ///< sessions that are nowhere are left out
+};
+
 class Workbench : public QObject {
   Q_OBJECT
  public:
@@ -76,12 +94,20 @@ class Workbench : public QObject {
   void apply_nominal(const std::optional<RigidTransform>& ins_from_lidar);
   void apply_decisions(const std::vector<PairDecision>& decisions);
 
-  /// Reads a project and its sessions in the background and replaces what is there.
-  void open_project(const QString& path);
+  /// Reads a project and its sessions in the background and replaces what is there. Where sessions are not where the
+  /// file says, nothing is replaced and sessions_missing asks for them.
+  void open_project(const QString& path) { open_project(ProjectToOpen{path, {}, {}, {}, {}}); }
+  void open_project(const ProjectToOpen& request);
   /// `saved` is called once the file is whole; a failure becomes a message.
   void save_project(const QString& path, std::function<void()> saved = {});
   const QString& project_path() const { return project_path_; }  ///< empty where it has not been saved
-  bool has_unsaved_decisions() const { return unsaved_ && !decisions_.empty(); }
+  bool has_unsaved_decisions() const { return unsaved() && !decisions_.empty(); }
+  /// Edits, decisions or results that no project file has, of a project that has a file or a result.
+  bool has_unsaved_work() const { return unsaved() && (output_ || !project_path_.isEmpty()); }
+  bool unsaved() const { return revision_ != saved_revision_; }
+  int revision() const { return revision_; }  ///< goes up with every edit
+  int decision_count() const { return static_cast<int>(decisions_.size()); }
+  ProjectSnapshot snapshot() const;
   /// Replaces everything; the project's sessions are given opened, its paths are not used.
   void restore(std::vector<std::shared_ptr<const Session>> sessions, const Project& project, OutputPtr output);
   JobRunner& jobs() { return jobs_; }
@@ -89,6 +115,11 @@ class Workbench : public QObject {
  signals:
   void sessions_changed();
   void project_changed();  ///< its path, or whether it is saved
+  void project_saved(const QString& path);
+  void project_opened(const remount::ProjectToOpen& request);
+  /// Ask for them and open again, with `moved` or `without_missing` filled in.
+  void sessions_missing(const remount::ProjectToOpen& request, const QStringList& paths);
+  void session_opened(const QString& path);
   void settings_changed();
   void nominal_changed();
   void output_changed();
@@ -119,7 +150,9 @@ class Workbench : public QObject {
   void compare_input_files();
   /// The pairs as they are, with the present search range and solution options.
   PipelineInput input_of_next_solve() const;
-  void set_project(const QString& path, bool unsaved);
+  void set_project(const QString& path, int saved_revision);
+  void mark_edited();
+  void take_project(const ProjectToOpen& request, struct OpenedProject& opened);
   JobRunner::Failed report_failure();
 
   Engine engine_;
@@ -133,7 +166,8 @@ class Workbench : public QObject {
   int selected_ = -1;
   int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0;
   bool data_changed_ = false;  // the files on disk are not those that output_ was made from
-  bool exported_ = false, unsaved_ = false;
+  bool exported_ = false;
+  int revision_ = 0, saved_revision_ = 0;
   QString stage_, project_path_;
   QUndoStack undo_;
   JobRunner jobs_;  // last: its threads end before anything they report to is gone

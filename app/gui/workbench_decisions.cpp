@@ -91,8 +91,8 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions) {
       decisions_.erase(key);
   }
   output_ = std::move(changed);
-  set_project(project_path_, true);
   emit output_changed();
+  mark_edited();
   start_solve();
 }
 
@@ -113,6 +113,7 @@ void Workbench::start_solve() {
           run_input_.settings = settings;
           exported_ = false;
           emit output_changed();
+          mark_edited();
         };
       },
       report_failure());

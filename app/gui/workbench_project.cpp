@@ -7,74 +7,128 @@
 
 namespace remount {
 
-void Workbench::set_project(const QString& path, bool unsaved) {
+/// Everything that a worker found out about a project's file.
+struct OpenedProject {
+  Project project;  // its sessions as they were found, its output apart
+  std::vector<std::shared_ptr<const Session>> sessions;
+  std::vector<JobFailure> failures;
+  QStringList missing;
+  OutputPtr output;
+};
+
+namespace {
+
+void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
+  std::error_code none;
+  for (auto& path : opened.project.sessions) {
+    if (progress.cancelled()) return;
+    const auto moved = request.moved.find(path.string());
+    const std::filesystem::path found = moved == request.moved.end() ? path : moved->second;
+    try {
+      opened.sessions.push_back(std::make_shared<const Session>(engine.open(found, progress)));
+      path = found;
+    } catch (const Error& error) {
+      if (!std::filesystem::exists(found, none) && !request.without_missing)
+        opened.missing << QString::fromStdString(path.string());
+      else
+        opened.failures.push_back(
+            {QString::fromStdString(error.where().empty() ? found.string() : error.where()),
+             Workbench::tr(
+                 "%1\nThe project is opened without this session and without its pairs. Its file is left as it "
+                 "is: saving asks for another name.")
+                 .arg(QString::fromStdString(error.what_happened()))});
+    }
+  }
+}
+
+}  // namespace
+
+void write_snapshot(ProjectSnapshot snapshot, const QString& path) {
+  if (snapshot.output) {
+    snapshot.project.verdicts = verdicts_of(*snapshot.output);
+    snapshot.project.output = *snapshot.output;
+  }
+  save_project(snapshot.project, path.toStdString());
+}
+
+ProjectSnapshot Workbench::snapshot() const {
+  ProjectSnapshot snapshot;
+  for (const auto& session : sessions_) snapshot.project.sessions.push_back(session->path);
+  snapshot.project.settings = settings_;
+  snapshot.project.nominal_ins_from_lidar = nominal_ins_from_lidar_;
+  if (output_) snapshot.project.basis = basis_of(run_input_);
+  snapshot.project.inputs = input_files_;
+  snapshot.output = output_;
+  snapshot.revision = revision_;
+  return snapshot;
+}
+
+void Workbench::set_project(const QString& path, int saved_revision) {
   project_path_ = path;
-  unsaved_ = unsaved;
+  saved_revision_ = saved_revision;
+  emit project_changed();
+}
+
+void Workbench::mark_edited() {
+  ++revision_;
   emit project_changed();
 }
 
 void Workbench::save_project(const QString& path, std::function<void()> done) {
-  Project project;
-  for (const auto& session : sessions_) project.sessions.push_back(session->path);
-  project.settings = settings_;
-  project.nominal_ins_from_lidar = nominal_ins_from_lidar_;
-  if (output_) {
-    project.verdicts = verdicts_of(*output_);
-    project.output = *output_;
-    project.basis = basis_of(run_input_);
-  }
-  project.inputs = input_files_;
-  const OutputPtr saved = output_;
   jobs_.start(
-      [this, path, saved, done, project = std::move(project)](Progress&) -> JobRunner::Deliver {
-        remount::save_project(project, path.toStdString());
-        return [this, path, saved, done] {
-          set_project(path, saved != output_);
+      [this, path, done, snapshot = snapshot()](Progress&) -> JobRunner::Deliver {
+        const int revision = snapshot.revision;
+        write_snapshot(snapshot, path);
+        return [this, path, revision, done] {
+          set_project(path, revision);
           emit message(Severity::Note, path, tr("project saved"));
-          if (done && !unsaved_) done();
+          emit project_saved(path);
+          if (done && !unsaved()) done();
         };
       },
       report_failure());
 }
 
-void Workbench::open_project(const QString& path) {
+void Workbench::open_project(const ProjectToOpen& request) {
   if (opening() || calibrating()) {
     emit message(Severity::Warning, {},
                  tr("Wait until the present work is done, or cancel it, before opening a project."));
     return;
   }
   open_job_ = jobs_.start(
-      [this, path, open = engine_.open](Progress& progress) -> JobRunner::Deliver {
-        Project project = load_project(path.toStdString());
-        std::vector<std::shared_ptr<const Session>> sessions;
-        std::vector<JobFailure> failures;
-        for (const auto& session : project.sessions) {
-          try {
-            sessions.push_back(std::make_shared<const Session>(open(session, progress)));
-          } catch (const Error& error) {
-            failures.push_back({QString::fromStdString(error.where().empty() ? session.string() : error.where()),
-                                tr("%1\nThe project is opened without this session and without its pairs.")
-                                    .arg(QString::fromStdString(error.what_happened()))});
-          }
-        }
+      [this, request, engine = engine_](Progress& progress) -> JobRunner::Deliver {
+        auto opened = std::make_shared<OpenedProject>();
+        opened->project = load_project(request.path.toStdString());
+        open_sessions(request, *opened, engine, progress);
         if (progress.cancelled()) return {};
-        OutputPtr output;
-        if (project.output && failures.empty())
-          output = std::make_shared<const PipelineOutput>(std::move(*project.output));
-        project.output.reset();
-        return [this, path, sessions, failures, output, project = std::move(project)] {
-          restore(sessions, project, output);
-          set_project(path, false);
-          if (const QStringList changes = changes_since_output(); !changes.isEmpty())
-            emit message(Severity::Warning, path,
-                         tr("holds a result that was made with other settings than it holds now: %1.\n"
-                            "Calibrate again (F5).")
-                             .arg(changes.join(QStringLiteral("; "))));
-          for (const JobFailure& failure : failures) emit message(Severity::Problem, failure.where, failure.what);
-        };
+        if (opened->project.output && opened->failures.empty())
+          opened->output = std::make_shared<const PipelineOutput>(std::move(*opened->project.output));
+        opened->project.output.reset();
+        return [this, request, opened] { take_project(request, *opened); };
       },
       report_failure());
   emit state_changed();
+}
+
+void Workbench::take_project(const ProjectToOpen& request, OpenedProject& opened) {
+  if (!opened.missing.isEmpty()) {
+    emit sessions_missing(request, opened.missing);
+    return;
+  }
+  restore(opened.sessions, opened.project, opened.output);
+  // What could not be opened in full must not replace the file that has it in full.
+  const bool whole = opened.failures.empty();
+  const QString own_path = request.recovered ? request.belongs_to : request.path;
+  const bool as_saved = whole && !request.recovered && request.moved.empty();
+  ++revision_;
+  set_project(whole ? own_path : QString(), as_saved ? revision_ : revision_ - 1);
+  emit project_opened(request);
+  if (const QStringList changes = changes_since_output(); !changes.isEmpty())
+    emit message(Severity::Warning, request.path,
+                 tr("holds a result that was made with other settings than it holds now: %1.\n"
+                    "Calibrate again (F5).")
+                     .arg(changes.join(QStringLiteral("; "))));
+  for (const JobFailure& failure : opened.failures) emit message(Severity::Problem, failure.where, failure.what);
 }
 
 void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, const Project& project,

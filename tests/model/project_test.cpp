@@ -132,6 +132,16 @@ TEST_F(project, verdicts_find_their_pairs_by_stamps) {
   EXPECT_EQ(verdicts_of(output)[0].reason, "a lorry");
 }
 
+TEST_F(project, what_was_moved_together_is_found_together) {
+  const std::filesystem::path old_place = "/gone/2026/drives", now = folder_ / "disk" / "2026" / "drives";
+  std::filesystem::create_directories(now / "one");
+  std::filesystem::create_directories(now / "two");
+  EXPECT_EQ(relocated(old_place / "two", old_place / "one", now / "one"), now / "two");
+  EXPECT_EQ(relocated(old_place / "three", old_place / "one", now / "one"), "") << "nothing lies there";
+  EXPECT_EQ(relocated("/elsewhere/two", old_place / "one", now / "one"), "") << "it was not below the moved folder";
+  EXPECT_EQ(relocated(old_place / "two", old_place / "one", folder_ / "renamed"), "");
+}
+
 TEST_F(project, says_what_is_wrong_and_where) {
   EXPECT_NE(error_of("format: remount-project/2\n").find("bad.remount:1: format: is \"remount-project/2\""),
             std::string::npos)

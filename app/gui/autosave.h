@@ -1,0 +1,47 @@
+// Keeps unsaved work on disk: right after each edit, and again every minute until that has succeeded.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <vector>
+
+#include "app/gui/job_runner.h"
+#include "app/gui/recovery.h"
+#include "app/gui/workbench.h"
+
+namespace remount {
+
+class Autosave : public QObject {
+  Q_OBJECT
+ public:
+  Autosave(Workbench& workbench, const QString& data_folder, QObject* parent = nullptr);
+  ~Autosave() override;
+
+  /// Opens what a crashed window left. Its files are removed once this window has saved them for itself.
+  void restore(const RecoveryOffer& offer, const AutosaveGeneration& generation);
+  /// The window closes, and the user has decided what becomes of unsaved work.
+  void finish();
+  bool writing() const { return job_ != 0; }
+  int saved_revision() const { return saved_revision_; }  ///< what is safe, in a project or an autosave
+
+ signals:
+  void saved(const QString& path);
+  void failed(const QString& where, const QString& what);  ///< once until it succeeds again
+
+ private:
+  void look();
+  void write();
+  void written(const QString& path, const AutosaveSummary& summary, int revision);
+  void could_not(const JobFailure& failure);
+  AutosaveSummary summary() const;
+
+  Workbench& workbench_;
+  std::unique_ptr<RecoveryNotes> notes_;  // null where there is no place for them
+  std::vector<RecoveryOffer> restoring_, restored_;
+  QTimer soon_, again_;
+  int job_ = 0, saved_revision_ = 0;
+  bool finished_ = false, in_notes_ = false, complained_ = false;
+  std::unique_ptr<JobRunner> jobs_ = std::make_unique<JobRunner>();
+};
+
+}  // namespace remount

@@ -1,0 +1,118 @@
+#include "app/gui/project_keeper.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMenu>
+
+#include "widgets/panels/missing_sessions_dialog.h"
+#include "widgets/panels/recovery_dialog.h"
+
+namespace remount {
+
+ProjectKeeper::ProjectKeeper(Workbench& workbench, QWidget& window)
+    : QObject(&window), workbench_(workbench), window_(window) {
+  connect(&workbench_, &Workbench::session_opened, this, [this](const QString& path) { recent_.add(path); });
+  connect(&workbench_, &Workbench::project_saved, this, [this](const QString& path) { recent_.add(path); });
+  connect(&workbench_, &Workbench::project_opened, this, [this](const ProjectToOpen& request) {
+    if (!request.recovered) recent_.add(request.path);
+  });
+  connect(&workbench_, &Workbench::sessions_missing, this, &ProjectKeeper::ask_for_sessions);
+}
+
+void ProjectKeeper::keep_in(const QString& data_folder) {
+  const std::vector<RecoveryOffer> offers = find_recoveries(data_folder);
+  autosave_ = std::make_unique<Autosave>(workbench_, data_folder);
+  connect(autosave_.get(), &Autosave::failed, this, [this](const QString& where, const QString& what) {
+    workbench_.say(Severity::Warning, where, tr("Unsaved work cannot be kept safe automatically: %1").arg(what));
+  });
+  if (!offers.empty()) offer(offers);
+}
+
+void ProjectKeeper::finish() {
+  if (autosave_) autosave_->finish();
+}
+
+RecoveryEntry describe(const RecoveryOffer& offer, const QDateTime& now) {
+  RecoveryEntry entry;
+  const AutosaveSummary& summary = offer.summary;
+  entry.title = summary.project_path.isEmpty() ? ProjectKeeper::tr("Never saved as a project") : summary.project_path;
+  QStringList names;
+  for (const QString& session : summary.sessions) names << QFileInfo(session).fileName();
+  QStringList parts;
+  parts << (names.isEmpty() ? ProjectKeeper::tr("no sessions")
+                            : ProjectKeeper::tr("Sessions: %1").arg(names.join(", ")));
+  if (summary.pairs > 0) parts << ProjectKeeper::tr("a calibration with %n pair(s)", nullptr, summary.pairs);
+  if (summary.decisions > 0) parts << ProjectKeeper::tr("%n decision(s) of yours", nullptr, summary.decisions);
+  entry.contents = parts.join(QStringLiteral("; ")) + '.';
+  for (const AutosaveGeneration& generation : offer.generations)
+    entry.generations << ProjectKeeper::tr("saved %1 (%2)")
+                             .arg(age_text(generation.saved, now),
+                                  QLocale().toString(generation.saved.toLocalTime().time(), QLocale::ShortFormat));
+  return entry;
+}
+
+void ProjectKeeper::offer(const std::vector<RecoveryOffer>& offers) {
+  std::vector<RecoveryEntry> entries;
+  for (const RecoveryOffer& found : offers) entries.push_back(describe(found, QDateTime::currentDateTimeUtc()));
+  auto* dialog = new RecoveryDialog(entries, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &RecoveryDialog::restore_requested, this, [this, offers](int entry, int generation) {
+    const RecoveryOffer& chosen = offers.at(static_cast<std::size_t>(entry));
+    autosave_->restore(chosen, chosen.generations.at(static_cast<std::size_t>(generation)));
+  });
+  connect(dialog, &RecoveryDialog::discard_requested, this,
+          [offers](int entry) { discard(offers.at(static_cast<std::size_t>(entry))); });
+  dialog->open();
+}
+
+void ProjectKeeper::ask_for_sessions(const ProjectToOpen& request, const QStringList& missing) {
+  auto* dialog = new MissingSessionsDialog(QFileInfo(request.recovered ? request.belongs_to : request.path).fileName(),
+                                           missing, &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &MissingSessionsDialog::locate_requested, this,
+          [this, dialog, missing](int row) { locate(*dialog, missing, row); });
+  connect(dialog, &MissingSessionsDialog::open_requested, this, [this, dialog, request, missing](bool without) {
+    ProjectToOpen again = request;
+    again.without_missing = without;
+    for (qsizetype i = 0; i < missing.size(); ++i)
+      if (const QString found = dialog->found().at(i); !found.isEmpty())
+        again.moved[missing.at(i).toStdString()] = found.toStdString();
+    workbench_.open_project(again);
+  });
+  dialog->open();
+}
+
+void ProjectKeeper::locate(MissingSessionsDialog& dialog, const QStringList& missing, int row) {
+  if (row < 0) return;
+  const QString was = missing.at(row);
+  const QString title = tr("Where is %1 now?").arg(QFileInfo(was).fileName());
+  const QString path = QFileInfo(was).suffix().isEmpty() ? QFileDialog::getExistingDirectory(&dialog, title)
+                                                         : QFileDialog::getOpenFileName(&dialog, title);
+  if (path.isEmpty()) return;
+  dialog.show_found(row, path);
+  for (int other = 0; other < missing.size(); ++other) {
+    if (!dialog.found().at(other).isEmpty()) continue;
+    const std::filesystem::path there =
+        relocated(missing.at(other).toStdString(), was.toStdString(), path.toStdString());
+    if (!there.empty()) dialog.show_found(other, QString::fromStdString(there.string()));
+  }
+}
+
+void ProjectKeeper::fill_recent_menu(QMenu& menu) {
+  menu.clear();
+  const QStringList paths = recent_.paths(), labels = recent_.labels();
+  for (qsizetype i = 0; i < paths.size(); ++i) {
+    QAction* action = menu.addAction(QString(labels.at(i)).replace('&', "&&"));
+    action->setToolTip(paths.at(i));
+    connect(action, &QAction::triggered, this, [this, path = paths.at(i)] { emit open_requested({path}); });
+  }
+  if (paths.isEmpty()) {
+    menu.addAction(tr("Nothing opened yet"))->setEnabled(false);
+    return;
+  }
+  menu.addSeparator();
+  connect(menu.addAction(tr("Forget these")), &QAction::triggered, this, [this] { recent_.clear(); });
+}
+
+}  // namespace remount

@@ -1,0 +1,340 @@
+// Nothing is lost: autosave, a process that is killed, recovery, sessions that were moved.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <QCoreApplication>
+#include <QDirIterator>
+#include <QLabel>
+#include <QMenu>
+#include <QProcess>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <QTreeWidget>
+#include <fstream>
+
+#include "algorithms/core/error.h"
+#include "app/gui/project_keeper.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/missing_sessions_dialog.h"
+#include "widgets/panels/recovery_dialog.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+using testing::kTruth;
+
+constexpr const char* kChildFolder = "REMOUNT_RECOVERY_CHILD";
+
+/// A base, so that it outlives the window that keeps its work there.
+struct DataFolder {
+  QTemporaryDir folder_;
+};
+
+class recovery : protected DataFolder, public testing::WindowFixture {
+ protected:
+  Autosave& autosave() { return *window_.findChild<ProjectKeeper*>()->autosave(); }
+  bool safe() {
+    return QTest::qWaitFor(
+        [&] { return !autosave().writing() && autosave().saved_revision() == workbench_.revision(); }, kPatience_ms);
+  }
+  QStringList files_in(const QString& folder, const QString& pattern) const {
+    QStringList files;
+    QDirIterator found(folder, {pattern}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+    while (found.hasNext()) files << found.next();
+    return files;
+  }
+  /// Runs recovery_child in a process of its own until it says that it is ready, and kills it.
+  void kill_a_process_that_decides(const QString& project);
+};
+
+/// Not a test by itself: what the process does that the tests below kill.
+TEST_F(recovery, child_decides_and_waits_to_be_killed) {
+  const QString data = qEnvironmentVariable(kChildFolder);
+  if (data.isEmpty()) GTEST_SKIP() << "started by the other tests";
+  window_.keep_work_in(data);
+  show();
+  calibrate_drive();
+  if (const QString project = qEnvironmentVariable("REMOUNT_RECOVERY_PROJECT"); !project.isEmpty()) {
+    workbench_.save_project(project);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == project; }, kPatience_ms));
+  }
+  workbench_.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  workbench_.decide({5, 6}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(safe());
+  std::fputs("ready\n", stdout);
+  std::fflush(stdout);
+  QTest::qWait(60000);
+}
+
+void recovery::kill_a_process_that_decides(const QString& project) {
+  QProcess child;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert(kChildFolder, folder_.path());
+  environment.insert("REMOUNT_RECOVERY_PROJECT", project);
+  environment.insert("QT_QPA_PLATFORM", "offscreen");
+  child.setProcessEnvironment(environment);
+  child.start(QCoreApplication::applicationFilePath(),
+              {"--gtest_filter=recovery.child_decides_and_waits_to_be_killed"});
+  ASSERT_TRUE(child.waitForStarted(kPatience_ms));
+  QByteArray said;
+  for (int i = 0; i < 100 && !said.contains("ready"); ++i) {
+    child.waitForReadyRead(300);
+    said += child.readAllStandardOutput();
+  }
+  ASSERT_TRUE(said.contains("ready")) << said.toStdString();
+  EXPECT_TRUE(find_recoveries(folder_.path()).empty()) << "its window is open";
+  ASSERT_EQ(::kill(static_cast<pid_t>(child.processId()), SIGKILL), 0);
+  ASSERT_TRUE(child.waitForFinished(kPatience_ms));
+  EXPECT_EQ(child.exitStatus(), QProcess::CrashExit);
+}
+
+TEST_F(recovery, a_killed_process_loses_nothing_that_was_never_saved) {
+  kill_a_process_that_decides({});
+  if (HasFatalFailure()) return;
+  show();
+  window_.keep_work_in(folder_.path());
+  auto* dialog = window_.findChild<RecoveryDialog*>();
+  ASSERT_TRUE(dialog) << "the next start offers it";
+  QString text;
+  for (const QLabel* label : dialog->findChildren<QLabel*>()) text += label->text();
+  EXPECT_TRUE(text.contains("drive1") && text.contains("50 pair") && text.contains("2 decision")) << text.toStdString();
+  photograph(*dialog, "14-recovery");
+  emit dialog->restore_requested(0, 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.output() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(settle());
+  for (int index : {5, 6}) {
+    EXPECT_EQ(pair(index).state, PairState::Rejected);
+    EXPECT_EQ(pair(index).decided_by, DecidedBy::User);
+  }
+  EXPECT_EQ(workbench_.output()->pairs.size(), 50U);
+  ASSERT_TRUE(workbench_.nominal_ins_from_lidar());
+  EXPECT_EQ(workbench_.nominal_ins_from_lidar()->translation().x(), 1.0);
+  EXPECT_TRUE(workbench_.has_unsaved_work()) << "it is not saved as a project yet";
+  ASSERT_TRUE(safe());
+  EXPECT_TRUE(find_recoveries(folder_.path()).empty()) << "taken over by this window";
+  EXPECT_EQ(files_in(folder_.path(), "*.autosave-*").size(), 1) << "this window's own";
+}
+
+TEST_F(recovery, a_killed_process_loses_no_edit_of_a_saved_project) {
+  const QString project = folder_.filePath("job.remount");
+  kill_a_process_that_decides(project);
+  if (HasFatalFailure()) return;
+  EXPECT_EQ(files_in(folder_.path(), "job.remount.autosave-*").size(), 1) << "beside the project";
+  show();
+  window_.keep_work_in(folder_.path());
+  auto* dialog = window_.findChild<RecoveryDialog*>();
+  ASSERT_TRUE(dialog);
+  emit dialog->restore_requested(0, 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.output() != nullptr; }, kPatience_ms));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.project_path(), project) << "saving replaces the project, not the autosave";
+  EXPECT_TRUE(workbench_.unsaved());
+  EXPECT_EQ(pair(5).state, PairState::Rejected);
+  ASSERT_TRUE(safe());
+  bool saved = false;
+  workbench_.save_project(project, [&] { saved = true; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+  EXPECT_TRUE(files_in(folder_.path(), "*.autosave-*").isEmpty()) << "what is saved needs no autosave";
+  EXPECT_TRUE(find_recoveries(folder_.path()).empty());
+}
+
+TEST_F(recovery, what_is_discarded_is_not_offered_again) {
+  kill_a_process_that_decides({});
+  if (HasFatalFailure()) return;
+  ASSERT_EQ(find_recoveries(folder_.path()).size(), 1U);
+  show();
+  window_.keep_work_in(folder_.path());
+  auto* dialog = window_.findChild<RecoveryDialog*>();
+  ASSERT_TRUE(dialog);
+  for (auto* button : dialog->findChildren<QPushButton*>())
+    if (button->text() == RecoveryDialog::tr("Discard")) button->click();
+  EXPECT_FALSE(dialog->isVisible()) << "nothing is left to decide";
+  EXPECT_TRUE(find_recoveries(folder_.path()).empty());
+  EXPECT_TRUE(files_in(folder_.path(), "*.autosave-*").isEmpty());
+}
+
+TEST_F(recovery, every_edit_is_on_disk_at_once) {
+  window_.keep_work_in(folder_.path());
+  show();
+  calibrate_drive();
+  ASSERT_TRUE(safe());
+  QSignalSpy saved(&autosave(), &Autosave::saved);
+  workbench_.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(safe());
+  ASSERT_FALSE(saved.isEmpty());
+  const Project kept = load_project(saved.last().at(0).toString().toStdString());
+  ASSERT_TRUE(kept.output);
+  EXPECT_EQ(kept.output->pairs.at(5).decided_by, DecidedBy::User);
+  EXPECT_EQ(kept.output->result.ins_from_lidar.matrix(), workbench_.output()->result.ins_from_lidar.matrix());
+  const auto before = saved.count();
+  workbench_.edit_option("registration", "voxel_m", 0.5);
+  ASSERT_TRUE(safe());
+  EXPECT_GT(saved.count(), before);
+}
+
+TEST_F(recovery, a_window_that_is_closed_leaves_nothing_behind) {
+  window_.keep_work_in(folder_.path());
+  show();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(safe());
+  EXPECT_EQ(files_in(folder_.path(), "*.autosave-*").size(), 1);
+  EXPECT_TRUE(window_.close());
+  EXPECT_TRUE(files_in(folder_.path(), "*.autosave-*").isEmpty());
+}
+
+TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsewhere) {
+  const QString project = folder_.filePath("gone/job.remount");
+  QDir(folder_.path()).mkdir("gone");
+  window_.keep_work_in(folder_.path());
+  show();
+  calibrate_drive();
+  workbench_.save_project(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == project; }, kPatience_ms));
+  ASSERT_TRUE(settle());
+  QDir(folder_.filePath("gone")).removeRecursively();  // a disk that was taken out
+  workbench_.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(safe());
+  EXPECT_EQ(files_in(folder_.filePath("recovery"), "*.autosave-*").size(), 1);
+}
+
+TEST(recovery_notes, keep_several_generations) {
+  const QTemporaryDir folder;
+  RecoveryNotes notes(folder.path());
+  for (int i = 0; i < 4; ++i) {
+    const QString path = notes.next_path_in_notes();
+    std::ofstream(path.toStdString()) << "state " << i;
+    notes.note(path, {{}, {"/data/one"}, 3, 1, "ok"});
+  }
+  const QDir own(notes.folder());
+  EXPECT_EQ(own.entryList({"*.autosave-*"}).size(), 1) << "within a minute the newest is replaced";
+}
+
+TEST(recovery_notes, damaged_notes_are_offered_with_what_is_there) {
+  const QTemporaryDir folder;
+  const QDir gone(folder.filePath("recovery/some-window"));
+  gone.mkpath(".");
+  std::ofstream(gone.filePath("note.yaml").toStdString()) << "format: [";
+  std::ofstream(gone.filePath("work.autosave-1").toStdString()) << "newest";
+  std::ofstream(gone.filePath("work.autosave-2").toStdString()) << "older";
+  const auto offers = find_recoveries(folder.path());
+  ASSERT_EQ(offers.size(), 1U);
+  EXPECT_EQ(offers[0].generations.size(), 2U);
+  discard(offers[0]);
+  EXPECT_TRUE(find_recoveries(folder.path()).empty());
+}
+
+TEST(recovery_notes, ages_are_in_words) {
+  const QDateTime now = QDateTime::fromSecsSinceEpoch(1700000000);
+  EXPECT_EQ(age_text(now.addSecs(-5), now), "less than a minute ago");
+  EXPECT_TRUE(age_text(now.addSecs(-200), now).startsWith("3 minute"));
+  EXPECT_TRUE(age_text(now.addSecs(-7300), now).startsWith("2 hour"));
+}
+
+/// Sessions that exist only where a folder of that name does.
+Engine engine_of_folders() {
+  Engine engine = testing::sample_engine();
+  engine.open = [](const std::filesystem::path& path, Progress&) {
+    if (!std::filesystem::exists(path)) throw Error(ErrorCode::Io, path.string(), "is not there");
+    Session session = testing::sample_session(path.filename().string());
+    session.path = path;
+    return session;
+  };
+  return engine;
+}
+
+TEST(moved_sessions, are_asked_for_once_and_remembered) {
+  const QTemporaryDir folder;
+  QDir root(folder.path());
+  root.mkpath("old/drive1");
+  root.mkpath("old/drive2");
+  const QString project = root.filePath("job.remount");
+  Workbench workbench(engine_of_folders());
+  MainWindow window(workbench);
+  const auto settled = [&] {
+    return QTest::qWaitFor([&] { return !workbench.opening() && !workbench.calibrating(); }, kPatience_ms);
+  };
+  window.open_paths({root.filePath("old/drive1"), root.filePath("old/drive2")});
+  ASSERT_TRUE(settled());
+  workbench.calibrate();
+  ASSERT_TRUE(settled());
+  workbench.save_project(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == project; }, kPatience_ms));
+  ASSERT_TRUE(root.rename("old", "new"));
+
+  workbench.open_project(project);
+  ASSERT_TRUE(settled());
+  auto* dialog = window.findChild<MissingSessionsDialog*>();
+  ASSERT_TRUE(dialog) << "it asks where they are";
+  EXPECT_TRUE(workbench.output()) << "nothing is replaced while it is not known";
+  if (const QString pictures = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR"); !pictures.isEmpty())
+    dialog->grab().save(QDir(pictures).filePath("15-missing.png"));
+  dialog->show_found(0, root.filePath("new/drive1"));
+  dialog->show_found(1, QString::fromStdString(relocated(root.filePath("old/drive2").toStdString(),
+                                                         root.filePath("old/drive1").toStdString(),
+                                                         root.filePath("new/drive1").toStdString())
+                                                   .string()));
+  emit dialog->open_requested(false);
+  ASSERT_TRUE(settled());
+  ASSERT_EQ(workbench.sessions().size(), 2U);
+  EXPECT_EQ(QString::fromStdString(workbench.sessions()[1]->path.string()), root.filePath("new/drive2"));
+  EXPECT_TRUE(workbench.output()) << "the calibration belongs to the sessions, wherever they lie";
+  EXPECT_TRUE(workbench.unsaved()) << "the new place is to be saved";
+  bool saved = false;
+  workbench.save_project(project, [&] { saved = true; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+  EXPECT_EQ(load_project(project.toStdString()).sessions.at(1), root.filePath("new/drive2").toStdString());
+}
+
+TEST(moved_sessions, left_out_they_do_not_cost_the_file) {
+  const QTemporaryDir folder;
+  QDir root(folder.path());
+  root.mkpath("drive1");
+  root.mkpath("drive2");
+  const QString project = root.filePath("job.remount");
+  Workbench workbench(engine_of_folders());
+  MainWindow window(workbench);
+  const auto settled = [&] { return QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms); };
+  window.open_paths({root.filePath("drive1"), root.filePath("drive2")});
+  ASSERT_TRUE(settled());
+  workbench.save_project(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == project; }, kPatience_ms));
+  QDir(root.filePath("drive2")).removeRecursively();
+  workbench.open_project(project);
+  ASSERT_TRUE(settled());
+  auto* dialog = window.findChild<MissingSessionsDialog*>();
+  ASSERT_TRUE(dialog);
+  emit dialog->open_requested(true);
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(workbench.sessions().size(), 1U);
+  EXPECT_EQ(workbench.project_path(), "") << "saving must ask for a name: the file still knows both sessions";
+  EXPECT_EQ(load_project(project.toStdString()).sessions.size(), 2U);
+}
+
+TEST(recent_paths, are_offered_newest_first_without_repeats) {
+  Workbench workbench(testing::sample_engine());
+  MainWindow window(workbench);
+  for (const char* name : {"/data/drive1", "/data/drive2"}) {
+    window.open_paths({name});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  }
+  QMenu menu;
+  auto& keeper = *window.findChild<ProjectKeeper*>();
+  keeper.fill_recent_menu(menu);
+  ASSERT_GE(menu.actions().size(), 2);
+  EXPECT_TRUE(menu.actions().at(0)->text().startsWith("drive2"));
+  EXPECT_TRUE(menu.actions().at(1)->text().startsWith("drive1"));
+  QSignalSpy asked(&keeper, &ProjectKeeper::open_requested);
+  menu.actions().at(1)->trigger();
+  ASSERT_EQ(asked.count(), 1);
+  EXPECT_EQ(asked.at(0).at(0).toStringList(), QStringList{"/data/drive1"});
+}
+
+}  // namespace
+}  // namespace remount
