@@ -1,10 +1,29 @@
 #include "app/gui/edit_commands.h"
 
+#include <QCoreApplication>
+#include <algorithm>
+
 namespace remount {
+
+QString undone(const QString& step) {
+  return QCoreApplication::translate("remount::edit_commands", "undo: %1").arg(step);
+}
 
 DecisionCommand::DecisionCommand(Workbench& workbench, const QString& text, std::vector<PairDecision> before,
                                  std::vector<PairDecision> after)
     : QUndoCommand(text), workbench_(workbench), before_(std::move(before)), after_(std::move(after)) {}
+
+bool DecisionCommand::mergeWith(const QUndoCommand* other) {
+  const auto* next = static_cast<const DecisionCommand*>(other);
+  const bool only_why = std::equal(after_.begin(), after_.end(), next->after_.begin(), next->after_.end(),
+                                   [](const PairDecision& a, const PairDecision& b) {
+                                     return a.pair == b.pair && a.state == b.state && a.decided_by == b.decided_by;
+                                   });
+  if (!only_why) return false;
+  after_ = next->after_;
+  setText(next->text());
+  return true;
+}
 
 SettingsCommand::SettingsCommand(Workbench& workbench, const QString& text, const QString& field, const Settings& after)
     : QUndoCommand(text), workbench_(workbench), field_(field), before_(workbench.settings()), after_(after) {}

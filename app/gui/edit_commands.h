@@ -7,12 +7,18 @@
 
 namespace remount {
 
+/// "undo: reject pair 12".
+QString undone(const QString& step);
+
 class DecisionCommand : public QUndoCommand {
  public:
   DecisionCommand(Workbench& workbench, const QString& text, std::vector<PairDecision> before,
                   std::vector<PairDecision> after);
-  void undo() override { workbench_.apply_decisions(before_); }
-  void redo() override { workbench_.apply_decisions(after_); }
+  void undo() override { workbench_.apply_decisions(before_, undone(text())); }
+  void redo() override { workbench_.apply_decisions(after_, text()); }
+  int id() const override { return 3; }
+  /// Saying why right after rejecting is one edit.
+  bool mergeWith(const QUndoCommand* other) override;
 
  private:
   Workbench& workbench_;
@@ -23,8 +29,8 @@ class DecisionCommand : public QUndoCommand {
 class SettingsCommand : public QUndoCommand {
  public:
   SettingsCommand(Workbench& workbench, const QString& text, const QString& field, const Settings& after);
-  void undo() override { workbench_.apply_settings(before_); }
-  void redo() override { workbench_.apply_settings(after_); }
+  void undo() override { workbench_.apply_settings(before_, undone(text())); }
+  void redo() override { workbench_.apply_settings(after_, text()); }
   int id() const override { return 1; }
   bool mergeWith(const QUndoCommand* other) override;
 

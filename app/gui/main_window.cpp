@@ -22,6 +22,7 @@
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
+#include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/message_banner.h"
 #include "widgets/panels/nominal_panel.h"
@@ -35,11 +36,10 @@
 
 namespace remount {
 namespace {
-constexpr int kLayoutVersion = 1;
-
-/// Layout is remembered for the application; a test's window, which has no organisation, leaves no trace.
-bool remembers_layout() { return !QCoreApplication::organizationName().isEmpty(); }
+constexpr int kLayoutVersion = 2;
 }  // namespace
+
+bool MainWindow::remembers() { return !QCoreApplication::organizationName().isEmpty(); }
 
 MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
     : QMainWindow(parent),
@@ -57,13 +57,15 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
   keeper_ = new ProjectKeeper(workbench_, *this);
   make_file_menu();
   make_edit_menu();
+  make_calibrate_menu();
   make_review_menu();
   make_view_menu();
   make_help_menu();
   connect_intents();
   connect_state();
   set_palettes();
-  if (remembers_layout()) {
+  standard_layout_ = saveState(kLayoutVersion);
+  if (remembers()) {
     const QSettings settings;
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
@@ -145,6 +147,7 @@ QWidget* MainWindow::make_setup() {
 
 void MainWindow::make_docks() {
   pairs_ = new PairsPanel(*pair_model_);
+  errors_ = new ErrorChartPanel;
   result_ = new ResultPanel;
   result_->setMinimumWidth(290);
   log_ = new LogPanel;
@@ -168,14 +171,28 @@ void MainWindow::make_docks() {
   setup_dock_ = make_dock(tr("Set-up"), "setup", make_setup(), Qt::LeftDockWidgetArea);
   result_dock_ = make_dock(tr("Result"), "result", result_, Qt::RightDockWidgetArea);
   pairs_dock_ = make_dock(tr("Pairs"), "pairs", pairs_, Qt::BottomDockWidgetArea);
+  error_dock_ = make_dock(tr("Error chart"), "errors", errors_, Qt::BottomDockWidgetArea);
   candidates_dock_ = make_dock(tr("Candidates"), "candidates", candidates_, Qt::BottomDockWidgetArea);
   log_dock_ = make_dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
+  splitDockWidget(pairs_dock_, error_dock_, Qt::Horizontal);
   tabifyDockWidget(pairs_dock_, candidates_dock_);
   tabifyDockWidget(candidates_dock_, log_dock_);
   setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
   pairs_dock_->raise();
+  size_docks();
+}
+
+void MainWindow::size_docks() {
+  resizeDocks({pairs_dock_, error_dock_}, {860, 420}, Qt::Horizontal);
   resizeDocks({pairs_dock_}, {300}, Qt::Vertical);
   resizeDocks({setup_dock_, result_dock_}, {320, 300}, Qt::Horizontal);
+}
+
+void MainWindow::reset_layout() {
+  restoreState(standard_layout_, kLayoutVersion);
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->show();
+  pairs_dock_->raise();
+  size_docks();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
@@ -197,7 +214,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
-  if (remembers_layout()) {
+  if (remembers()) {
     QSettings settings;
     settings.setValue("window/geometry", saveGeometry());
     settings.setValue("window/state", saveState(kLayoutVersion));

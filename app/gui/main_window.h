@@ -16,6 +16,7 @@ class QTableView;
 namespace remount {
 
 class CandidateTableModel;
+class ErrorChartPanel;
 class LogPanel;
 class MessageBanner;
 class NominalPanel;
@@ -51,18 +52,22 @@ class MainWindow : public QMainWindow {
   void changeEvent(QEvent* event) override;
 
  private:
+  /// Layout and keys are remembered for the application; a test's window, which has no organisation, leaves no trace.
+  static bool remembers();
   static constexpr int kWelcomePage = 0, kPairPage = 1;  // of centre_
   // main_window.cpp: layout
   void make_centre();
   void make_docks();
   QDockWidget* make_dock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   QWidget* make_setup();
+  void size_docks();
   // main_window_actions.cpp: menus
   void make_file_menu();
   void make_edit_menu();
-  void make_review_menu();
+  void make_calibrate_menu();
   void make_view_menu();
   void make_help_menu();
+  void reset_layout();  ///< main_window.cpp
   QAction* add_action(QMenu& menu, const QString& text, const QKeySequence& key, const std::function<void()>& act);
   void open_project();
   bool save_project(bool ask, std::function<void()> saved = {});  ///< false where the user changed their mind
@@ -75,11 +80,21 @@ class MainWindow : public QMainWindow {
   void show_export();
   void show_obstacles();
   void copy_result();
-  void decide(PairState state);
-  void go(int step, bool undecided);
   void go_to_step(Step step);
-  void show_keys();
   void show_about();
+  // main_window_review.cpp: decisions about pairs, and their keys
+  void make_review_menu();
+  QAction* add_review(QMenu& menu, const char* id, const QString& text, const char* key,
+                      const std::function<void()>& act);
+  void make_reason_menu(QMenu& review);
+  std::vector<int> pairs_to_decide() const;
+  void decide(PairState state, const QString& reason = {});
+  void ask_reason();
+  void reject_above(const std::vector<int>& pairs, const QString& reason);
+  void go(int step, bool undecided);
+  void show_keys();
+  std::vector<struct KeyBinding> key_bindings() const;
+  void apply_keys(const std::vector<KeyBinding>& bindings);
   // main_window_wiring.cpp: workbench <-> widgets
   void connect_intents();
   void connect_state();
@@ -106,17 +121,24 @@ class MainWindow : public QMainWindow {
   NominalPanel* nominal_ = nullptr;
   RangePanel* range_ = nullptr;
   PairsPanel* pairs_ = nullptr;
+  ErrorChartPanel* errors_ = nullptr;
   QTableView* candidates_ = nullptr;
   ResultPanel* result_ = nullptr;
   LogPanel* log_ = nullptr;
   ProgressStrip* progress_ = nullptr;
   ProjectKeeper* keeper_ = nullptr;
   OptionsDialog* options_ = nullptr;
-  QDockWidget *pairs_dock_ = nullptr, *candidates_dock_ = nullptr, *log_dock_ = nullptr, *setup_dock_ = nullptr,
-              *result_dock_ = nullptr;
+  QDockWidget *pairs_dock_ = nullptr, *error_dock_ = nullptr, *candidates_dock_ = nullptr, *log_dock_ = nullptr,
+              *setup_dock_ = nullptr, *result_dock_ = nullptr;
   QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *obstacles_ = nullptr;
-  std::vector<QAction*> review_actions_;
+  struct ReviewAction {
+    QString id;  // by which its key is remembered
+    QAction* action;
+    QKeySequence standard;
+  };
+  std::vector<ReviewAction> review_actions_;
+  QByteArray standard_layout_;
   CloudsPtr shown_clouds_;  // of the selected pair
   bool was_busy_ = false;
   QString idle_;         // what the status strip said last while nothing ran

@@ -17,7 +17,6 @@
 #include "app/gui/wording.h"
 #include "model/session_frames.h"
 #include "remount_version.h"
-#include "widgets/charts/error_bar_chart.h"
 #include "widgets/panels/obstacle_dialog.h"
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
@@ -71,31 +70,13 @@ void MainWindow::make_edit_menu() {
   add_action(menu, tr("&Options…"), tr("Ctrl+,"), [this] { show_options(); });
 }
 
-void MainWindow::make_review_menu() {
+void MainWindow::make_calibrate_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Calibrate"));
   calibrate_ = add_action(menu, tr("&Calibrate"), tr("F5"), [this] { workbench_.calibrate(); });
   cancel_ = add_action(menu, tr("C&ancel"), tr("Esc"), [this] { workbench_.cancel(); });
   menu.addSeparator();
   add_action(menu, tr("Use the result as &nominal mounting"), {}, [this] { workbench_.use_result_as_nominal(); });
   obstacles_ = add_action(menu, tr("Check &obstacles…"), tr("Ctrl+B"), [this] { show_obstacles(); });
-  QMenu& review = *menuBar()->addMenu(tr("&Review"));
-  const auto add = [&](const QString& text, const char* key, const std::function<void()>& act) {
-    review_actions_.push_back(add_action(review, text, QKeySequence(QLatin1String(key)), act));
-    return review_actions_.back();
-  };
-  add(tr("&Accept pair"), "A", [this] { decide(PairState::Accepted); });
-  add(tr("&Reject pair"), "R", [this] { decide(PairState::Rejected); });
-  review.addSeparator();
-  add(tr("&Next pair"), "N", [this] { go(1, false); });
-  add(tr("&Previous pair"), "P", [this] { go(-1, false); });
-  add(tr("Next &undecided pair"), "U", [this] { go(1, true); });
-  review.addSeparator();
-  QAction* flip = add(tr("&Flip before and aligned"), "Space", [this] { pair_view_->flip(); });
-  // In the whole window Space would no longer press the button that has the focus.
-  flip->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  for (QWidget* widget : std::initializer_list<QWidget*>{pairs_->table(), pairs_->chart(), pair_view_->canvas()})
-    if (widget) widget->addAction(flip);
-  add(tr("&Blink"), "B", [this] { pair_view_->set_blinking(!pair_view_->blinking()); });
 }
 
 void MainWindow::make_view_menu() {
@@ -108,8 +89,10 @@ void MainWindow::make_view_menu() {
   for (const auto& [text, view] : views)
     add_action(menu, text, QStringLiteral("Ctrl+%1").arg(key++), [this, view = view] { pair_view_->look(view); });
   menu.addSeparator();
-  for (QDockWidget* dock : {setup_dock_, result_dock_, pairs_dock_, candidates_dock_, log_dock_})
+  for (QDockWidget* dock : {setup_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, log_dock_})
     menu.addAction(dock->toggleViewAction());
+  menu.addSeparator();
+  add_action(menu, tr("&Reset layout"), {}, [this] { reset_layout(); });
 }
 
 void MainWindow::make_help_menu() {
@@ -230,20 +213,6 @@ void MainWindow::copy_result() {
     QGuiApplication::clipboard()->setText(result_as_text(output->result));
 }
 
-void MainWindow::decide(PairState state) {
-  std::vector<int> pairs = pairs_->marked_pairs();
-  if (pairs.empty() && workbench_.selected_pair() >= 0) pairs = {workbench_.selected_pair()};
-  workbench_.decide(pairs, state);
-}
-
-void MainWindow::go(int step, bool undecided) {
-  const int pair = pairs_->neighbour(step, undecided);
-  if (pair >= 0)
-    workbench_.select_pair(pair);
-  else if (undecided)
-    progress_text(tr("You have decided every pair that is shown."));
-}
-
 void MainWindow::go_to_step(Step step) {
   switch (step) {
     case Step::Load:
@@ -266,16 +235,6 @@ void MainWindow::go_to_step(Step step) {
       show_export();
       break;
   }
-}
-
-void MainWindow::show_keys() {
-  QString rows;
-  for (const QAction* action : review_actions_)
-    rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
-                .arg(action->shortcut().toString(QKeySequence::NativeText), action->text().remove('&'));
-  QMessageBox::information(this, tr("Keys"),
-                           "<table>" + rows + "</table>" +
-                               tr("<p>Several pairs can be marked with Ctrl or Shift and decided together.</p>"));
 }
 
 void MainWindow::show_about() {

@@ -10,6 +10,8 @@
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
+#include "widgets/pair_reasons.h"
+#include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/message_banner.h"
 #include "widgets/panels/nominal_panel.h"
@@ -37,6 +39,11 @@ void MainWindow::connect_intents() {
   connect(pairs_, &PairsPanel::pair_selected, &workbench_, &Workbench::select_pair);
   connect(pairs_, &PairsPanel::accept_clicked, this, [this] { decide(PairState::Accepted); });
   connect(pairs_, &PairsPanel::reject_clicked, this, [this] { decide(PairState::Rejected); });
+  connect(pairs_, &PairsPanel::shown_changed, errors_,
+          [this] { errors_->chart()->show_pairs(pairs_->filter()->pairs()); });
+  connect(errors_, &ErrorChartPanel::measure_changed, pairs_, &PairsPanel::set_measure);
+  connect(errors_, &ErrorChartPanel::reject_requested, this, &MainWindow::reject_above);
+  connect(errors_->chart(), &ErrorBarChart::pair_clicked, &workbench_, &Workbench::select_pair);
   connect(result_, &ResultPanel::copy_requested, this, &MainWindow::copy_result);
   connect(result_, &ResultPanel::export_requested, this, &MainWindow::show_export);
   connect(progress_, &ProgressStrip::cancel_clicked, &workbench_, &Workbench::cancel);
@@ -60,6 +67,7 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::job_progressed, progress_, &ProgressStrip::show_progress);
   connect(&workbench_, &Workbench::selection_changed, this, [this](int pair) {
     pairs_->show_selected(pair);
+    errors_->chart()->show_selected(pair);
     shown_clouds_ = nullptr;
     obstacles_->setEnabled(false);
     if (pair < 0) pair_view_->show_message(tr("Select a pair to see its two scans."));
@@ -82,12 +90,15 @@ void MainWindow::show_sessions() { session_model_->show_sessions(workbench_.sess
 
 void MainWindow::show_output() {
   const OutputPtr output = workbench_.output();
+  errors_->chart()->show_output(output);
   pair_model_->show_output(output, workbench_.session_names());
   pairs_->show_output(output);
+  errors_->chart()->show_pairs(pairs_->filter()->pairs());
   pairs_->show_selected(workbench_.selected_pair());
+  errors_->chart()->show_selected(workbench_.selected_pair());
   candidate_model_->show_output(output);
   candidates_->resizeColumnsToContents();
-  result_->show_output(output, workbench_.output_before());
+  result_->show_output(output, workbench_.output_before(), workbench_.moved_by());
   const int pair = workbench_.selected_pair();
   if (output && pair >= 0 && static_cast<std::size_t>(pair) < output->pairs.size())
     pair_view_->show_transforms(pair_caption(pair), pair_transforms(*output, pair));
@@ -125,7 +136,7 @@ void MainWindow::show_state() {
   const OutputPtr output = workbench_.output();
   export_->setEnabled(output && is_usable(output->result));
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
-  for (QAction* action : review_actions_) action->setEnabled(output != nullptr);
+  for (const ReviewAction& review : review_actions_) review.action->setEnabled(output != nullptr);
   result_->show_standing(standing_of(workbench_), standing_note(workbench_), next_text(workbench_));
 }
 
@@ -140,8 +151,8 @@ QString MainWindow::pair_caption(int pair) const {
   const OutputPtr output = workbench_.output();
   const Pair& chosen = output->pairs.at(static_cast<std::size_t>(pair));
   QString verdict = state_text(chosen);
-  if (!chosen.reason.empty() && chosen.decided_by != DecidedBy::User)
-    verdict += QStringLiteral(": ") + QString::fromStdString(chosen.reason);
+  const bool by_whom_only = chosen.reason.ends_with("by the user");
+  if (!chosen.reason.empty() && !by_whom_only) verdict += QStringLiteral(": ") + reason_words(chosen.reason);
   return tr("Pair %1: %2 → %3, %4 m, %5°. %6")
       .arg(pair)
       .arg(scan_name(chosen.keyframe_a), scan_name(chosen.keyframe_b))

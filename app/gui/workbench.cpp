@@ -176,6 +176,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   }
   run_input_ = input;
   output_before_ = output_solved_;
+  moved_by_.clear();
   output_ = output_solved_ = std::move(output);
   data_changed_ = exported_ = false;
   undo_.clear();
@@ -259,14 +260,14 @@ void Workbench::reset_settings() {
   undo_.push(new SettingsCommand(*this, tr("restore default options"), {}, Settings{}));
 }
 
-void Workbench::apply_settings(const Settings& settings) {
+void Workbench::apply_settings(const Settings& settings, const QString& step) {
   settings_ = settings;
   emit settings_changed();
   mark_edited();
   if (!output_) return;
   // An option that only a whole calibration obeys needs no new solution; one under way may hold an earlier edit.
   const bool solvable = solving() || !changes_since(basis_of(run_input_), basis_of(input_of_next_solve())).empty();
-  if (solvable && settings_.check().empty()) start_solve();
+  if (solvable && settings_.check().empty()) start_solve(step);
   emit state_changed();
 }
 

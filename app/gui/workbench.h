@@ -56,9 +56,11 @@ class Workbench : public QObject {
   QStringList session_names() const;
   const Settings& settings() const { return settings_; }
   const std::optional<RigidTransform>& nominal_ins_from_lidar() const { return nominal_ins_from_lidar_; }
-  OutputPtr output() const { return output_; }                ///< null before the first calibration
-  OutputPtr output_before() const { return output_before_; }  ///< the result that the present one replaced
-  int selected_pair() const { return selected_; }             ///< -1 for none
+  OutputPtr output() const { return output_; }  ///< null before the first calibration
+  /// What the present result is compared with: the one before the edits `moved_by`, solved from pairs as it is itself.
+  OutputPtr output_before() const { return output_before_; }
+  const QString& moved_by() const { return moved_by_; }  ///< "reject pair 12"; empty after a calibration
+  int selected_pair() const { return selected_; }        ///< -1 for none
   bool opening() const { return jobs_.running(open_job_); }
   bool calibrating() const { return jobs_.running(run_job_); }
   bool solving() const { return jobs_.running(solve_job_); }
@@ -80,7 +82,8 @@ class Workbench : public QObject {
   void calibrate();
   void cancel();
   void select_pair(int pair);
-  void decide(const std::vector<int>& pairs, PairState state);
+  /// `reason`: why, as the pair's own words; empty: by whom. `step`: the name of the edit; empty: which pairs.
+  void decide(const std::vector<int>& pairs, PairState state, const QString& reason = {}, const QString& step = {});
   void edit_option(const QString& section, const QString& name, const QVariant& value);
   void reset_range();
   void reset_settings();
@@ -90,9 +93,9 @@ class Workbench : public QObject {
   void say(Severity severity, const QString& where, const QString& what) { emit message(severity, where, what); }
 
   // Steps of undo commands; not undoable by themselves.
-  void apply_settings(const Settings& settings);
+  void apply_settings(const Settings& settings, const QString& step);
   void apply_nominal(const std::optional<RigidTransform>& ins_from_lidar);
-  void apply_decisions(const std::vector<PairDecision>& decisions);
+  void apply_decisions(const std::vector<PairDecision>& decisions, const QString& step);
 
   /// Reads a project and its sessions in the background and replaces what is there. Where sessions are not where the
   /// file says, nothing is replaced and sessions_missing asks for them.
@@ -136,7 +139,11 @@ class Workbench : public QObject {
 
  private:
   using DecisionKey = std::tuple<std::string, int, int>;  // session path, scan a, scan b
-  using Decisions = std::map<DecisionKey, PairState>;
+  struct Verdict {
+    PairState state = PairState::Proposed;
+    std::string reason;
+  };
+  using Decisions = std::map<DecisionKey, Verdict>;
 
   static DecisionKey key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair);
   /// Takes over the user's earlier decisions on the same pairs of scans; true where there was one.
@@ -144,7 +151,7 @@ class Workbench : public QObject {
   void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
   void say_several_failed(const std::vector<JobFailure>& failures);
   void take_run(const PipelineInput& input, OutputPtr output);
-  void start_solve();
+  void start_solve(const QString& step);
   void load_clouds();
   void hash_input_files();
   void compare_input_files();
@@ -169,6 +176,7 @@ class Workbench : public QObject {
   bool exported_ = false;
   int revision_ = 0, saved_revision_ = 0;
   QString stage_, project_path_;
+  QString moved_by_, solving_for_;  // the edits of the last solution, and of the one under way
   QUndoStack undo_;
   JobRunner jobs_;  // last: its threads end before anything they report to is gone
 };

@@ -1,4 +1,6 @@
 // The user's decisions about pairs, and the new solutions they lead to.
+#include <algorithm>
+
 #include "algorithms/calibration/pair_judgement.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/wording.h"
@@ -13,8 +15,25 @@ void set_decision(Pair& pair, const PairDecision& decision) {
   pair.reason = decision.reason;
 }
 
-PairDecision user_decision(int pair, PairState state) {
-  return {pair, state, DecidedBy::User, state == PairState::Accepted ? "accepted by the user" : "rejected by the user"};
+PairDecision user_decision(int pair, PairState state, std::string reason) {
+  if (reason.empty()) reason = state == PairState::Accepted ? "accepted by the user" : "rejected by the user";
+  return {pair, state, DecidedBy::User, std::move(reason)};
+}
+
+/// "reject pair 12: moving objects".
+QString step_name(const std::vector<PairDecision>& decisions, PairState state, const QString& reason) {
+  const int count = static_cast<int>(decisions.size()), pair = decisions.front().pair;
+  const QString step =
+      state == PairState::Accepted
+          ? (count == 1 ? Workbench::tr("accept pair %1").arg(pair) : Workbench::tr("accept %1 pairs").arg(count))
+          : (count == 1 ? Workbench::tr("reject pair %1").arg(pair) : Workbench::tr("reject %1 pairs").arg(count));
+  return reason.isEmpty() ? step : step + QStringLiteral(": ") + reason;
+}
+
+bool aligned_together(const PipelineOutput& output) {
+  const auto& candidates = output.result.candidates;
+  return std::any_of(candidates.begin(), candidates.end(),
+                     [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
 }
 
 /// What a new solution from the pairs that are there takes over: the search range, and the solution's options but for
@@ -47,68 +66,82 @@ bool Workbench::carry_over(const PipelineInput& input, const Decisions& decision
   for (std::size_t i = 0; i < output.pairs.size(); ++i) {
     const auto found = decisions.find(key_of(input, output, output.pairs[i]));
     if (found == decisions.end()) continue;
-    if (found->second == PairState::Accepted && !unusable_reason(output.pairs[i]).empty()) continue;
-    set_decision(output.pairs[i], user_decision(static_cast<int>(i), found->second));
+    const Verdict& verdict = found->second;
+    if (verdict.state == PairState::Accepted && !unusable_reason(output.pairs[i]).empty()) continue;
+    set_decision(output.pairs[i], user_decision(static_cast<int>(i), verdict.state, verdict.reason));
     any = true;
   }
   return any;
 }
 
-void Workbench::decide(const std::vector<int>& pairs, PairState state) {
+void Workbench::decide(const std::vector<int>& pairs, PairState state, const QString& reason, const QString& step) {
   if (!output_ || calibrating()) return;
   std::vector<PairDecision> before, after;
   QStringList refused;
   for (int index : pairs) {
     const Pair& pair = output_->pairs.at(static_cast<std::size_t>(index));
-    if (pair.state == state && pair.decided_by == DecidedBy::User) continue;
+    const PairDecision decision = user_decision(index, state, reason.trimmed().toStdString());
+    if (pair.state == state && pair.decided_by == DecidedBy::User &&
+        (reason.isEmpty() || pair.reason == decision.reason))
+      continue;
     if (const std::string why = unusable_reason(pair); state == PairState::Accepted && !why.empty()) {
       refused << tr("pair %1: %2").arg(index).arg(QString::fromStdString(why));
       continue;
     }
     before.push_back({index, pair.state, pair.decided_by, pair.reason});
-    after.push_back(user_decision(index, state));
+    after.push_back(decision);
   }
   if (!refused.isEmpty())
     emit message(Severity::Warning, tr("Cannot be accepted, for no solution can use it"),
                  in_short(refused, QStringLiteral("\n")));
   if (after.empty()) return;
-  const QString verb = state == PairState::Accepted ? tr("accept") : tr("reject");
-  const QString text = after.size() == 1 ? tr("%1 pair %2").arg(verb).arg(after.front().pair)
-                                         : tr("%1 %2 pairs").arg(verb).arg(after.size());
+  const QString text = step.isEmpty() ? step_name(after, state, reason) : step;
   undo_.push(new DecisionCommand(*this, text, std::move(before), std::move(after)));
 }
 
-void Workbench::apply_decisions(const std::vector<PairDecision>& decisions) {
+void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, const QString& step) {
   if (!output_) return;
   auto changed = std::make_shared<PipelineOutput>(*output_);
+  bool counts = solving();  // a solution under way holds the reasons of before
   for (const PairDecision& decision : decisions) {
     Pair& pair = changed->pairs.at(static_cast<std::size_t>(decision.pair));
+    counts |= pair.state != decision.state || pair.decided_by != decision.decided_by;
     set_decision(pair, decision);
     const DecisionKey key = key_of(run_input_, *changed, pair);
     if (decision.decided_by == DecidedBy::User)
-      decisions_[key] = decision.state;
+      decisions_[key] = {decision.state, decision.reason};
     else
       decisions_.erase(key);
   }
   output_ = std::move(changed);
   emit output_changed();
   mark_edited();
-  start_solve();
+  if (counts) start_solve(step);
 }
 
-void Workbench::start_solve() {
+void Workbench::start_solve(const QString& step) {
   if (!output_ || calibrating()) return;
+  solving_for_ = solving() && !solving_for_.isEmpty() ? solving_for_ + QStringLiteral("; ") + step : step;
   jobs_.cancel(solve_job_);
   auto job = std::make_shared<int>(0);
+  // A solution from the pairs cannot be compared with one whose clouds were aligned together: what that last step
+  // changed would pass for the effect of a decision.
+  const bool unlike = output_solved_ && aligned_together(*output_solved_);
   solve_job_ = jobs_.start(
-      [this, job, input = input_of_next_solve(), output = *output_,
-       solve = engine_.solve_again](Progress& progress) mutable -> JobRunner::Deliver {
+      [this, job, unlike, input = input_of_next_solve(), input_before = run_input_, output = *output_,
+       before = output_solved_, solve = engine_.solve_again](Progress& progress) mutable -> JobRunner::Deliver {
         auto solved = std::make_shared<PipelineOutput>(std::move(output));
         solve(input, *solved, progress);
-        return [this, job, solved, settings = input.settings] {
+        if (unlike) {
+          auto like = std::make_shared<PipelineOutput>(*before);
+          solve(input_before, *like, progress);
+          before = like;
+        }
+        return [this, job, solved, before, settings = input.settings] {
           if (*job != solve_job_ || solved->result.status == Status::Cancelled)
             return;  // a later decision is on its way
-          output_before_ = output_solved_;
+          output_before_ = before;
+          moved_by_ = solving_for_;
           output_ = output_solved_ = solved;
           run_input_.settings = settings;
           exported_ = false;

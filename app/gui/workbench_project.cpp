@@ -139,6 +139,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   settings_ = project.settings;
   nominal_ins_from_lidar_ = project.nominal_ins_from_lidar;
   output_before_ = nullptr;
+  moved_by_.clear();
   output_ = output_solved_ = std::move(output);
   run_input_ = input_of_next_run();
   if (output_) {
@@ -150,7 +151,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   decisions_.clear();
   for (std::size_t i = 0; output_ && i < output_->pairs.size(); ++i)
     if (output_->pairs[i].decided_by == DecidedBy::User)
-      decisions_[key_of(run_input_, *output_, output_->pairs[i])] = output_->pairs[i].state;
+      decisions_[key_of(run_input_, *output_, output_->pairs[i])] = {output_->pairs[i].state, output_->pairs[i].reason};
   data_changed_ = exported_ = false;
   undo_.clear();
   emit sessions_changed();

@@ -5,6 +5,7 @@
 #include <QRadioButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <numeric>
 
 #include "tests/widgets/support/sample_world.h"
 #include "widgets/charts/error_bar_chart.h"
@@ -125,6 +126,9 @@ TEST(error_bar_chart, a_click_finds_its_pair_and_the_arrows_the_next) {
   ErrorBarChart chart;
   chart.resize(600, 200);
   chart.show_output(std::make_shared<const PipelineOutput>(testing::sample_output(input, 50)));
+  std::vector<int> pairs(50);
+  std::iota(pairs.begin(), pairs.end(), 0);
+  chart.show_pairs(pairs);
   QSignalSpy clicked(&chart, &ErrorBarChart::pair_clicked);
   int last = -1;
   for (int x = 0; x < 600; ++x) {

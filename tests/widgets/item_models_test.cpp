@@ -6,7 +6,7 @@
 
 #include "tests/widgets/support/sample_world.h"
 #include "widgets/itemmodels/candidate_table_model.h"
-#include "widgets/itemmodels/pair_table_model.h"
+#include "widgets/itemmodels/pair_filter.h"
 #include "widgets/itemmodels/session_list_model.h"
 
 namespace remount {
@@ -71,15 +71,18 @@ TEST(pair_filter, filters_by_state_and_by_text_together) {
   model.show_output(output_of(50), {"drive1"});
   PairFilter filter;
   filter.setSourceModel(&model);
-  filter.set_state(PairState::Rejected);
-  EXPECT_EQ(filter.rowCount(), 7);
-  filter.set_text("SCREW");
-  EXPECT_EQ(filter.rowCount(), 7);
-  filter.set_text("no such words");
-  EXPECT_EQ(filter.rowCount(), 0);
-  filter.set_text({});
-  filter.set_state(std::nullopt);
-  EXPECT_EQ(filter.rowCount(), 50);
+  PairCriteria criteria;
+  const auto rows = [&](std::optional<PairState> state, const QString& text) {
+    criteria.state = state;
+    criteria.text = text;
+    filter.set_criteria(criteria);
+    return filter.rowCount();
+  };
+  EXPECT_EQ(rows(PairState::Rejected, {}), 7);
+  EXPECT_EQ(rows(PairState::Rejected, "SCREW"), 7);
+  EXPECT_EQ(rows(PairState::Rejected, "no such words"), 0);
+  EXPECT_EQ(rows(std::nullopt, {}), 50);
+  EXPECT_EQ(rows(std::nullopt, "17"), 1) << "a number is that pair's";
 }
 
 TEST(candidate_table_model, shows_why_a_candidate_is_out_of_range) {

@@ -57,7 +57,7 @@ TEST_F(window_flow, table_chart_and_keys_share_one_selection) {
   show();
   calibrate_drive();
   auto& pairs = child<PairsPanel>();
-  emit pairs.chart()->pair_clicked(17);
+  emit child<ErrorBarChart>().pair_clicked(17);
   EXPECT_EQ(workbench_.selected_pair(), 17);
   EXPECT_EQ(pairs.marked_pairs(), std::vector<int>{17});
   pairs.table()->selectRow(9);

@@ -1,38 +1,47 @@
 #include "widgets/charts/error_bar_chart.h"
 
+#include <QAccessible>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/charts/chart_axis.h"
+#include "widgets/pair_reasons.h"
 #include "widgets/theme.h"
 
 namespace remount {
 namespace {
-
-/// 1, 2 or 5 times a power of ten, not below value / steps.
-double nice_step(double value, int steps) {
-  const double raw = value / steps;
-  const double power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= raw) return factor * power;
-  return 10.0 * power;
-}
-
+constexpr int kHandle_px = ErrorBarChart::kHandleWidth;
+constexpr int kReach_px = 5;  // how near to the line counts as on it
 }  // namespace
 
 ErrorBarChart::ErrorBarChart(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
   setAccessibleName(tr("Error of each pair"));
-  setAccessibleDescription(tr("One bar per pair. Left and right arrow keys select the neighbouring pair."));
+  setAccessibleDescription(
+      tr("One bar per pair. Left and right arrow keys select the neighbouring pair; up and down move the line above "
+         "which Return rejects, Escape puts it back."));
 }
 
 void ErrorBarChart::show_output(std::shared_ptr<const PipelineOutput> output) {
   output_ = std::move(output);
-  update();
+  if (!output_) threshold_.reset();
+  show_pairs(pairs_);
+}
+
+void ErrorBarChart::show_pairs(const std::vector<int>& pairs) {
+  const auto all = output_ ? std::ssize(output_->pairs) : 0;
+  std::vector<int> known;
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(known), [all](int pair) { return pair < all; });
+  pairs_ = std::move(known);
+  find_top();
+  set_threshold(threshold_);
 }
 
 void ErrorBarChart::show_selected(int pair) {
@@ -42,164 +51,198 @@ void ErrorBarChart::show_selected(int pair) {
 
 void ErrorBarChart::set_measure(PairMeasure measure) {
   measure_ = measure;
-  update();
+  find_top();
+  set_threshold(std::nullopt);  // a height of the other axis
 }
 
-int ErrorBarChart::pair_count() const { return output_ ? static_cast<int>(output_->pairs.size()) : 0; }
-
-double ErrorBarChart::value_of(int pair) const {
-  const Pair& chosen = output_->pairs.at(static_cast<std::size_t>(pair));
-  double value = 0.0;
-  switch (measure_) {
-    case PairMeasure::ResidualTranslation:
-      value = 100.0 * chosen.residual_translation_m;
-      break;
-    case PairMeasure::ResidualRotation:
-      value = radians_to_degrees(chosen.residual_rotation_rad);
-      break;
-    case PairMeasure::Rmse:
-      value = 100.0 * chosen.registration.rmse_m;
-      break;
-    case PairMeasure::Screw:
-      value = chosen.screw.score;
-      break;
-  }
-  return std::isfinite(value) ? std::max(0.0, value) : 0.0;
-}
-
-QString ErrorBarChart::unit_text() const {
-  switch (measure_) {
-    case PairMeasure::ResidualTranslation:
-      return tr("residual translation [cm]");
-    case PairMeasure::ResidualRotation:
-      return tr("residual rotation [°]");
-    case PairMeasure::Rmse:
-      return tr("alignment RMSE [cm]");
-    case PairMeasure::Screw:
-      return tr("screw test [σ]");
-  }
-  return {};
-}
+std::optional<double> ErrorBarChart::value_of(int index) const { return measured(pair(index), measure_); }
 
 QRect ErrorBarChart::plot_area() const {
   const QFontMetrics metrics = fontMetrics();
-  return rect().adjusted(metrics.horizontalAdvance(QStringLiteral("000.00")) + 10, metrics.height() + 8, -8,
-                         -metrics.height() - 6);
+  return rect().adjusted(metrics.horizontalAdvance(QStringLiteral("000.00")) + 10, metrics.height() + 8,
+                         -kHandle_px - 4, -metrics.height() - 6);
 }
 
-double ErrorBarChart::top_of_axis() const {
+int ErrorBarChart::place_of(int pair) const {
+  const auto found = std::find(pairs_.begin(), pairs_.end(), pair);
+  return found == pairs_.end() ? -1 : static_cast<int>(found - pairs_.begin());
+}
+
+void ErrorBarChart::find_top() {
   // A few wild pairs must not flatten all others: the axis ends at 1.5 times the 95th percentile of the pairs that
   // are not rejected; bars beyond it are cut and marked.
   std::vector<double> values, kept;
-  for (int pair = 0; pair < pair_count(); ++pair) {
-    values.push_back(value_of(pair));
-    if (output_->pairs[static_cast<std::size_t>(pair)].state != PairState::Rejected) kept.push_back(values.back());
+  for (int index : pairs_) {
+    const std::optional<double> value = value_of(index);
+    if (!value) continue;
+    values.push_back(*value);
+    if (pair(index).state != PairState::Rejected) kept.push_back(*value);
   }
   if (!kept.empty()) values = std::move(kept);
-  if (values.empty()) return 1.0;
-  std::sort(values.begin(), values.end());
-  const double high = values[static_cast<std::size_t>(0.95 * static_cast<double>(values.size() - 1))];
-  const double top = high > 0.0 ? std::min(values.back(), 1.5 * high) : values.back();
-  return top > 0.0 ? 1.05 * top : 1.0;
+  top_ = 1.0;
+  if (values.empty()) return;
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  const double high = *place, largest = *std::max_element(values.begin(), values.end());
+  const double top = high > 0.0 ? std::min(largest, 1.5 * high) : largest;
+  if (top > 0.0) top_ = 1.05 * top;
+}
+
+int ErrorBarChart::y_of(double value) const {
+  const QRect area = plot_area();
+  return area.bottom() - static_cast<int>(std::lround(std::min(1.0, value / top_) * area.height()));
+}
+
+double ErrorBarChart::value_at(int y) const {
+  const QRect area = plot_area();
+  return top_ * std::max(0, area.bottom() - y) / std::max(1, area.height());
 }
 
 int ErrorBarChart::pair_at(const QPoint& position) const {
   const QRect area = plot_area();
-  if (pair_count() == 0 || area.width() <= 0 || position.x() < area.left() || position.x() > area.right()) return -1;
+  if (pairs_.empty() || area.width() <= 0 || position.x() < area.left() || position.x() > area.right()) return -1;
   const double share = static_cast<double>(position.x() - area.left()) / area.width();
-  return std::clamp(static_cast<int>(share * pair_count()), 0, pair_count() - 1);
+  return pairs_[static_cast<std::size_t>(std::clamp(static_cast<int>(share * count()), 0, count() - 1))];
 }
 
-void ErrorBarChart::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.fillRect(rect(), palette().color(QPalette::Base));
+QPoint ErrorBarChart::handle() const {
   const QRect area = plot_area();
-  if (pair_count() == 0) {
-    painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
-    painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("No pairs yet: the error of each pair appears here."));
-    return;
-  }
-  const double top = top_of_axis();
-  paint_axis(painter, area, top);
-  paint_bars(painter, area, top);
+  return {area.right() + 2 + kHandle_px / 2, threshold_ ? y_of(*threshold_) : area.top() - 3};
 }
 
-void ErrorBarChart::paint_axis(QPainter& painter, const QRect& area, double top) const {
-  QColor grid = palette().color(QPalette::Text);
-  grid.setAlphaF(0.15F);
-  const double step = nice_step(top, std::max(2, area.height() / 36));
-  for (double value = 0.0; value <= top; value += step) {
-    const int y = area.bottom() - static_cast<int>(value / top * area.height());
-    painter.setPen(grid);
-    painter.drawLine(area.left(), y, area.right(), y);
-    painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(QRect(0, y - 10, area.left() - 5, 20), Qt::AlignRight | Qt::AlignVCenter,
-                     QString::number(value, 'g', 4));
-  }
-  painter.drawText(QRect(4, 2, width() - 8, area.top() - 4), Qt::AlignLeft | Qt::AlignVCenter, unit_text());
-  painter.drawText(QRect(area.left(), area.bottom() + 3, area.width(), height() - area.bottom() - 4), Qt::AlignLeft,
-                   QStringLiteral("0"));
-  painter.drawText(QRect(area.left(), area.bottom() + 3, area.width(), height() - area.bottom() - 4), Qt::AlignRight,
-                   tr("pair %1").arg(pair_count() - 1));
+bool ErrorBarChart::at_line(const QPoint& position) const {
+  if (pairs_.empty() || std::abs(position.y() - handle().y()) > kReach_px + 2) return false;
+  const bool on_handle = position.x() > plot_area().right();
+  return on_handle || (threshold_ && std::abs(position.y() - handle().y()) <= kReach_px);
 }
 
-void ErrorBarChart::paint_bars(QPainter& painter, const QRect& area, double top) const {
-  const double width = static_cast<double>(area.width()) / pair_count();
-  const auto x_of = [&](int pair) { return area.left() + pair * width; };
-  const double gap = width > 4.0 ? 1.0 : 0.0;
-  std::vector<double> column_height(static_cast<std::size_t>(area.width() + 1), -1.0);
-  for (int pair = 0; pair < pair_count(); ++pair) {
-    const double value = value_of(pair);
-    if (width < 1.0) {  // several pairs share a column of pixels: the largest is drawn
-      double& highest = column_height[static_cast<std::size_t>(x_of(pair) - area.left())];
-      if (value <= highest) continue;
-      highest = value;
-    }
-    const double height = std::max(1.0, std::min(1.0, value / top) * area.height());
-    const QRectF bar(x_of(pair), area.bottom() - height, std::max(1.0, width - gap), height);
-    const QColor color = state_color(output_->pairs[static_cast<std::size_t>(pair)].state, palette());
-    painter.fillRect(bar, color);
-    if (value > top) painter.fillRect(QRectF(bar.left(), area.top() - 3, bar.width(), 3), bad_color(palette()));
-  }
-  if (selected_ < 0 || selected_ >= pair_count()) return;
-  const double centre = x_of(selected_) + 0.5 * width;
-  painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawRect(
-      QRectF(centre - std::max(2.5, 0.5 * width), area.top() - 4, std::max(5.0, width), area.height() + 6));
-  painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(QRect(area.left(), 2, area.width(), area.top() - 6), Qt::AlignRight | Qt::AlignVCenter,
-                   tr("pair %1: %2").arg(selected_).arg(value_of(selected_), 0, 'g', 3));
+std::vector<int> ErrorBarChart::above_threshold() const {
+  std::vector<int> above;
+  if (!threshold_) return above;
+  for (int index : pairs_)
+    if (pair(index).state != PairState::Rejected && value_of(index).value_or(0.0) > *threshold_) above.push_back(index);
+  std::sort(above.begin(), above.end());
+  return above;
+}
+
+int ErrorBarChart::kept_count() const {
+  return static_cast<int>(
+      std::count_if(pairs_.begin(), pairs_.end(), [&](int index) { return pair(index).state != PairState::Rejected; }));
+}
+
+void ErrorBarChart::set_threshold(std::optional<double> threshold) {
+  threshold_ = threshold;
+  update();
+  if (threshold_)
+    emit threshold_moved(static_cast<int>(above_threshold().size()), kept_count());
+  else
+    emit threshold_moved(-1, -1);
+}
+
+void ErrorBarChart::reject_above() {
+  const std::vector<int> above = above_threshold();
+  if (!above.empty()) emit reject_requested(above, *threshold_);
 }
 
 void ErrorBarChart::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  if (at_line(event->pos())) {
+    dragging_ = true;
+    threshold_before_drag_ = threshold_;
+    return;
+  }
   const int pair = pair_at(event->pos());
   if (pair >= 0) emit pair_clicked(pair);
 }
 
+void ErrorBarChart::mouseMoveEvent(QMouseEvent* event) {
+  if (!dragging_) {
+    setCursor(at_line(event->pos()) ? Qt::SizeVerCursor : Qt::ArrowCursor);
+    return;
+  }
+  if (event->pos().y() <= plot_area().top() - 3)
+    set_threshold(std::nullopt);
+  else
+    set_threshold(value_at(event->pos().y()));
+}
+
+void ErrorBarChart::mouseReleaseEvent(QMouseEvent*) {
+  if (!dragging_) return;
+  dragging_ = false;
+  if (threshold_ && threshold_ != threshold_before_drag_) reject_above();
+}
+
+void ErrorBarChart::step_selection(int step) {
+  const int place = place_of(selected_);
+  const int next = place < 0 ? (step > 0 ? 0 : count() - 1) : std::clamp(place + step, 0, count() - 1);
+  emit pair_clicked(pairs_[static_cast<std::size_t>(next)]);
+}
+
+void ErrorBarChart::step_threshold(double share) {
+  const double moved = threshold_.value_or(top_) + share * top_;
+  if (moved > top_ * (1.0 + 1e-9))
+    set_threshold(std::nullopt);
+  else
+    set_threshold(std::max(0.0, moved));
+}
+
 void ErrorBarChart::keyPressEvent(QKeyEvent* event) {
-  const int step = event->key() == Qt::Key_Left ? -1 : event->key() == Qt::Key_Right ? 1 : 0;
-  if (step == 0 || pair_count() == 0) return QWidget::keyPressEvent(event);
-  emit pair_clicked(std::clamp(selected_ + step, 0, pair_count() - 1));
+  if (pairs_.empty()) return QWidget::keyPressEvent(event);
+  switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+      return step_selection(event->key() == Qt::Key_Left ? -1 : 1);
+    case Qt::Key_Home:
+      return emit pair_clicked(pairs_.front());
+    case Qt::Key_End:
+      return emit pair_clicked(pairs_.back());
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+      return step_threshold(event->key() == Qt::Key_Up ? 0.02 : -0.02);
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+      return step_threshold(event->key() == Qt::Key_PageUp ? 0.1 : -0.1);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return reject_above();
+    case Qt::Key_Escape:
+      if (!threshold_ && !dragging_) break;
+      dragging_ = false;
+      return set_threshold(std::nullopt);
+    default:
+      break;
+  }
+  QWidget::keyPressEvent(event);
 }
 
 bool ErrorBarChart::event(QEvent* event) {
-  if (event->type() == QEvent::ToolTip) {
-    auto* help = static_cast<QHelpEvent*>(event);
-    const int pair = pair_at(help->pos());
-    if (pair < 0) {
-      QToolTip::hideText();
-    } else {
-      const Pair& chosen = output_->pairs[static_cast<std::size_t>(pair)];
-      QString text =
-          tr("pair %1: %2 %3, %4").arg(pair).arg(value_of(pair), 0, 'g', 3).arg(unit_text(), state_text(chosen));
-      if (!chosen.reason.empty()) text += '\n' + QString::fromStdString(chosen.reason);
-      QToolTip::showText(help->globalPos(), text, this);
-    }
+  // Escape also cancels a calibration; with the line in hand it lets go of the line.
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+      (dragging_ || threshold_)) {
+    event->accept();
     return true;
   }
-  return QWidget::event(event);
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  auto* help = static_cast<QHelpEvent*>(event);
+  const int index = pair_at(help->pos());
+  if (at_line(help->pos())) {
+    QToolTip::showText(help->globalPos(),
+                       tr("Drag: what is above the line is rejected when you let go.\nIn the chart: "
+                          "Up and Down move it, Return rejects, Escape puts it back."),
+                       this);
+  } else if (index < 0) {
+    QToolTip::hideText();
+  } else {
+    const std::optional<double> value = value_of(index);
+    QString text =
+        tr("pair %1: %2, %3")
+            .arg(index)
+            .arg(value ? QStringLiteral("%1 %2").arg(*value, 0, 'g', 3).arg(measure_unit(measure_)) : tr("not aligned"),
+                 state_text(pair(index)));
+    if (!pair(index).reason.empty()) text += '\n' + reason_words(pair(index).reason);
+    QToolTip::showText(help->globalPos(), text, this);
+  }
+  return true;
 }
 
 }  // namespace remount

@@ -3,7 +3,11 @@
 #include <QBrush>
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
+#include "algorithms/calibration/pair_judgement.h"
+#include "widgets/itemmodels/pair_measure.h"
+#include "widgets/pair_reasons.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -19,7 +23,7 @@ QString words(const char* text) { return QCoreApplication::translate("remount::P
 Heading heading(int column) {
   switch (column) {
     case PairTableModel::State:
-      return {words("State"), words("A accepts, R rejects the marked pairs")};
+      return {words("State"), words("What was decided about the pair, and by whom")};
     case PairTableModel::ResidualTranslation:
       return {words("Δt [cm]"), words("Translation residual of P X = X Q under the present result")};
     case PairTableModel::ResidualRotation:
@@ -107,7 +111,14 @@ double PairTableModel::time_in_session_s(int keyframe) const {
   return 1e-9 * static_cast<double>(chosen.stamp_ns - session_start_ns_.at(static_cast<std::size_t>(chosen.session)));
 }
 
-QVariant PairTableModel::number(const Pair& pair, int row, int column) const {
+QString PairTableModel::session_name(const Pair& pair) const {
+  const int session = output_->keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
+  return session_names_.value(session, QString::number(session));
+}
+
+double PairTableModel::sort_number(int row, int column) const {
+  const Pair& pair = output_->pairs.at(static_cast<std::size_t>(row));
+  const auto value = [&](PairMeasure measure) { return measured(pair, measure).value_or(std::nan("")); };
   switch (column) {
     case SessionName:
       return output_->keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
@@ -124,61 +135,53 @@ QVariant PairTableModel::number(const Pair& pair, int row, int column) const {
     case Shared:
       return pair.shared_objects;
     case Overlap:
-      return pair.registration.attempted ? pair.registration.overlap : -1.0;
+      return is_aligned(pair) || pair.registration.overlap > 0.0 ? 100.0 * pair.registration.overlap : std::nan("");
     case Rmse:
-      return pair.registration.attempted ? 100.0 * pair.registration.rmse_m : 1e9;
+      return value(PairMeasure::Rmse);
     case Screw:
-      return pair.screw.score;
+      return value(PairMeasure::Screw);
     case ResidualRotation:
-      return radians_to_degrees(pair.residual_rotation_rad);
+      return value(PairMeasure::ResidualRotation);
     case ResidualTranslation:
-      return 100.0 * pair.residual_translation_m;
+      return value(PairMeasure::ResidualTranslation);
     case Weight:
-      return pair.state == PairState::Accepted ? pair.weight : 0.0;
+      return pair.state == PairState::Accepted ? pair.weight : std::nan("");
     case State:
-      return static_cast<int>(pair.state);
-    case Reason:
-      return QString::fromStdString(pair.reason);
+      return 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     default:
       return row;
   }
 }
 
 QString PairTableModel::display(const Pair& pair, int row, int column) const {
-  const auto fixed = [](double value, int decimals) { return QString::number(value, 'f', decimals); };
-  const QString none = QStringLiteral("–");
-  const double value = number(pair, row, column).toDouble();
   switch (column) {
+    case Number:
+      return QString::number(row);
     case SessionName:
-      return session_names_.value(static_cast<int>(value), QString::number(static_cast<int>(value)));
-    case TimeA:
-    case TimeB:
-    case Gap:
-    case Baseline:
-      return fixed(value, 2);
-    case Weight:
-      return pair.state == PairState::Accepted ? fixed(value, 2) : none;
-    case Rotation:
-    case Screw:
-      return fixed(value, column == Screw ? 1 : 2);
-    case ResidualRotation:
-      return fixed(value, 3);
-    case ResidualTranslation:
-      return fixed(value, 1);
-    case Shared:
-      return pair.moving_objects > 0 ? tr("%1 + %2 moving").arg(pair.shared_objects).arg(pair.moving_objects)
-                                     : QString::number(pair.shared_objects);
-    case Overlap:
-      return pair.registration.attempted ? tr("%1 %").arg(fixed(100.0 * value, 0)) : none;
-    case Rmse:
-      return pair.registration.attempted ? fixed(value, 1) : none;
+      return session_name(pair);
     case State:
       return state_text(pair);
     case Reason:
-      return QString::fromStdString(pair.reason);
+      return reason_words(pair.reason);
+    case Shared:
+      return pair.moving_objects > 0 ? tr("%1 + %2 moving").arg(pair.shared_objects).arg(pair.moving_objects)
+                                     : QString::number(pair.shared_objects);
     default:
-      return QString::number(row);
+      break;
   }
+  const double value = sort_number(row, column);
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  if (column == Overlap) return tr("%1 %").arg(value, 0, 'f', 0);
+  const bool coarse = column == Screw || column == Rmse || column == ResidualTranslation;
+  return QString::number(value, 'f', coarse ? 1 : column == ResidualRotation ? 3 : 2);
+}
+
+QVariant PairTableModel::tool_tip(const Pair& pair, int column) const {
+  if (column == Reason || column == State) return reason_words(pair.reason);
+  const bool of_alignment = column == Overlap || column == Rmse || column == Screw || column == ResidualTranslation ||
+                            column == ResidualRotation;
+  if (!of_alignment || is_aligned(pair)) return {};
+  return tr("The two scans were not aligned: %1").arg(QString::fromStdString(unusable_reason(pair)));
 }
 
 QVariant PairTableModel::data(const QModelIndex& index, int role) const {
@@ -188,8 +191,6 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       return display(*chosen, index.row(), column);
-    case SortRole:
-      return number(*chosen, index.row(), column);
     case Qt::TextAlignmentRole: {
       const bool words = column == SessionName || column == State || column == Reason;
       return QVariant::fromValue(Qt::Alignment(Qt::AlignVCenter | (words ? Qt::AlignLeft : Qt::AlignRight)));
@@ -198,11 +199,8 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
       if (chosen->state == PairState::Rejected || column == State) return QBrush(state_color(chosen->state, palette_));
       if (column == Screw && !chosen->screw.passed) return QBrush(bad_color(palette_));
       return {};
-    case Qt::ToolTipRole: {
-      const QString failure = QString::fromStdString(chosen->registration.failure);
-      if ((column == Overlap || column == Rmse) && !failure.isEmpty()) return failure;
-      return column == Reason || column == State ? QVariant(QString::fromStdString(chosen->reason)) : QVariant();
-    }
+    case Qt::ToolTipRole:
+      return tool_tip(*chosen, column);
     default:
       return {};
   }
@@ -213,33 +211,6 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
   if (role == Qt::DisplayRole) return heading(section).title;
   if (role == Qt::ToolTipRole) return heading(section).help;
   return {};
-}
-
-PairFilter::PairFilter(QObject* parent) : QSortFilterProxyModel(parent) {
-  setSortRole(PairTableModel::SortRole);
-  setSortLocaleAware(true);
-}
-
-void PairFilter::set_state(std::optional<PairState> state) {
-  state_ = state;
-  invalidateFilter();
-}
-
-void PairFilter::set_text(const QString& text) {
-  text_ = text.trimmed();
-  invalidateFilter();
-}
-
-bool PairFilter::filterAcceptsRow(int source_row, const QModelIndex& source_parent) const {
-  const auto* model = static_cast<const PairTableModel*>(sourceModel());
-  const Pair* pair = model->pair(source_row);
-  if (!pair || (state_ && pair->state != *state_)) return false;
-  if (text_.isEmpty()) return true;
-  for (int column = 0; column < PairTableModel::ColumnCount; ++column) {
-    const QModelIndex cell = model->index(source_row, column, source_parent);
-    if (model->data(cell, Qt::DisplayRole).toString().contains(text_, Qt::CaseInsensitive)) return true;
-  }
-  return false;
 }
 
 }  // namespace remount

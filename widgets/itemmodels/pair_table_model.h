@@ -1,12 +1,10 @@
-// Pairs as a table, and the filter above it.
+// Pairs as a table.
 #pragma once
 
 #include <QAbstractTableModel>
 #include <QPalette>
-#include <QSortFilterProxyModel>
 #include <QStringList>
 #include <memory>
-#include <optional>
 
 #include "model/pipeline.h"
 
@@ -34,7 +32,6 @@ class PairTableModel : public QAbstractTableModel {
     Reason,
     ColumnCount
   };
-  enum Role { SortRole = Qt::UserRole };  ///< numbers for sorting; every cell has one
 
   using QAbstractTableModel::QAbstractTableModel;
 
@@ -42,6 +39,9 @@ class PairTableModel : public QAbstractTableModel {
   void show_output(std::shared_ptr<const PipelineOutput> output, const QStringList& session_names);
   void set_palette(const QPalette& palette);
   const Pair* pair(int row) const;
+  /// The number of a cell, in the unit of the screen; NaN where it is not known, as where scans were never aligned.
+  double sort_number(int row, int column) const;
+  QString session_name(const Pair& pair) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -49,30 +49,14 @@ class PairTableModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  QVariant number(const Pair& pair, int row, int column) const;
   QString display(const Pair& pair, int row, int column) const;
+  QVariant tool_tip(const Pair& pair, int column) const;
   double time_in_session_s(int keyframe) const;
 
   std::shared_ptr<const PipelineOutput> output_;
   std::vector<std::int64_t> session_start_ns_;
   QStringList session_names_;
   QPalette palette_;
-};
-
-/// Sorts by number and filters by state and by text in any column.
-class PairFilter : public QSortFilterProxyModel {
-  Q_OBJECT
- public:
-  explicit PairFilter(QObject* parent = nullptr);
-  void set_state(std::optional<PairState> state);
-  void set_text(const QString& text);
-
- protected:
-  bool filterAcceptsRow(int source_row, const QModelIndex& source_parent) const override;
-
- private:
-  std::optional<PairState> state_;
-  QString text_;
 };
 
 }  // namespace remount

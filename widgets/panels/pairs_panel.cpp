@@ -6,22 +6,46 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QTableView>
+#include <QToolButton>
 #include <algorithm>
 
-#include "widgets/charts/error_bar_chart.h"
-
 namespace remount {
+namespace {
+constexpr int kMeasuredRows = 60;  // that a column's width follows: all of a hundred thousand would take seconds
+}
 
 PairsPanel::PairsPanel(PairTableModel& model, QWidget* parent)
     : QWidget(parent),
       model_(model),
       filter_(new PairFilter(this)),
       table_(new QTableView(this)),
-      chart_(new ErrorBarChart(this)) {
+      state_(new QComboBox(this)),
+      group_(new QComboBox(this)),
+      text_(new QLineEdit(this)),
+      count_(new QLabel(this)),
+      accept_(new QPushButton(tr("✓ Accept"), this)),
+      reject_(new QToolButton(this)) {
   filter_->setSourceModel(&model_);
+  make_table();
+  auto* row = new QHBoxLayout;
+  make_filters(*row);
+  make_buttons(*row);
+  connect(filter_, &PairFilter::shown_changed, this, [this] {
+    update_count();
+    show_selected(selected_);
+    emit shown_changed();
+  });
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 4, 6, 4);
+  column->addLayout(row);
+  column->addWidget(table_, 1);
+  update_count();
+}
+
+void PairsPanel::make_table() {
   table_->setModel(filter_);
   table_->setSortingEnabled(true);
   table_->sortByColumn(PairTableModel::Number, Qt::AscendingOrder);
@@ -31,92 +55,98 @@ PairsPanel::PairsPanel(PairTableModel& model, QWidget* parent)
   table_->setTabKeyNavigation(false);
   table_->setWordWrap(false);
   table_->setAlternatingRowColors(true);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setResizeContentsPrecision(kMeasuredRows);
   table_->setAccessibleName(tr("Pairs"));
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
-    if (current.isValid()) emit pair_selected(filter_->mapToSource(current).row());
+    if (!current.isValid()) return;
+    last_row_ = current.row();
+    emit pair_selected(filter_->mapToSource(current).row());
   });
-  connect(chart_, &ErrorBarChart::pair_clicked, this, &PairsPanel::pair_selected);
-  connect(filter_, &QAbstractItemModel::rowsInserted, this, &PairsPanel::update_count);
-  connect(filter_, &QAbstractItemModel::rowsRemoved, this, &PairsPanel::update_count);
-  connect(filter_, &QAbstractItemModel::modelReset, this, &PairsPanel::update_count);
-
-  auto* left = new QWidget(this);
-  auto* column = new QVBoxLayout(left);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(make_filter_row());
-  column->addWidget(table_, 1);
-  auto* splitter = new QSplitter(this);
-  splitter->addWidget(left);
-  splitter->addWidget(make_chart_side());
-  splitter->setStretchFactor(0, 3);
-  splitter->setStretchFactor(1, 1);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(6, 4, 6, 4);
-  layout->addWidget(splitter);
-  update_count();
 }
 
-QWidget* PairsPanel::make_filter_row() {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  state_ = new QComboBox(row);
+void PairsPanel::make_filters(QHBoxLayout& row) {
   state_->addItems({tr("All states"), tr("Proposed"), tr("Accepted"), tr("Rejected")});
   state_->setAccessibleName(tr("Show pairs of this state"));
-  text_ = new QLineEdit(row);
-  text_->setPlaceholderText(tr("Filter by text"));
+  group_->addItems({tr("All pairs"), tr("Not decided by you"), tr("Worst %1").arg(kWorst), tr("Screw test failed"),
+                    tr("Few shared objects (< %1)").arg(kFewShared), tr("Not aligned")});
+  group_->setItemData(static_cast<int>(PairGroup::Worst10), tr("By what the bars show, among those of the state"),
+                      Qt::ToolTipRole);
+  group_->setAccessibleName(tr("Show pairs of this kind"));
+  text_->setPlaceholderText(tr("Number or text"));
+  text_->setToolTip(tr("Shows pairs of this number, or with this text in state, session or reason"));
   text_->setClearButtonEnabled(true);
   text_->setAccessibleName(tr("Show pairs that contain this text"));
-  count_ = new QLabel(row);
-  accept_ = new QPushButton(tr("✓ Accept"), row);
-  accept_->setToolTip(tr("Accept the marked pairs (A)"));
-  reject_ = new QPushButton(tr("✕ Reject"), row);
-  reject_->setToolTip(tr("Reject the marked pairs (R)"));
-  connect(accept_, &QPushButton::clicked, this, &PairsPanel::accept_clicked);
-  connect(reject_, &QPushButton::clicked, this, &PairsPanel::reject_clicked);
-  connect(state_, &QComboBox::currentIndexChanged, this, [this](int index) {
-    filter_->set_state(index == 0 ? std::nullopt : std::optional(static_cast<PairState>(index - 1)));
-  });
-  connect(text_, &QLineEdit::textChanged, filter_, &PairFilter::set_text);
-  layout->addWidget(state_);
-  layout->addWidget(text_, 1);
-  layout->addWidget(count_);
-  layout->addWidget(accept_);
-  layout->addWidget(reject_);
-  return row;
+  text_->setMinimumWidth(80);
+  connect(state_, &QComboBox::currentIndexChanged, this, &PairsPanel::apply_criteria);
+  connect(group_, &QComboBox::currentIndexChanged, this, &PairsPanel::apply_criteria);
+  connect(text_, &QLineEdit::textChanged, this, &PairsPanel::apply_criteria);
+  row.addWidget(state_);
+  row.addWidget(group_);
+  row.addWidget(text_, 1);
+  row.addWidget(count_);
 }
 
-QWidget* PairsPanel::make_chart_side() {
-  auto* side = new QWidget(this);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* measure = new QComboBox(side);
-  measure->addItems({tr("Residual translation"), tr("Residual rotation"), tr("Alignment RMSE"), tr("Screw test")});
-  measure->setAccessibleName(tr("What the bars show"));
-  connect(measure, &QComboBox::currentIndexChanged, this,
-          [this](int index) { chart_->set_measure(static_cast<PairMeasure>(index)); });
-  column->addWidget(measure);
-  column->addWidget(chart_, 1);
-  return side;
+void PairsPanel::make_buttons(QHBoxLayout& row) {
+  accept_->setToolTip(tr("Accept the marked pairs"));
+  reject_->setText(tr("✕ Reject"));
+  reject_->setToolTip(tr("Reject the marked pairs; the arrow gives reasons"));
+  reject_->setAccessibleName(tr("Reject"));
+  reject_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  reject_->setFocusPolicy(Qt::StrongFocus);
+  reject_->setMinimumHeight(accept_->sizeHint().height());
+  connect(accept_, &QPushButton::clicked, this, &PairsPanel::accept_clicked);
+  connect(reject_, &QToolButton::clicked, this, &PairsPanel::reject_clicked);
+  row.addWidget(accept_);
+  row.addWidget(reject_);
+}
+
+void PairsPanel::set_reason_menu(QMenu* menu) {
+  reject_->setMenu(menu);
+  reject_->setPopupMode(QToolButton::MenuButtonPopup);
+}
+
+void PairsPanel::set_measure(PairMeasure measure) {
+  PairCriteria criteria = filter_->criteria();
+  criteria.measure = measure;
+  filter_->set_criteria(criteria);
+}
+
+void PairsPanel::apply_criteria() {
+  PairCriteria criteria = filter_->criteria();
+  criteria.state =
+      state_->currentIndex() == 0 ? std::nullopt : std::optional(static_cast<PairState>(state_->currentIndex() - 1));
+  criteria.group = static_cast<PairGroup>(group_->currentIndex());
+  criteria.text = text_->text();
+  filter_->set_criteria(criteria);
 }
 
 void PairsPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
-  chart_->show_output(std::move(output));
   update_count();
-  if (model_.rowCount() == 0) return;
+  if (!output || output->pairs.empty()) {
+    sized_ = false;
+    return;
+  }
+  if (sized_) return;
+  sized_ = true;
   for (int column = 0; column < PairTableModel::Reason; ++column) table_->resizeColumnToContents(column);
 }
 
 void PairsPanel::show_selected(int pair) {
-  chart_->show_selected(pair);
-  const QModelIndex index = filter_->mapFromSource(model_.index(pair, 0));
+  selected_ = pair;
+  const int row = filter_->row_of(pair);
   const QSignalBlocker quiet(this);
-  if (!index.isValid()) {
+  if (row < 0) {
     table_->clearSelection();
-  } else if (table_->currentIndex().row() != index.row() || !table_->selectionModel()->isRowSelected(index.row(), {})) {
+    return;
+  }
+  last_row_ = row;
+  const QModelIndex index = filter_->index(row, 0);
+  if (table_->currentIndex().row() != row || !table_->selectionModel()->isRowSelected(row, {})) {
     table_->setCurrentIndex(index);
     table_->scrollTo(index);
   }
@@ -132,21 +162,24 @@ std::vector<int> PairsPanel::marked_pairs() const {
 
 int PairsPanel::neighbour(int step, bool undecided) const {
   const int rows = filter_->rowCount();
-  const int current = table_->currentIndex().isValid() ? table_->currentIndex().row() : (step > 0 ? -1 : rows);
+  const int present = filter_->row_of(selected_);
+  // Where the present pair is no longer shown, the next one has moved into its place.
+  int current = present >= 0 ? present : std::min(last_row_, rows) - (step > 0 ? 1 : 0);
+  if (selected_ < 0) current = step > 0 ? -1 : rows;
   for (int moved = 1; moved <= rows; ++moved) {
     int row = current + step * moved;
     if (undecided) row = ((row % rows) + rows) % rows;  // goes on from the start: none is forgotten
     if (row < 0 || row >= rows) return -1;
-    const int pair = filter_->mapToSource(filter_->index(row, 0)).row();
+    const int pair = filter_->pairs()[static_cast<std::size_t>(row)];
     if (!undecided || model_.pair(pair)->decided_by != DecidedBy::User) return pair;
   }
   return -1;
 }
 
 void PairsPanel::update_count() {
-  if (!count_) return;
   const int shown = filter_->rowCount(), all = model_.rowCount();
-  for (QPushButton* button : {accept_, reject_}) button->setEnabled(shown > 0);
+  accept_->setEnabled(shown > 0);
+  reject_->setEnabled(shown > 0);
   count_->setText(all == 0       ? tr("no pairs yet")
                   : shown == all ? tr("%1 pairs").arg(all)
                                  : tr("%1 of %2 pairs").arg(shown).arg(all));

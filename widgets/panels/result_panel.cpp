@@ -14,7 +14,8 @@
 namespace remount {
 namespace {
 
-constexpr int kStatusRow = 0, kNoteRow = 1, kTitleRow = 2, kFirstParameterRow = 3, kButtonRow = 9, kWordsRow = 10;
+constexpr int kStatusRow = 0, kNoteRow = 1, kTitleRow = 2, kFirstParameterRow = 3, kMovedByRow = 9, kButtonRow = 10,
+              kWordsRow = 11;
 constexpr int kColumns = 4;
 
 QString html_list(const QString& title, const QStringList& items) {
@@ -77,10 +78,19 @@ QString result_as_text(const CalibrationResult& result) {
   return lines.join('\n');
 }
 
+QString moved_text(std::size_t i, double change) {
+  const bool large = std::abs(change) >= 1.0;
+  const QString unit = large ? unit_suffix(i) : is_angle(i) ? QStringLiteral(" mdeg") : QStringLiteral(" mm");
+  const QString number = QString::number(large ? change : 1e3 * change, 'f', large ? 3 : is_angle(i) ? 1 : 2);
+  const bool nothing = number.toDouble() == 0.0;
+  return nothing ? QStringLiteral("0") + unit : (change > 0.0 ? QStringLiteral("+") : QString()) + number + unit;
+}
+
 ResultPanel::ResultPanel(QWidget* parent)
     : QScrollArea(parent),
       status_(new QLabel),
       note_(new QLabel),
+      moved_by_(new QLabel),
       words_(new QLabel),
       copy_(new QPushButton(tr("Copy"))),
       export_(new QPushButton(tr("Export…"))) {
@@ -101,7 +111,7 @@ ResultPanel::ResultPanel(QWidget* parent)
 }
 
 void ResultPanel::make_labels(QGridLayout& grid) {
-  for (QLabel* label : {status_, note_, words_}) {
+  for (QLabel* label : {status_, note_, moved_by_, words_}) {
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   }
@@ -110,6 +120,8 @@ void ResultPanel::make_labels(QGridLayout& grid) {
   words_->setAlignment(Qt::AlignTop);
   grid.addWidget(status_, kStatusRow, 0, 1, kColumns);
   grid.addWidget(note_, kNoteRow, 0, 1, kColumns);
+  moved_by_->setAccessibleName(tr("What the result is compared with"));
+  grid.addWidget(moved_by_, kMovedByRow, 0, 1, kColumns);
   grid.addWidget(words_, kWordsRow, 0, 1, kColumns);
 }
 
@@ -184,12 +196,16 @@ void ResultPanel::changeEvent(QEvent* event) {
 }
 
 void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
-                              std::shared_ptr<const PipelineOutput> before) {
+                              std::shared_ptr<const PipelineOutput> before, const QString& moved_by) {
   const bool numbers = output && has_numbers(output->result.status);
   copy_->setEnabled(numbers);
   export_->setEnabled(output && is_usable(output->result));
   shown_ = output ? std::optional(output->result.status) : std::nullopt;
   show_status();
+  const bool compared = numbers && before && has_numbers(before->result.status);
+  moved_by_->setVisible(compared);
+  moved_by_->setText(moved_by.isEmpty() ? tr("moved: since the calibration before")
+                                        : tr("moved: by “%1”").arg(moved_by));
   if (!output) {
     for (Row& row : rows_)
       for (QLabel* label : {row.value, row.sigma, row.moved})
@@ -227,8 +243,7 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
                               : tr("This drive says nothing about it: do not rely on the value shown"));
     double change = values[i] - old[i];
     if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
-    const bool visible = numbers && before && std::abs(change) >= 5e-5;
-    row.moved->setText(visible ? QStringLiteral("%1%2").arg(change > 0 ? "+" : "").arg(change, 0, 'f', 4) : QString());
+    row.moved->setText(numbers && before && !zero_by_default ? moved_text(i, change) : QString());
   }
 }
 

@@ -21,8 +21,10 @@ class ResultPanel : public QScrollArea {
   Q_OBJECT
  public:
   explicit ResultPanel(QWidget* parent = nullptr);
-  /// `before`: the result that the present one is compared with ("moved"); null where there is none.
-  void show_output(std::shared_ptr<const PipelineOutput> output, std::shared_ptr<const PipelineOutput> before);
+  /// `before`: the result that the present one is compared with ("moved"); null where there is none. `moved_by`: the
+  /// edit between the two; empty for a calibration.
+  void show_output(std::shared_ptr<const PipelineOutput> output, std::shared_ptr<const PipelineOutput> before,
+                   const QString& moved_by = {});
   /// `note`: a line under the status that says what the standing comes from; empty for none. `next`: what is to be done
   /// or under way, shown as long as there is no result.
   void show_standing(ResultStanding standing, const QString& note, const QString& next);
@@ -47,6 +49,7 @@ class ResultPanel : public QScrollArea {
 
   QLabel* status_;
   QLabel* note_;
+  QLabel* moved_by_;
   QLabel* words_;
   QPushButton* copy_;
   QPushButton* export_;
@@ -56,6 +59,8 @@ class ResultPanel : public QScrollArea {
   QString next_;
 };
 
+/// "+1.24 mm", "-3.1 mdeg", "+2.400°": how far parameter i moved, given in m or degrees.
+QString moved_text(std::size_t i, double change);
 /// "Solved", "Solved in part", … for a heading.
 QString status_title(Status status);
 /// Whether the six numbers of a result mean anything.

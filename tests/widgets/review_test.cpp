@@ -1,0 +1,246 @@
+// Review of pairs: reasons, the line in the chart, keys, and how X moved.
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+
+#include "app/gui/result_files.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/charts/error_bar_chart.h"
+#include "widgets/panels/keys_dialog.h"
+#include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/result_panel.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+using review = testing::WindowFixture;
+
+TEST_F(review, one_key_rejects_with_a_reason_that_is_saved_and_exported) {
+  show();
+  calibrate_drive();
+  workbench_.select_pair(5);
+  trigger("2");
+  EXPECT_EQ(pair(5).state, PairState::Rejected);
+  EXPECT_EQ(pair(5).reason, "aligned wrongly");
+  EXPECT_EQ(workbench_.undo_stack().undoText(), "reject pair 5: aligned wrongly");
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(5).reason, "aligned wrongly") << "a new solution keeps it";
+  EXPECT_TRUE(export_text(workbench_, "yaml").contains("aligned wrongly"));
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(5).reason, "aligned wrongly") << "a new calibration keeps it";
+  QTemporaryDir folder;
+  const QString path = folder.filePath("job.remount");
+  workbench_.save_project(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kPatience_ms));
+  workbench_.open_project(path);
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(5).reason, "aligned wrongly") << "a project keeps it";
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(5).reason, "aligned wrongly") << "and a calibration of the project";
+}
+
+TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
+  show();
+  calibrate_drive();
+  workbench_.select_pair(5);
+  trigger("R");
+  ASSERT_TRUE(settle());
+  const double rejected_m = x_m();
+  trigger("1");
+  EXPECT_FALSE(workbench_.solving()) << "the pairs are the same";
+  EXPECT_EQ(pair(5).reason, "moving objects");
+  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_EQ(x_m(), rejected_m);
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_NE(pair(5).decided_by, DecidedBy::User);
+  EXPECT_NE(x_m(), rejected_m);
+}
+
+TEST_F(review, a_reason_can_be_typed) {
+  show();
+  calibrate_drive();
+  workbench_.select_pair(8);
+  trigger("Shift+R");
+  auto* dialog = window_.findChild<QInputDialog*>();
+  ASSERT_TRUE(dialog);
+  dialog->setTextValue("  tram in front of us ");
+  dialog->accept();
+  EXPECT_EQ(pair(8).reason, "tram in front of us");
+  EXPECT_EQ(pair(8).decided_by, DecidedBy::User);
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit) {
+  show();
+  calibrate_drive();
+  auto& chart = child<ErrorBarChart>();
+  QSignalSpy moved(&chart, &ErrorBarChart::threshold_moved);
+  const QPoint start = chart.handle();
+  QTest::mousePress(&chart, Qt::LeftButton, {}, start);
+  std::vector<int> above;
+  int y = start.y();
+  while (above.size() < 3 && y < chart.height()) {
+    y += 2;
+    QTest::mouseMove(&chart, {start.x() - 40, y});
+    above = chart.above_threshold();
+    EXPECT_EQ(moved.last()[0].toInt(), chart.threshold() ? static_cast<int>(above.size()) : -1);
+  }
+  ASSERT_GE(above.size(), 3U);
+  EXPECT_EQ(moved.last()[1].toInt(), 43) << "7 of 50 are rejected already";
+  EXPECT_EQ(workbench_.undo_stack().count(), 0) << "nothing happens before the line is let go";
+  photograph(window_, "20-threshold");
+  QTest::mouseRelease(&chart, Qt::LeftButton, {}, {start.x() - 40, y});
+  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_TRUE(workbench_.undo_stack().undoText().contains("residual translation above")) << "says what was done";
+  for (const int index : above) {
+    EXPECT_EQ(pair(index).state, PairState::Rejected);
+    EXPECT_EQ(pair(index).decided_by, DecidedBy::User);
+    EXPECT_TRUE(pair(index).reason.starts_with("residual translation above")) << pair(index).reason;
+  }
+  ASSERT_TRUE(settle());
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  for (const int index : above) EXPECT_NE(pair(index).decided_by, DecidedBy::User);
+}
+
+TEST_F(review, the_line_moves_with_keys_and_escape_lets_go) {
+  show();
+  calibrate_drive();
+  auto& chart = child<ErrorBarChart>();
+  QTest::keyClick(&chart, Qt::Key_PageDown);
+  ASSERT_TRUE(chart.threshold());
+  EXPECT_NEAR(*chart.threshold(), 0.9 * chart.top_of_axis(), 1e-9);
+  QTest::keyClick(&chart, Qt::Key_Escape);
+  EXPECT_FALSE(chart.threshold());
+  QTest::keyClick(&chart, Qt::Key_Return);
+  EXPECT_EQ(workbench_.undo_stack().count(), 0) << "at rest the line rejects nothing";
+  while (chart.above_threshold().size() < 2) QTest::keyClick(&chart, Qt::Key_Down);
+  const auto above = chart.above_threshold();
+  QTest::keyClick(&chart, Qt::Key_Return);
+  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_EQ(pair(above.front()).state, PairState::Rejected);
+  ASSERT_TRUE(settle());
+}
+
+TEST_F(review, a_drag_that_ends_where_it_began_or_above_the_chart_rejects_nothing) {
+  show();
+  calibrate_drive();
+  auto& chart = child<ErrorBarChart>();
+  chart.set_threshold(0.5 * chart.top_of_axis());
+  QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.handle());
+  EXPECT_EQ(workbench_.undo_stack().count(), 0);
+  QTest::mousePress(&chart, Qt::LeftButton, {}, chart.handle());
+  QTest::mouseMove(&chart, {chart.width() - 30, chart.height() / 2});
+  QTest::mouseMove(&chart, {chart.width() - 30, 0});
+  QTest::mouseRelease(&chart, Qt::LeftButton, {}, {chart.width() - 30, 0});
+  EXPECT_EQ(workbench_.undo_stack().count(), 0);
+  EXPECT_FALSE(chart.threshold());
+}
+
+TEST_F(review, the_chart_shows_the_pairs_of_the_table_in_its_order) {
+  show();
+  calibrate_drive();
+  auto& chart = child<ErrorBarChart>();
+  auto& panel = child<PairsPanel>();
+  const auto drawn = [&] {
+    std::vector<int> pairs;
+    for (int x = 0; x < chart.width(); ++x) {
+      const int pair = chart.pair_at({x, 50});
+      if (pair >= 0 && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
+    }
+    return pairs;
+  };
+  EXPECT_EQ(drawn().size(), 50U);
+  panel.table()->sortByColumn(PairTableModel::ResidualTranslation, Qt::DescendingOrder);
+  EXPECT_EQ(drawn(), panel.filter()->pairs());
+  const auto combos = panel.findChildren<QComboBox*>();
+  combos.at(1)->setCurrentIndex(static_cast<int>(PairGroup::Worst10));
+  EXPECT_EQ(drawn().size(), 10U);
+  EXPECT_EQ(drawn(), panel.filter()->pairs());
+  photograph(window_, "21-worst");
+  chart.show_selected(drawn().at(3));
+  QSignalSpy clicked(&chart, &ErrorBarChart::pair_clicked);
+  QTest::keyClick(&chart, Qt::Key_Right);
+  ASSERT_EQ(clicked.count(), 1);
+  EXPECT_EQ(clicked[0][0].toInt(), drawn().at(4)) << "the neighbour that is seen";
+  EXPECT_EQ(workbench_.selected_pair(), drawn().at(4));
+}
+
+TEST_F(review, how_x_moved_is_shown_in_millimetres_with_what_moved_it) {
+  show();
+  calibrate_drive();
+  workbench_.select_pair(5);
+  trigger("R");
+  ASSERT_TRUE(settle());
+  QStringList texts;
+  for (const QLabel* label : child<ResultPanel>().findChildren<QLabel*>())
+    if (label->isVisible()) texts << label->text();
+  EXPECT_TRUE(texts.contains("+1.00 mm")) << texts.join(" | ").toStdString();
+  EXPECT_TRUE(texts.join('\n').contains("reject pair 5")) << texts.join(" | ").toStdString();
+  EXPECT_EQ(workbench_.moved_by(), "reject pair 5");
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.moved_by(), "undo: reject pair 5");
+  photograph(window_, "22-moved");
+}
+
+TEST(moved_text, has_the_unit_that_suits) {
+  EXPECT_EQ(moved_text(0, 0.00124), "+1.24 mm");
+  EXPECT_EQ(moved_text(2, -1.5), "-1.500 m");
+  EXPECT_EQ(moved_text(3, -0.0031), "-3.1 mdeg");
+  EXPECT_EQ(moved_text(4, 2.5), "+2.500°");
+  EXPECT_EQ(moved_text(0, 1e-9), "0 mm");
+  EXPECT_EQ(moved_text(5, -1e-9), "0 mdeg");
+}
+
+TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
+  show();
+  calibrate_drive();
+  trigger(QKeySequence(QKeySequence::HelpContents).toString());
+  auto* dialog = window_.findChild<KeysDialog*>();
+  ASSERT_TRUE(dialog);
+  photograph(*dialog, "23-keys");
+  const auto ok = [&] { return dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled(); };
+  const auto words = [&] {
+    QStringList texts;
+    for (const QLabel* label : dialog->findChildren<QLabel*>())
+      if (label->isVisibleTo(dialog)) texts << label->text();
+    return texts.join('\n');
+  };
+  dialog->set_key("reject", QKeySequence("A"));
+  EXPECT_TRUE(words().contains("A: Accept pair and Reject pair")) << words().toStdString();
+  dialog->set_key("reject", QKeySequence("Ctrl+E"));
+  EXPECT_TRUE(words().contains("Export result")) << "keys of other menus count";
+  EXPECT_FALSE(ok());
+  dialog->set_key("reject", QKeySequence("X"));
+  EXPECT_TRUE(ok());
+  dialog->accept();
+  workbench_.select_pair(5);
+  trigger("X");
+  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+  ASSERT_TRUE(settle());
+}
+
+TEST(keys_dialog, goes_back_to_the_standard) {
+  KeysDialog dialog({{"a", "Accept", QKeySequence("Y"), QKeySequence("A")}, {"", "Quit", QKeySequence("Q"), {}}});
+  dialog.set_key("a", QKeySequence("Q"));
+  EXPECT_EQ(key_conflicts(dialog.bindings()).size(), 1);
+  for (QPushButton* button : dialog.findChildren<QPushButton*>())
+    if (button->text().contains("Defaults")) button->click();
+  EXPECT_EQ(dialog.bindings().at(0).key, QKeySequence("A"));
+  EXPECT_TRUE(key_conflicts(dialog.bindings()).isEmpty());
+}
+
+}  // namespace
+}  // namespace remount

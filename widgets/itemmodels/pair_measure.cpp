@@ -1,0 +1,62 @@
+#include "widgets/itemmodels/pair_measure.h"
+
+#include <QCoreApplication>
+#include <cmath>
+
+#include "algorithms/calibration/pair_judgement.h"
+
+namespace remount {
+namespace {
+QString words(const char* text) { return QCoreApplication::translate("remount::pair_measure", text); }
+}  // namespace
+
+bool is_aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
+
+std::optional<double> measured(const Pair& pair, PairMeasure measure) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  const bool aligned = is_aligned(pair);
+  switch (measure) {
+    case PairMeasure::ResidualTranslation:
+      if (aligned) value = 100.0 * pair.residual_translation_m;
+      break;
+    case PairMeasure::ResidualRotation:
+      if (aligned) value = radians_to_degrees(pair.residual_rotation_rad);
+      break;
+    case PairMeasure::Rmse:
+      if (aligned || pair.registration.rmse_m > 0.0) value = 100.0 * pair.registration.rmse_m;
+      break;
+    case PairMeasure::Screw:
+      if (aligned) value = pair.screw.score;
+      break;
+  }
+  return std::isfinite(value) ? std::optional(std::max(0.0, value)) : std::nullopt;
+}
+
+QString measure_name(PairMeasure measure) {
+  switch (measure) {
+    case PairMeasure::ResidualTranslation:
+      return words("Residual translation");
+    case PairMeasure::ResidualRotation:
+      return words("Residual rotation");
+    case PairMeasure::Rmse:
+      return words("Alignment RMSE");
+    case PairMeasure::Screw:
+      return words("Screw test");
+  }
+  return {};
+}
+
+QString measure_unit(PairMeasure measure) {
+  switch (measure) {
+    case PairMeasure::ResidualTranslation:
+    case PairMeasure::Rmse:
+      return QStringLiteral("cm");
+    case PairMeasure::ResidualRotation:
+      return QStringLiteral("°");
+    case PairMeasure::Screw:
+      return QStringLiteral("σ");
+  }
+  return {};
+}
+
+}  // namespace remount

@@ -1,0 +1,97 @@
+#include "widgets/panels/keys_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "widgets/theme.h"
+
+namespace remount {
+
+QStringList key_conflicts(const std::vector<KeyBinding>& bindings) {
+  QStringList conflicts;
+  for (std::size_t i = 0; i < bindings.size(); ++i)
+    for (std::size_t k = i + 1; k < bindings.size(); ++k) {
+      const QKeySequence &first = bindings[i].key, &second = bindings[k].key;
+      if (first.isEmpty() || second.isEmpty()) continue;
+      // Typing the shorter would never let the longer be finished.
+      if (first.matches(second) == QKeySequence::NoMatch && second.matches(first) == QKeySequence::NoMatch) continue;
+      conflicts << KeysDialog::tr("%1: %2 and %3")
+                       .arg(first.toString(QKeySequence::NativeText), bindings[i].text, bindings[k].text);
+    }
+  return conflicts;
+}
+
+KeysDialog::KeysDialog(const std::vector<KeyBinding>& bindings, QWidget* parent)
+    : QDialog(parent), bindings_(bindings), conflicts_(new QLabel(this)) {
+  setWindowTitle(tr("Keys"));
+  auto* rows = new QWidget(this);
+  auto* grid = new QGridLayout(rows);
+  int row = 0;
+  for (std::size_t i = 0; i < bindings_.size(); ++i) {
+    editors_.push_back(nullptr);
+    if (bindings_[i].id.isEmpty()) continue;
+    auto* editor = new QKeySequenceEdit(bindings_[i].key, this);
+    editor->setClearButtonEnabled(true);
+    editor->setAccessibleName(tr("Key of %1").arg(bindings_[i].text));
+    editor->setToolTip(
+        tr("Click and press the key. Standard: %1").arg(bindings_[i].standard.toString(QKeySequence::NativeText)));
+    auto* label = new QLabel(bindings_[i].text, this);
+    label->setBuddy(editor);
+    grid->addWidget(label, row, 0);
+    grid->addWidget(editor, row++, 1);
+    editors_.back() = editor;
+    connect(editor, &QKeySequenceEdit::keySequenceChanged, this, [this, i](const QKeySequence& key) {
+      bindings_[i].key = key;
+      check();
+    });
+  }
+  grid->setColumnStretch(0, 1);
+  grid->setRowStretch(row, 1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(rows);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  conflicts_->setWordWrap(true);
+  auto* note = new QLabel(tr("Several pairs can be marked with Ctrl or Shift and decided together."), this);
+  note->setWordWrap(true);
+  note->setEnabled(false);
+  auto* buttons =
+      new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this);
+  ok_ = buttons->button(QDialogButtonBox::Ok);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, &KeysDialog::reset);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(scroll, 1);
+  column->addWidget(conflicts_);
+  column->addWidget(note);
+  column->addWidget(buttons);
+  resize(440, 520);
+  check();
+}
+
+void KeysDialog::set_key(const QString& id, const QKeySequence& key) {
+  for (std::size_t i = 0; i < bindings_.size(); ++i)
+    if (editors_[i] && bindings_[i].id == id) editors_[i]->setKeySequence(key);
+}
+
+void KeysDialog::reset() {
+  for (std::size_t i = 0; i < bindings_.size(); ++i)
+    if (editors_[i]) editors_[i]->setKeySequence(bindings_[i].standard);
+}
+
+void KeysDialog::check() {
+  const QStringList conflicts = key_conflicts(bindings_);
+  conflicts_->setVisible(!conflicts.isEmpty());
+  conflicts_->setStyleSheet("color: " + bad_color(palette()).name());
+  conflicts_->setText(tr("Keys with two meanings:\n%1").arg(conflicts.join('\n')));
+  ok_->setEnabled(conflicts.isEmpty());
+}
+
+}  // namespace remount
