@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/project_keeper.h"
+#include "app/gui/report_maker.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
@@ -55,6 +56,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
   progress_ = new ProgressStrip(this);
   statusBar()->addWidget(progress_, 1);
   keeper_ = new ProjectKeeper(workbench_, *this);
+  report_ = new ReportMaker(workbench_, this);
   make_file_menu();
   make_edit_menu();
   make_calibrate_menu();

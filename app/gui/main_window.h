@@ -27,6 +27,7 @@ class PairView;
 class ProgressStrip;
 class ProjectKeeper;
 class RangePanel;
+class ReportMaker;
 class ResultPanel;
 class SessionListModel;
 class SessionsPanel;
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
   void ask_for_nominal();
   void show_options();
   void show_export();
+  void ask_for_report();
   void show_obstacles();
   void copy_result();
   void go_to_step(Step step);
@@ -127,11 +129,12 @@ class MainWindow : public QMainWindow {
   LogPanel* log_ = nullptr;
   ProgressStrip* progress_ = nullptr;
   ProjectKeeper* keeper_ = nullptr;
+  ReportMaker* report_ = nullptr;
   OptionsDialog* options_ = nullptr;
   QDockWidget *pairs_dock_ = nullptr, *error_dock_ = nullptr, *candidates_dock_ = nullptr, *log_dock_ = nullptr,
               *setup_dock_ = nullptr, *result_dock_ = nullptr;
   QPushButton* run_ = nullptr;
-  QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *obstacles_ = nullptr;
+  QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *make_report_ = nullptr, *obstacles_ = nullptr;
   struct ReviewAction {
     QString id;  // by which its key is remembered
     QAction* action;

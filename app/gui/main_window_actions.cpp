@@ -53,6 +53,7 @@ void MainWindow::make_file_menu() {
   add_action(menu, tr("Save project &as…"), QKeySequence::SaveAs, [this] { save_project(true); });
   menu.addSeparator();
   export_ = add_action(menu, tr("&Export result…"), tr("Ctrl+E"), [this] { show_export(); });
+  make_report_ = add_action(menu, tr("Make &report…"), tr("Ctrl+R"), [this] { ask_for_report(); });
   menu.addSeparator();
   add_action(menu, tr("&Quit"), QKeySequence::Quit, [this] { close(); });
 }

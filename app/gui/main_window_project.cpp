@@ -1,11 +1,13 @@
 // Project files in the window.
 #include <QCloseEvent>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 
 #include "app/gui/main_window.h"
 #include "app/gui/project_keeper.h"
+#include "app/gui/report_maker.h"
 
 namespace remount {
 namespace {
@@ -35,6 +37,18 @@ void MainWindow::show_project() {
 }
 
 void MainWindow::keep_work_in(const QString& data_folder) { keeper_->keep_in(data_folder); }
+
+void MainWindow::ask_for_report() {
+  const QString project = workbench_.project_path();
+  const QString suggested = project.isEmpty()
+                                ? tr("report.html")
+                                : QFileInfo(project).dir().filePath(QFileInfo(project).completeBaseName() + ".html");
+  QString path = QFileDialog::getSaveFileName(this, tr("Save the report (HTML, and PDF beside it)"), suggested,
+                                              tr("Web pages (*.html)"));
+  if (path.isEmpty()) return;
+  if (!path.endsWith(QLatin1String(".html"))) path += QStringLiteral(".html");
+  report_->make(path);
+}
 
 bool MainWindow::may_close() {
   if (!workbench_.has_unsaved_work()) return true;

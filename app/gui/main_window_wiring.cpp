@@ -5,6 +5,7 @@
 #include <QTableView>
 
 #include "app/gui/main_window.h"
+#include "app/gui/report_maker.h"
 #include "app/gui/steps.h"
 #include "app/gui/wording.h"
 #include "widgets/itemmodels/candidate_table_model.h"
@@ -65,6 +66,12 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
   connect(&workbench_, &Workbench::logged, log_, &LogPanel::add);
   connect(&workbench_, &Workbench::job_progressed, progress_, &ProgressStrip::show_progress);
+  connect(report_, &ReportMaker::progressed, this, &MainWindow::progress_text);
+  connect(report_, &ReportMaker::finished, this, [this](const QString& html, const QString& pdf) {
+    show_message(Severity::Note, html, tr("report saved, and as %1").arg(pdf));
+  });
+  connect(report_, &ReportMaker::failed, this,
+          [this](const QString& where, const QString& what) { show_message(Severity::Problem, where, what); });
   connect(&workbench_, &Workbench::selection_changed, this, [this](int pair) {
     pairs_->show_selected(pair);
     errors_->chart()->show_selected(pair);
@@ -135,6 +142,7 @@ void MainWindow::show_state() {
   cancel_->setEnabled(busy);
   const OutputPtr output = workbench_.output();
   export_->setEnabled(output && is_usable(output->result));
+  make_report_->setEnabled(output != nullptr);
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
   for (const ReviewAction& review : review_actions_) review.action->setEnabled(output != nullptr);
   result_->show_standing(standing_of(workbench_), standing_note(workbench_), next_text(workbench_));

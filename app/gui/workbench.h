@@ -114,6 +114,7 @@ class Workbench : public QObject {
   /// Replaces everything; the project's sessions are given opened, its paths are not used.
   void restore(std::vector<std::shared_ptr<const Session>> sessions, const Project& project, OutputPtr output);
   JobRunner& jobs() { return jobs_; }
+  const Engine& engine() const { return engine_; }
 
  signals:
   void sessions_changed();

@@ -170,7 +170,7 @@ TEST_F(cli, a_wrong_verb_is_answered_with_the_right_ones) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 1);
     for (const char* said : {arguments.empty() ? "no verb is given" : "there is no verb \"calibrat\"",
-                             "inspect, calibrate, solve, export, obstacles, simulate, settings"})
+                             "inspect, calibrate, solve, export, report, obstacles, simulate, settings"})
       EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
   }
 }
@@ -203,6 +203,17 @@ TEST_F(cli, calibrates_and_writes_the_same_bytes_for_any_number_of_threads) {
   EXPECT_LT(error.head<2>().norm(), 0.05) << error.transpose();
   ASSERT_FALSE(result.inputs.empty());
   EXPECT_EQ(result.inputs.front().sha256.size(), 64U);
+}
+
+TEST_F(cli, a_report_is_one_page_and_replaces_only_its_like) {
+  ASSERT_EQ(run("solve " + pairs_file("reported.csv", false) + " -o " + path("reported.yaml")).code, 0);
+  ASSERT_EQ(run("report " + path("reported.yaml") + " " + path("drive") + " -o " + path("page.html")).code, 0);
+  const std::string page = text_of(path("page.html"));
+  EXPECT_NE(page.find("0.5000 m"), std::string::npos);
+  EXPECT_NE(page.find("north up"), std::string::npos) << "the session's track";
+  EXPECT_EQ(run("report " + path("reported.yaml") + " -o " + path("page.html")).code, 0) << "a page may be replaced";
+  EXPECT_EQ(run("report " + path("reported.yaml") + " -o " + path("reported.yaml")).code, 1);
+  EXPECT_EQ(run("report " + path("reported.yaml") + " -o " + path("drive/ins.csv")).code, 1);
 }
 
 TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {

@@ -1,0 +1,51 @@
+#include "model/report/report.h"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "algorithms/core/error.h"
+#include "app/cli/verbs.h"
+#include "model/io/atomic_save.h"
+#include "model/io/session_reader.h"
+#include "model/session_report.h"
+
+namespace remount {
+namespace {
+
+struct ReportArguments {
+  std::string result, output;
+  std::vector<std::string> sessions;
+};
+
+int write_report(const ReportArguments& arguments, Console& console) {
+  Report report;
+  report.file = load_result(arguments.result);
+  std::error_code none;
+  if (std::filesystem::equivalent(arguments.result, arguments.output, none))
+    throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which a report must not replace");
+  check_replaces_its_like(arguments.output, "<!DOCTYPE html>");
+  for (const std::string& path : arguments.sessions)
+    report.tracks.push_back(track_of(open_session(path, console.progress())));
+  report.created =
+      utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
+                   .count());
+  report.no_pictures = "Pictures of pairs are made by the window (File, Report).";
+  save_atomically(arguments.output, report_html(report));
+  console.print(arguments.output + ": report of " + arguments.result);
+  return kSolved;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Console& console, Run& run) {
+  const auto arguments = std::make_shared<ReportArguments>();
+  CLI::App* verb = app.add_subcommand("report", "Write a report of a result as one HTML page");
+  verb->add_option("result", arguments->result, "Result file (.yaml or .json)")->type_name("RESULT")->required();
+  verb->add_option("sessions", arguments->sessions, "Sessions whose tracks are to be drawn")->type_name("SESSION");
+  verb->add_option("-o,--output", arguments->output, "Page to write")->type_name("FILE")->required();
+  verb->callback(
+      [arguments, &console, &run] { run = [arguments, &console] { return write_report(*arguments, console); }; });
+}
+
+}  // namespace remount

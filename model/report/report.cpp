@@ -1,0 +1,332 @@
+#include "model/report/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "model/display_units.h"
+#include "model/io/base64.h"
+#include "model/session_report.h"
+#include "model/settings_file.h"
+
+namespace remount {
+namespace {
+
+constexpr const char* kCss =
+    "body{font-family:'Noto Sans','Noto Sans CJK SC',sans-serif;color:#222;max-width:860px;margin:24px auto;padding:0 "
+    "16px}h1{font-size:22px}h2{font-size:16px;margin-top:26px;border-bottom:1px solid #ccc}"
+    "table{border-collapse:collapse;font-size:12px}td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}"
+    "th{background:#f0f2f5}td.text,th.text{text-align:left}.weak{color:#777}.warn{color:#9a4a00}"
+    "pre{font-size:11px;background:#f6f7f9;padding:8px}img,svg{max-width:100%;height:auto}";
+
+std::string number(const char* pattern, double value, const char* instead = "–") {
+  if (!std::isfinite(value)) return instead;
+  char text[64];
+  std::snprintf(text, sizeof(text), pattern, value);
+  return text;
+}
+
+/// Writes the page part by part, each a function that fits on a screen.
+class Page {
+ public:
+  Page(const Report& report, const ReportStyle& style)
+      : report_(report), file_(report.file), result_(report.file.result), style_(style) {}
+
+  std::string write();
+
+ private:
+  std::string phrase(const char* context, const char* english) const {
+    return html_escaped(style_.phrase ? style_.phrase(context, english) : english);
+  }
+  std::string sentence(const std::string& text) const {
+    return html_escaped(style_.sentence ? style_.sentence(text) : text);
+  }
+  void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
+  void row(const std::vector<std::string>& cells, const char* tag = "td", bool last_is_text = false) {
+    html_ += "<tr>";
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      html_ +=
+          std::string("<") + tag +
+          (i == 0 || (last_is_text && i + 1 == cells.size()) ? " class=\"text\" align=\"left\"" : " align=\"right\"") +
+          ">" + cells[i] + "</" + tag + ">";
+    html_ += "</tr>\n";
+  }
+  void begin_table() { html_ += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"; }
+  void end_table() { html_ += "</table>\n"; }
+  void list(const std::vector<std::string>& items);
+  void chart(const Drawing& drawing) {
+    html_ += "<p>" + (style_.chart ? style_.chart(drawing) : to_svg(drawing)) + "</p>\n";
+  }
+  void write_verdict();
+  void write_parameters();
+  void write_transform();
+  void write_correlation();
+  void write_observability();
+  void write_sharpness();
+  void write_pictures();
+  void write_charts();
+  void write_pairs();
+  void write_data();
+  void write_settings();
+  bool has_numbers() const { return is_usable(result_) || result_.status == Status::Inconsistent; }
+
+  const Report& report_;
+  const ResultFile& file_;
+  const CalibrationResult& result_;
+  const ReportStyle& style_;
+  std::string html_;
+};
+
+void Page::list(const std::vector<std::string>& items) {
+  html_ += "<ul>";
+  for (const std::string& item : items) html_ += "<li>" + item + "</li>";
+  html_ += "</ul>\n";
+}
+
+void Page::write_verdict() {
+  html_ += "<h1>" + phrase("report", "Calibration of a LiDAR: report") + "</h1>\n<p class=\"weak\">";
+  if (!report_.created.empty()) html_ += html_escaped(report_.created) + " · ";
+  html_ += "Remount " + html_escaped(file_.version) + "</p>\n";
+  html_ += "<p><b>" + phrase("report", "Status") + ": " + html_escaped(to_string(result_.status)) + ".</b> " +
+           sentence(result_.message) + "</p>\n";
+  std::vector<std::string> advice;
+  for (const std::string& line : result_.advice) advice.push_back(sentence(line));
+  if (!advice.empty()) list(advice);
+}
+
+void Page::write_parameters() {
+  heading(phrase("report", "LiDAR in the INS frame (ins_from_lidar)"));
+  begin_table();
+  row({"", phrase("report", "value"), phrase("report", "1 sigma"), phrase("report", "by resampling"),
+       phrase("report", "nominal"), phrase("report", "new − nominal")},
+      "th");
+  const std::array<double, 6> values = six_on_screen(result_.ins_from_lidar);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const char* unit = is_angle(i) ? " °" : " m";
+    const auto sigma = result_.sigma(i);
+    std::string nominal = "–", change = "–";
+    if (file_.nominal_ins_from_lidar) {
+      const double given = six_on_screen(*file_.nominal_ins_from_lidar)[i];
+      double moved = values[i] - given;
+      if (is_angle(i)) moved = radians_to_degrees(wrap_angle_rad(degrees_to_radians(moved)));
+      nominal = number("%.4f", given) + unit;
+      if (has_numbers()) change = number("%+.4f", moved) + unit;
+    }
+    row({html_escaped(kParameterNames[i]) + (result_.measured[i] ? " *" : ""),
+         has_numbers() ? number("%.4f", values[i]) + unit : "–",
+         sigma ? "± " + number("%.4f", on_screen(i, *sigma)) + unit : phrase("report", "not observed"),
+         sigma && result_.bootstrap_sigma[i] > 0.0
+             ? "± " + number("%.4f", on_screen(i, result_.bootstrap_sigma[i])) + unit
+             : "–",
+         nominal, change});
+  }
+  end_table();
+  html_ += "<p class=\"weak\">" + phrase("report",
+                                         "R = Rz(yaw) Ry(pitch) Rx(roll); point_in_ins = ins_from_lidar * "
+                                         "point_in_lidar.");
+  if (std::any_of(result_.measured.begin(), result_.measured.end(), [](bool measured) { return measured; }))
+    html_ += " " + phrase("report", "* with a value measured by hand.");
+  html_ += "</p>\n";
+}
+
+void Page::write_transform() {
+  if (!has_numbers()) return;
+  begin_table();
+  for (int r = 0; r < 4; ++r) {
+    std::vector<std::string> cells;
+    for (int c = 0; c < 4; ++c) cells.push_back(number("%.9f", result_.ins_from_lidar.matrix()(r, c)));
+    row(cells);
+  }
+  end_table();
+  const Eigen::Quaterniond q(result_.ins_from_lidar.linear());
+  html_ += "<p class=\"weak\">" + phrase("report", "quaternion x, y, z, w") + ": " + number("%.9f", q.x()) + ", " +
+           number("%.9f", q.y()) + ", " + number("%.9f", q.z()) + ", " + number("%.9f", q.w()) + "</p>\n";
+}
+
+void Page::write_correlation() {
+  heading(phrase("report", "Correlation of the parameters"));
+  begin_table();
+  std::vector<std::string> titles{""};
+  for (const std::string_view name : kParameterNames) titles.emplace_back(name);
+  row(titles, "th");
+  for (std::size_t i = 0; i < 6; ++i) {
+    html_ += "<tr><th class=\"text\" align=\"left\">" + std::string(kParameterNames[i]) + "</th>";
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double value = correlation(result_, i, k);
+      const int shade = std::isfinite(value) ? 255 - static_cast<int>(110.0 * std::min(1.0, std::abs(value))) : 255;
+      char cell[96];
+      std::snprintf(cell, sizeof(cell), "<td align=\"right\" bgcolor=\"#%02x%02x%02x\">", value < 0 ? 255 : shade,
+                    shade, value < 0 ? shade : 255);
+      html_ += cell + number("%.2f", value) + "</td>";
+    }
+    html_ += "</tr>\n";
+  }
+  end_table();
+}
+
+void Page::write_observability() {
+  heading(phrase("report", "What the drive can tell"));
+  std::vector<std::string> lines;
+  for (const ObservabilityDirection& direction : result_.directions)
+    if (!direction.words.empty())
+      lines.push_back((direction.observed ? "" : "<span class=\"warn\">▲</span> ") + sentence(direction.words));
+  const std::string blind = parameter_list(result_, false);
+  lines.push_back(blind.empty() ? phrase("report", "All six parameters are observed.")
+                                : phrase("report", "Not observed") + ": " + html_escaped(blind));
+  if (std::isfinite(result_.time_offset.offset_s))
+    lines.push_back(phrase("report", "Clock offset INS − LiDAR") + ": " +
+                    number("%.1f ms", 1e3 * result_.time_offset.offset_s) + " ± " +
+                    number("%.1f ms", 1e3 * result_.time_offset.sigma_s) + ", " +
+                    (result_.time_offset.applied ? phrase("report", "applied") : phrase("report", "not applied")));
+  list(lines);
+}
+
+void Page::write_sharpness() {
+  heading(phrase("report", "Check by the accumulated map"));
+  if (file_.sharpness.empty()) {
+    html_ += "<p class=\"weak\">" + phrase("report", "No map check was made.") + "</p>\n";
+    return;
+  }
+  html_ += "<p>" + phrase("report", "Lower is sharper. This check does not use the residual.") + "</p>\n";
+  begin_table();
+  row({phrase("report", "under"), phrase("report", "mean map entropy"), phrase("report", "thickness of planes"),
+       phrase("report", "neighbourhoods")},
+      "th");
+  for (const NamedSharpness& entry : file_.sharpness)
+    row({sentence(entry.source), number("%.4f", entry.sharpness.mean_map_entropy),
+         number("%.2f cm", 100.0 * entry.sharpness.plane_thickness_m), std::to_string(entry.sharpness.points)});
+  end_table();
+}
+
+void Page::write_pictures() {
+  // On paper a picture and its caption stay together.
+  html_ += "<h2 style=\"page-break-before:always\">" + phrase("report", "Worst and best pairs") + "</h2>\n";
+  if (!report_.no_pictures.empty()) html_ += "<p class=\"weak\">" + html_escaped(report_.no_pictures) + "</p>\n";
+  for (const ReportPicture& picture : report_.pictures)
+    html_ += "<p>" + html_escaped(picture.caption) + "<br>" +
+             (style_.picture ? style_.picture(picture)
+                             : "<img alt=\"" + html_escaped(picture.caption) + "\" src=\"data:image/png;base64," +
+                                   base64(picture.png) + "\">") +
+             "</p>\n";
+}
+
+void Page::write_charts() {
+  heading(phrase("report", "Residuals of the pairs"));
+  const Phrases words = [this](const char* context, const char* english) {
+    return style_.phrase ? style_.phrase(context, english) : std::string(english);
+  };
+  chart(residual_chart(file_.pairs, ResidualKind::Translation, words));
+  chart(residual_chart(file_.pairs, ResidualKind::Rotation, words));
+  heading(phrase("report", "Drive"));
+  if (report_.tracks.empty())
+    html_ += "<p class=\"weak\">" + phrase("report", "The sessions were not opened for this report.") + "</p>\n";
+  else
+    chart(track_chart(report_.tracks, words));
+}
+
+void Page::write_pairs() {
+  heading(phrase("report", "Pairs"));
+  html_ += "<p>" + phrase("report", "proposed") + ": " + std::to_string(result_.pairs_proposed) + ", " +
+           phrase("report", "accepted") + ": " + std::to_string(result_.pairs_accepted) + ", " +
+           phrase("report", "rejected") + ": " + std::to_string(result_.pairs_rejected) + "; " +
+           phrase("report", "rms of residuals") + ": " + number("%.2f cm", 100.0 * result_.translation_rms_m) + ", " +
+           number("%.3f °", radians_to_degrees(result_.rotation_rms_rad)) + "</p>\n";
+  begin_table();
+  row({phrase("report", "pair"), phrase("report", "session"), phrase("report", "scan a (UTC)"), phrase("report", "gap"),
+       phrase("report", "baseline"), phrase("report", "turn"), phrase("report", "RMSE"), phrase("report", "overlap"),
+       phrase("report", "screw test"), phrase("report", "residual"), phrase("report", "state"),
+       phrase("report", "reason")},
+      "th");
+  for (std::size_t i = 0; i < file_.pairs.size(); ++i) {
+    const PairRecord& pair = file_.pairs[i];
+    row({std::to_string(i), std::to_string(pair.session + 1), html_escaped(utc_text(pair.stamp_a_ns).substr(11, 12)),
+         number("%.1f s", 1e-9 * static_cast<double>(pair.stamp_b_ns - pair.stamp_a_ns)),
+         number("%.2f m", pair.baseline_m), number("%.1f °", radians_to_degrees(pair.rotation_rad)),
+         number("%.1f cm", 100.0 * pair.rmse_m), number("%.2f", pair.overlap), number("%.1f σ", pair.screw_score),
+         number("%.1f cm", 100.0 * pair.residual_translation_m) + " " +
+             number("%.2f °", radians_to_degrees(pair.residual_rotation_rad)),
+         phrase("report", std::string(to_string(pair.state)).c_str()), sentence(pair.reason)},
+        "td", true);
+  }
+  end_table();
+}
+
+void Page::write_data() {
+  std::vector<std::string> findings;
+  for (const std::string& finding : file_.findings) findings.push_back(sentence(finding));
+  if (!findings.empty()) {
+    heading(phrase("report", "Warnings"));
+    list(findings);
+  }
+  heading(phrase("report", "Data"));
+  if (file_.inputs.empty())
+    html_ += "<p class=\"weak\">" + phrase("report", "The files' hashes are not known.") + "</p>\n";
+  if (file_.inputs.empty()) return;
+  begin_table();
+  row({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"}, "th");
+  for (const InputFile& input : file_.inputs)
+    row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
+         input.sha256.empty() ? "–" : input.sha256});
+  end_table();
+}
+
+void Page::write_settings() {
+  heading(phrase("report", "Settings"));
+  const DocumentNode now = settings_document(file_.settings), usual = settings_document(Settings{});
+  std::vector<std::string> changed;
+  for (std::size_t s = 0; s < now.items.size(); ++s)
+    for (std::size_t i = 0; i < now.items[s].items.size(); ++i)
+      if (now.items[s].items[i].text != usual.items[s].items[i].text)
+        changed.push_back(html_escaped(now.keys[s] + "." + now.items[s].keys[i] + " = " + now.items[s].items[i].text +
+                                       "   (" + usual.items[s].items[i].text + ")"));
+  html_ += "<p>" +
+           (changed.empty() ? phrase("report", "All settings have their defaults.")
+                            : phrase("report", "Changed from the defaults (in brackets):")) +
+           "</p>\n";
+  if (!changed.empty()) list(changed);
+  html_ += "<pre>" + html_escaped(settings_text(file_.settings, false)) + "</pre>\n";
+}
+
+std::string Page::write() {
+  html_ = "<!DOCTYPE html>\n<html lang=\"" + html_escaped(style_.language) +
+          "\"><head><meta charset=\"utf-8\"><title>" + phrase("report", "Calibration of a LiDAR: report") +
+          "</title><style>" + kCss + "</style></head>\n<body>\n";
+  write_verdict();
+  write_parameters();
+  write_transform();
+  write_observability();
+  write_correlation();
+  write_sharpness();
+  write_charts();
+  write_pictures();
+  write_pairs();
+  write_data();
+  write_settings();
+  return html_ + "</body></html>\n";
+}
+
+}  // namespace
+
+double correlation(const CalibrationResult& result, std::size_t i, std::size_t k) {
+  const auto a = result.sigma(i), b = result.sigma(k);
+  if (!a || !b || !(*a > 0.0) || !(*b > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+  return result.covariance(static_cast<int>(i), static_cast<int>(k)) / (*a * *b);
+}
+
+std::vector<std::size_t> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (pairs[i].state == PairState::Accepted && std::isfinite(pairs[i].residual_translation_m)) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return pairs[a].residual_translation_m > pairs[b].residual_translation_m;
+  });
+  std::vector<std::size_t> chosen(order.begin(),
+                                  order.begin() + static_cast<std::ptrdiff_t>(std::min(worst, order.size())));
+  for (std::size_t i = order.size(); i > worst && order.size() - i < best; --i) chosen.push_back(order[i - 1]);
+  return chosen;
+}
+
+std::string report_html(const Report& report, const ReportStyle& style) { return Page(report, style).write(); }
+
+}  // namespace remount

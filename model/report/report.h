@@ -1,0 +1,44 @@
+// A report of a calibration for people: what was found, how sure it is, from what, and with which settings.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/report/charts.h"
+#include "model/result_file.h"
+
+namespace remount {
+
+struct ReportPicture {
+  std::string caption;
+  std::string png;  ///< bytes
+};
+
+struct Report {
+  ResultFile file;
+  std::string created;                  ///< "2026-11-22 05:00:00 UTC"; empty: not said
+  std::vector<ReportTrack> tracks;      ///< of the sessions; none where only a result is known
+  std::vector<ReportPicture> pictures;  ///< of pairs
+  std::string no_pictures;              ///< why there are none; empty where there are
+};
+
+/// How the parts that are no text come into the page.
+struct ReportStyle {
+  Phrases phrase;                                            ///< unset: English
+  std::function<std::string(const std::string&)> sentence;   ///< of the program's own messages; unset: as they are
+  std::function<std::string(const Drawing&)> chart;          ///< HTML of a chart; unset: inline SVG
+  std::function<std::string(const ReportPicture&)> picture;  ///< HTML of a picture; unset: an image within the page
+  std::string language = "en";
+};
+
+/// One page that needs no other file, simple enough for the window's text engine to print.
+std::string report_html(const Report& report, const ReportStyle& style = {});
+
+/// Indices of the pairs to be pictured: the `worst` accepted ones with the largest residual first, then the best.
+std::vector<std::size_t> pairs_to_picture(const std::vector<PairRecord>& pairs, std::size_t worst, std::size_t best);
+
+/// The correlation of parameters i and k; NaN where one of them is not observed.
+double correlation(const CalibrationResult& result, std::size_t i, std::size_t k);
+
+}  // namespace remount

@@ -1,0 +1,77 @@
+// The report from the window: page and PDF with pictures, charts and the same numbers.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "app/gui/report_maker.h"
+#include "app/gui/result_files.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/charts/paint_drawing.h"
+#include "widgets/gl_support.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+using report_window = testing::WindowFixture;
+
+QByteArray contents(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+TEST_F(report_window, one_click_makes_a_page_and_a_pdf) {
+  const QTemporaryDir folder;
+  show();
+  calibrate_drive();
+  auto& maker = *window_.findChild<ReportMaker*>();
+  QSignalSpy finished(&maker, &ReportMaker::finished), failed(&maker, &ReportMaker::failed);
+  maker.make(folder.filePath("drive.html"));
+  EXPECT_TRUE(maker.busy());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() + failed.count() > 0; }, kPatience_ms));
+  ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
+  const QString html = QString::fromUtf8(contents(folder.filePath("drive.html")));
+  const QByteArray pdf = contents(folder.filePath("drive.pdf"));
+  EXPECT_TRUE(html.contains("0.9070 m") || html.contains("0.90")) << "x of the result";
+  EXPECT_EQ(html.count("<svg"), 3);
+  if (missing_gl_reason().isEmpty())
+    EXPECT_EQ(html.count("data:image/png"), 8) << "three worst and the best, before and after";
+  else
+    EXPECT_TRUE(html.contains("No pictures of pairs")) << "it is said where there are none";
+  EXPECT_TRUE(pdf.startsWith("%PDF")) << pdf.left(20).toStdString();
+  EXPECT_GT(pdf.count("/Type /Page\n"), 1);
+  EXPECT_TRUE(pdf.contains("/FontFile")) << "fonts are embedded";
+  if (const QString pictures = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR"); !pictures.isEmpty()) {
+    QFile::remove(QDir(pictures).filePath("report.pdf"));
+    QFile::remove(QDir(pictures).filePath("report.html"));
+    QFile::copy(folder.filePath("drive.pdf"), QDir(pictures).filePath("report.pdf"));
+    QFile::copy(folder.filePath("drive.html"), QDir(pictures).filePath("report.html"));
+  }
+}
+
+TEST_F(report_window, a_place_that_cannot_be_written_is_named) {
+  show();
+  calibrate_drive();
+  auto& maker = *window_.findChild<ReportMaker*>();
+  QSignalSpy failed(&maker, &ReportMaker::failed);
+  maker.make("/nowhere/at/all/drive.html");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() > 0; }, kPatience_ms));
+  EXPECT_TRUE(failed.at(0).at(0).toString().contains("/nowhere/at/all"));
+  EXPECT_FALSE(maker.busy());
+}
+
+TEST(paint_drawing, puts_colours_where_the_drawing_says) {
+  Drawing drawing;
+  drawing.width = 40, drawing.height = 20;
+  drawing.shapes = {DrawnBox{{10, 5}, {10, 10}, "#ff0000"}, DrawnDot{{32, 10}, 4, "#0000ff"}};
+  const QImage image = image_of(drawing, 2.0);
+  EXPECT_EQ(image.size(), QSize(80, 40));
+  EXPECT_EQ(image.pixelColor(30, 20), QColor(255, 0, 0));
+  EXPECT_EQ(image.pixelColor(64, 20), QColor(0, 0, 255));
+  EXPECT_EQ(image.pixelColor(5, 5), QColor(255, 255, 255));
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,96 @@
+#include "widgets/report_pdf.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextDocument>
+#include <QUrl>
+
+#include "widgets/charts/paint_drawing.h"
+
+namespace remount {
+namespace {
+
+constexpr int kDpi = 288;
+constexpr double kLayoutDpi = 96.0;  // of the text engine's pixels
+constexpr double kChartScale = 2.5;  // sharp when printed
+
+QString image_tag(QTextDocument& document, const QImage& image, int width) {
+  const QString name = QStringLiteral("image:%1").arg(image.cacheKey());
+  document.addResource(QTextDocument::ImageResource, QUrl(name), image);
+  const int height = image.width() > 0 ? width * image.height() / image.width() : 0;
+  return QStringLiteral("<img src=\"%1\" width=\"%2\" height=\"%3\">").arg(name).arg(width).arg(height);
+}
+
+/// What the text engine cannot do by style sheet is said in its own terms.
+void fit_to_paper(QTextDocument& document, const QSizeF& page) {
+  QFont font = document.defaultFont();
+  font.setPixelSize(13);
+  document.setDefaultFont(font);
+  document.setDefaultStyleSheet(
+      "h1{font-size:22px} h2{font-size:16px} table{border-collapse:collapse} td,th{font-size:9px} "
+      "pre{font-size:9px} .weak{color:#666666} .warn{color:#9a4a00}");
+  document.setDocumentMargin(0);
+  document.setPageSize(page);
+}
+
+}  // namespace
+
+QByteArray report_pdf(const Report& report, ReportStyle style, const QString& title) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  if (!buffer.open(QIODevice::WriteOnly)) return {};
+  QPdfWriter writer(&buffer);
+  writer.setPageSize(QPageSize(QPageSize::A4));
+  writer.setPageMargins(QMarginsF(14, 14, 14, 16), QPageLayout::Millimeter);
+  writer.setResolution(kDpi);
+  writer.setTitle(title);
+  writer.setCreator(QStringLiteral("Remount ") + QString::fromStdString(report.file.version));
+  const double scale = kDpi / kLayoutDpi;
+  const QSizeF paper = QSizeF(writer.width(), writer.height()) / scale;
+  const double footer = 24.0;
+  QTextDocument document;
+  fit_to_paper(document, {paper.width(), paper.height() - footer});
+  const int width = static_cast<int>(paper.width());
+  style.chart = [&](const Drawing& drawing) {
+    return image_tag(document, image_of(drawing, kChartScale), width).toStdString();
+  };
+  style.picture = [&](const ReportPicture& picture) {
+    const QImage image =
+        QImage::fromData(reinterpret_cast<const uchar*>(picture.png.data()), static_cast<int>(picture.png.size()));
+    return image_tag(document, image, width).toStdString();
+  };
+  QString html = QString::fromStdString(report_html(report, style));
+  const qsizetype css = html.indexOf("<style>"), end = html.indexOf("</style>");
+  html.remove(css, end + 8 - css);
+  document.setHtml(html);
+  QPainter painter(&writer);
+  if (!painter.isActive()) return {};
+  const int pages = document.pageCount();
+  for (int page = 0; page < pages; ++page) {
+    if (page > 0) writer.newPage();
+    painter.save();
+    painter.scale(scale, scale);
+    painter.translate(0, -page * document.pageSize().height());
+    const QRectF part(QPointF(0, page * document.pageSize().height()), document.pageSize());
+    painter.setClipRect(part);
+    QAbstractTextDocumentLayout::PaintContext context;
+    context.clip = part;
+    context.palette.setColor(QPalette::Text, Qt::black);
+    document.documentLayout()->draw(&painter, context);
+    painter.restore();
+    painter.save();
+    painter.scale(scale, scale);
+    QFont font = document.defaultFont();
+    font.setPixelSize(10);
+    painter.setFont(font);
+    painter.drawText(QRectF(0, paper.height() - footer, paper.width(), footer), Qt::AlignRight | Qt::AlignBottom,
+                     QStringLiteral("%1 / %2").arg(page + 1).arg(pages));
+    painter.restore();
+  }
+  painter.end();
+  return bytes;
+}
+
+}  // namespace remount

@@ -1,0 +1,13 @@
+// The report as PDF: the same page, laid out by Qt, with charts and pictures as images.
+#pragma once
+
+#include <QByteArray>
+
+#include "model/report/report.h"
+
+namespace remount {
+
+/// A4, numbered pages, fonts embedded. May run on a worker. Empty where it could not be made.
+QByteArray report_pdf(const Report& report, ReportStyle style, const QString& title);
+
+}  // namespace remount
