@@ -24,6 +24,7 @@ class OptionsDialog;
 class PairsPanel;
 class PairTableModel;
 class PairView;
+class SceneController;
 class ProgressStrip;
 class ProjectKeeper;
 class RangePanel;
@@ -119,6 +120,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget* centre_ = nullptr;
   WelcomePanel* welcome_ = nullptr;
   PairView* pair_view_ = nullptr;
+  SceneController* scenes_ = nullptr;
   SessionsPanel* sessions_ = nullptr;
   NominalPanel* nominal_ = nullptr;
   RangePanel* range_ = nullptr;

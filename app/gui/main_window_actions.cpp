@@ -82,13 +82,16 @@ void MainWindow::make_calibrate_menu() {
 
 void MainWindow::make_view_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
-  const std::array<std::pair<QString, StandardView>, 4> views{{{tr("&Fit"), StandardView::Fit},
+  const std::array<std::pair<QString, StandardView>, 5> views{{{tr("&Fit"), StandardView::Fit},
                                                                {tr("&Top"), StandardView::Top},
-                                                               {tr("&Side"), StandardView::Side},
-                                                               {tr("F&ront"), StandardView::Front}}};
-  int key = 1;
+                                                               {tr("F&ront"), StandardView::Front},
+                                                               {tr("&Left"), StandardView::Left},
+                                                               {tr("&Isometric"), StandardView::Isometric}}};
+  QList<QAction*> view_actions;
   for (const auto& [text, view] : views)
-    add_action(menu, text, QStringLiteral("Ctrl+%1").arg(key++), [this, view = view] { pair_view_->look(view); });
+    view_actions << add_action(menu, text, QStringLiteral("Ctrl+%1").arg(view_actions.size() + 1),
+                               [this, view = view] { pair_view_->look(view); });
+  pair_view_->set_view_actions(view_actions);
   menu.addSeparator();
   for (QDockWidget* dock : {setup_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, log_dock_})
     menu.addAction(dock->toggleViewAction());

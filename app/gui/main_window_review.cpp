@@ -36,7 +36,7 @@ void MainWindow::make_review_menu() {
   add_review(review, "previous", tr("&Previous pair"), "P", [this] { go(-1, false); });
   add_review(review, "next-undecided", tr("Next &undecided pair"), "U", [this] { go(1, true); });
   review.addSeparator();
-  QAction* flip = add_review(review, "flip", tr("&Flip before and aligned"), "Space", [this] { pair_view_->flip(); });
+  QAction* flip = add_review(review, "flip", tr("&Flip before and after"), "Space", [this] { pair_view_->flip(); });
   // In the whole window Space would no longer press the button that has the focus.
   flip->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   for (QWidget* widget : std::initializer_list<QWidget*>{pairs_->table(), errors_->chart(), pair_view_->canvas()})

@@ -1,11 +1,13 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QPushButton>
+#include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
 
 #include "app/gui/main_window.h"
 #include "app/gui/report_maker.h"
+#include "app/gui/scene_controller.h"
 #include "app/gui/steps.h"
 #include "app/gui/wording.h"
 #include "widgets/itemmodels/candidate_table_model.h"
@@ -56,6 +58,11 @@ void MainWindow::connect_intents() {
 }
 
 void MainWindow::connect_state() {
+  scenes_ = new SceneController(
+      workbench_, *pair_view_, [this](int pair) { return pair_caption(pair); }, this);
+  connect(candidates_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
+    scenes_->show_candidate(static_cast<QSortFilterProxyModel*>(candidates_->model())->mapToSource(row).row());
+  });
   connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
   connect(&workbench_, &Workbench::project_changed, this, &MainWindow::show_project);
   connect(&workbench_, &Workbench::settings_changed, this, [this] { range_->show_settings(workbench_.settings()); });
@@ -76,6 +83,7 @@ void MainWindow::connect_state() {
     pairs_->show_selected(pair);
     errors_->chart()->show_selected(pair);
     shown_clouds_ = nullptr;
+    scenes_->forget_pair();
     obstacles_->setEnabled(false);
     if (pair < 0) pair_view_->show_message(tr("Select a pair to see its two scans."));
   });
@@ -106,9 +114,7 @@ void MainWindow::show_output() {
   candidate_model_->show_output(output);
   candidates_->resizeColumnsToContents();
   result_->show_output(output, workbench_.output_before(), workbench_.moved_by());
-  const int pair = workbench_.selected_pair();
-  if (output && pair >= 0 && static_cast<std::size_t>(pair) < output->pairs.size())
-    pair_view_->show_transforms(pair_caption(pair), pair_transforms(*output, pair));
+  scenes_->refresh();
   show_state();
 }
 
@@ -177,7 +183,7 @@ void MainWindow::show_clouds(int pair, const CloudsPtr& clouds) {
   if (clouds->cloud_a.size() == 0 && clouds->cloud_b.size() == 0) {
     pair_view_->show_message(tr("Pair %1 comes from LiDAR poses: there are no scans to show.").arg(pair));
   } else {
-    pair_view_->show_pair(pair_caption(pair), clouds, pair_transforms(*output, pair));
+    scenes_->show_pair(pair, clouds);
   }
   progress_text(idle_text(workbench_));
 }

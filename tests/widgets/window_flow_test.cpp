@@ -96,7 +96,7 @@ TEST_F(window_flow, letters_decide_pairs_but_not_while_text_is_typed) {
   pairs.table()->setFocus();
   QTest::keyClick(pairs.table(), Qt::Key_Space);
   EXPECT_NE(view.alignment(), before) << "Space flips in the table";
-  auto* top = view.findChildren<QToolButton*>().last();
+  auto* top = view.findChild<QToolButton*>("measure");
   ASSERT_TRUE(QTest::qWaitFor([&] { return top->isEnabled(); }, kPatience_ms)) << "once there is something to view";
   top->setFocus();
   const PairAlignment flipped = view.alignment();
@@ -256,6 +256,7 @@ TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   auto& view = child<PairView>();
   ASSERT_TRUE(view.has_gl());
   view.look(StandardView::Top);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view.shows_scene(); }, kPatience_ms));
   const QImage aligned = view.canvas()->grab().toImage();
   view.flip();
   const QImage before = view.canvas()->grab().toImage();

@@ -15,7 +15,8 @@ double shown_number(const Candidate& candidate, int column) {
   return six_on_screen(candidate.ins_from_lidar)[static_cast<std::size_t>(column - CandidateTableModel::X)];
 }
 
-/// Where nothing was solved there are candidates, but none of them is the result.
+}  // namespace
+
 int row_of_result(const CalibrationResult& result) {
   if (result.status != Status::Ok && result.status != Status::Degenerate && result.status != Status::Inconsistent)
     return -1;
@@ -25,8 +26,6 @@ int row_of_result(const CalibrationResult& result) {
       return static_cast<int>(i);
   return -1;
 }
-
-}  // namespace
 
 void CandidateTableModel::show_output(std::shared_ptr<const PipelineOutput> output) {
   beginResetModel();

@@ -1,176 +1,160 @@
 #include "widgets/panels/pair_view.h"
 
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkNew.h>
-
-#include <QButtonGroup>
-#include <QEvent>
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QStackedLayout>
+#include <QSignalBlocker>
+#include <QSlider>
 #include <QTimer>
 #include <QToolButton>
+#include <cmath>
 
-#include "widgets/gl_support.h"
+#include "algorithms/quality/surface_distance.h"
+#include "widgets/panels/distance_legend.h"
 #include "widgets/theme.h"
 
 namespace remount {
 namespace {
-constexpr int kBlinkPeriod_ms = 500;
-}
+constexpr int kBlinkPeriod_ms = 500, kSliderSteps = 100;
+constexpr std::size_t kKnown = 6;
+
+bool same(const RigidTransform& first, const RigidTransform& second) { return difference(first, second).norm() < 1e-9; }
+}  // namespace
 
 PairView::PairView(QWidget* parent)
-    : QWidget(parent),
-      message_(new QLabel(this)),
+    : SceneView(tr("3-D view of the pair"), parent),
       caption_(new QLabel(this)),
-      stack_(new QStackedLayout),
-      alignments_(new QButtonGroup(this)),
-      timer_(new QTimer(this)),
-      gl_reason_(missing_gl_reason()) {
-  if (gl_reason_.isEmpty()) {
-    canvas_ = new QVTKOpenGLNativeWidget(this);
-    vtkNew<vtkGenericOpenGLRenderWindow> window;
-    canvas_->setRenderWindow(window.Get());
-    canvas_->setFocusPolicy(Qt::StrongFocus);
-    canvas_->setAccessibleName(tr("3-D view of the pair"));
-    scene_.attach(*window);
-    scene_.set_dark(is_dark(palette()));
-    stack_->addWidget(canvas_);
-  }
-  message_->setAlignment(Qt::AlignCenter);
-  message_->setWordWrap(true);
-  message_->setMargin(24);
+      legend_(new DistanceLegend(this)),
+      timer_(new QTimer(this)) {
+  make_buttons();
   caption_->setWordWrap(true);
   caption_->setTextFormat(Qt::RichText);
-  stack_->addWidget(message_);
+  add_below(legend_);
+  add_below(caption_);
+  legend_->hide();
+  connect(legend_, &DistanceLegend::limit_edited, this, &PairView::set_scale);
   timer_->setInterval(kBlinkPeriod_ms);
   connect(timer_, &QTimer::timeout, this, &PairView::flip);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(6, 2, 6, 2);
-  column->setSpacing(2);
-  column->addWidget(make_buttons());
-  column->addLayout(stack_, 1);
-  column->addWidget(caption_);
-  restyle();
+  set_stage(scene_.stage());
+  palette_changed();
+  pixel_ratio_changed(devicePixelRatioF());
   show_message(tr("Select a pair to see its two scans."));
-}
-
-void PairView::restyle() {
-  scene_.set_dark(is_dark(palette()));
-  // What is pressed must be seen in every style; some dark ones hardly shade it.
-  buttons_->setStyleSheet(
-      QStringLiteral("QToolButton { padding: 4px 9px; } QToolButton:checked:enabled { background: %1; color: %2; }")
-          .arg(palette().color(QPalette::Highlight).name(), palette().color(QPalette::HighlightedText).name()));
-  update_caption();
 }
 
 PairView::~PairView() = default;
 
-QWidget* PairView::canvas() const { return canvas_; }
-
-QWidget* PairView::make_buttons() {
-  buttons_ = new QWidget(this);
-  auto* layout = new QHBoxLayout(buttons_);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
-  add_alignment_buttons();
-  blink_ = add_button(tr("Blink"), tr("Shows before and aligned in turn (B); Space flips once"));
-  blink_->setCheckable(true);
+void PairView::make_buttons() {
+  QHBoxLayout* first = add_row();
+  add_alignment_buttons(first);
+  slider_ = new QSlider(Qt::Horizontal, this);
+  slider_->setRange(0, kSliderSteps);
+  slider_->setValue(kSliderSteps);
+  slider_->setMinimumWidth(60);
+  slider_->setEnabled(has_gl());
+  slider_->setAccessibleName(tr("From before to after"));
+  slider_->setToolTip(tr("Moves scan a from where it was before (left) to where the chosen alignment puts it (right)"));
+  connect(slider_, &QSlider::valueChanged, this, [this](int value) { show_share(value / double(kSliderSteps)); });
+  first->addWidget(slider_, 1);
+  blink_ = add_button(first, tr("Blink"), tr("Shows before and after in turn (B); Space flips once"), true);
   connect(blink_, &QToolButton::toggled, this, &PairView::set_blinking);
-  layout->addStretch();
-  auto* objects = add_button(tr("Objects"),
-                             tr("Boxes of the objects that both scans contain; moving ones are red and crossed out"));
-  objects->setCheckable(true);
+  side_by_side_ = add_button(first, tr("Side by side"),
+                             tr("Before on the left, after on the right; both are turned together"), true);
+  connect(side_by_side_, &QToolButton::toggled, this, &PairView::set_side_by_side);
+  QHBoxLayout* second = add_row();
+  add_coloring(second);
+  second->addStretch();
+  auto* objects = add_button(
+      second, tr("Objects"),
+      tr("Boxes of the objects that both scans contain, joined by lines; moving ones are red and crossed out"), true);
   objects->setChecked(true);
   connect(objects, &QToolButton::toggled, this, [this](bool on) {
     scene_.show_objects(on);
     render();
   });
-  layout->addSpacing(8);
-  add_view_buttons();
-  return buttons_;
+  add_common_buttons(second);
 }
 
-QToolButton* PairView::add_button(const QString& text, const QString& help) {
-  auto* button = new QToolButton(buttons_);
-  button->setText(text);
-  button->setToolTip(help);
-  button->setAccessibleName(text);
-  button->setEnabled(has_gl());
-  buttons_->layout()->addWidget(button);
-  return button;
-}
-
-void PairView::add_alignment_buttons() {
+void PairView::add_alignment_buttons(QHBoxLayout* row) {
   const std::array<std::pair<QString, QString>, 3> names{{
       {tr("Before"), tr("As predicted by the INS and the mounting the calibration started from")},
       {tr("Aligned"), tr("As the two scans were aligned with each other")},
       {tr("With result"), tr("As predicted by the INS and the present result")},
   }};
-  for (int i = 0; i < 3; ++i) {
-    auto* button = add_button(names[static_cast<std::size_t>(i)].first, names[static_cast<std::size_t>(i)].second);
-    button->setCheckable(true);
-    button->setChecked(i == static_cast<int>(alignment_));
-    alignments_->addButton(button, i);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    alignments_[i] = add_button(row, names[i].first, names[i].second, true);
+    connect(alignments_[i], &QToolButton::clicked, this, [this, i] { show_alignment(static_cast<PairAlignment>(i)); });
   }
-  connect(alignments_, &QButtonGroup::idClicked, this,
-          [this](int id) { show_alignment(static_cast<PairAlignment>(id)); });
 }
 
-void PairView::add_view_buttons() {
-  const std::array<std::pair<QString, StandardView>, 4> views{{{tr("Fit"), StandardView::Fit},
-                                                               {tr("Top"), StandardView::Top},
-                                                               {tr("Side"), StandardView::Side},
-                                                               {tr("Front"), StandardView::Front}}};
-  for (const auto& [text, view] : views) {
-    connect(add_button(text, tr("View: %1. Drag orbits, Shift drag pans, the wheel zooms.").arg(text)),
-            &QToolButton::clicked, this, [this, view = view] { look(view); });
-  }
+void PairView::add_coloring(QHBoxLayout* row) {
+  auto* label = new QLabel(tr("Scan a:"), this);
+  coloring_ = new QComboBox(this);
+  coloring_->addItems({tr("Orange"), tr("Blue"), tr("By distance")});
+  coloring_->setAccessibleName(tr("Colour of scan a"));
+  coloring_->setToolTip(tr("One colour, or the distance of each point to the surfaces of scan b, in m"));
+  coloring_->setEnabled(has_gl());
+  label->setBuddy(coloring_);
+  connect(coloring_, &QComboBox::currentIndexChanged, this,
+          [this](int index) { set_coloring(static_cast<SourceColoring>(index)); });
+  row->addWidget(label);
+  row->addWidget(coloring_);
 }
 
 void PairView::show_message(const QString& text) {
-  message_->setText(
-      gl_reason_.isEmpty() ? text : tr("The 3-D view is not available: %1.\nEverything else works.").arg(gl_reason_));
-  stack_->setCurrentWidget(message_);
-  buttons_->setEnabled(false);  // there is nothing to turn or to flip
+  SceneView::show_message(text);
   pair_caption_.clear();
+  data_ = nullptr;
+  known_.clear();
   update_caption();
 }
 
-void PairView::show_pair(const QString& caption, std::shared_ptr<const PairClouds> clouds,
-                         const PairTransforms& transforms) {
+void PairView::show_pair(const QString& caption, PairSceneDataPtr scene_data, const PairTransforms& transforms) {
   pair_caption_ = caption;
   update_caption();
   if (!has_gl()) return;
-  buttons_->setEnabled(true);
-  stack_->setCurrentWidget(canvas_);
-  scene_.set_pair(*clouds, transforms);
-  if (!framed_) scene_.look(StandardView::Fit);
+  clear_marks();
+  data_ = std::move(scene_data);
+  known_.clear();
+  show_scene();
+  scene_.set_pair(data_, transforms);
+  if (!framed_) scene_.stage().look(StandardView::Isometric);
   framed_ = true;  // afterwards the view stays where the user has put it, from pair to pair
-  render();
+  apply();
 }
 
 void PairView::show_transforms(const QString& caption, const PairTransforms& transforms) {
   if (pair_caption_.isEmpty()) return;
   pair_caption_ = caption;
   update_caption();
-  if (!has_gl() || stack_->currentWidget() != canvas_) return;
+  if (!shows_scene()) return;
+  clear_marks();
   scene_.set_transforms(transforms);
-  render();
+  apply();
+}
+
+void PairView::name_current(const QString& candidate) {
+  QToolButton& button = *alignments_[static_cast<std::size_t>(PairAlignment::CurrentX)];
+  button.setText(candidate.isEmpty() ? tr("With result") : tr("With %1").arg(candidate));
+  button.setToolTip(candidate.isEmpty() ? tr("As predicted by the INS and the present result")
+                                        : tr("As predicted by the INS and this candidate: %1").arg(candidate));
+  button.setAccessibleName(button.text());
 }
 
 void PairView::show_alignment(PairAlignment alignment) {
-  alignment_ = alignment;
-  alignments_->button(static_cast<int>(alignment))->setChecked(true);
-  scene_.show_alignment(alignment);
-  update_caption();
-  render();
+  if (alignment != PairAlignment::Before) after_ = alignment;
+  show_share(alignment == PairAlignment::Before ? 0.0 : 1.0);
 }
 
-void PairView::flip() {
-  show_alignment(alignment_ == PairAlignment::Before ? PairAlignment::Registered : PairAlignment::Before);
+PairAlignment PairView::alignment() const { return share_ > 0.0 ? after_ : PairAlignment::Before; }
+
+void PairView::show_share(double share) {
+  share_ = std::clamp(share, 0.0, 1.0);
+  const QSignalBlocker quiet(slider_);
+  slider_->setValue(static_cast<int>(std::lround(share_ * kSliderSteps)));
+  apply();
 }
+
+void PairView::flip() { show_share(share_ > 0.0 ? 0.0 : 1.0); }
 
 void PairView::set_blinking(bool on) {
   blink_->setChecked(on);
@@ -179,13 +163,114 @@ void PairView::set_blinking(bool on) {
 
 bool PairView::blinking() const { return timer_->isActive(); }
 
-void PairView::look(StandardView view) {
-  scene_.look(view);
+void PairView::set_side_by_side(bool on) {
+  side_by_side_->setChecked(on);
+  if (on && share_ == 0.0) return show_share(1.0);  // or both would show the same
+  apply();
+}
+
+void PairView::apply() {
+  const bool side_by_side = side_by_side_->isChecked();
+  for (std::size_t i = 0; i < alignments_.size(); ++i) {
+    const auto alignment = static_cast<PairAlignment>(i);
+    const bool is_shown = alignment == PairAlignment::Before ? share_ == 0.0 : alignment == after_ && share_ == 1.0;
+    alignments_[i]->setChecked(is_shown);
+  }
+  scene_.show(after_, share_, side_by_side);
+  color_by_distance();
+  update_caption();
   render();
 }
 
-void PairView::render() {
-  if (canvas_ && stack_->currentWidget() == canvas_) canvas_->renderWindow()->Render();
+void PairView::set_coloring(SourceColoring coloring) {
+  const QSignalBlocker quiet(coloring_);
+  coloring_->setCurrentIndex(static_cast<int>(coloring));
+  legend_->setVisible(coloring == SourceColoring::Distance);
+  scene_.set_coloring(coloring);
+  color_by_distance();
+  update_caption();
+  render();
+}
+
+void PairView::set_scale(double limit_m) {
+  legend_->set_limit(limit_m);
+  scene_.set_scale(legend_->limit_m());
+  emit scale_changed(legend_->limit_m());
+  render();
+}
+
+double PairView::scale_m() const { return legend_->limit_m(); }
+
+bool PairView::use_known_distances() {
+  const int panes = scene_.stage().shown_panes();
+  std::vector<float> medians_m;
+  std::vector<const std::vector<float>*> found;
+  for (int pane = 0; pane < panes; ++pane)
+    for (const auto& [transform, distances_m] : known_)
+      if (same(transform, scene_.lidar_b_from_lidar_a(pane))) {
+        found.push_back(&distances_m);
+        medians_m.push_back(median_distance_m(distances_m));
+        break;
+      }
+  if (static_cast<int>(found.size()) < panes) return false;
+  for (int pane = 0; pane < panes; ++pane) scene_.set_distances(pane, *found[static_cast<std::size_t>(pane)]);
+  legend_->show_medians(medians_m);
+  return true;
+}
+
+void PairView::color_by_distance() {
+  ++request_;
+  if (coloring_->currentIndex() != static_cast<int>(SourceColoring::Distance) || !data_ || use_known_distances())
+    return;
+  legend_->show_medians({});
+  DistanceRequest request{request_, data_, {}};
+  for (int pane = 0; pane < scene_.stage().shown_panes(); ++pane)
+    request.lidar_b_from_lidar_a.push_back(scene_.lidar_b_from_lidar_a(pane));
+  emit distances_wanted(request);
+}
+
+void PairView::show_distances(const DistanceRequest& request, std::vector<std::vector<float>> distances_m) {
+  if (request.data != data_ || distances_m.size() != request.lidar_b_from_lidar_a.size()) return;
+  for (std::size_t i = 0; i < distances_m.size(); ++i) {
+    if (known_.size() >= kKnown) known_.erase(known_.begin());
+    known_.emplace_back(request.lidar_b_from_lidar_a[i], std::move(distances_m[i]));
+  }
+  if (request.number != request_) return;  // scan a has moved since
+  use_known_distances();
+  render();
+}
+
+std::optional<SceneView::Pick> PairView::pick(const PickRay& ray) const {
+  const auto picked = scene_.pick(ray);
+  if (!picked) return std::nullopt;
+  const auto text = [](const Eigen::Vector3d& point) {
+    return tr("x %1, y %2, z %3 m").arg(point.x(), 0, 'f', 3).arg(point.y(), 0, 'f', 3).arg(point.z(), 0, 'f', 3);
+  };
+  const QString own = picked->in_scan_a ? tr("scan a") : tr("scan b"),
+                other = picked->in_scan_a ? tr("scan b") : tr("scan a");
+  QString words = tr("Point of %1: %2 in LiDAR axes of %1; %3 in %4. ")
+                      .arg(own, text(picked->point_in_lidar), text(picked->point_in_view), axes_in_words());
+  words +=
+      std::isnan(picked->distance_m)
+          ? tr("Nothing of %1 within %2 m as shown.").arg(other).arg(static_cast<double>(SurfaceDistance::kReach_m))
+          : tr("%1 m from the surfaces of %2 as shown.")
+                .arg(static_cast<double>(picked->distance_m), 0, 'f', 3)
+                .arg(other);
+  return Pick{picked->point_in_view, words};
+}
+
+QString PairView::axes_in_words() const { return tr("INS axes at scan b"); }
+
+void PairView::pixel_ratio_changed(double ratio) { scene_.set_pixel_ratio(ratio); }
+
+void PairView::motion_changed(bool moving) {
+  scene_.set_moving(moving);
+  if (!moving) render();
+}
+
+void PairView::palette_changed() {
+  scene_.set_dark(is_dark(palette()));
+  update_caption();
 }
 
 void PairView::update_caption() {
@@ -194,18 +279,19 @@ void PairView::update_caption() {
     return;
   }
   const bool dark = is_dark(palette());
-  caption_->setText(
-      QStringLiteral("%1 &nbsp; <span style='color:%2'>■</span> %3 &nbsp; <span style='color:%4'>■</span> %5")
-          .arg(pair_caption_.toHtmlEscaped(), dark ? "#ff9e33" : "#d94a05", tr("scan a"), dark ? "#9ea6b0" : "#757a85",
-               tr("scan b")));
-}
-
-void PairView::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange && buttons_) {
-    restyle();
-    render();
-  }
-  QWidget::changeEvent(event);
+  const auto swatch = [](const char* color, const QString& text) {
+    return QStringLiteral(" &nbsp; <span style='color:%1'>■</span> %2").arg(QLatin1String(color), text);
+  };
+  QString text = pair_caption_.toHtmlEscaped();
+  const auto coloring = static_cast<SourceColoring>(coloring_->currentIndex());
+  if (coloring == SourceColoring::Orange) text += swatch(dark ? "#ff9e33" : "#d94a05", tr("scan a"));
+  if (coloring == SourceColoring::Blue) text += swatch(dark ? "#56b4ff" : "#005faf", tr("scan a"));
+  text += swatch(dark ? "#9ea6b0" : "#757a85", tr("scan b"));
+  if (side_by_side_->isChecked())
+    text += QStringLiteral(" &nbsp; ") + tr("left: before, right: %1")
+                                             .arg(share_ == 1.0 ? alignments_[static_cast<std::size_t>(after_)]->text()
+                                                                : tr("%1 % of the way").arg(std::lround(100 * share_)));
+  caption_->setText(text);
 }
 
 }  // namespace remount

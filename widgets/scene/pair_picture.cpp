@@ -20,12 +20,14 @@ RgbImage picture_of_pair(const PairClouds& clouds, const PairTransforms& transfo
   vtkNew<vtkRenderWindowInteractor> interactor;  // the scene hangs its mouse style on it
   interactor->SetRenderWindow(window);
   PairScene scene;
-  scene.attach(*window);
+  scene.stage().attach(*window);
   scene.set_dark(false);
-  scene.set_pair(clouds, transforms);
-  scene.show_alignment(alignment);
+  // Not owned: the scene ends before this function does.
+  scene.set_pair(prepare_pair_scene(std::shared_ptr<const PairClouds>(std::shared_ptr<void>(), &clouds), {}),
+                 transforms);
+  scene.show(alignment, alignment == PairAlignment::Before ? 0.0 : 1.0, false);
   window->Render();  // the camera is fitted to a window that has its size
-  scene.look(StandardView::Top);
+  scene.stage().look(StandardView::Top);
   window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
   grab->SetInput(window);

@@ -1,163 +1,163 @@
 #include "widgets/scene/pair_scene.h"
 
 #include <vtkActor.h>
-#include <vtkAxesActor.h>
-#include <vtkCamera.h>
-#include <vtkCaptionActor2D.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
-#include <vtkOrientationMarkerWidget.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 
 #include <cmath>
 
-#include "widgets/scene/framing.h"
+#include "widgets/scene/frame_budget.h"
+#include "widgets/scene/pair_scene_parts.h"
 #include "widgets/scene/scene_polydata.h"
-#include "widgets/scene/turntable_style.h"
 
 namespace remount {
 namespace {
 
+constexpr SceneColor kLink{20, 140, 150}, kMoving{220, 30, 40};
 struct Palette {
-  std::array<double, 3> background_bottom, background_top, target, source, text;
+  SceneColor target, orange, blue;
 };
-constexpr Palette kLight{
-    {0.93, 0.94, 0.95}, {0.98, 0.98, 0.99}, {0.46, 0.48, 0.52}, {0.85, 0.29, 0.02}, {0.1, 0.1, 0.12}};
-constexpr Palette kDark{
-    {0.08, 0.09, 0.10}, {0.14, 0.15, 0.17}, {0.62, 0.65, 0.69}, {1.0, 0.62, 0.20}, {0.9, 0.9, 0.92}};
-constexpr SceneColor kObjectB{30, 120, 200}, kObjectA{20, 160, 110}, kLink{20, 140, 150}, kMoving{220, 30, 40};
+constexpr Palette kLight{{117, 122, 133}, {217, 74, 5}, {0, 95, 175}};
+constexpr Palette kDark{{158, 166, 176}, {255, 158, 51}, {86, 180, 255}};
 
-void set_matrix(vtkActor& actor, const RigidTransform& view_from_local) {
-  vtkNew<vtkMatrix4x4> matrix;
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, view_from_local.matrix()(row, column));
-  actor.SetUserMatrix(matrix);
-}
-
-struct Layer {
+/// Lines in one lidar frame.
+struct Lines {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
 
-  Layer() {
+  explicit Lines(vtkRenderer& renderer) {
     mapper->SetInputData(vtkNew<vtkPolyData>());
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
     actor->GetProperty()->SetLineWidth(1.5F);
-    actor->GetProperty()->SetPointSize(2.0F);
+    renderer.AddActor(actor);
+  }
+  void place(const RigidTransform& view_from_lidar) {
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int row = 0; row < 4; ++row)
+      for (int column = 0; column < 4; ++column) matrix->SetElement(row, column, view_from_lidar.matrix()(row, column));
+    actor->SetUserMatrix(matrix);
   }
 };
 
+/// One of the pictures.
+struct Picture {
+  CloudActor target, source;
+  Lines boxes_a, boxes_b, links;
+  RigidTransform lidar_b_from_lidar_a = RigidTransform::Identity();
+  std::vector<float> distances_m;
+
+  Picture(vtkRenderer& clouds, vtkRenderer& lines)
+      : target(clouds), source(clouds), boxes_a(lines), boxes_b(lines), links(lines) {}
+};
+
+PairSceneDataPtr empty_data() { return prepare_pair_scene(std::make_shared<const PairClouds>(), {}); }
+
 }  // namespace
 
-PairTransforms pair_transforms(const PipelineOutput& output, int pair) {
-  const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
-  const RigidTransform& initial = output.initial_ins_from_lidar;
-  const Status status = output.result.status;
-  const bool solved = status == Status::Ok || status == Status::Degenerate || status == Status::Inconsistent;
-  const RigidTransform& current = solved ? output.result.ins_from_lidar : initial;
-  PairTransforms transforms;
-  transforms.before_lidar_b_from_lidar_a = initial.inverse() * chosen.ins_b_from_ins_a * initial;
-  transforms.current_lidar_b_from_lidar_a = current.inverse() * chosen.ins_b_from_ins_a * current;
-  transforms.registered_lidar_b_from_lidar_a =
-      chosen.registration.attempted ? chosen.lidar_b_from_lidar_a : transforms.before_lidar_b_from_lidar_a;
-  transforms.view_from_lidar_b = current;
-  return transforms;
-}
-
 struct PairScene::Parts {
-  vtkNew<vtkRenderer> renderer;
-  vtkNew<TurntableStyle> style;
-  vtkNew<vtkAxesActor> axes;
-  vtkNew<vtkOrientationMarkerWidget> marker;
-  Layer target, source, boxes_a, boxes_b, links;
-  std::vector<SceneObject> objects_a, objects_b;
-  std::vector<ObjectMatch> matches;
+  SceneStage stage;
+  std::array<Picture, SceneStage::kPanes> pictures{Picture{stage.pane(0), stage.overlay(0)},
+                                                   Picture{stage.pane(1), stage.overlay(1)}};
+  PairSceneDataPtr data = empty_data();
   PairTransforms transforms;
-  PairAlignment alignment = PairAlignment::Registered;
-  Framing framing;
+  PairAlignment after = PairAlignment::Registered;
+  double share = 1.0, pixel_ratio = 1.0;
+  bool side_by_side = false, dark = false, moving = false;
+  SourceColoring coloring = SourceColoring::Orange;
+  DistanceScale scale;
+  FrameBudget budget;
+  std::size_t shown = 0;
 
-  const RigidTransform& lidar_b_from_lidar_a() const {
-    if (alignment == PairAlignment::Before) return transforms.before_lidar_b_from_lidar_a;
-    if (alignment == PairAlignment::CurrentX) return transforms.current_lidar_b_from_lidar_a;
-    return transforms.registered_lidar_b_from_lidar_a;
+  RigidTransform wanted(int pane) const {
+    const RigidTransform& before = transforms.before_lidar_b_from_lidar_a;
+    if (side_by_side && pane == 0) return before;
+    return between(before, transforms.of(after), share);
   }
 
   void place() {
-    const RigidTransform view_from_lidar_a = transforms.view_from_lidar_b * lidar_b_from_lidar_a();
-    set_matrix(*target.actor, transforms.view_from_lidar_b);
-    set_matrix(*boxes_b.actor, transforms.view_from_lidar_b);
-    set_matrix(*links.actor, transforms.view_from_lidar_b);
-    set_matrix(*source.actor, view_from_lidar_a);
-    set_matrix(*boxes_a.actor, view_from_lidar_a);
-    links.mapper->SetInputData(
-        polydata_from_links(objects_a, objects_b, matches, lidar_b_from_lidar_a(), kLink, kMoving));
+    for (int i = 0; i < SceneStage::kPanes; ++i) {
+      Picture& picture = pictures[static_cast<std::size_t>(i)];
+      picture.lidar_b_from_lidar_a = wanted(i);
+      const RigidTransform view_from_lidar_a = transforms.view_from_lidar_b * picture.lidar_b_from_lidar_a;
+      picture.target.place(transforms.view_from_lidar_b);
+      picture.boxes_b.place(transforms.view_from_lidar_b);
+      picture.links.place(transforms.view_from_lidar_b);
+      picture.source.place(view_from_lidar_a);
+      picture.boxes_a.place(view_from_lidar_a);
+      picture.links.mapper->SetInputData(polydata_from_links(data->clouds->objects_a, data->clouds->objects_b,
+                                                             data->clouds->matches, picture.lidar_b_from_lidar_a, kLink,
+                                                             kMoving));
+    }
   }
 
-  void set_axis_color(const std::array<double, 3>& color) {
-    for (vtkCaptionActor2D* caption :
-         {axes->GetXAxisCaptionActor2D(), axes->GetYAxisCaptionActor2D(), axes->GetZAxisCaptionActor2D()}) {
-      caption->GetCaptionTextProperty()->SetColor(color[0], color[1], color[2]);
-      caption->GetCaptionTextProperty()->ShadowOff();
-      caption->GetCaptionTextProperty()->ItalicOff();
-      caption->GetCaptionTextProperty()->BoldOff();
-      caption->GetCaptionTextProperty()->SetFontSize(13);
-      caption->GetTextActor()->SetTextScaleModeToNone();
+  void color() {
+    const Palette& palette = dark ? kDark : kLight;
+    for (Picture& picture : pictures) {
+      picture.target.set_color(palette.target);
+      picture.source.set_color(coloring == SourceColoring::Blue       ? palette.blue
+                               : coloring == SourceColoring::Distance ? DistanceScale::kNothingNear
+                                                                      : palette.orange);
+      const bool known = coloring == SourceColoring::Distance && !picture.distances_m.empty();
+      picture.source.set_colors(
+          known ? std::make_shared<const std::vector<SceneColor>>(scale.colors(picture.distances_m)) : nullptr);
     }
+  }
+
+  void size_points() {
+    const auto pixels = static_cast<float>((stage.eye_dome() ? 3.0 : 2.0) * pixel_ratio);
+    for (Picture& picture : pictures) {
+      picture.target.set_point_size(pixels);
+      picture.source.set_point_size(pixels);
+    }
+  }
+
+  void thin() {
+    const std::size_t all = data->cloud_a->size() + data->cloud_b->size();
+    const auto panes = static_cast<std::size_t>(stage.shown_panes());
+    const double share_drawn =
+        moving && all > 0 ? std::min(1.0, static_cast<double>(budget.points()) / static_cast<double>(panes * all))
+                          : 1.0;
+    const auto part = [&](std::size_t size) {
+      return static_cast<std::size_t>(share_drawn * static_cast<double>(size));
+    };
+    for (Picture& picture : pictures)
+      shown = picture.source.show(part(data->cloud_a->size())) + picture.target.show(part(data->cloud_b->size()));
   }
 };
 
 PairScene::PairScene() : parts_(std::make_unique<Parts>()) {
-  Parts& p = *parts_;
-  for (Layer* layer : {&p.target, &p.source, &p.boxes_b, &p.boxes_a, &p.links}) p.renderer->AddActor(layer->actor);
-  p.renderer->SetGradientBackground(true);
-  p.axes->SetXAxisLabelText("x");
-  p.axes->SetYAxisLabelText("y");
-  p.axes->SetZAxisLabelText("z");
-  p.marker->SetOrientationMarker(p.axes);
   set_dark(false);
+  // How long frames take sets how thin the cloud is while the camera moves.
+  parts_->stage.on_frame([&p = *parts_](double seconds) {
+    p.budget.took(p.shown * static_cast<std::size_t>(p.stage.shown_panes()), seconds);
+    if (p.moving) p.thin();
+  });
 }
 
-PairScene::~PairScene() {
-  if (!parts_->marker->GetInteractor()) return;  // never attached
-  parts_->marker->SetEnabled(0);
-  parts_->marker->SetInteractor(nullptr);
-}
+PairScene::~PairScene() { parts_->stage.on_frame({}); }
 
-void PairScene::attach(vtkRenderWindow& window) {
+SceneStage& PairScene::stage() { return parts_->stage; }
+
+void PairScene::set_pair(PairSceneDataPtr data, const PairTransforms& transforms) {
   Parts& p = *parts_;
-  window.AddRenderer(p.renderer);
-  window.GetInteractor()->SetInteractorStyle(p.style);
-  p.marker->SetInteractor(window.GetInteractor());
-  p.marker->SetViewport(0.0, 0.0, 0.2, 0.25);
-  p.marker->SetEnabled(1);
-  p.marker->InteractiveOff();
-  look(StandardView::Fit);
-}
-
-void PairScene::set_pair(const PairClouds& clouds, const PairTransforms& transforms) {
-  Parts& p = *parts_;
-  p.objects_a = clouds.objects_a;
-  p.objects_b = clouds.objects_b;
-  p.matches = clouds.matches;
+  p.data = std::move(data);
   p.transforms = transforms;
-  p.target.mapper->SetInputData(polydata_from_cloud(clouds.cloud_b));
-  p.source.mapper->SetInputData(polydata_from_cloud(clouds.cloud_a));
-  std::vector<ObjectBox> boxes_a, boxes_b;
-  for (const ObjectMatch& match : p.matches) {
-    boxes_a.push_back({&p.objects_a.at(static_cast<std::size_t>(match.object_a)), match.moving});
-    boxes_b.push_back({&p.objects_b.at(static_cast<std::size_t>(match.object_b)), match.moving});
+  for (Picture& picture : p.pictures) {
+    picture.distances_m.clear();
+    picture.target.set_geometry(p.data->cloud_b);
+    picture.source.set_geometry(p.data->cloud_a);
+    picture.boxes_a.mapper->SetInputData(p.data->boxes_a);
+    picture.boxes_b.mapper->SetInputData(p.data->boxes_b);
   }
-  p.boxes_a.mapper->SetInputData(polydata_from_boxes(boxes_a, kObjectA, kMoving));
-  p.boxes_b.mapper->SetInputData(polydata_from_boxes(boxes_b, kObjectB, kMoving));
-  p.framing = robust_framing(clouds.cloud_b.points, transforms.view_from_lidar_b);
+  p.stage.frame(robust_framing(p.data->clouds->cloud_b.points, transforms.view_from_lidar_b));
   p.place();
-  p.renderer->ResetCameraClippingRange();
+  p.color();
+  p.size_points();
+  p.thin();
 }
 
 void PairScene::set_transforms(const PairTransforms& transforms) {
@@ -165,41 +165,83 @@ void PairScene::set_transforms(const PairTransforms& transforms) {
   parts_->place();
 }
 
-void PairScene::clear() { set_pair(PairClouds{}, PairTransforms{}); }
+void PairScene::clear() { set_pair(empty_data(), PairTransforms{}); }
 
-void PairScene::show_alignment(PairAlignment alignment) {
-  parts_->alignment = alignment;
-  parts_->place();
+void PairScene::show(PairAlignment after, double share, bool side_by_side) {
+  Parts& p = *parts_;
+  p.after = after;
+  p.share = share;
+  p.side_by_side = side_by_side;
+  p.stage.show_panes(side_by_side ? 2 : 1);
+  p.place();
+  p.thin();
+}
+
+RigidTransform PairScene::lidar_b_from_lidar_a(int pane) const {
+  return parts_->pictures.at(static_cast<std::size_t>(pane)).lidar_b_from_lidar_a;
 }
 
 void PairScene::show_objects(bool visible) {
-  for (Layer* layer : {&parts_->boxes_a, &parts_->boxes_b, &parts_->links}) layer->actor->SetVisibility(visible);
+  for (Picture& picture : parts_->pictures)
+    for (Lines* lines : {&picture.boxes_a, &picture.boxes_b, &picture.links}) lines->actor->SetVisibility(visible);
 }
 
 void PairScene::set_dark(bool dark) {
-  const Palette& palette = dark ? kDark : kLight;
-  Parts& p = *parts_;
-  p.renderer->SetBackground(palette.background_bottom.data());
-  p.renderer->SetBackground2(palette.background_top.data());
-  const auto set_color = [](vtkActor& actor, const std::array<double, 3>& c) {
-    actor.GetProperty()->SetColor(c[0], c[1], c[2]);
-  };
-  set_color(*p.target.actor, palette.target);
-  set_color(*p.source.actor, palette.source);
-  p.set_axis_color(palette.text);
+  parts_->dark = dark;
+  parts_->stage.set_dark(dark);
+  parts_->color();
 }
 
-void PairScene::look(StandardView view) {
-  Parts& p = *parts_;
-  vtkCamera& camera = *p.renderer->GetActiveCamera();
-  const double distance_m = 0.85 * p.framing.radius_m / std::sin(0.5 * degrees_to_radians(camera.GetViewAngle()));
-  // Where the camera stands: above, on the right, ahead; "fit" from behind and above, as from a following car.
-  double azimuth = kPi, elevation = 0.5 * kPi;
-  if (view == StandardView::Side) azimuth = -0.5 * kPi, elevation = 0.0;
-  if (view == StandardView::Front) azimuth = 0.0, elevation = 0.0;
-  if (view == StandardView::Fit) azimuth = degrees_to_radians(-155.0), elevation = degrees_to_radians(35.0);
-  place_camera(camera, p.framing.centre_m.data(), distance_m, azimuth, elevation);
-  p.renderer->ResetCameraClippingRange();
+void PairScene::set_pixel_ratio(double device_pixels) {
+  parts_->pixel_ratio = device_pixels;
+  parts_->size_points();
 }
+
+void PairScene::set_coloring(SourceColoring coloring) {
+  parts_->coloring = coloring;
+  parts_->color();
+}
+
+void PairScene::set_scale(double limit_m) {
+  parts_->scale = DistanceScale(limit_m);
+  parts_->color();
+}
+
+void PairScene::set_distances(int pane, std::vector<float> distances_m) {
+  parts_->pictures.at(static_cast<std::size_t>(pane)).distances_m = std::move(distances_m);
+  parts_->color();
+}
+
+void PairScene::set_moving(bool moving) {
+  parts_->moving = moving;
+  parts_->thin();
+}
+
+std::optional<PairPick> PairScene::pick(const PickRay& ray) const {
+  const Parts& p = *parts_;
+  const RigidTransform& b_from_a = p.pictures.at(static_cast<std::size_t>(ray.pane)).lidar_b_from_lidar_a;
+  const RigidTransform view_from_a = p.transforms.view_from_lidar_b * b_from_a;
+  const auto in_a = nearest_to_ray(p.data->cloud_a->cloud->points, view_from_a, ray);
+  const auto in_b = nearest_to_ray(p.data->cloud_b->cloud->points, p.transforms.view_from_lidar_b, ray);
+  if (!in_a && !in_b) return std::nullopt;
+  PairPick pick;
+  // Of two that look like one, the one in front; else the one nearer to the click.
+  if (in_a && in_b)
+    pick.in_scan_a = std::abs(in_a->angle_rad - in_b->angle_rad) < ray.pixel_rad ? in_a->distance_m < in_b->distance_m
+                                                                                 : in_a->angle_rad < in_b->angle_rad;
+  else
+    pick.in_scan_a = in_a.has_value();
+  const LevelCloud& cloud = *(pick.in_scan_a ? p.data->cloud_a : p.data->cloud_b)->cloud;
+  const Eigen::Vector3f point = cloud.points[(pick.in_scan_a ? in_a : in_b)->index];
+  pick.point_in_lidar = point.cast<double>();
+  pick.point_in_view = (pick.in_scan_a ? view_from_a : p.transforms.view_from_lidar_b) * pick.point_in_lidar;
+  pick.distance_m = pick.in_scan_a ? p.data->surfaces_b.of({point}, b_from_a).front()
+                                   : p.data->surfaces_a.of({point}, b_from_a.inverse()).front();
+  return pick;
+}
+
+std::size_t PairScene::points_shown() const { return parts_->shown; }
+
+std::size_t PairScene::points_in_all() const { return parts_->data->cloud_a->size() + parts_->data->cloud_b->size(); }
 
 }  // namespace remount

@@ -1,37 +1,30 @@
 // The 3-D scene of one pair: target grey, source coloured, shared objects as linked boxes. VTK inside, no Qt.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 
-#include "algorithms/geometry/rigid_transform.h"
-#include "model/pipeline.h"
-
-class vtkRenderWindow;
+#include "widgets/scene/pair_scene_data.h"
+#include "widgets/scene/scene_stage.h"
 
 namespace remount {
 
-/// Under which transform the source scan is shown.
-enum class PairAlignment {
-  Before,      ///< predicted from INS motion and the mounting that the calibration started from
-  Registered,  ///< as the two scans were aligned
-  CurrentX,    ///< predicted from INS motion and the present result
+enum class SourceColoring {
+  Orange,
+  Blue,
+  Distance,  ///< to the surfaces of the target
 };
 
-enum class StandardView { Fit, Top, Side, Front };
-
-/// The three ways to bring scan a to scan b, and the axes in which the scene is shown.
-struct PairTransforms {
-  RigidTransform before_lidar_b_from_lidar_a = RigidTransform::Identity();
-  RigidTransform registered_lidar_b_from_lidar_a = RigidTransform::Identity();
-  RigidTransform current_lidar_b_from_lidar_a = RigidTransform::Identity();
-  /// Brings lidar b to the axes of the vehicle, so that "top" is above the vehicle however the sensor is turned.
-  RigidTransform view_from_lidar_b = RigidTransform::Identity();
+/// A point that was clicked on.
+struct PairPick {
+  bool in_scan_a = false;                                    ///< false: in scan b
+  Eigen::Vector3d point_in_lidar = Eigen::Vector3d::Zero();  ///< of its own scan, m
+  Eigen::Vector3d point_in_view = Eigen::Vector3d::Zero();   ///< vehicle axes at scan b, m
+  float distance_m = 0.0F;  ///< to the surfaces of the other scan as it is shown; NaN: nothing near
 };
 
-/// Predictions X^-1 P X under the starting and the present mounting, and the registration of pair `pair`.
-PairTransforms pair_transforms(const PipelineOutput& output, int pair);
-
-/// Owns the renderer and its actors. All calls on the thread that owns the render window.
+/// Owns what is in the two pictures. All calls on the thread that owns the render window.
 class PairScene {
  public:
   PairScene();
@@ -39,16 +32,28 @@ class PairScene {
   PairScene(const PairScene&) = delete;
   PairScene& operator=(const PairScene&) = delete;
 
-  /// Adds the renderer and the mouse style. The window must have an interactor.
-  void attach(vtkRenderWindow& window);
-  void set_pair(const PairClouds& clouds, const PairTransforms& transforms);
-  /// New transforms for the clouds that are shown (the result moved).
+  SceneStage& stage();
+  void set_pair(PairSceneDataPtr data, const PairTransforms& transforms);
+  /// New transforms for the clouds that are shown (the result moved, or another candidate).
   void set_transforms(const PairTransforms& transforms);
   void clear();
-  void show_alignment(PairAlignment alignment);
+  /// Side by side, the left picture shows scan a as before; the other, or the only one, at `share` of the way from
+  /// before (0) to `after` (1).
+  void show(PairAlignment after, double share, bool side_by_side);
+  /// The transform under which a picture shows scan a.
+  RigidTransform lidar_b_from_lidar_a(int pane) const;
   void show_objects(bool visible);
   void set_dark(bool dark);
-  void look(StandardView view);
+  void set_pixel_ratio(double device_pixels);  ///< of the display: points are as large on every one
+  void set_coloring(SourceColoring coloring);
+  void set_scale(double limit_m);
+  /// Distances of distances_to_target for each picture; empty: not known yet.
+  void set_distances(int pane, std::vector<float> distances_m);
+  /// A thinner cloud while the camera moves, where the whole is too slow.
+  void set_moving(bool moving);
+  std::optional<PairPick> pick(const PickRay& ray) const;
+  std::size_t points_shown() const;
+  std::size_t points_in_all() const;
 
  private:
   struct Parts;

@@ -2,7 +2,6 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkFloatArray.h>
 #include <vtkPoints.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -50,26 +49,6 @@ void add_box(LineBuilder& builder, const ObjectBox& box, const SceneColor& color
 }
 
 }  // namespace
-
-vtkSmartPointer<vtkPolyData> polydata_from_cloud(const PointCloud& cloud) {
-  auto coordinates = vtkSmartPointer<vtkFloatArray>::New();
-  coordinates->SetNumberOfComponents(3);
-  coordinates->Allocate(static_cast<vtkIdType>(3 * cloud.size()));
-  for (const Eigen::Vector3f& point : cloud.points)
-    if (point.allFinite()) coordinates->InsertNextTypedTuple(point.data());
-  const vtkIdType count = coordinates->GetNumberOfTuples();
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  points->SetData(coordinates);
-  auto vertices = vtkSmartPointer<vtkCellArray>::New();
-  if (count > 0) {
-    vertices->InsertNextCell(static_cast<int>(count));
-    for (vtkIdType i = 0; i < count; ++i) vertices->InsertCellPoint(i);
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-  return data;
-}
 
 vtkSmartPointer<vtkPolyData> polydata_from_boxes(const std::vector<ObjectBox>& boxes, SceneColor still,
                                                  SceneColor moving) {

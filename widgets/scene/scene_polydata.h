@@ -1,20 +1,15 @@
-// VTK geometry from clouds and objects.
+// VTK geometry from objects.
 #pragma once
 
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
-#include <array>
 #include <vector>
 
 #include "algorithms/cloud/objects.h"
+#include "widgets/scene/distance_scale.h"
 
 namespace remount {
-
-using SceneColor = std::array<unsigned char, 3>;
-
-/// Points as one vertex cell; those that are not finite are left out.
-vtkSmartPointer<vtkPolyData> polydata_from_cloud(const PointCloud& cloud);
 
 /// One object to be drawn as a box; moving ones are crossed out.
 struct ObjectBox {

@@ -1,0 +1,73 @@
+#include "widgets/scene/picking.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "widgets/scene/distance_scale.h"
+
+namespace remount {
+namespace {
+
+PickRay along_x() {
+  PickRay ray;
+  ray.origin_in_view = {-10.0, 0.0, 0.0};
+  ray.pixel_rad = 1e-3;
+  return ray;
+}
+
+TEST(picking, takes_the_point_nearest_to_the_ray_by_angle) {
+  // At 20 m 2 cm are a milliradian, a pixel; at 10 m 3 cm are three.
+  const std::vector<Eigen::Vector3f> points{{0.0F, 0.03F, 0.0F}, {10.0F, 0.0F, 0.02F}, {10.0F, 0.1F, 0.0F}};
+  const auto picked = nearest_to_ray(points, RigidTransform::Identity(), along_x());
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->index, 1U);
+  EXPECT_NEAR(picked->angle_rad, 1e-3, 1e-6);
+  EXPECT_NEAR(picked->distance_m, 20.0, 1e-6);
+}
+
+TEST(picking, of_points_that_look_like_one_takes_the_one_in_front) {
+  const std::vector<Eigen::Vector3f> points{{30.0F, 0.0F, 0.0F}, {5.0F, 0.005F, 0.0F}, {4.0F, 0.05F, 0.0F}};
+  const auto picked = nearest_to_ray(points, RigidTransform::Identity(), along_x());
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->index, 1U);
+}
+
+TEST(picking, follows_the_transform_of_the_cloud) {
+  const RigidTransform view_from_cloud = rigid_from_six({3.0, 0.0, 0.0, 0.5 * kPi, 0.0, 0.0});
+  // (0, -7, 0) of the cloud is at (3 + 7, 0, 0) of the view.
+  const std::vector<Eigen::Vector3f> points{{7.0F, 0.0F, 0.0F}, {0.0F, -7.0F, 0.0F}};
+  const auto picked = nearest_to_ray(points, view_from_cloud, along_x());
+  ASSERT_TRUE(picked);
+  EXPECT_EQ(picked->index, 1U);
+  EXPECT_NEAR(picked->distance_m, 20.0, 1e-6);
+}
+
+TEST(picking, nothing_near_behind_or_bad_is_picked) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<Eigen::Vector3f> points{
+      {-30.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, {nan, 0.0F, 0.0F}, {-10.0F, 0.0F, 0.0F}};
+  EXPECT_FALSE(nearest_to_ray(points, RigidTransform::Identity(), along_x()));
+  EXPECT_FALSE(nearest_to_ray({}, RigidTransform::Identity(), along_x()));
+}
+
+TEST(distance_scale, has_a_colour_of_its_own_beyond_its_end_and_for_nothing) {
+  const DistanceScale scale(0.2);
+  EXPECT_EQ(scale.color(0.0F), DistanceScale::at(0.0));
+  EXPECT_EQ(scale.color(0.1F), DistanceScale::at(0.5));
+  EXPECT_EQ(scale.color(0.1999F), DistanceScale::at(0.9995));
+  EXPECT_EQ(scale.color(0.2001F), DistanceScale::kOverRange);
+  EXPECT_EQ(scale.color(std::numeric_limits<float>::quiet_NaN()), DistanceScale::kNothingNear);
+  EXPECT_EQ(DistanceScale(-1.0).limit_m(), DistanceScale::kLeast_m);
+  EXPECT_EQ(DistanceScale(std::numeric_limits<double>::quiet_NaN()).limit_m(), DistanceScale::kDefault_m);
+  for (const SceneColor& other : {DistanceScale::kOverRange, DistanceScale::kNothingNear})
+    for (double share = 0.0; share <= 1.0; share += 0.01) {
+      const SceneColor on_scale = DistanceScale::at(share);
+      int apart = 0;
+      for (std::size_t i = 0; i < 3; ++i) apart += std::abs(on_scale[i] - other[i]);
+      EXPECT_GT(apart, 80) << "at " << share;
+    }
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,28 @@
+// What the colours of distances mean, and where the scale ends.
+#pragma once
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace remount {
+
+class DistanceLegend : public QWidget {
+  Q_OBJECT
+ public:
+  explicit DistanceLegend(QWidget* parent = nullptr);
+  double limit_m() const;
+  void set_limit(double limit_m);
+  /// Medians of the pictures, m, from left to right; NaN: nothing near; empty: not known yet.
+  void show_medians(const std::vector<float>& medians_m);
+
+ signals:
+  void limit_edited(double limit_m);
+
+ private:
+  QDoubleSpinBox* limit_;
+  QLabel* medians_;
+};
+
+}  // namespace remount

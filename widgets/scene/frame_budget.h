@@ -1,0 +1,25 @@
+// How many points may be drawn while the camera moves.
+#pragma once
+
+#include <cstddef>
+
+namespace remount {
+
+/// Follows the machine: from the time that frames took, the number of points that keeps a frame within the target.
+class FrameBudget {
+ public:
+  static constexpr double kTarget_s = 0.05;
+  static constexpr std::size_t kFewest = 16384;  ///< fewer say nothing of the cloud
+  static constexpr std::size_t kAtFirst = 100000;
+
+  /// A frame with so many points took so long.
+  void took(std::size_t points, double seconds);
+  std::size_t points() const { return points_; }  ///< for a frame of kTarget_s
+  double seconds_for(std::size_t points) const;   ///< as far as is known
+
+ private:
+  std::size_t points_ = kAtFirst;
+  double seconds_per_point_ = kTarget_s / static_cast<double>(kAtFirst);
+};
+
+}  // namespace remount

@@ -1,0 +1,60 @@
+#include "widgets/scene/pair_scene_data.h"
+
+#include <Eigen/Geometry>
+
+#include "widgets/scene/pair_scene_parts.h"
+#include "widgets/scene/scene_polydata.h"
+
+namespace remount {
+namespace {
+constexpr SceneColor kObjectB{30, 120, 200}, kObjectA{20, 160, 110}, kMoving{220, 30, 40};
+}  // namespace
+
+const RigidTransform& PairTransforms::of(PairAlignment alignment) const {
+  if (alignment == PairAlignment::Before) return before_lidar_b_from_lidar_a;
+  if (alignment == PairAlignment::CurrentX) return current_lidar_b_from_lidar_a;
+  return registered_lidar_b_from_lidar_a;
+}
+
+PairTransforms pair_transforms(const PipelineOutput& output, int pair, const RigidTransform* candidate_ins_from_lidar) {
+  const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
+  const RigidTransform& initial = output.initial_ins_from_lidar;
+  const Status status = output.result.status;
+  const bool solved = status == Status::Ok || status == Status::Degenerate || status == Status::Inconsistent;
+  const RigidTransform& result = solved ? output.result.ins_from_lidar : initial;
+  const RigidTransform& current = candidate_ins_from_lidar ? *candidate_ins_from_lidar : result;
+  PairTransforms transforms;
+  transforms.before_lidar_b_from_lidar_a = initial.inverse() * chosen.ins_b_from_ins_a * initial;
+  transforms.current_lidar_b_from_lidar_a = current.inverse() * chosen.ins_b_from_ins_a * current;
+  transforms.registered_lidar_b_from_lidar_a =
+      chosen.registration.attempted ? chosen.lidar_b_from_lidar_a : transforms.before_lidar_b_from_lidar_a;
+  transforms.view_from_lidar_b = result;  // not the candidate: the view stays while candidates are compared
+  return transforms;
+}
+
+RigidTransform between(const RigidTransform& first, const RigidTransform& second, double share) {
+  const Eigen::Quaterniond from(first.linear()), to(second.linear());
+  return make_rigid(from.slerp(share, to).toRotationMatrix(),
+                    (1.0 - share) * first.translation() + share * second.translation());
+}
+
+PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const PairClouds> clouds, const Progress& progress) {
+  std::vector<ObjectBox> boxes_a, boxes_b;
+  for (const ObjectMatch& match : clouds->matches) {
+    boxes_a.push_back({&clouds->objects_a.at(static_cast<std::size_t>(match.object_a)), match.moving});
+    boxes_b.push_back({&clouds->objects_b.at(static_cast<std::size_t>(match.object_b)), match.moving});
+  }
+  auto data = std::make_shared<PairSceneData>(
+      PairSceneData{clouds, make_geometry(order_by_levels(clouds->cloud_a.points, progress)),
+                    make_geometry(order_by_levels(clouds->cloud_b.points, progress)),
+                    SurfaceDistance(clouds->cloud_a, progress), SurfaceDistance(clouds->cloud_b, progress),
+                    polydata_from_boxes(boxes_a, kObjectA, kMoving), polydata_from_boxes(boxes_b, kObjectB, kMoving)});
+  return progress.cancelled() ? nullptr : data;
+}
+
+std::vector<float> distances_to_target(const PairSceneData& data, const RigidTransform& lidar_b_from_lidar_a,
+                                       const Progress& progress) {
+  return data.surfaces_b.of(data.cloud_a->cloud->points, lidar_b_from_lidar_a, progress);
+}
+
+}  // namespace remount

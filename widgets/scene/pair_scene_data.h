@@ -1,0 +1,50 @@
+// What the scene of a pair is made of, prepared before it is shown: on any thread, immutable afterwards.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "algorithms/geometry/rigid_transform.h"
+#include "model/pipeline.h"
+
+namespace remount {
+
+/// Under which transform the source scan is shown.
+enum class PairAlignment {
+  Before,      ///< predicted from INS motion and the mounting that the calibration started from
+  Registered,  ///< as the two scans were aligned
+  CurrentX,    ///< predicted from INS motion and the present result, or a candidate
+};
+
+/// The three ways to bring scan a to scan b, and the axes in which the scene is shown.
+struct PairTransforms {
+  RigidTransform before_lidar_b_from_lidar_a = RigidTransform::Identity();
+  RigidTransform registered_lidar_b_from_lidar_a = RigidTransform::Identity();
+  RigidTransform current_lidar_b_from_lidar_a = RigidTransform::Identity();
+  /// Brings lidar b to the axes of the vehicle, so that "top" is above the vehicle however the sensor is turned.
+  RigidTransform view_from_lidar_b = RigidTransform::Identity();
+
+  const RigidTransform& of(PairAlignment alignment) const;
+};
+
+/// Predictions X^-1 P X under the starting and the present mounting, and the registration of pair `pair`.
+/// @param candidate_ins_from_lidar an X to look at instead of the present result
+PairTransforms pair_transforms(const PipelineOutput& output, int pair,
+                               const RigidTransform* candidate_ins_from_lidar = nullptr);
+
+/// On the way from one transform to another: 0 is the first, 1 the second; the rotation turns evenly.
+RigidTransform between(const RigidTransform& first, const RigidTransform& second, double share);
+
+struct PairSceneData;  // VTK inside: pair_scene_parts.h
+using PairSceneDataPtr = std::shared_ptr<const PairSceneData>;
+
+/// Points in the order of their levels, surfaces for distances, and boxes. Null where cancelled.
+PairSceneDataPtr prepare_pair_scene(std::shared_ptr<const PairClouds> clouds, const Progress& progress);
+
+/// How far each point of scan a is from the surfaces of scan b under this transform, m, in the order in which the scene
+/// draws them; NaN for nothing near. Empty where cancelled.
+std::vector<float> distances_to_target(const PairSceneData& data, const RigidTransform& lidar_b_from_lidar_a,
+                                       const Progress& progress);
+
+}  // namespace remount

@@ -1,0 +1,18 @@
+// The inside of PairSceneData.
+#pragma once
+
+#include "algorithms/quality/surface_distance.h"
+#include "widgets/scene/cloud_actor.h"
+#include "widgets/scene/framing.h"
+#include "widgets/scene/pair_scene_data.h"
+
+namespace remount {
+
+struct PairSceneData {
+  std::shared_ptr<const PairClouds> clouds;
+  std::shared_ptr<const CloudGeometry> cloud_a, cloud_b;
+  SurfaceDistance surfaces_a, surfaces_b;
+  vtkSmartPointer<vtkPolyData> boxes_a, boxes_b;  // each in its own lidar frame
+};
+
+}  // namespace remount
