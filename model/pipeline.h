@@ -57,6 +57,12 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress);
 /// program's own decisions are updated in `output`. No scan is read; joint alignment of clouds is left out.
 void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress);
 
+/// The first answer of solve_again, in a fraction of its time: X, residuals and counts under the present states, from
+/// one joint solution with the noise that `output` has. Sigmas, what is observed (parameters that are not keep their
+/// values), candidates and the other pairs' states stay as they were: solve_again says them. False where `output` has
+/// no numbers to start from, or the solution failed; `output` is then as it was.
+bool solve_at_once(const PipelineInput& input, PipelineOutput& output, const Progress& progress);
+
 /// Clouds of one pair for the 3-D view, deskewed as for registration, each in its own lidar frame, with objects.
 struct PairClouds {
   PointCloud cloud_a, cloud_b;

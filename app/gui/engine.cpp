@@ -4,6 +4,6 @@
 
 namespace remount {
 
-Engine model_engine() { return {open_session, run_pipeline, solve_again, load_pair_clouds}; }
+Engine model_engine() { return {open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once}; }
 
 }  // namespace remount

@@ -13,9 +13,11 @@ struct Engine {
   std::function<PipelineOutput(const PipelineInput&, Progress&)> run;
   std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> solve_again;
   std::function<PairClouds(const PipelineInput&, const PipelineOutput&, int)> load_pair_clouds;
+  /// The first answer after a decision (solve_at_once); may be empty.
+  std::function<bool(const PipelineInput&, PipelineOutput&, const Progress&)> solve_at_once;
 };
 
-/// The model's own: open_session, run_pipeline, solve_again, load_pair_clouds.
+/// The model's own: open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once.
 Engine model_engine();
 
 }  // namespace remount

@@ -23,6 +23,7 @@
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
+#include "widgets/panels/drive_panel.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/message_banner.h"
@@ -171,6 +172,11 @@ void MainWindow::make_docks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   setup_dock_ = make_dock(tr("Set-up"), "setup", make_setup(), Qt::LeftDockWidgetArea);
+  drive_ = new DrivePanel;
+  drive_dock_ = make_dock(tr("Drive"), "drive", drive_, Qt::LeftDockWidgetArea);
+  tabifyDockWidget(setup_dock_, drive_dock_);
+  setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::North);
+  setup_dock_->raise();
   result_dock_ = make_dock(tr("Result"), "result", result_, Qt::RightDockWidgetArea);
   pairs_dock_ = make_dock(tr("Pairs"), "pairs", pairs_, Qt::BottomDockWidgetArea);
   error_dock_ = make_dock(tr("Error chart"), "errors", errors_, Qt::BottomDockWidgetArea);
@@ -193,6 +199,7 @@ void MainWindow::size_docks() {
 void MainWindow::reset_layout() {
   restoreState(standard_layout_, kLayoutVersion);
   for (QDockWidget* dock : findChildren<QDockWidget*>()) dock->show();
+  setup_dock_->raise();
   pairs_dock_->raise();
   size_docks();
 }

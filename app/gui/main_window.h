@@ -16,6 +16,7 @@ class QTableView;
 namespace remount {
 
 class CandidateTableModel;
+class DrivePanel;
 class ErrorChartPanel;
 class LogPanel;
 class MessageBanner;
@@ -126,6 +127,7 @@ class MainWindow : public QMainWindow {
   RangePanel* range_ = nullptr;
   PairsPanel* pairs_ = nullptr;
   ErrorChartPanel* errors_ = nullptr;
+  DrivePanel* drive_ = nullptr;
   QTableView* candidates_ = nullptr;
   ResultPanel* result_ = nullptr;
   LogPanel* log_ = nullptr;
@@ -133,8 +135,8 @@ class MainWindow : public QMainWindow {
   ProjectKeeper* keeper_ = nullptr;
   ReportMaker* report_ = nullptr;
   OptionsDialog* options_ = nullptr;
-  QDockWidget *pairs_dock_ = nullptr, *error_dock_ = nullptr, *candidates_dock_ = nullptr, *log_dock_ = nullptr,
-              *setup_dock_ = nullptr, *result_dock_ = nullptr;
+  QDockWidget *pairs_dock_ = nullptr, *error_dock_ = nullptr, *drive_dock_ = nullptr, *candidates_dock_ = nullptr,
+              *log_dock_ = nullptr, *setup_dock_ = nullptr, *result_dock_ = nullptr;
   QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *make_report_ = nullptr, *obstacles_ = nullptr;
   struct ReviewAction {

@@ -93,7 +93,8 @@ void MainWindow::make_view_menu() {
                                [this, view = view] { pair_view_->look(view); });
   pair_view_->set_view_actions(view_actions);
   menu.addSeparator();
-  for (QDockWidget* dock : {setup_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, log_dock_})
+  for (QDockWidget* dock :
+       {setup_dock_, drive_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, log_dock_})
     menu.addAction(dock->toggleViewAction());
   menu.addSeparator();
   add_action(menu, tr("&Reset layout"), {}, [this] { reset_layout(); });

@@ -14,6 +14,7 @@
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
 #include "widgets/pair_reasons.h"
+#include "widgets/panels/drive_panel.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/message_banner.h"
@@ -46,6 +47,7 @@ void MainWindow::connect_intents() {
           [this] { errors_->chart()->show_pairs(pairs_->filter()->pairs()); });
   connect(errors_, &ErrorChartPanel::measure_changed, pairs_, &PairsPanel::set_measure);
   connect(errors_, &ErrorChartPanel::reject_requested, this, &MainWindow::reject_above);
+  connect(drive_, &DrivePanel::pair_selected, &workbench_, &Workbench::select_pair);
   connect(errors_->chart(), &ErrorBarChart::pair_clicked, &workbench_, &Workbench::select_pair);
   connect(result_, &ResultPanel::copy_requested, this, &MainWindow::copy_result);
   connect(result_, &ResultPanel::export_requested, this, &MainWindow::show_export);
@@ -64,6 +66,8 @@ void MainWindow::connect_state() {
     scenes_->show_candidate(static_cast<QSortFilterProxyModel*>(candidates_->model())->mapToSource(row).row());
   });
   connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
+  connect(&workbench_, &Workbench::overviews_changed, this,
+          [this] { drive_->show_drives(workbench_.session_names(), workbench_.overviews()); });
   connect(&workbench_, &Workbench::project_changed, this, &MainWindow::show_project);
   connect(&workbench_, &Workbench::settings_changed, this, [this] { range_->show_settings(workbench_.settings()); });
   connect(&workbench_, &Workbench::nominal_changed, this,
@@ -82,6 +86,7 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::selection_changed, this, [this](int pair) {
     pairs_->show_selected(pair);
     errors_->chart()->show_selected(pair);
+    drive_->show_selected(pair);
     shown_clouds_ = nullptr;
     scenes_->forget_pair();
     obstacles_->setEnabled(false);
@@ -109,7 +114,9 @@ void MainWindow::show_output() {
   pair_model_->show_output(output, workbench_.session_names());
   pairs_->show_output(output);
   errors_->chart()->show_pairs(pairs_->filter()->pairs());
+  drive_->show_output(output);
   pairs_->show_selected(workbench_.selected_pair());
+  drive_->show_selected(workbench_.selected_pair());
   errors_->chart()->show_selected(workbench_.selected_pair());
   candidate_model_->show_output(output);
   candidates_->resizeColumnsToContents();

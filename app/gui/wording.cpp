@@ -16,6 +16,8 @@ QString in_short(const QStringList& entries, const QString& separator) {
 }
 
 QString idle_text(const Workbench& workbench) {
+  if (workbench.refining())
+    return words("X is solved anew; sigmas, candidates and the judgement of other pairs follow…");
   if (workbench.solving()) return words("Solving again…");
   if (workbench.out_of_date()) return words("The result is out of date: calibrate again (F5)");
   return words("Ready");
@@ -37,6 +39,7 @@ QString next_hint(const Workbench& workbench) {
 
 ResultStanding standing_of(const Workbench& workbench) {
   if (!workbench.output()) return ResultStanding::Current;
+  if (workbench.refining()) return ResultStanding::BeingRefined;
   if (workbench.calibrating() || workbench.solving()) return ResultStanding::BeingReplaced;
   return workbench.out_of_date() ? ResultStanding::OutOfDate : ResultStanding::Current;
 }
@@ -44,6 +47,8 @@ ResultStanding standing_of(const Workbench& workbench) {
 QString standing_note(const Workbench& workbench) {
   if (!workbench.output()) return {};
   if (workbench.calibrating()) return words("Calibrating; this is the result before.");
+  if (workbench.refining())
+    return words("X is solved anew; sigmas, candidates and the judgement of other pairs follow.");
   if (workbench.solving()) return words("Solving again…");
   const QStringList changes = workbench.changes_since_output();
   if (changes.isEmpty()) return {};

@@ -15,6 +15,7 @@ Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(
             if (job == run_job_) stage_ = stage;
             if (job == run_job_ || job == open_job_) emit job_progressed(stage, done, total);
           });
+  connect(this, &Workbench::sessions_changed, this, &Workbench::look_over_sessions);
   connect(&jobs_, &JobRunner::finished, this, &Workbench::state_changed);
 }
 
@@ -267,7 +268,7 @@ void Workbench::apply_settings(const Settings& settings, const QString& step) {
   if (!output_) return;
   // An option that only a whole calibration obeys needs no new solution; one under way may hold an earlier edit.
   const bool solvable = solving() || !changes_since(basis_of(run_input_), basis_of(input_of_next_solve())).empty();
-  if (solvable && settings_.check().empty()) start_solve(step);
+  if (solvable && settings_.check().empty()) start_solve(step, FirstAnswer::No);
   emit state_changed();
 }
 

@@ -12,6 +12,7 @@
 
 #include "app/gui/engine.h"
 #include "app/gui/job_runner.h"
+#include "model/drive_overview.h"
 #include "model/project.h"
 #include "model/result_file.h"
 #include "model/session.h"
@@ -54,6 +55,8 @@ class Workbench : public QObject {
 
   const std::vector<std::shared_ptr<const Session>>& sessions() const { return sessions_; }
   QStringList session_names() const;
+  /// How each session looks from above and over time; null where that is still being found out.
+  std::vector<std::shared_ptr<const DriveOverview>> overviews() const;
   const Settings& settings() const { return settings_; }
   const std::optional<RigidTransform>& nominal_ins_from_lidar() const { return nominal_ins_from_lidar_; }
   OutputPtr output() const { return output_; }  ///< null before the first calibration
@@ -64,6 +67,8 @@ class Workbench : public QObject {
   bool opening() const { return jobs_.running(open_job_); }
   bool calibrating() const { return jobs_.running(run_job_); }
   bool solving() const { return jobs_.running(solve_job_); }
+  /// X of the output answers the last decision already; sigmas, candidates and the judgement of other pairs follow.
+  bool refining() const { return solving() && refining_; }
   /// What is set now and was not so for the result that is shown, in words, one for each: calibrate again. What a
   /// solution under way will take up is not among them.
   QStringList changes_since_output() const;
@@ -118,6 +123,7 @@ class Workbench : public QObject {
 
  signals:
   void sessions_changed();
+  void overviews_changed();
   void project_changed();  ///< its path, or whether it is saved
   void project_saved(const QString& path);
   void project_opened(const remount::ProjectToOpen& request);
@@ -152,8 +158,11 @@ class Workbench : public QObject {
   void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
   void say_several_failed(const std::vector<JobFailure>& failures);
   void take_run(const PipelineInput& input, OutputPtr output);
-  void start_solve(const QString& step);
+  enum class FirstAnswer { No, Yes };  ///< to a decision: X moves at once, the rest follows
+  void start_solve(const QString& step, FirstAnswer first);
+  void take_first_answer(OutputPtr answer, OutputPtr before);
   void load_clouds();
+  void look_over_sessions();  ///< in the background
   void hash_input_files();
   void compare_input_files();
   /// The pairs as they are, with the present search range and solution options.
@@ -167,6 +176,8 @@ class Workbench : public QObject {
   std::vector<std::shared_ptr<const Session>> sessions_;
   Settings settings_;
   std::optional<RigidTransform> nominal_ins_from_lidar_;
+  std::map<std::shared_ptr<const Session>, std::shared_ptr<const DriveOverview>> overviews_;
+  int overview_job_ = 0;
   PipelineInput run_input_;  // of output_: what it was made with, solutions since then included
   OutputPtr output_, output_before_, output_solved_;
   Decisions decisions_;
@@ -174,6 +185,7 @@ class Workbench : public QObject {
   int selected_ = -1;
   int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0;
   bool data_changed_ = false;  // the files on disk are not those that output_ was made from
+  bool refining_ = false;
   bool exported_ = false;
   int revision_ = 0, saved_revision_ = 0;
   QString stage_, project_path_;

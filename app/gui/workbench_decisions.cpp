@@ -116,25 +116,37 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, cons
   output_ = std::move(changed);
   emit output_changed();
   mark_edited();
-  if (counts) start_solve(step);
+  if (counts) start_solve(step, FirstAnswer::Yes);
 }
 
-void Workbench::start_solve(const QString& step) {
+void Workbench::start_solve(const QString& step, FirstAnswer first) {
   if (!output_ || calibrating()) return;
   solving_for_ = solving() && !solving_for_.isEmpty() ? solving_for_ + QStringLiteral("; ") + step : step;
+  refining_ = false;
   jobs_.cancel(solve_job_);
   auto job = std::make_shared<int>(0);
   // A solution from the pairs cannot be compared with one whose clouds were aligned together: what that last step
   // changed would pass for the effect of a decision.
   const bool unlike = output_solved_ && aligned_together(*output_solved_);
   solve_job_ = jobs_.start(
-      [this, job, unlike, input = input_of_next_solve(), input_before = run_input_, output = *output_,
-       before = output_solved_, solve = engine_.solve_again](Progress& progress) mutable -> JobRunner::Deliver {
+      [this, job, unlike, first, input = input_of_next_solve(), input_before = run_input_, output = *output_,
+       before = output_solved_, engine = engine_](Progress& progress) mutable -> JobRunner::Deliver {
+        if (first == FirstAnswer::Yes && engine.solve_at_once) {
+          auto answer = std::make_shared<PipelineOutput>(output), like = std::make_shared<PipelineOutput>(*before);
+          const bool comparable = !unlike || engine.solve_at_once(input_before, *like, progress);
+          if (comparable && engine.solve_at_once(input, *answer, progress))
+            QMetaObject::invokeMethod(
+                this,
+                [this, job, answer, like] {
+                  if (*job == solve_job_) take_first_answer(answer, like);
+                },
+                Qt::QueuedConnection);
+        }
         auto solved = std::make_shared<PipelineOutput>(std::move(output));
-        solve(input, *solved, progress);
+        engine.solve_again(input, *solved, progress);
         if (unlike) {
           auto like = std::make_shared<PipelineOutput>(*before);
-          solve(input_before, *like, progress);
+          engine.solve_again(input_before, *like, progress);
           before = like;
         }
         return [this, job, solved, before, settings = input.settings] {
@@ -146,11 +158,20 @@ void Workbench::start_solve(const QString& step) {
           run_input_.settings = settings;
           exported_ = false;
           emit output_changed();
-          mark_edited();
         };
       },
       report_failure());
   *job = solve_job_;
+  emit state_changed();
+}
+
+void Workbench::take_first_answer(OutputPtr answer, OutputPtr before) {
+  output_ = std::move(answer);
+  output_before_ = std::move(before);
+  moved_by_ = solving_for_;
+  exported_ = false;
+  refining_ = true;
+  emit output_changed();
   emit state_changed();
 }
 

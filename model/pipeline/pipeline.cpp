@@ -321,19 +321,6 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   return output;
 }
 
-namespace {
-
-// The INS motion at the clock offsets that the last solution applied.
-DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output) {
-  DriveMotion motion(input.sessions);
-  const bool known = output.result.session_time_offset_s.size() == input.sessions.size();
-  for (int s = 0; output.result.time_offset.applied && known && s < motion.session_count(); ++s)
-    motion.set_offset_s(s, output.result.session_time_offset_s[static_cast<std::size_t>(s)]);
-  return motion;
-}
-
-}  // namespace
-
 void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
   DriveMotion motion = motion_as_solved(input, output);
   PipelineOutput solved = output;  // a cancelled call leaves the output as it was

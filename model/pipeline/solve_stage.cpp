@@ -55,6 +55,14 @@ bool clock_differs(const CalibrationResult& result) {
                      [&](double offset_s) { return stands_out(offset_s, clock.sigma_s * std::sqrt(sessions)); });
 }
 
+DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output) {
+  DriveMotion motion(input.sessions);
+  const bool known = output.result.session_time_offset_s.size() == input.sessions.size();
+  for (int s = 0; output.result.time_offset.applied && known && s < motion.session_count(); ++s)
+    motion.set_offset_s(s, output.result.session_time_offset_s[static_cast<std::size_t>(s)]);
+  return motion;
+}
+
 PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output) {
   const std::vector<Keyframe>& keyframes = output.keyframes;
   PairwiseInput out;

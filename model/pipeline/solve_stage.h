@@ -7,6 +7,9 @@
 
 namespace remount {
 
+/// The INS motion at the clock offsets that the last solution applied.
+DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output);
+
 /// The solver's input for the keyframes of `output` at the present clock offsets of `motion`.
 PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output);
 

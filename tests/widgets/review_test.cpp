@@ -9,6 +9,8 @@
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <atomic>
+#include <thread>
 
 #include "app/gui/result_files.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -193,6 +195,48 @@ TEST_F(review, how_x_moved_is_shown_in_millimetres_with_what_moved_it) {
   ASSERT_TRUE(settle());
   EXPECT_EQ(workbench_.moved_by(), "undo: reject pair 5");
   photograph(window_, "22-moved");
+}
+
+TEST(decisions, are_answered_at_once_and_completed_later) {
+  std::atomic<bool> complete = false;
+  Engine engine = testing::sample_engine();
+  const auto whole = engine.solve_again;
+  engine.solve_again = [&](const PipelineInput& input, PipelineOutput& output, Progress& progress) {
+    while (!complete && !progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (progress.cancelled())
+      output.result.status = Status::Cancelled;
+    else
+      whole(input, output, progress);
+  };
+  engine.solve_at_once = [](const PipelineInput&, PipelineOutput& output, const Progress&) {
+    output.result.ins_from_lidar.translation().x() += 0.5;
+    return true;
+  };
+  Workbench workbench(engine);
+  workbench.open({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  workbench.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
+  const double before_m = workbench.output()->result.ins_from_lidar.translation().x();
+  const auto moved_m = [&] {
+    return workbench.output()->result.ins_from_lidar.translation().x() -
+           workbench.output_before()->result.ins_from_lidar.translation().x();
+  };
+  workbench.decide({5}, PairState::Rejected);
+  EXPECT_FALSE(workbench.refining());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.refining(); }, kPatience_ms));
+  EXPECT_NEAR(moved_m(), 0.5, 1e-12);
+  workbench.decide({6}, PairState::Rejected);  // before the first is completed
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.refining(); }, kPatience_ms));
+  EXPECT_EQ(workbench.moved_by(), "reject pair 5; reject pair 6");
+  EXPECT_NEAR(moved_m(), 1.0, 1e-12) << "since the last complete result";
+  complete = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
+  EXPECT_FALSE(workbench.refining());
+  EXPECT_NEAR(moved_m(), 0.002, 1e-9);
+  EXPECT_NEAR(workbench.output_before()->result.ins_from_lidar.translation().x(), before_m, 1e-12);
+  EXPECT_EQ(workbench.output()->pairs[5].state, PairState::Rejected);
+  EXPECT_EQ(workbench.output()->pairs[6].state, PairState::Rejected);
 }
 
 TEST(moved_text, has_the_unit_that_suits) {

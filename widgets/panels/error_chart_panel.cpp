@@ -10,6 +10,7 @@ ErrorChartPanel::ErrorChartPanel(QWidget* parent)
     : QWidget(parent), chart_(new ErrorBarChart(this)), measure_(new QComboBox(this)), count_(new QLabel(this)) {
   for (const PairMeasure measure : kPairMeasures) measure_->addItem(measure_name(measure));
   measure_->setAccessibleName(tr("What the bars show"));
+  count_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a narrow window cuts the hint, not itself
   count_->setAccessibleName(tr("What the line would reject"));
   connect(measure_, &QComboBox::currentIndexChanged, this, [this](int index) {
     chart_->set_measure(kPairMeasures.at(static_cast<std::size_t>(index)));

@@ -184,6 +184,9 @@ void ResultPanel::show_status() {
   } else if (standing_ == ResultStanding::BeingReplaced) {
     title = tr("… Result before: %1").arg(title);
     color = palette().color(QPalette::Disabled, QPalette::WindowText);
+  } else if (standing_ == ResultStanding::BeingRefined) {
+    title = tr("… Being completed: %1").arg(title);
+    color = palette().color(QPalette::Disabled, QPalette::WindowText);
   }
   status_->setText(title);
   status_->setStyleSheet(QStringLiteral("font-weight: bold; padding: 5px; border-left: 4px solid %1; background: %2")

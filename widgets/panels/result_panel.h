@@ -15,7 +15,8 @@ class QPushButton;
 namespace remount {
 
 /// How the result that is shown stands to what is set now.
-enum class ResultStanding { Current, OutOfDate, BeingReplaced };
+/// BeingRefined: X is new, its sigmas are not yet.
+enum class ResultStanding { Current, OutOfDate, BeingReplaced, BeingRefined };
 
 class ResultPanel : public QScrollArea {
   Q_OBJECT

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kScans = 60;
 
-RigidTransform world_from_ins(int scan) {
+RigidTransform world_from_ins(double scan) {
   return rigid_from_six(
       {1.0 * scan, 4.0 * std::sin(0.1 * scan), 0.0, 0.4 * std::cos(0.1 * scan), 0.01 * std::sin(0.5 * scan), 0.0});
 }
@@ -25,7 +25,7 @@ class StreetScans : public ScanSource {
   }
   std::string name(std::size_t scan) const override { return "scan" + std::to_string(scan) + ".pcd"; }
   PointCloud load(std::size_t scan) const override {
-    return street_cloud(world_from_ins(static_cast<int>(scan)) * rigid_from_six(kTruth), static_cast<int>(scan));
+    return street_cloud(world_from_ins(static_cast<double>(scan)) * rigid_from_six(kTruth), static_cast<int>(scan));
   }
 };
 
@@ -130,6 +130,16 @@ Session sample_session(const std::string& name) {
   session.ins.resize(10 * kScans);
   for (std::size_t i = 0; i < session.ins.size(); ++i)
     session.ins[i].stamp_ns = 1'700'000'000'000'000'000 + static_cast<std::int64_t>(i) * 10'000'000;
+  for (std::size_t i = 0; i < session.ins.size(); ++i) {
+    constexpr double kEarthRadius_m = 6371000.0;
+    const RigidTransform pose = world_from_ins(0.1 * static_cast<double>(i));
+    session.ins[i].latitude_rad = 0.8 + pose.translation().y() / kEarthRadius_m;
+    session.ins[i].longitude_rad = 0.2 + pose.translation().x() / (kEarthRadius_m * std::cos(0.8));
+    session.ins[i].enu_from_ins = Eigen::Quaterniond(pose.linear());
+    session.ins[i].quality = i > 300 && i < 340 ? InsQuality::Degraded : InsQuality::Good;
+    session.ins[i].sigma.position_enu_m.setConstant(i > 300 && i < 340 ? 0.2 : 0.02);
+    session.ins[i].sigma.attitude_rad.setConstant(5e-4);
+  }
   session.scans = std::make_shared<StreetScans>();
   session.findings = {
       {Severity::Warning, "ins-gap", "ins.csv:212", "0.4 s without INS samples; the 3 scans in it are left out."}};

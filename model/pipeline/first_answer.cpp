@@ -1,0 +1,74 @@
+// What a decision about a pair does to X, before everything else is computed anew.
+#include <algorithm>
+
+#include "algorithms/calibration/joint_problem.h"
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/search/candidates.h"
+#include "model/pipeline/solve_stage.h"
+#include "model/result_file.h"
+
+namespace remount {
+namespace {
+
+RigidTransform with_kept(const RigidTransform& solved, const RigidTransform& kept,
+                         const std::array<bool, 6>& observed) {
+  const SixParameters held = six_from_rigid(kept);
+  SixParameters six = six_from_rigid(solved);
+  const auto keep = [&](std::size_t i, double& value, double old) {
+    if (!observed[i]) value = old;
+  };
+  keep(0, six.x_m, held.x_m);
+  keep(1, six.y_m, held.y_m);
+  keep(2, six.z_m, held.z_m);
+  keep(3, six.yaw_rad, held.yaw_rad);
+  keep(4, six.pitch_rad, held.pitch_rad);
+  keep(5, six.roll_rad, held.roll_rad);
+  return rigid_from_six(six);
+}
+
+void describe(const RigidTransform& x, PipelineOutput& output) {
+  CalibrationResult& result = output.result;
+  result.ins_from_lidar = x;
+  std::erase_if(result.candidates, [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
+  result.pairs_accepted = result.pairs_rejected = 0;
+  double rotation2 = 0.0, translation2 = 0.0;
+  for (Pair& pair : output.pairs) {
+    result.pairs_accepted += pair.state == PairState::Accepted;
+    result.pairs_rejected += pair.state == PairState::Rejected;
+    if (!unusable_reason(pair).empty()) continue;
+    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
+    pair.residual_translation_m = residual.head<3>().norm();
+    pair.residual_rotation_rad = residual.tail<3>().norm();
+    if (pair.state != PairState::Accepted) continue;
+    translation2 += residual.head<3>().squaredNorm();
+    rotation2 += residual.tail<3>().squaredNorm();
+  }
+  const double count = std::max(1, result.pairs_accepted);
+  result.translation_rms_m = std::sqrt(translation2 / count);
+  result.rotation_rms_rad = std::sqrt(rotation2 / count);
+}
+
+}  // namespace
+
+bool solve_at_once(const PipelineInput& input, PipelineOutput& output, const Progress& progress) {
+  constexpr int kIterations = 10;
+  if (!is_usable(output.result)) return false;
+  std::vector<Pair> pairs = output.pairs;
+  for (Pair& pair : pairs)
+    if (pair.decided_by == DecidedBy::User) pair.weight = pair.state == PairState::Accepted ? 1.0 : 0.0;
+  const std::vector<int> usable = usable_pairs(pairs);
+  const DriveMotion motion = motion_as_solved(input, output);
+  const PairwiseInput solver = solver_input(input, motion, output);
+  const RigidTransform start = output.result.ins_from_lidar;
+  RigidTransform prior = start;
+  if (input.nominal_ins_from_lidar) prior.translation() = input.nominal_ins_from_lidar->translation();
+  const JointProblem problem = make_joint_problem(solver, pairs, usable, prior, start);
+  if (problem.terms.size() < 3) return false;
+  const JointSolution solution = solve_joint(problem, output.result.noise, start, kIterations, progress);
+  if (!solution.converged) return false;
+  describe(with_kept(solution.ins_from_lidar, start, output.result.observed), output);
+  return true;
+}
+
+}  // namespace remount
