@@ -11,7 +11,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
-#include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTableView>
@@ -23,11 +22,13 @@
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
+#include "widgets/panels/candidates_panel.h"
 #include "widgets/panels/drive_panel.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/message_banner.h"
 #include "widgets/panels/nominal_panel.h"
+#include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/progress_strip.h"
@@ -70,6 +71,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
   standard_layout_ = saveState(kLayoutVersion);
   if (remembers()) {
     const QSettings settings;
+    if (settings.value("angles/radians").toBool()) set_angle_unit(AngleUnit::Radians);
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
   }
@@ -154,20 +156,7 @@ void MainWindow::make_docks() {
   result_ = new ResultPanel;
   result_->setMinimumWidth(290);
   log_ = new LogPanel;
-  candidates_ = new QTableView;
-  auto* sorted = new QSortFilterProxyModel(this);
-  sorted->setSourceModel(candidate_model_);
-  sorted->setSortRole(CandidateTableModel::SortRole);
-  candidates_->setModel(sorted);
-  candidates_->setSortingEnabled(true);
-  candidates_->sortByColumn(CandidateTableModel::Rank, Qt::AscendingOrder);
-  candidates_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  candidates_->setAlternatingRowColors(true);
-  candidates_->setTabKeyNavigation(false);
-  candidates_->verticalHeader()->hide();
-  candidates_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  candidates_->horizontalHeader()->setStretchLastSection(true);
-  candidates_->setAccessibleName(tr("Candidates"));
+  candidates_ = new CandidatesPanel(*candidate_model_);
 
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
@@ -194,6 +183,13 @@ void MainWindow::size_docks() {
   resizeDocks({pairs_dock_, error_dock_}, {860, 420}, Qt::Horizontal);
   resizeDocks({pairs_dock_}, {300}, Qt::Vertical);
   resizeDocks({setup_dock_, result_dock_}, {320, 300}, Qt::Horizontal);
+}
+
+void MainWindow::set_angle_unit(AngleUnit unit) {
+  angle_unit_ = unit;
+  range_->set_angle_unit(unit);
+  if (options_) options_->set_angle_unit(unit, workbench_.settings());
+  if (remembers()) QSettings().setValue("angles/radians", unit == AngleUnit::Radians);
 }
 
 void MainWindow::reset_layout() {

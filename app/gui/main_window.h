@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/gui/workbench.h"
+#include "widgets/forms/option_access.h"
 #include "widgets/panels/step_bar.h"
 
 class QDockWidget;
@@ -15,6 +16,7 @@ class QTableView;
 
 namespace remount {
 
+class CandidatesPanel;
 class CandidateTableModel;
 class DrivePanel;
 class ErrorChartPanel;
@@ -64,6 +66,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* make_dock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   QWidget* make_setup();
   void size_docks();
+  void set_angle_unit(AngleUnit unit);  ///< of range and options
   // main_window_actions.cpp: menus
   void make_file_menu();
   void make_edit_menu();
@@ -128,7 +131,7 @@ class MainWindow : public QMainWindow {
   PairsPanel* pairs_ = nullptr;
   ErrorChartPanel* errors_ = nullptr;
   DrivePanel* drive_ = nullptr;
-  QTableView* candidates_ = nullptr;
+  CandidatesPanel* candidates_ = nullptr;
   ResultPanel* result_ = nullptr;
   LogPanel* log_ = nullptr;
   ProgressStrip* progress_ = nullptr;
@@ -146,6 +149,7 @@ class MainWindow : public QMainWindow {
   };
   std::vector<ReviewAction> review_actions_;
   QByteArray standard_layout_;
+  AngleUnit angle_unit_ = AngleUnit::Degrees;
   CloudsPtr shown_clouds_;  // of the selected pair
   bool was_busy_ = false;
   QString idle_;         // what the status strip said last while nothing ran

@@ -162,6 +162,7 @@ void MainWindow::show_options() {
     connect(options_, &OptionsDialog::defaults_requested, &workbench_, &Workbench::reset_settings);
     connect(&workbench_, &Workbench::settings_changed, options_,
             [this] { options_->show_settings(workbench_.settings()); });
+    options_->set_angle_unit(angle_unit_, workbench_.settings());
   }
   options_->show();
   options_->raise();

@@ -14,6 +14,7 @@
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
 #include "widgets/pair_reasons.h"
+#include "widgets/panels/candidates_panel.h"
 #include "widgets/panels/drive_panel.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
@@ -39,6 +40,7 @@ void MainWindow::connect_intents() {
   connect(nominal_, &NominalPanel::nominal_edited, &workbench_, &Workbench::edit_nominal);
   connect(nominal_, &NominalPanel::file_requested, this, &MainWindow::ask_for_nominal);
   connect(range_, &RangePanel::edited, &workbench_, &Workbench::edit_option);
+  connect(range_, &RangePanel::angle_unit_chosen, this, &MainWindow::set_angle_unit);
   connect(range_, &RangePanel::reset_requested, &workbench_, &Workbench::reset_range);
   connect(pairs_, &PairsPanel::pair_selected, &workbench_, &Workbench::select_pair);
   connect(pairs_, &PairsPanel::accept_clicked, this, [this] { decide(PairState::Accepted); });
@@ -62,16 +64,22 @@ void MainWindow::connect_intents() {
 void MainWindow::connect_state() {
   scenes_ = new SceneController(
       workbench_, *pair_view_, [this](int pair) { return pair_caption(pair); }, this);
-  connect(candidates_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& row) {
-    scenes_->show_candidate(static_cast<QSortFilterProxyModel*>(candidates_->model())->mapToSource(row).row());
-  });
+  connect(candidates_, &CandidatesPanel::candidate_selected, this,
+          [this](int candidate) { scenes_->show_candidate(candidate); });
   connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
   connect(&workbench_, &Workbench::overviews_changed, this,
           [this] { drive_->show_drives(workbench_.session_names(), workbench_.overviews()); });
   connect(&workbench_, &Workbench::project_changed, this, &MainWindow::show_project);
-  connect(&workbench_, &Workbench::settings_changed, this, [this] { range_->show_settings(workbench_.settings()); });
-  connect(&workbench_, &Workbench::nominal_changed, this,
-          [this] { nominal_->show_nominal(workbench_.nominal_ins_from_lidar()); });
+  connect(&workbench_, &Workbench::settings_changed, this, [this] {
+    range_->show_settings(workbench_.settings());
+    candidates_->show_range(workbench_.settings().range);
+  });
+  connect(&workbench_, &Workbench::nominal_changed, this, [this] {
+    const auto& nominal = workbench_.nominal_ins_from_lidar();
+    nominal_->show_nominal(nominal);
+    range_->show_nominal(nominal);
+    candidates_->show_nominal(nominal);
+  });
   connect(&workbench_, &Workbench::output_changed, this, &MainWindow::show_output);
   connect(&workbench_, &Workbench::state_changed, this, &MainWindow::show_state);
   connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
@@ -119,7 +127,9 @@ void MainWindow::show_output() {
   drive_->show_selected(workbench_.selected_pair());
   errors_->chart()->show_selected(workbench_.selected_pair());
   candidate_model_->show_output(output);
-  candidates_->resizeColumnsToContents();
+  candidates_->show_output(output);
+  range_->show_result(output && is_usable(output->result) ? std::optional(output->result.ins_from_lidar)
+                                                          : std::nullopt);
   result_->show_output(output, workbench_.output_before(), workbench_.moved_by());
   scenes_->refresh();
   show_state();

@@ -268,7 +268,7 @@ void Workbench::apply_settings(const Settings& settings, const QString& step) {
   if (!output_) return;
   // An option that only a whole calibration obeys needs no new solution; one under way may hold an earlier edit.
   const bool solvable = solving() || !changes_since(basis_of(run_input_), basis_of(input_of_next_solve())).empty();
-  if (solvable && settings_.check().empty()) start_solve(step, FirstAnswer::No);
+  if (solvable && settings_.check().empty()) start_solve(step, FirstAnswer::Ranking);
   emit state_changed();
 }
 

@@ -158,7 +158,8 @@ class Workbench : public QObject {
   void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
   void say_several_failed(const std::vector<JobFailure>& failures);
   void take_run(const PipelineInput& input, OutputPtr output);
-  enum class FirstAnswer { No, Yes };  ///< to a decision: X moves at once, the rest follows
+  /// What is shown before the whole solution: how X moved by a decision, or the ranking in another search range.
+  enum class FirstAnswer { Moved, Ranking };
   void start_solve(const QString& step, FirstAnswer first);
   void take_first_answer(OutputPtr answer, OutputPtr before);
   void load_clouds();

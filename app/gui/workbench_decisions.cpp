@@ -5,6 +5,7 @@
 #include "app/gui/edit_commands.h"
 #include "app/gui/wording.h"
 #include "app/gui/workbench.h"
+#include "model/pipeline/first_answer.h"
 
 namespace remount {
 namespace {
@@ -116,7 +117,7 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, cons
   output_ = std::move(changed);
   emit output_changed();
   mark_edited();
-  if (counts) start_solve(step, FirstAnswer::Yes);
+  if (counts) start_solve(step, FirstAnswer::Moved);
 }
 
 void Workbench::start_solve(const QString& step, FirstAnswer first) {
@@ -131,7 +132,7 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
   solve_job_ = jobs_.start(
       [this, job, unlike, first, input = input_of_next_solve(), input_before = run_input_, output = *output_,
        before = output_solved_, engine = engine_](Progress& progress) mutable -> JobRunner::Deliver {
-        if (first == FirstAnswer::Yes && engine.solve_at_once) {
+        if (first == FirstAnswer::Moved && engine.solve_at_once) {
           auto answer = std::make_shared<PipelineOutput>(output), like = std::make_shared<PipelineOutput>(*before);
           const bool comparable = !unlike || engine.solve_at_once(input_before, *like, progress);
           if (comparable && engine.solve_at_once(input, *answer, progress))
@@ -141,6 +142,18 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
                   if (*job == solve_job_) take_first_answer(answer, like);
                 },
                 Qt::QueuedConnection);
+        }
+        if (first == FirstAnswer::Ranking && is_usable(output.result)) {
+          auto answer = std::make_shared<PipelineOutput>(output);
+          rank_again(input, *answer);
+          QMetaObject::invokeMethod(
+              this,
+              [this, job, answer] {
+                if (*job != solve_job_) return;
+                output_ = answer;
+                emit output_changed();
+              },
+              Qt::QueuedConnection);
         }
         auto solved = std::make_shared<PipelineOutput>(std::move(output));
         engine.solve_again(input, *solved, progress);

@@ -1,4 +1,5 @@
-// What a decision about a pair does to X, before everything else is computed anew.
+#include "model/pipeline/first_answer.h"
+
 #include <algorithm>
 
 #include "algorithms/calibration/joint_problem.h"
@@ -50,6 +51,10 @@ void describe(const RigidTransform& x, PipelineOutput& output) {
 }
 
 }  // namespace
+
+void rank_again(const PipelineInput& input, PipelineOutput& output) {
+  rank_candidates(output.result.candidates, accepted_motions(output.pairs), input.settings.range, input.settings.solve);
+}
 
 bool solve_at_once(const PipelineInput& input, PipelineOutput& output, const Progress& progress) {
   constexpr int kIterations = 10;

@@ -90,6 +90,39 @@ TEST(range_panel, the_default_is_half_a_turn_to_each_side_and_typing_it_is_every
   EXPECT_EQ(edited[1][2].toDouble(), SearchRange{}.yaw_max_rad) << "no rounding";
 }
 
+TEST(range_panel, angles_can_be_shown_and_typed_in_radians) {
+  RangePanel panel;
+  Settings settings;
+  settings.range.yaw_max_rad = 0.5;
+  panel.show_settings(settings);
+  QSignalSpy edited(&panel, &RangePanel::edited);
+  panel.set_angle_unit(AngleUnit::Radians);
+  EXPECT_EQ(edited.count(), 0) << "showing is not editing";
+  auto* spin = panel.findChild<QDoubleSpinBox*>("range.yaw_max_rad");
+  EXPECT_EQ(spin->text().toStdString(), "0.500000 rad");
+  EXPECT_TRUE(panel.findChild<QDoubleSpinBox*>("range.x_max_m")->text().endsWith(" m"));
+  spin->setValue(0.25);
+  ASSERT_EQ(edited.count(), 1);
+  EXPECT_DOUBLE_EQ(edited[0][2].toDouble(), 0.25);
+  spin->setValue(10.0);
+  EXPECT_EQ(edited[1][2].toDouble(), SearchRange{}.yaw_max_rad) << "the most that can be typed is every angle";
+  panel.set_angle_unit(AngleUnit::Degrees);
+  EXPECT_TRUE(spin->text().endsWith("°")) << spin->text().toStdString();
+}
+
+TEST(option_form, options_held_in_degrees_follow_the_unit_too) {
+  const Settings settings;
+  OptionForm form("solve", settings);
+  form.set_angle_unit(AngleUnit::Radians, settings);
+  auto* spin = form.findChild<QDoubleSpinBox*>("solve.max_rotation_sigma_deg");
+  EXPECT_TRUE(spin->text().endsWith(" rad")) << spin->text().toStdString();
+  EXPECT_NEAR(spin->value(), degrees_to_radians(settings.solve.max_rotation_sigma_deg), 1e-6);
+  QSignalSpy edited(&form, &OptionForm::edited);
+  spin->setValue(0.01);
+  ASSERT_EQ(edited.count(), 1);
+  EXPECT_NEAR(edited[0][2].toDouble(), radians_to_degrees(0.01), 1e-9);
+}
+
 TEST(option_form, angles_are_shown_in_degrees_and_sent_in_radians) {
   OptionForm form("range", Settings{});
   QSignalSpy edited(&form, &OptionForm::edited);

@@ -141,7 +141,8 @@ void DriveTimeline::paint_curve(QPainter& painter) const {
     if (std::isfinite(curve_value(stretch))) top = std::max(top, curve_value(stretch));
   if (!(top > 0.0)) top = 1.0;
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(QRect(4, area.top() - fontMetrics().height() - 8, width() - 8, fontMetrics().height()), Qt::AlignLeft,
+  painter.drawText(QRect(4, area.top() - fontMetrics().height() - 8, width() - 8, fontMetrics().height()),
+                   Qt::AlignLeft,
                    shows_sigma() ? tr("position sigma of the INS [m]") : tr("speed [m/s] (the log states no sigma)"));
   for (const double value : nice_ticks(0.0, top, std::max(1, area.height() / 28))) {
     const int y = area.bottom() - static_cast<int>(value / top * area.height());

@@ -1,5 +1,6 @@
 #include "widgets/forms/option_access.h"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "algorithms/geometry/rotation.h"
@@ -75,9 +76,12 @@ void visit_fields(S& settings, Edit edit) {
   });
 }
 
-bool is_angle(const OptionField& field) { return field.unit == QLatin1String("rad"); }
+bool held_in_radians(const OptionField& field) { return field.unit.section('/', 0, 0) == QLatin1String("rad"); }
+bool held_in_degrees(const OptionField& field) { return field.unit.section('/', 0, 0) == QLatin1String("deg"); }
 
 }  // namespace
+
+bool is_angle(const OptionField& field) { return held_in_radians(field) || held_in_degrees(field); }
 
 std::vector<OptionField> option_fields(const Settings& settings) {
   std::vector<OptionField> fields;
@@ -95,15 +99,25 @@ bool set_option(Settings& settings, const QString& section, const QString& name,
   return found;
 }
 
-double on_screen(const OptionField& field, double value) { return is_angle(field) ? radians_to_degrees(value) : value; }
-
-double from_screen(const OptionField& field, double shown) {
-  return is_angle(field) ? degrees_to_radians(shown) : shown;
+double on_screen(const OptionField& field, double value, AngleUnit unit) {
+  if (held_in_radians(field) && unit == AngleUnit::Degrees) return radians_to_degrees(value);
+  if (held_in_degrees(field) && unit == AngleUnit::Radians) return degrees_to_radians(value);
+  return value;
 }
 
-QString screen_suffix(const OptionField& field) {
-  if (is_angle(field)) return QStringLiteral("°");
-  return field.unit.isEmpty() ? QString() : ' ' + field.unit;
+double from_screen(const OptionField& field, double shown, AngleUnit unit) {
+  double value = shown;
+  if (held_in_radians(field) && unit == AngleUnit::Degrees) value = degrees_to_radians(shown);
+  if (held_in_degrees(field) && unit == AngleUnit::Radians) value = radians_to_degrees(shown);
+  // What is shown is rounded: the largest that can be typed is the largest there is.
+  return field.maximum > field.minimum ? std::clamp(value, field.minimum, field.maximum) : value;
+}
+
+QString screen_suffix(const OptionField& field, AngleUnit unit) {
+  if (field.unit.isEmpty()) return {};
+  if (!is_angle(field)) return ' ' + field.unit;
+  const QString per = field.unit.contains('/') ? '/' + field.unit.section('/', 1) : QString();
+  return (unit == AngleUnit::Degrees ? QStringLiteral("°") : QStringLiteral(" rad")) + per;
 }
 
 QString option_label(const OptionField& field) {

@@ -28,11 +28,16 @@ std::vector<OptionField> option_fields(const Settings& settings);
 /// Sets one option; false where there is none of that name.
 bool set_option(Settings& settings, const QString& section, const QString& name, const QVariant& value);
 
-/// Radians of files are degrees on screen, other units the same: for a number of this option, its suffix (" m", "°"),
-/// and back.
-double on_screen(const OptionField& field, double value);
-double from_screen(const OptionField& field, double shown);
-QString screen_suffix(const OptionField& field);
+enum class AngleUnit { Degrees, Radians };
+
+/// Whether the option is an angle (or a rate of one), in whatever unit files hold it.
+bool is_angle(const OptionField& field);
+
+/// Angles are shown in the unit that the user prefers, whatever files hold; other units stay. For a number of this
+/// option, its suffix (" m", "°", " rad"), and back.
+double on_screen(const OptionField& field, double value, AngleUnit unit = AngleUnit::Degrees);
+double from_screen(const OptionField& field, double shown, AngleUnit unit = AngleUnit::Degrees);
+QString screen_suffix(const OptionField& field, AngleUnit unit = AngleUnit::Degrees);
 
 /// "max_gap_s" -> "Max gap".
 QString option_label(const OptionField& field);

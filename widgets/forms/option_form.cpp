@@ -12,16 +12,18 @@
 
 namespace remount {
 
-int decimals_for(const OptionField& field) {
+int decimals_for(const OptionField& field, AngleUnit unit) {
+  if (is_angle(field) && unit == AngleUnit::Radians) return 6;
   const double smallest = field.minimum > 0.0 ? field.minimum : 0.001;
   return std::clamp(static_cast<int>(std::ceil(-std::log10(smallest))), 2, 6);
 }
 
-void show_in_editor(QWidget& editor, const OptionField& field) {
+void show_in_editor(QWidget& editor, const OptionField& field, AngleUnit unit) {
   const QSignalBlocker quiet(&editor);
   if (auto* box = qobject_cast<QCheckBox*>(&editor)) box->setChecked(field.value.toBool());
   if (auto* spin = qobject_cast<QSpinBox*>(&editor)) spin->setValue(field.value.toInt());
-  if (auto* spin = qobject_cast<QDoubleSpinBox*>(&editor)) spin->setValue(on_screen(field, field.value.toDouble()));
+  if (auto* spin = qobject_cast<QDoubleSpinBox*>(&editor))
+    spin->setValue(on_screen(field, field.value.toDouble(), unit));
   if (auto* line = qobject_cast<QLineEdit*>(&editor)) line->setText(field.value.toString());
   if (auto* combo = qobject_cast<QComboBox*>(&editor)) combo->setCurrentIndex(field.value.toInt());
 }
@@ -47,8 +49,29 @@ void OptionForm::show_settings(const Settings& settings) {
   for (const OptionField& field : option_fields(settings)) {
     if (field.section != section_) continue;
     const auto editor = editors_.find(field.name);
-    if (editor != editors_.end()) show_in_editor(*editor->second, field);
+    if (editor != editors_.end()) show_in_editor(*editor->second, field, angle_unit_);
   }
+}
+
+void OptionForm::set_limits(QDoubleSpinBox& spin, const OptionField& field) const {
+  const auto shown = [&](double value) { return on_screen(field, value, angle_unit_); };
+  spin.setDecimals(decimals_for(field, angle_unit_));
+  spin.setRange(shown(field.minimum), shown(field.maximum));
+  spin.setSingleStep(std::max(std::pow(10.0, -spin.decimals()), 0.1 * std::abs(shown(field.value.toDouble()))));
+  spin.setSuffix(screen_suffix(field, angle_unit_));
+}
+
+void OptionForm::set_angle_unit(AngleUnit unit, const Settings& settings) {
+  angle_unit_ = unit;
+  for (const OptionField& field : option_fields(settings)) {
+    const auto editor = editors_.find(field.name);
+    if (field.section != section_ || !is_angle(field) || editor == editors_.end()) continue;
+    auto* spin = qobject_cast<QDoubleSpinBox*>(editor->second);
+    if (!spin) continue;
+    const QSignalBlocker quiet(spin);
+    set_limits(*spin, field);
+  }
+  show_settings(settings);
 }
 
 QWidget* OptionForm::make_editor(const OptionField& field) {
@@ -70,14 +93,10 @@ QWidget* OptionForm::make_editor(const OptionField& field) {
     }
     case OptionKind::Real: {
       auto* spin = new QDoubleSpinBox(this);
-      spin->setDecimals(decimals_for(field));
-      spin->setRange(on_screen(field, field.minimum), on_screen(field, field.maximum));
-      spin->setSingleStep(
-          std::max(std::pow(10.0, -spin->decimals()), 0.1 * std::abs(on_screen(field, field.value.toDouble()))));
-      spin->setSuffix(suffix);
+      set_limits(*spin, field);
       spin->setKeyboardTracking(false);
       connect(spin, &QDoubleSpinBox::valueChanged, this,
-              [send, field](double shown) { send(from_screen(field, shown)); });
+              [this, send, field](double shown) { send(from_screen(field, shown, angle_unit_)); });
       return spin;
     }
     case OptionKind::Choice: {

@@ -6,6 +6,8 @@
 
 #include "widgets/forms/option_access.h"
 
+class QDoubleSpinBox;
+
 namespace remount {
 
 /// Shows values, emits what the user wants changed; the values themselves change only by show_settings.
@@ -14,20 +16,23 @@ class OptionForm : public QWidget {
  public:
   OptionForm(const QString& section, const Settings& settings, QWidget* parent = nullptr);
   void show_settings(const Settings& settings);
+  void set_angle_unit(AngleUnit unit, const Settings& settings);
 
  signals:
   void edited(const QString& section, const QString& name, const QVariant& value);
 
  private:
   QWidget* make_editor(const OptionField& field);
+  void set_limits(QDoubleSpinBox& spin, const OptionField& field) const;
   QString section_;
+  AngleUnit angle_unit_ = AngleUnit::Degrees;
   std::map<QString, QWidget*> editors_;
 };
 
 /// Shows an option's value in the editor made for it, without a signal.
-void show_in_editor(QWidget& editor, const OptionField& field);
+void show_in_editor(QWidget& editor, const OptionField& field, AngleUnit unit = AngleUnit::Degrees);
 
 /// Decimals that show `value` and steps that suit it.
-int decimals_for(const OptionField& field);
+int decimals_for(const OptionField& field, AngleUnit unit = AngleUnit::Degrees);
 
 }  // namespace remount

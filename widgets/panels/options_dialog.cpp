@@ -78,4 +78,8 @@ void OptionsDialog::show_settings(const Settings& settings) {
   problems_->setText(problems.join('\n'));
 }
 
+void OptionsDialog::set_angle_unit(AngleUnit unit, const Settings& settings) {
+  for (OptionForm* form : forms_) form->set_angle_unit(unit, settings);
+}
+
 }  // namespace remount

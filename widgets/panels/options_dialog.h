@@ -16,6 +16,7 @@ class OptionsDialog : public QDialog {
  public:
   explicit OptionsDialog(const Settings& settings, QWidget* parent = nullptr);
   void show_settings(const Settings& settings);
+  void set_angle_unit(AngleUnit unit, const Settings& settings);
 
  signals:
   void edited(const QString& section, const QString& name, const QVariant& value);

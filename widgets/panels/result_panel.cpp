@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "model/result_file.h"
+#include "widgets/charts/correlation_chart.h"
 #include "widgets/parameter_text.h"
 #include "widgets/theme.h"
 
@@ -15,7 +16,7 @@ namespace remount {
 namespace {
 
 constexpr int kStatusRow = 0, kNoteRow = 1, kTitleRow = 2, kFirstParameterRow = 3, kMovedByRow = 9, kButtonRow = 10,
-              kWordsRow = 11;
+              kWordsRow = 11, kCorrelationTitleRow = 12, kCorrelationRow = 13;
 constexpr int kColumns = 4;
 
 QString html_list(const QString& title, const QStringList& items) {
@@ -29,6 +30,57 @@ QString html_list(const QString& title, const QStringList& items) {
 std::optional<double> finite_sigma(const CalibrationResult& result, std::size_t i) {
   const std::optional<double> sigma = result.sigma(i);
   return sigma && std::isfinite(*sigma) ? sigma : std::nullopt;
+}
+
+QString html_row(const QStringList& cells, const char* tag = "td") {
+  QString row;
+  for (qsizetype i = 0; i < cells.size(); ++i)
+    row += QStringLiteral("<%1 align='%2'>%3&nbsp;&nbsp;</%1>")
+               .arg(QLatin1String(tag), i == 0 ? QStringLiteral("left") : QStringLiteral("right"),
+                    cells[i].toHtmlEscaped());
+  return "<tr>" + row + "</tr>";
+}
+
+QString html_table(const QString& title, const QStringList& heads, const QString& rows) {
+  return "<p><b>" + title.toHtmlEscaped() + "</b></p><table cellspacing='0'>" + html_row(heads, "th") + rows +
+         "</table>";
+}
+
+/// What was assumed against what was found.
+QString nominal_table(const PipelineOutput& output) {
+  if (!output.nominal_known || !has_numbers(output.result.status)) return {};
+  const std::array<double, 6> nominal = six_on_screen(output.initial_ins_from_lidar),
+                              found = six_on_screen(output.result.ins_from_lidar);
+  QString rows;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    double change = found[i] - nominal[i];
+    if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
+    const auto number = [&](double value) { return QString::number(value, 'f', 3) + unit_suffix(i); };
+    const bool known = output.result.observed[i];
+    rows += html_row({parameter_name(i), number(nominal[i]), known ? number(found[i]) : QStringLiteral("–"),
+                      known ? moved_text(i, change) : QStringLiteral("–")});
+  }
+  return html_table(ResultPanel::tr("Nominal and new"),
+                    {QString(), ResultPanel::tr("nominal"), ResultPanel::tr("new"), ResultPanel::tr("difference")},
+                    rows);
+}
+
+/// How sharp the accumulated scans are: a check that does not use the residual.
+QString sharpness_table(const PipelineOutput& output) {
+  if (output.sharpness.empty()) return {};
+  QString rows;
+  for (const NamedSharpness& named : output.sharpness) {
+    const QString name = named.source == "result"    ? ResultPanel::tr("after: result")
+                         : named.source == "nominal" ? ResultPanel::tr("before: nominal")
+                                                     : QString::fromStdString(named.source);
+    const auto number = [](double value, int decimals) {
+      return std::isfinite(value) ? QString::number(value, 'f', decimals) : QStringLiteral("–");
+    };
+    rows += html_row({name, number(100.0 * named.sharpness.plane_thickness_m, 2) + QStringLiteral(" cm"),
+                      number(named.sharpness.mean_map_entropy, 3)});
+  }
+  return html_table(ResultPanel::tr("Map sharpness (lower is sharper)"),
+                    {QString(), ResultPanel::tr("surfaces"), ResultPanel::tr("entropy")}, rows);
 }
 
 QColor status_color(Status status, const QPalette& palette) {
@@ -92,6 +144,8 @@ ResultPanel::ResultPanel(QWidget* parent)
       note_(new QLabel),
       moved_by_(new QLabel),
       words_(new QLabel),
+      correlation_title_(new QLabel(tr("<b>Correlations</b>"))),
+      correlation_(new CorrelationChart),
       copy_(new QPushButton(tr("Copy"))),
       export_(new QPushButton(tr("Export…"))) {
   auto* content = new QWidget;
@@ -100,7 +154,9 @@ ResultPanel::ResultPanel(QWidget* parent)
   make_labels(*grid);
   make_rows(*grid);
   make_buttons(*grid);
-  grid->setRowStretch(kWordsRow, 1);
+  grid->addWidget(correlation_title_, kCorrelationTitleRow, 0, 1, kColumns);
+  grid->addWidget(correlation_, kCorrelationRow, 0, 1, kColumns);
+  grid->setRowStretch(kCorrelationRow + 1, 1);
   grid->setColumnStretch(1, 1);
   setWidget(content);
   setWidgetResizable(true);
@@ -205,6 +261,9 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
   export_->setEnabled(output && is_usable(output->result));
   shown_ = output ? std::optional(output->result.status) : std::nullopt;
   show_status();
+  correlation_title_->setVisible(numbers);
+  correlation_->setVisible(numbers);
+  if (numbers) correlation_->show_result(output->result);
   const bool compared = numbers && before && has_numbers(before->result.status);
   moved_by_->setVisible(compared);
   moved_by_->setText(moved_by.isEmpty() ? tr("moved: since the calibration before")
@@ -279,6 +338,7 @@ void ResultPanel::show_words(const PipelineOutput& output) {
                       : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
   html +=
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
+  html += nominal_table(output) + sharpness_table(output);
   words_->setText(html);
 }
 

@@ -14,6 +14,8 @@ class QPushButton;
 
 namespace remount {
 
+class CorrelationChart;
+
 /// How the result that is shown stands to what is set now.
 /// BeingRefined: X is new, its sigmas are not yet.
 enum class ResultStanding { Current, OutOfDate, BeingReplaced, BeingRefined };
@@ -52,6 +54,8 @@ class ResultPanel : public QScrollArea {
   QLabel* note_;
   QLabel* moved_by_;
   QLabel* words_;
+  QLabel* correlation_title_;
+  CorrelationChart* correlation_;
   QPushButton* copy_;
   QPushButton* export_;
   std::array<Row, 6> rows_{};

@@ -1,0 +1,12 @@
+// What can be said at once after an edit, while the whole solution is computed. See also solve_at_once in pipeline.h.
+#pragma once
+
+#include "model/pipeline.h"
+
+namespace remount {
+
+/// Judges the candidates of `output` by the search range of `input` and ranks them again. What lies outside the range
+/// goes last; no new candidate is sought, and the result stays.
+void rank_again(const PipelineInput& input, PipelineOutput& output);
+
+}  // namespace remount

@@ -1,0 +1,135 @@
+// Search range and candidates: drawn, linked, and ranked again at once.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTableView>
+
+#include "model/pipeline/first_answer.h"
+#include "model/report/report.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/charts/correlation_chart.h"
+#include "widgets/charts/range_bar.h"
+#include "widgets/itemmodels/candidate_table_model.h"
+#include "widgets/panels/candidates_panel.h"
+#include "widgets/panels/range_panel.h"
+#include "widgets/panels/result_panel.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+using range_and_candidates = testing::WindowFixture;
+
+TEST_F(range_and_candidates, what_is_pointed_at_in_one_plot_is_selected_in_the_other_and_in_the_table) {
+  show();
+  calibrate_drive();
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>("candidates")) dock->raise();
+  auto& panel = child<CandidatesPanel>();
+  QTest::qWait(50);
+  QSignalSpy selected(&panel, &CandidatesPanel::candidate_selected);
+  const int wanted = panel.position()->candidate_at(panel.position()->place_of(5, 1));
+  QTest::mouseMove(panel.position(), panel.position()->place_of(5, 1).toPoint());
+  EXPECT_EQ(panel.selected(), wanted);
+  EXPECT_EQ(panel.attitude()->selected(), wanted);
+  ASSERT_EQ(selected.count(), 1);
+  const auto row_candidate = [&] {
+    return panel.table()->currentIndex().siblingAtColumn(CandidateTableModel::Rank).data().toString();
+  };
+  EXPECT_EQ(row_candidate(), QString::number(wanted + 1));
+  QTest::keyClick(panel.attitude(), Qt::Key_Right);
+  EXPECT_EQ(panel.position()->selected(), wanted + 1);
+  panel.table()->selectRow(0);
+  EXPECT_EQ(panel.position()->selected(), 0);
+  photograph(window_, "40-candidates");
+}
+
+TEST_F(range_and_candidates, candidates_are_drawn_where_they_are) {
+  show();
+  calibrate_drive();
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>("candidates")) dock->raise();
+  auto& plot = *child<CandidatesPanel>().position();
+  QTest::qWait(50);
+  // In the sample world x grows by 1 cm from candidate to candidate, y and z stay.
+  for (const int view : {0, 1}) {
+    EXPECT_LT(plot.place_of(2, view).x(), plot.place_of(5, view).x());
+    EXPECT_NEAR(plot.place_of(2, view).y(), plot.place_of(5, view).y(), 1e-6);
+  }
+  EXPECT_EQ(plot.candidate_at({2.0, 2.0}), -1);
+}
+
+TEST_F(range_and_candidates, dragging_an_end_of_the_range_is_one_edit_and_ranks_again) {
+  show();
+  calibrate_drive();
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>("setup")) dock->raise();
+  QTest::qWait(50);
+  auto& panel = child<RangePanel>();
+  RangeBar* bar = nullptr;
+  for (RangeBar* one : panel.findChildren<RangeBar*>())
+    if (one->accessibleName().endsWith(" x")) bar = one;
+  ASSERT_TRUE(bar);
+  const int y = bar->height() / 2;
+  QTest::mousePress(bar, Qt::LeftButton, {}, {static_cast<int>(bar->x_of(5.0)), y});
+  for (const double x_m : {4.0, 3.0, 2.0}) QTest::mouseMove(bar, {static_cast<int>(bar->x_of(x_m)), y});
+  QTest::mouseRelease(bar, Qt::LeftButton, {}, {static_cast<int>(bar->x_of(2.0)), y});
+  EXPECT_NEAR(workbench_.settings().range.x_max_m, 2.0, 0.1);
+  EXPECT_NEAR(panel.findChild<QDoubleSpinBox*>("range.x_max_m")->value(), workbench_.settings().range.x_max_m, 1e-9);
+  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_TRUE(workbench_.solving());
+  ASSERT_TRUE(settle());
+  photograph(window_, "41-range");
+}
+
+TEST_F(range_and_candidates, another_range_ranks_the_candidates_before_it_is_solved) {
+  calibrate_drive();
+  PipelineInput input = workbench_.input_of_output();
+  PipelineOutput output = *workbench_.output();
+  input.settings.range.x_max_m = testing::kTruth.x_m + 0.035;
+  rank_again(input, output);
+  int in_range = 0;
+  for (std::size_t i = 0; i < output.result.candidates.size(); ++i) {
+    const Candidate& candidate = output.result.candidates[i];
+    EXPECT_EQ(candidate.in_range, candidate.ins_from_lidar.translation().x() <= testing::kTruth.x_m + 0.035);
+    EXPECT_TRUE(candidate.in_range || i >= static_cast<std::size_t>(in_range)) << "those out of range are last";
+    in_range += candidate.in_range;
+  }
+  EXPECT_GE(in_range, 3);
+  EXPECT_LT(in_range, 6);
+}
+
+TEST_F(range_and_candidates, the_result_shows_nominal_and_new_and_correlations) {
+  show();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  workbench_.edit_nominal(rigid_from_six({0.7, -0.1, 0.75, 0.06, -0.02, 0.015}));
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  QString texts;
+  for (const QLabel* label : child<ResultPanel>().findChildren<QLabel*>()) texts += label->text() + '\n';
+  EXPECT_TRUE(texts.contains("Nominal and new") && texts.contains("0.700 m")) << texts.toStdString();
+  auto& chart = child<CorrelationChart>();
+  EXPECT_TRUE(chart.isVisibleTo(&child<ResultPanel>()));
+  window_.resize(1280, 1020);
+  photograph(window_, "42-result");
+  photograph(*child<ResultPanel>().widget(), "43-result-whole");
+}
+
+TEST(correlation, is_that_of_the_covariance_and_unknown_where_not_observed) {
+  CalibrationResult result;
+  result.observed = {true, true, false, true, true, true};
+  result.covariance.setIdentity();
+  result.covariance.diagonal() << 4.0, 9.0, 1.0, 1.0, 1.0, 1.0;
+  result.covariance(0, 1) = result.covariance(1, 0) = -3.0;
+  EXPECT_DOUBLE_EQ(correlation(result, 0, 1), -0.5);
+  EXPECT_DOUBLE_EQ(correlation(result, 3, 3), 1.0);
+  EXPECT_TRUE(std::isnan(correlation(result, 0, 2)));
+  CorrelationChart chart;
+  chart.show_result(result);
+  EXPECT_TRUE(chart.accessibleDescription().contains("x with y"));
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,96 @@
+#include "widgets/panels/candidates_panel.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "widgets/itemmodels/candidate_table_model.h"
+
+namespace remount {
+
+CandidatesPanel::CandidatesPanel(CandidateTableModel& model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      sorted_(new QSortFilterProxyModel(this)),
+      table_(new QTableView(this)),
+      position_(new CandidatePlot(CandidatePlot::Kind::Position, this)),
+      attitude_(new CandidatePlot(CandidatePlot::Kind::Attitude, this)),
+      legend_(new QLabel(tr("● in range   ○ out of range   ✚ nominal   ◯ result   ▭ search range"), this)) {
+  make_table();
+  for (CandidatePlot* plot : {position_, attitude_})
+    connect(plot, &CandidatePlot::candidate_pointed, this, &CandidatesPanel::select);
+  auto* plots = new QSplitter(Qt::Vertical, this);
+  plots->addWidget(position_);
+  plots->addWidget(attitude_);
+  plots->setChildrenCollapsible(false);
+  auto* right = new QWidget(this);
+  auto* column = new QVBoxLayout(right);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(plots, 1);
+  column->addWidget(legend_);
+  legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  auto* splitter = new QSplitter(this);
+  splitter->addWidget(table_);
+  splitter->addWidget(right);
+  splitter->setStretchFactor(0, 1);
+  splitter->setStretchFactor(1, 1);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(6, 4, 6, 4);
+  row->addWidget(splitter);
+}
+
+void CandidatesPanel::make_table() {
+  sorted_->setSourceModel(&model_);
+  sorted_->setSortRole(CandidateTableModel::SortRole);
+  table_->setModel(sorted_);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(CandidateTableModel::Rank, Qt::AscendingOrder);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setAlternatingRowColors(true);
+  table_->setTabKeyNavigation(false);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->setAccessibleName(tr("Candidates"));
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
+    if (current.isValid()) select(sorted_->mapToSource(current).row());
+  });
+}
+
+void CandidatesPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
+  for (CandidatePlot* plot : {position_, attitude_}) {
+    plot->show_selected(-1);  // the number is another candidate's now
+    plot->show_output(output);
+  }
+  table_->resizeColumnsToContents();
+}
+
+void CandidatesPanel::show_range(const SearchRange& range) {
+  position_->show_range(range);
+  attitude_->show_range(range);
+}
+
+void CandidatesPanel::show_nominal(const std::optional<RigidTransform>& nominal) {
+  position_->show_nominal(nominal);
+  attitude_->show_nominal(nominal);
+}
+
+void CandidatesPanel::select(int candidate) {
+  if (candidate == position_->selected()) return;
+  position_->show_selected(candidate);
+  attitude_->show_selected(candidate);
+  const QModelIndex index = sorted_->mapFromSource(model_.index(candidate, 0));
+  if (index.isValid() && table_->currentIndex().row() != index.row()) {
+    table_->setCurrentIndex(index);
+    table_->scrollTo(index);
+  }
+  emit candidate_selected(candidate);
+}
+
+}  // namespace remount
