@@ -122,7 +122,10 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, cons
 
 void Workbench::start_solve(const QString& step, FirstAnswer first) {
   if (!output_ || calibrating()) return;
-  solving_for_ = solving() && !solving_for_.isEmpty() ? solving_for_ + QStringLiteral("; ") + step : step;
+  if (!solving() || solving_for_.isEmpty())
+    solving_for_ = step;
+  else if (!solving_for_.endsWith(step))  // turning one knob is one edit
+    solving_for_ += QStringLiteral("; ") + step;
   refining_ = false;
   jobs_.cancel(solve_job_);
   auto job = std::make_shared<int>(0);

@@ -1,6 +1,7 @@
 // What the window says follows the state of the work, and nothing of it is cut.
 #include <gtest/gtest.h>
 
+#include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -191,6 +192,20 @@ TEST_F(window_state, fits_into_1280_by_800_with_its_steps_whole) {
   EXPECT_LE(window_.height(), 800);
   for (const QToolButton* button : child<StepBar>().findChildren<QToolButton*>())
     EXPECT_GE(button->width(), button->sizeHint().width()) << button->text().toStdString();
+}
+
+TEST_F(window_state, the_layout_can_be_put_back) {
+  show();
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) dock->close();
+  window_.findChild<QDockWidget*>("errors")->setFloating(true);
+  for (QAction* action : window_.findChildren<QAction*>())
+    if (action->text().remove('&') == "Reset layout") action->trigger();
+  QTest::qWait(50);
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+    EXPECT_FALSE(dock->isHidden()) << dock->objectName().toStdString();
+    EXPECT_FALSE(dock->isFloating()) << dock->objectName().toStdString();
+  }
+  EXPECT_FALSE(window_.findChild<QDockWidget*>("pairs")->visibleRegion().isEmpty()) << "in front of its tabs";
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ CandidatesPanel::CandidatesPanel(CandidateTableModel& model, QWidget* parent)
       table_(new QTableView(this)),
       position_(new CandidatePlot(CandidatePlot::Kind::Position, this)),
       attitude_(new CandidatePlot(CandidatePlot::Kind::Attitude, this)),
-      legend_(new QLabel(tr("● in range   ○ out of range   ✚ nominal   ◯ result   ▭ search range"), this)) {
+      legend_(new QLabel(tr("● in range  ○ out of it  ✚ nominal  ◯ result  ▭ range"), this)) {
   make_table();
   for (CandidatePlot* plot : {position_, attitude_})
     connect(plot, &CandidatePlot::candidate_pointed, this, &CandidatesPanel::select);

@@ -34,7 +34,7 @@ ErrorChartPanel::ErrorChartPanel(QWidget* parent)
 }
 
 void ErrorChartPanel::show_count(int rejected, int of) {
-  count_->setText(of < 0 ? tr("drag the line down to reject") : tr("rejects %1 of %2").arg(rejected).arg(of));
+  count_->setText(of < 0 ? tr("drag ◀ to reject") : tr("rejects %1 of %2").arg(rejected).arg(of));
 }
 
 }  // namespace remount

@@ -20,6 +20,7 @@ const QString kSection = QStringLiteral("range");
 RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(this)), unit_(new QComboBox(this)) {
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
+  grid->setVerticalSpacing(1);
   grid->addWidget(new QLabel(tr("from"), this), 0, 1);
   grid->addWidget(new QLabel(tr("to"), this), 0, 2);
   int row = 0;

@@ -158,6 +158,7 @@ ResultPanel::ResultPanel(QWidget* parent)
   grid->addWidget(correlation_, kCorrelationRow, 0, 1, kColumns);
   grid->setRowStretch(kCorrelationRow + 1, 1);
   grid->setColumnStretch(1, 1);
+  grid->setHorizontalSpacing(10);
   setWidget(content);
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
