@@ -63,6 +63,16 @@ void take_worst(const InsSample& sample, InsStretch& stretch) {
   if (!(stretch.attitude_sigma_rad >= attitude) && std::isfinite(attitude)) stretch.attitude_sigma_rad = attitude;
 }
 
+/// Over a quarter of a second to each side: from sample to sample, noise of the fixes would pass for speed.
+double speed_m_s(const std::vector<StampedPose>& poses, std::size_t i) {
+  constexpr std::int64_t kReach_ns = 250'000'000;
+  std::size_t first = i, last = i;
+  while (first > 0 && poses[i].stamp_ns - poses[first].stamp_ns < kReach_ns) --first;
+  while (last + 1 < poses.size() && poses[last].stamp_ns - poses[i].stamp_ns < kReach_ns) ++last;
+  const double taken_s = 1e-9 * static_cast<double>(poses[last].stamp_ns - poses[first].stamp_ns);
+  return taken_s > 0.0 ? (poses[last].pose.translation() - poses[first].pose.translation()).norm() / taken_s : 0.0;
+}
+
 void describe_track(const Session& session, const std::vector<StampedPose>& poses, std::size_t most,
                     DriveOverview& drive) {
   const std::size_t every = std::max<std::size_t>(1, (poses.size() + most - 1) / most);
@@ -75,11 +85,7 @@ void describe_track(const Session& session, const std::vector<StampedPose>& pose
     }
     if (i % every == 0) {
       drive.stretches.push_back({drive.time_s(poses[i].stamp_ns), InsQuality::Unknown, kNone, kNone, 0.0});
-      if (i > 0) {
-        const double taken_s = 1e-9 * static_cast<double>(poses[i].stamp_ns - poses[i - every].stamp_ns);
-        const double moved_m = (poses[i].pose.translation() - poses[i - every].pose.translation()).norm();
-        drive.stretches.back().speed_m_s = taken_s > 0.0 ? moved_m / taken_s : 0.0;
-      }
+      drive.stretches.back().speed_m_s = speed_m_s(poses, i);
     }
     if (i < session.ins.size()) take_worst(session.ins[i], drive.stretches.back());
     if (i % every != 0 && i + 1 != poses.size() && !broken) continue;
@@ -87,7 +93,6 @@ void describe_track(const Session& session, const std::vector<StampedPose>& pose
     broken = false;
     drive.track_m.emplace_back(poses[i].pose.translation().head<2>());
   }
-  if (drive.stretches.size() > 1) drive.stretches[0].speed_m_s = drive.stretches[1].speed_m_s;
 }
 
 }  // namespace

@@ -132,7 +132,7 @@ void CandidatePlot::paint_view(QPainter& painter, int view) const {
   paint_range(painter, view);
   const Limits &h = limits_[0], &v = limits_[static_cast<std::size_t>(view + 1)];
   const double line = fontMetrics().height();
-  for (const double tick : nice_ticks(h.low, h.high, std::max(2, static_cast<int>(area.width() / 60.0)))) {
+  for (const double tick : nice_ticks(h.low, h.high, std::max(3, static_cast<int>(area.width() / 45.0)))) {
     const QPointF foot = to_screen(view, tick, v.low);
     painter.setPen(grid_color(palette()));
     painter.drawLine(foot, QPointF(foot.x(), area.top()));
@@ -140,7 +140,7 @@ void CandidatePlot::paint_view(QPainter& painter, int view) const {
     painter.drawText(QRectF(foot.x() - 40, area.bottom() + 1, 80, line), Qt::AlignCenter,
                      QString::number(tick, 'g', 4));
   }
-  for (const double tick : nice_ticks(v.low, v.high, std::max(2, static_cast<int>(area.height() / 28.0)))) {
+  for (const double tick : nice_ticks(v.low, v.high, std::max(3, static_cast<int>(area.height() / 24.0)))) {
     const QPointF left = to_screen(view, h.low, tick);
     painter.setPen(grid_color(palette()));
     painter.drawLine(left, QPointF(area.right(), left.y()));

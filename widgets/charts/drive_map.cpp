@@ -70,7 +70,7 @@ QPointF DriveMap::middle(const Link& link) const {
   const QPointF a = on_screen(link.a_m), b = on_screen(link.b_m), chord = b - a;
   const double length = std::hypot(chord.x(), chord.y());
   const QPointF across = length > 1e-6 ? QPointF(chord.y(), -chord.x()) / length : QPointF(0.0, -1.0);
-  return 0.5 * (a + b) + link.bulge * std::min(1.0, 0.2 + length / 40.0) * across;
+  return 0.5 * (a + b) + link.bulge * std::min(1.0, 0.05 + length / 90.0) * across;
 }
 
 std::optional<QPointF> DriveMap::place_of(int pair) const {
