@@ -2,6 +2,8 @@
 
 #include <QCoreApplication>
 
+#include "widgets/model_text.h"
+
 namespace remount {
 
 const std::vector<const char*>& quick_reasons() {
@@ -15,8 +17,14 @@ const std::vector<const char*>& quick_reasons() {
   return reasons;
 }
 
-QString reason_words(const std::string& reason) {
-  return reason.empty() ? QString() : QCoreApplication::translate("remount::reasons", reason.c_str());
+namespace {
+/// The user's own words or one of the quick reasons, else the program's.
+QString words_of(const std::string& reason) {
+  const QString quick = QCoreApplication::translate("remount::reasons", reason.c_str());
+  return quick != QString::fromStdString(reason) ? quick : model_text(reason);
 }
+}  // namespace
+
+QString reason_words(const std::string& reason) { return reason.empty() ? QString() : words_of(reason); }
 
 }  // namespace remount

@@ -4,7 +4,9 @@
 
 namespace remount {
 namespace {
-QString tr(const char* text) { return QCoreApplication::translate("remount::theme", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(remount::theme)
+};
 }  // namespace
 
 bool is_dark(const QPalette& palette) {
@@ -37,13 +39,13 @@ QString state_text(const Pair& pair) {
   const bool by_user = pair.decided_by == DecidedBy::User;
   switch (pair.state) {
     case PairState::Accepted:
-      return by_user ? tr("✓ accepted by you") : tr("✓ accepted");
+      return by_user ? Words::tr("✓ accepted by you") : Words::tr("✓ accepted");
     case PairState::Rejected:
-      return by_user ? tr("✕ rejected by you") : tr("✕ rejected");
+      return by_user ? Words::tr("✕ rejected by you") : Words::tr("✕ rejected");
     case PairState::Proposed:
       break;
   }
-  return tr("• proposed");
+  return Words::tr("• proposed");
 }
 
 QColor severity_color(Severity severity, const QPalette& palette) {

@@ -73,10 +73,12 @@ void Autosave::write() {
   const AutosaveSummary figures = summary();
   const QString path = in_notes_ ? notes_->next_path_in_notes() : notes_->next_path(figures.project_path);
   job_ = jobs_->start(
-      [this, path, figures, snapshot = workbench_.snapshot()](Progress&) -> JobRunner::Deliver {
+      [this, path, figures, folder = notes_->folder(),
+       snapshot = workbench_.snapshot()](Progress&) -> JobRunner::Deliver {
         const int revision = snapshot.revision;
         write_snapshot(snapshot, path);
-        return [this, path, figures, revision] { written(path, figures, revision); };
+        write_note(folder, path, figures);
+        return [this, path, revision] { written(path, revision); };
       },
       [this](const JobFailure& failure) {
         job_ = 0;
@@ -89,14 +91,9 @@ void Autosave::write() {
       });
 }
 
-void Autosave::written(const QString& path, const AutosaveSummary& summary, int revision) {
+void Autosave::written(const QString& path, int revision) {
   job_ = 0;
-  try {
-    notes_->note(path, summary);
-  } catch (const Error& error) {
-    could_not({QString::fromStdString(error.where()), QString::fromStdString(error.what_happened())});
-    return;
-  }
+  notes_->adopt(path);
   saved_revision_ = revision;
   complained_ = false;
   for (const RecoveryOffer& offer : restored_) discard(offer);

@@ -31,7 +31,7 @@ class Autosave : public QObject {
  private:
   void look();
   void write();
-  void written(const QString& path, const AutosaveSummary& summary, int revision);
+  void written(const QString& path, int revision);
   void could_not(const JobFailure& failure);
   AutosaveSummary summary() const;
 

@@ -1,12 +1,18 @@
 #include "app/gui/job_runner.h"
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <new>
 
 #include "algorithms/core/error.h"
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#include <unistd.h>
+#endif
 
 namespace remount {
 namespace {
+constexpr int kUntilEnded_ms = 3000;
 constexpr qint64 kReportInterval_ms = 50;  // a fast stage reports thousands of times a second
 
 /// Runs `work` and turns every exception into a failure.
@@ -25,11 +31,21 @@ JobRunner::Deliver guarded(const JobRunner::Work& work, const JobRunner::Failed&
   return [failed, failure] { failed(failure); };
 }
 
+/// Where work takes every core, the window would wait for its turn like one more worker: this thread, and those that it
+/// starts, step back.
+void yield_to_the_window() {
+#ifdef Q_OS_LINUX
+  constexpr int kNice = 10;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+#endif
+}
+
 }  // namespace
 
 JobRunner::~JobRunner() {
   cancel_all();
   jobs_.clear();  // joins
+  ending_.clear();
 }
 
 int JobRunner::start(Work work, Failed failed) {
@@ -40,6 +56,7 @@ int JobRunner::start(Work work, Failed failed) {
 }
 
 void JobRunner::run(int job, std::stop_token stop, const Work& work, const Failed& failed) {
+  yield_to_the_window();
   QElapsedTimer since_report;
   QString last_stage;
   Progress progress(std::move(stop), [&](const ProgressUpdate& update) {
@@ -55,7 +72,10 @@ void JobRunner::run(int job, std::stop_token stop, const Work& work, const Faile
   QMetaObject::invokeMethod(
       this,
       [this, job, deliver = std::move(deliver)] {
-        jobs_.erase(job);  // the thread has nothing left to do: joining is immediate
+        // The thread has delivered and ends by itself; on a busy machine that takes its time, and joining it now would
+        // stall this one.
+        ending_.push_back(std::move(jobs_.extract(job).mapped()));
+        QTimer::singleShot(kUntilEnded_ms, this, [this] { ending_.pop_front(); });
         if (deliver) deliver();
         emit finished(job);
       },

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -39,6 +40,7 @@ class JobRunner : public QObject {
  private:
   void run(int job, std::stop_token stop, const Work& work, const Failed& failed);
   std::map<int, std::jthread> jobs_;
+  std::deque<std::jthread> ending_;  // have delivered; not joined yet
   int next_ = 1;
 };
 

@@ -6,7 +6,8 @@
 #include <iostream>
 #include <string_view>
 
-#include "app/gui/main_window.h"
+#include "app/gui/language.h"
+#include "app/gui/window_host.h"
 #include "remount_version.h"
 #include "widgets/gl_support.h"
 
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName("Remount");
   QApplication::setOrganizationName("Remount");
   QApplication::setApplicationVersion(remount::kVersion);
+  remount::speak(remount::preferred_language(), false);
   QCommandLineParser parser;
   parser.setApplicationDescription(
       QApplication::translate("main", "Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS."));
@@ -48,13 +50,13 @@ int main(int argc, char** argv) {
   parser.process(application);
 
   remount::Workbench workbench(remount::model_engine());
-  remount::MainWindow window(workbench);
-  window.show();
-  window.keep_work_in(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
+  remount::WindowHost host(workbench);
+  host.window().show();
+  host.window().keep_work_in(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
   const QStringList paths = parser.positionalArguments();
-  QTimer::singleShot(0, &window, [&] {
-    if (parser.isSet(sample)) window.open_sample();
-    if (!paths.isEmpty()) window.open_paths(paths);
+  QTimer::singleShot(0, &host, [&] {
+    if (parser.isSet(sample)) host.window().open_sample();
+    if (!paths.isEmpty()) host.window().open_paths(paths);
   });
   return QApplication::exec();
 }

@@ -20,6 +20,7 @@ class CandidatesPanel;
 class CandidateTableModel;
 class DrivePanel;
 class ErrorChartPanel;
+class HelpWindow;
 class LogPanel;
 class MessageBanner;
 class NominalPanel;
@@ -37,6 +38,19 @@ class SessionListModel;
 class SessionsPanel;
 class WelcomePanel;
 
+class Autosave;
+
+/// What stays when another window takes the place of one.
+struct WindowHandover {
+  QByteArray geometry, state;
+  QString log;
+  std::unique_ptr<Autosave> autosave;  ///< null where work is not kept
+
+  WindowHandover(QByteArray geometry, QByteArray state, QString log, std::unique_ptr<Autosave> autosave);
+  WindowHandover(WindowHandover&&) noexcept;
+  ~WindowHandover();
+};
+
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
@@ -47,8 +61,13 @@ class MainWindow : public QMainWindow {
   void open_sample();
   /// Keeps unsaved work in a folder of the user's and offers what a crashed window left there.
   void keep_work_in(const QString& data_folder);
+  WindowHandover hand_over();
+  void take_over(WindowHandover handover);
   /// Where the bundled sample session lies; empty where it is not installed.
   static QString sample_path();
+
+ signals:
+  void language_requested(const QString& code);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -72,6 +91,7 @@ class MainWindow : public QMainWindow {
   void make_edit_menu();
   void make_calibrate_menu();
   void make_view_menu();
+  void add_language_menu(QMenu& menu);
   void make_help_menu();
   void reset_layout();  ///< main_window.cpp
   QAction* add_action(QMenu& menu, const QString& text, const QKeySequence& key, const std::function<void()>& act);
@@ -89,6 +109,8 @@ class MainWindow : public QMainWindow {
   void copy_result();
   void go_to_step(Step step);
   void show_about();
+  void show_help();
+  QString help_page_of(const QWidget* widget) const;
   // main_window_review.cpp: decisions about pairs, and their keys
   void make_review_menu();
   QAction* add_review(QMenu& menu, const char* id, const QString& text, const char* key,
@@ -138,6 +160,7 @@ class MainWindow : public QMainWindow {
   ProjectKeeper* keeper_ = nullptr;
   ReportMaker* report_ = nullptr;
   OptionsDialog* options_ = nullptr;
+  HelpWindow* help_ = nullptr;
   QDockWidget *pairs_dock_ = nullptr, *error_dock_ = nullptr, *drive_dock_ = nullptr, *candidates_dock_ = nullptr,
               *log_dock_ = nullptr, *setup_dock_ = nullptr, *result_dock_ = nullptr;
   QPushButton* run_ = nullptr;

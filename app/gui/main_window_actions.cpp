@@ -98,12 +98,15 @@ void MainWindow::make_view_menu() {
     menu.addAction(dock->toggleViewAction());
   menu.addSeparator();
   add_action(menu, tr("&Reset layout"), {}, [this] { reset_layout(); });
+  menu.addSeparator();
+  add_language_menu(menu);
 }
 
 void MainWindow::make_help_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Help"));
   add_action(menu, tr("Open &sample session"), {}, [this] { open_sample(); })->setEnabled(!sample_path().isEmpty());
-  add_action(menu, tr("&Keys"), QKeySequence::HelpContents, [this] { show_keys(); });
+  add_action(menu, tr("&Help on this panel"), QKeySequence::HelpContents, [this] { show_help(); });
+  add_action(menu, tr("&Keys"), {}, [this] { show_keys(); });
   add_action(menu, tr("&About Remount"), {}, [this] { show_about(); });
 }
 
@@ -215,8 +218,12 @@ void MainWindow::show_obstacles() {
 }
 
 void MainWindow::copy_result() {
-  if (const OutputPtr output = workbench_.output())
-    QGuiApplication::clipboard()->setText(result_as_text(output->result));
+  const OutputPtr output = workbench_.output();
+  if (!output) return;
+  QString text = result_as_text(output->result);
+  // With the numbers that an export has, for those who go on to paste them.
+  if (is_usable(output->result)) text += QStringLiteral("\n\n") + export_text(workbench_, QStringLiteral("matrix"));
+  QGuiApplication::clipboard()->setText(text);
 }
 
 void MainWindow::go_to_step(Step step) {

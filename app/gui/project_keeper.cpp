@@ -22,11 +22,21 @@ ProjectKeeper::ProjectKeeper(Workbench& workbench, QWidget& window)
 
 void ProjectKeeper::keep_in(const QString& data_folder) {
   const std::vector<RecoveryOffer> offers = find_recoveries(data_folder);
-  autosave_ = std::make_unique<Autosave>(workbench_, data_folder);
+  put_autosave(std::make_unique<Autosave>(workbench_, data_folder));
+  if (!offers.empty()) offer(offers);
+}
+
+void ProjectKeeper::put_autosave(std::unique_ptr<Autosave> autosave) {
+  autosave_ = std::move(autosave);
+  if (!autosave_) return;
   connect(autosave_.get(), &Autosave::failed, this, [this](const QString& where, const QString& what) {
     workbench_.say(Severity::Warning, where, tr("Unsaved work cannot be kept safe automatically: %1").arg(what));
   });
-  if (!offers.empty()) offer(offers);
+}
+
+std::unique_ptr<Autosave> ProjectKeeper::take_autosave() {
+  if (autosave_) disconnect(autosave_.get(), nullptr, this, nullptr);
+  return std::move(autosave_);
 }
 
 void ProjectKeeper::finish() {

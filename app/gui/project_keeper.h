@@ -21,6 +21,9 @@ class ProjectKeeper : public QObject {
   /// Begins to keep unsaved work in a folder of the user's, and offers what a crashed window left there.
   void keep_in(const QString& data_folder);
   Autosave* autosave() const { return autosave_.get(); }  ///< null before keep_in
+  /// From a window to the one that takes its place.
+  std::unique_ptr<Autosave> take_autosave();
+  void put_autosave(std::unique_ptr<Autosave> autosave);
   void fill_recent_menu(QMenu& menu);
   void finish();  ///< the window closes for good
 

@@ -18,13 +18,15 @@ constexpr std::string_view kFormat = "remount-recovery/1";
 constexpr int kMost = 1000000000;
 const QString kLock = QStringLiteral("lock"), kNote = QStringLiteral("note.yaml"), kWork = QStringLiteral("work");
 
-QString words(const char* text, int n = -1) {
-  return QCoreApplication::translate("remount::recovery", text, nullptr, n);
-}
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(remount::recovery)
+};
 
 QString generation_path(const QString& base, int generation) {
   return base + QStringLiteral(".autosave-%1").arg(generation);
 }
+
+QString base_of(const QString& path) { return path.left(path.lastIndexOf(QStringLiteral(".autosave-"))); }
 
 std::vector<AutosaveGeneration> generations_of(const QString& base) {
   std::vector<AutosaveGeneration> found;
@@ -78,7 +80,7 @@ RecoveryNotes::RecoveryNotes(const QString& data_folder)
     : folder_(QDir(data_folder).filePath("recovery/" + QUuid::createUuid().toString(QUuid::WithoutBraces))) {
   if (!QDir().mkpath(folder_))
     throw Error(ErrorCode::Io, folder_.toStdString(),
-                words("cannot be made: work is not saved until you save it").toStdString());
+                Words::tr("cannot be made: work is not saved until you save it").toStdString());
   lock_ = std::make_unique<QLockFile>(QDir(folder_).filePath(kLock));
   lock_->setStaleLockTime(0);  // held as long as the process lives, however long that is
   lock_->tryLock(0);
@@ -108,8 +110,8 @@ QString RecoveryNotes::next_path(const QString& project_path) {
 
 QString RecoveryNotes::next_path_in_notes() { return rotated(own_base(folder_)); }
 
-void RecoveryNotes::note(const QString& path, const AutosaveSummary& summary) {
-  const QString base = path.left(path.lastIndexOf(QStringLiteral(".autosave-")));
+void write_note(const QString& folder, const QString& autosave_path, const AutosaveSummary& summary) {
+  const QString base = base_of(autosave_path);
   DocumentNode root = DocumentNode::map();
   root.add("format", DocumentNode::string(kFormat));
   root.add("project", DocumentNode::string(summary.project_path.toStdString()));
@@ -119,7 +121,11 @@ void RecoveryNotes::note(const QString& path, const AutosaveSummary& summary) {
   root.add("pairs", DocumentNode::integer(summary.pairs));
   root.add("decisions", DocumentNode::integer(summary.decisions));
   root.add("status", DocumentNode::string(summary.status.toStdString()));
-  save_atomically(QDir(folder_).filePath(kNote).toStdString(), to_yaml(root));
+  save_atomically(QDir(folder).filePath(kNote).toStdString(), to_yaml(root));
+}
+
+void RecoveryNotes::adopt(const QString& path) {
+  const QString base = base_of(path);
   if (base != base_) remove_generations(base_);
   base_ = base;
 }
@@ -160,9 +166,9 @@ void discard(const RecoveryOffer& offer) {
 
 QString age_text(const QDateTime& then, const QDateTime& now) {
   const qint64 seconds = then.secsTo(now);
-  if (seconds < 60) return words("less than a minute ago");
-  if (seconds < 3600) return words("%n minute(s) ago", static_cast<int>(seconds / 60));
-  if (seconds < 24 * 3600) return words("%n hour(s) ago", static_cast<int>(seconds / 3600));
+  if (seconds < 60) return Words::tr("less than a minute ago");
+  if (seconds < 3600) return Words::tr("%n minute(s) ago", nullptr, static_cast<int>(seconds / 60));
+  if (seconds < 24 * 3600) return Words::tr("%n hour(s) ago", nullptr, static_cast<int>(seconds / 3600));
   return QLocale().toString(then.toLocalTime(), QLocale::ShortFormat);
 }
 

@@ -45,8 +45,8 @@ class RecoveryNotes {
   QString next_path(const QString& project_path);
   /// In the notes' own folder: where the project's folder cannot be written.
   QString next_path_in_notes();
-  /// After the file at `path` is whole; autosaves at other places are removed.
-  void note(const QString& path, const AutosaveSummary& summary);
+  /// After the file at `path` is whole and noted; autosaves at other places are removed.
+  void adopt(const QString& path);
   void clear();  ///< all is saved or given up: removes the autosaves, also one that a cancelled write left
   bool empty() const { return used_.isEmpty(); }  ///< since the last clear()
   const QString& folder() const { return folder_; }
@@ -58,6 +58,10 @@ class RecoveryNotes {
   QDateTime generation_began_;
   std::unique_ptr<QLockFile> lock_;
 };
+
+/// Notes, in the folder of a window's notes, where its autosaves lie and what is in them. Waits for the disk: for a
+/// worker. Throws Error(Io).
+void write_note(const QString& folder, const QString& autosave_path, const AutosaveSummary& summary);
 
 /// Those of windows that are gone; newest first. Folders that hold nothing to restore are removed. A note that cannot
 /// be read is offered nevertheless, with what lies in its folder.

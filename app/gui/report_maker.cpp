@@ -13,6 +13,7 @@
 #include "model/project.h"
 #include "model/session_report.h"
 #include "widgets/gl_support.h"
+#include "widgets/model_text.h"
 #include "widgets/report_pdf.h"
 #include "widgets/scene/pair_picture.h"
 
@@ -38,6 +39,7 @@ ReportStyle report_style() {
   style.phrase = [](const char* context, const char* english) {
     return QCoreApplication::translate(context, english).toStdString();
   };
+  style.sentence = [](const std::string& text) { return model_text(text).toStdString(); };
   style.language = QLocale().bcp47Name().toStdString();
   return style;
 }

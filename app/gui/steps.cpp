@@ -9,7 +9,9 @@
 namespace remount {
 namespace {
 
-QString text(const char* words) { return QCoreApplication::translate("remount::steps", words); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(remount::steps)
+};
 
 struct Counts {
   int aligned = 0, accepted = 0, rejected = 0, by_user = 0;
@@ -30,21 +32,21 @@ Counts count(const PipelineOutput& output) {
 QString short_status(Status status) {
   switch (status) {
     case Status::Ok:
-      return text("all six observed");
+      return Words::tr("all six observed");
     case Status::Degenerate:
-      return text("solved in part");
+      return Words::tr("solved in part");
     case Status::TooFewPairs:
-      return text("too few pairs");
+      return Words::tr("too few pairs");
     case Status::NotConverged:
-      return text("did not converge");
+      return Words::tr("did not converge");
     case Status::OutOfRange:
-      return text("nothing in range");
+      return Words::tr("nothing in range");
     case Status::Inconsistent:
-      return text("contradictory pairs");
+      return Words::tr("contradictory pairs");
     case Status::Cancelled:
       break;
   }
-  return text("cancelled");
+  return Words::tr("cancelled");
 }
 
 }  // namespace
@@ -54,45 +56,47 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
   const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
   const int sessions = static_cast<int>(workbench.sessions().size());
   if (workbench.opening()) {
-    step(Step::Load) = {StepState::Running, text("opening…")};
+    step(Step::Load) = {StepState::Running, Words::tr("opening…")};
   } else if (sessions == 0) {
-    step(Step::Load) = {StepState::Next, text("open a session")};
+    step(Step::Load) = {StepState::Next, Words::tr("open a session")};
     return steps;
   } else {
-    step(Step::Load) = {StepState::Done, sessions == 1 ? text("1 session") : text("%1 sessions").arg(sessions)};
+    step(Step::Load) = {StepState::Done,
+                        sessions == 1 ? Words::tr("1 session") : Words::tr("%1 sessions").arg(sessions)};
   }
   if (workbench.calibrating()) {
-    for (Step which : {Step::Pairs, Step::Align, Step::Solve}) step(which) = {StepState::Running, text("calibrating…")};
+    for (Step which : {Step::Pairs, Step::Align, Step::Solve})
+      step(which) = {StepState::Running, Words::tr("calibrating…")};
     return steps;
   }
   const OutputPtr output = workbench.output();
   if (!output) {
-    if (sessions > 0 && !workbench.opening()) step(Step::Pairs) = {StepState::Next, text("calibrate (F5)")};
+    if (sessions > 0 && !workbench.opening()) step(Step::Pairs) = {StepState::Next, Words::tr("calibrate (F5)")};
     return steps;
   }
   const Counts counts = count(*output);
   const int pairs = static_cast<int>(output->pairs.size());
   const bool stale = workbench.out_of_date();
   if (stale)
-    step(Step::Pairs) = {StepState::Attention, text("changed: F5 again")};
+    step(Step::Pairs) = {StepState::Attention, Words::tr("changed: F5 again")};
   else
-    step(Step::Pairs) = {pairs > 0 ? StepState::Done : StepState::Attention, text("%1 pairs").arg(pairs)};
+    step(Step::Pairs) = {pairs > 0 ? StepState::Done : StepState::Attention, Words::tr("%1 pairs").arg(pairs)};
   step(Step::Align) = {counts.aligned > 0 && !stale ? StepState::Done : StepState::Attention,
-                       text("%1 of %2 aligned").arg(counts.aligned).arg(pairs)};
+                       Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs)};
   step(Step::Review) = {counts.accepted > counts.rejected ? StepState::Done : StepState::Attention,
-                        text("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)};
+                        Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)};
   const Status status = output->result.status;
   if (workbench.solving())
-    step(Step::Solve) = {StepState::Running, text("solving again…")};
+    step(Step::Solve) = {StepState::Running, Words::tr("solving again…")};
   else if (stale)
-    step(Step::Solve) = {StepState::Attention, text("out of date")};
+    step(Step::Solve) = {StepState::Attention, Words::tr("out of date")};
   else
     step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(status)};
   if (stale && is_usable(output->result))
-    step(Step::Export) = {StepState::Attention, text("out of date")};
+    step(Step::Export) = {StepState::Attention, Words::tr("out of date")};
   else if (is_usable(output->result))
-    step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, text("exported")}
-                                              : StepInfo{StepState::Next, text("ready (Ctrl+E)")};
+    step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, Words::tr("exported")}
+                                              : StepInfo{StepState::Next, Words::tr("ready (Ctrl+E)")};
   return steps;
 }
 

@@ -4,7 +4,9 @@
 
 namespace remount {
 namespace {
-QString words(const char* text) { return QCoreApplication::translate("remount::wording", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(remount::wording)
+};
 }  // namespace
 
 QString in_short(const QStringList& entries, const QString& separator) {
@@ -12,29 +14,30 @@ QString in_short(const QStringList& entries, const QString& separator) {
   const QString list = entries.first(std::min(kShown, entries.size())).join(separator);
   return entries.size() <= kShown
              ? list
-             : list + separator + words("and %1 more").arg(static_cast<int>(entries.size() - kShown));
+             : list + separator + Words::tr("and %1 more").arg(static_cast<int>(entries.size() - kShown));
 }
 
 QString idle_text(const Workbench& workbench) {
   if (workbench.refining())
-    return words("X is solved anew; sigmas, candidates and the judgement of other pairs follow…");
-  if (workbench.solving()) return words("Solving again…");
-  if (workbench.out_of_date()) return words("The result is out of date: calibrate again (F5)");
-  return words("Ready");
+    return Words::tr("X is solved anew; sigmas, candidates and the judgement of other pairs follow…");
+  if (workbench.solving()) return Words::tr("Solving again…");
+  if (workbench.out_of_date()) return Words::tr("The result is out of date: calibrate again (F5)");
+  return Words::tr("Ready");
 }
 
 QString next_text(const Workbench& workbench) {
-  if (workbench.opening()) return words("The sessions are being opened.");
-  if (workbench.calibrating()) return words("The calibration is running.");
-  if (workbench.sessions().empty()) return words("Open the sessions of a vehicle first.");
-  return words("Calibrate (F5).");
+  if (workbench.opening()) return Words::tr("The sessions are being opened.");
+  if (workbench.calibrating()) return Words::tr("The calibration is running.");
+  if (workbench.sessions().empty()) return Words::tr("Open the sessions of a vehicle first.");
+  return Words::tr("Calibrate (F5).");
 }
 
 QString next_hint(const Workbench& workbench) {
-  if (workbench.opening()) return words("Opening sessions…");
+  if (workbench.opening()) return Words::tr("Opening sessions…");
   if (workbench.calibrating())
-    return words("Calibrating: choosing scans, aligning pairs, solving.\nThe pairs appear here when they are aligned.");
-  return words("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5.");
+    return Words::tr(
+        "Calibrating: choosing scans, aligning pairs, solving.\nThe pairs appear here when they are aligned.");
+  return Words::tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5.");
 }
 
 ResultStanding standing_of(const Workbench& workbench) {
@@ -46,13 +49,13 @@ ResultStanding standing_of(const Workbench& workbench) {
 
 QString standing_note(const Workbench& workbench) {
   if (!workbench.output()) return {};
-  if (workbench.calibrating()) return words("Calibrating; this is the result before.");
+  if (workbench.calibrating()) return Words::tr("Calibrating; this is the result before.");
   if (workbench.refining())
-    return words("X is solved anew; sigmas, candidates and the judgement of other pairs follow.");
-  if (workbench.solving()) return words("Solving again…");
+    return Words::tr("X is solved anew; sigmas, candidates and the judgement of other pairs follow.");
+  if (workbench.solving()) return Words::tr("Solving again…");
   const QStringList changes = workbench.changes_since_output();
   if (changes.isEmpty()) return {};
-  return words("This result was made with other settings or files: %1. Calibrate again (F5).")
+  return Words::tr("This result was made with other settings or files: %1. Calibrate again (F5).")
       .arg(in_short(changes, QStringLiteral("; ")));
 }
 
@@ -62,7 +65,7 @@ QString export_warning(const Workbench& workbench) {
   const OutputPtr output = workbench.output();
   const QString blind = output ? QString::fromStdString(parameter_list(output->result, false)) : QString();
   if (!blind.isEmpty())
-    lines << words(
+    lines << Words::tr(
                  "Not observed: %1. What a file holds for these is not measured: for a translation the nominal "
                  "value or 0, for a rotation the best guess.")
                  .arg(blind);

@@ -1,5 +1,6 @@
 // Projects: everything at once, from and to a file.
 #include <algorithm>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "app/gui/workbench.h"
@@ -162,6 +163,17 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   selected_ = -1;
   select_pair(output_ && !output_->pairs.empty() ? 0 : -1);
   if (output_) compare_input_files();
+}
+
+void Workbench::announce() {
+  emit sessions_changed();
+  emit settings_changed();
+  emit nominal_changed();
+  emit output_changed();
+  emit project_changed();
+  emit state_changed();
+  const int selected = std::exchange(selected_, -1);
+  select_pair(selected);
 }
 
 void Workbench::compare_input_files() {

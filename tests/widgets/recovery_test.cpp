@@ -165,6 +165,7 @@ TEST_F(recovery, every_edit_is_on_disk_at_once) {
   QSignalSpy saved(&autosave(), &Autosave::saved);
   workbench_.decide({5}, PairState::Rejected);
   ASSERT_TRUE(settle());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.refining(); }, kPatience_ms));
   ASSERT_TRUE(safe());
   ASSERT_FALSE(saved.isEmpty());
   const Project kept = load_project(saved.last().at(0).toString().toStdString());
@@ -210,7 +211,8 @@ TEST(recovery_notes, keep_several_generations) {
   for (int i = 0; i < 4; ++i) {
     const QString path = notes.next_path_in_notes();
     std::ofstream(path.toStdString()) << "state " << i;
-    notes.note(path, {{}, {"/data/one"}, 3, 1, "ok"});
+    write_note(notes.folder(), path, {{}, {"/data/one"}, 3, 1, "ok"});
+    notes.adopt(path);
   }
   const QDir own(notes.folder());
   EXPECT_EQ(own.entryList({"*.autosave-*"}).size(), 1) << "within a minute the newest is replaced";

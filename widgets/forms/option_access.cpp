@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "algorithms/geometry/rotation.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 namespace {
@@ -21,7 +22,7 @@ struct FieldVisitor {
     field.section = section;
     field.name = text(info.name);
     field.unit = text(info.unit);
-    field.help = text(info.help);
+    field.help = model_text(info.help);
     field.minimum = info.minimum;
     field.maximum = info.maximum;
     return field;
@@ -127,7 +128,7 @@ QString option_label(const OptionField& field) {
   label.replace('_', ' ');
   if (label.startsWith("ins ")) label.replace(0, 3, "INS");
   if (!label.isEmpty()) label[0] = label[0].toUpper();
-  return label;
+  return model_text(label);
 }
 
 }  // namespace remount

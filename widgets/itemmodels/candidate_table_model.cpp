@@ -5,6 +5,7 @@
 #include <array>
 
 #include "model/display_units.h"
+#include "widgets/model_text.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -65,20 +66,18 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
         "counts all pairs alike.");
   if (role == Qt::ForegroundRole && !candidate.in_range)
     return QBrush(palette_.color(QPalette::Disabled, QPalette::Text));
-  if (role == Qt::ToolTipRole && !candidate.in_range) return QString::fromStdString(candidate.out_of_range);
+  if (role == Qt::ToolTipRole && !candidate.in_range) return model_text(candidate.out_of_range);
   if (role != Qt::DisplayRole && role != SortRole) return {};
   switch (column) {
     case Rank:
       if (role == SortRole) return index.row();
       return candidate.in_range ? QString::number(index.row() + 1) : QStringLiteral("–");
     case Source:
-      return is_result && role == Qt::DisplayRole
-                 ? tr("✓ %1 (the result)").arg(QString::fromStdString(candidate.source))
-                 : QString::fromStdString(candidate.source);
+      return is_result && role == Qt::DisplayRole ? tr("✓ %1 (the result)").arg(model_text(candidate.source))
+                                                  : model_text(candidate.source);
     case InRange:
       if (role == SortRole) return candidate.in_range ? 0 : 1;
-      return candidate.in_range ? tr("in range")
-                                : tr("out of range: %1").arg(QString::fromStdString(candidate.out_of_range));
+      return candidate.in_range ? tr("in range") : tr("out of range: %1").arg(model_text(candidate.out_of_range));
     default:
       break;
   }

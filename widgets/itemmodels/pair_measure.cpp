@@ -7,7 +7,9 @@
 
 namespace remount {
 namespace {
-QString words(const char* text) { return QCoreApplication::translate("remount::pair_measure", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(remount::pair_measure)
+};
 }  // namespace
 
 bool is_aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
@@ -35,13 +37,13 @@ std::optional<double> measured(const Pair& pair, PairMeasure measure) {
 QString measure_name(PairMeasure measure) {
   switch (measure) {
     case PairMeasure::ResidualTranslation:
-      return words("Residual translation");
+      return Words::tr("Residual translation");
     case PairMeasure::ResidualRotation:
-      return words("Residual rotation");
+      return Words::tr("Residual rotation");
     case PairMeasure::Rmse:
-      return words("Alignment RMSE");
+      return Words::tr("Alignment RMSE");
     case PairMeasure::Screw:
-      return words("Screw test");
+      return Words::tr("Screw test");
   }
   return {};
 }

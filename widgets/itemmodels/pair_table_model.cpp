@@ -7,6 +7,7 @@
 
 #include "algorithms/calibration/pair_judgement.h"
 #include "widgets/itemmodels/pair_measure.h"
+#include "widgets/model_text.h"
 #include "widgets/pair_reasons.h"
 #include "widgets/theme.h"
 
@@ -17,44 +18,47 @@ struct Heading {
   QString title, help;
 };
 
-QString words(const char* text) { return QCoreApplication::translate("remount::PairTableModel", text); }
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(remount::PairTableModel)
+};
 
 /// What judges a pair comes first, what names it last: the table is wider than the window.
 Heading heading(int column) {
   switch (column) {
     case PairTableModel::State:
-      return {words("State"), words("What was decided about the pair, and by whom")};
+      return {Words::tr("State"), Words::tr("What was decided about the pair, and by whom")};
     case PairTableModel::ResidualTranslation:
-      return {words("Δt [cm]"), words("Translation residual of P X = X Q under the present result")};
+      return {Words::tr("Δt [cm]"), Words::tr("Translation residual of P X = X Q under the present result")};
     case PairTableModel::ResidualRotation:
-      return {words("Δrot [°]"), words("Rotation residual of P X = X Q under the present result")};
+      return {Words::tr("Δrot [°]"), Words::tr("Rotation residual of P X = X Q under the present result")};
     case PairTableModel::Rmse:
-      return {words("RMSE [cm]"), words("Of the inlier residuals of the alignment")};
+      return {Words::tr("RMSE [cm]"), Words::tr("Of the inlier residuals of the alignment")};
     case PairTableModel::Overlap:
-      return {words("Overlap"), words("Share of points of scan a with a neighbour in scan b after alignment")};
+      return {Words::tr("Overlap"), Words::tr("Share of points of scan a with a neighbour in scan b after alignment")};
     case PairTableModel::Screw:
-      return {words("Screw [σ]"),
-              words("How much INS and LiDAR motion differ in turn and advance, whatever the mounting; in sigma")};
+      return {Words::tr("Screw [σ]"),
+              Words::tr("How much INS and LiDAR motion differ in turn and advance, whatever the mounting; in sigma")};
     case PairTableModel::Weight:
-      return {words("Weight"), words("Robust weight of the pair in the solution, 0 to 1")};
+      return {Words::tr("Weight"), Words::tr("Robust weight of the pair in the solution, 0 to 1")};
     case PairTableModel::Shared:
-      return {words("Objects"), words("Static objects that both scans contain; moving ones after the plus sign")};
+      return {Words::tr("Objects"),
+              Words::tr("Static objects that both scans contain; moving ones after the plus sign")};
     case PairTableModel::Baseline:
-      return {words("Base [m]"), words("Distance between the two INS positions")};
+      return {Words::tr("Base [m]"), Words::tr("Distance between the two INS positions")};
     case PairTableModel::Rotation:
-      return {words("Turn [°]"), words("Angle between the two INS attitudes")};
+      return {Words::tr("Turn [°]"), Words::tr("Angle between the two INS attitudes")};
     case PairTableModel::Gap:
-      return {words("Gap [s]"), words("Time between the two scans")};
+      return {Words::tr("Gap [s]"), Words::tr("Time between the two scans")};
     case PairTableModel::TimeA:
-      return {words("a [s]"), words("Time of scan a since the session's first keyframe")};
+      return {Words::tr("a [s]"), Words::tr("Time of scan a since the session's first keyframe")};
     case PairTableModel::TimeB:
-      return {words("b [s]"), words("Time of scan b since the session's first keyframe")};
+      return {Words::tr("b [s]"), Words::tr("Time of scan b since the session's first keyframe")};
     case PairTableModel::SessionName:
-      return {words("Session"), words("Drive the pair is from")};
+      return {Words::tr("Session"), Words::tr("Drive the pair is from")};
     case PairTableModel::Reason:
-      return {words("Reason"), words("Why the pair was rejected or accepted")};
+      return {Words::tr("Reason"), Words::tr("Why the pair was rejected or accepted")};
     default:
-      return {QStringLiteral("#"), words("Number of the pair")};
+      return {QStringLiteral("#"), Words::tr("Number of the pair")};
   }
 }
 
@@ -181,7 +185,7 @@ QVariant PairTableModel::tool_tip(const Pair& pair, int column) const {
   const bool of_alignment = column == Overlap || column == Rmse || column == Screw || column == ResidualTranslation ||
                             column == ResidualRotation;
   if (!of_alignment || is_aligned(pair)) return {};
-  return tr("The two scans were not aligned: %1").arg(QString::fromStdString(unusable_reason(pair)));
+  return tr("The two scans were not aligned: %1").arg(model_text(unusable_reason(pair)));
 }
 
 QVariant PairTableModel::data(const QModelIndex& index, int role) const {

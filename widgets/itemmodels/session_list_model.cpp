@@ -3,6 +3,7 @@
 #include <QBrush>
 #include <algorithm>
 
+#include "widgets/model_text.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -83,7 +84,7 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
     return {};
   }
   const Finding& finding = session.findings[static_cast<std::size_t>(index.row())];
-  const QString explanation = QString::fromStdString(finding.explanation);
+  const QString explanation = model_text(finding.explanation);
   if (role == Qt::DisplayRole)
     return severity_sign(finding.severity) + ' ' + QString::fromStdString(finding.where) + QStringLiteral(": ") +
            explanation;

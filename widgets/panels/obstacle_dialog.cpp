@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "widgets/model_text.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -24,7 +25,7 @@ QString label_of(const OptionInfo& info) {
     label.chop(static_cast<qsizetype>(info.unit.size()) + 1);
   label.replace('_', ' ');
   label[0] = label[0].toUpper();
-  return label;
+  return model_text(label);
 }
 
 /// Adds one editor for each option; `changed` is called after the member has its new value.
@@ -33,7 +34,7 @@ struct FormBuilder {
   std::function<void()> changed;
 
   void add(const OptionInfo& info, QWidget* editor) {
-    editor->setToolTip(text(info.help));
+    editor->setToolTip(model_text(info.help));
     editor->setAccessibleName(label_of(info));
     layout.addRow(label_of(info), editor);
   }

@@ -6,6 +6,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/model_text.h"
+
 namespace remount {
 
 QString remaining_text(qint64 elapsed_ms, double done, double total) {
@@ -53,7 +55,7 @@ void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulongl
   bar_->setRange(0, total > 0 ? kSteps : 0);
   if (total > 0)
     bar_->setValue(static_cast<int>(kSteps * std::min(1.0, static_cast<double>(done) / static_cast<double>(total))));
-  QString text = total > 0 ? tr("%1: %2 of %3").arg(stage).arg(done).arg(total) : stage;
+  QString text = total > 0 ? tr("%1: %2 of %3").arg(model_text(stage)).arg(done).arg(total) : model_text(stage);
   const double covered = static_cast<double>(done) - static_cast<double>(done_at_start_);
   const QString left =
       remaining_text(since_stage_.elapsed(), covered, static_cast<double>(total) - static_cast<double>(done_at_start_));

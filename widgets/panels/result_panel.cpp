@@ -9,6 +9,7 @@
 
 #include "model/result_file.h"
 #include "widgets/charts/correlation_chart.h"
+#include "widgets/model_text.h"
 #include "widgets/parameter_text.h"
 #include "widgets/theme.h"
 
@@ -312,11 +313,11 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
 
 void ResultPanel::show_words(const PipelineOutput& output) {
   const CalibrationResult& result = output.result;
-  QString html = "<p>" + QString::fromStdString(result.message).toHtmlEscaped() + "</p>";
+  QString html = "<p>" + model_text(result.message).toHtmlEscaped() + "</p>";
   QStringList advice, blind, figures;
-  for (const std::string& sentence : result.advice) advice << QString::fromStdString(sentence);
+  for (const std::string& sentence : result.advice) advice << model_text(sentence);
   for (const ObservabilityDirection& direction : result.directions)
-    if (!direction.observed && !direction.words.empty()) blind << QString::fromStdString(direction.words);
+    if (!direction.observed && !direction.words.empty()) blind << model_text(direction.words);
   figures << tr("%1 pairs: %2 accepted, %3 rejected")
                  .arg(result.pairs_proposed)
                  .arg(result.pairs_accepted)

@@ -1,0 +1,37 @@
+// F1: help for the panel that has the focus.
+#include <QApplication>
+#include <QDir>
+#include <QDockWidget>
+
+#include "app/gui/language.h"
+#include "app/gui/main_window.h"
+#include "widgets/panels/help_window.h"
+#include "widgets/panels/pair_view.h"
+
+namespace remount {
+
+QString MainWindow::help_page_of(const QWidget* widget) const {
+  static const std::map<QString, QString> kPages{{"setup", "setup"},   {"pairs", "pairs"},
+                                                 {"errors", "errors"}, {"candidates", "candidates"},
+                                                 {"result", "result"}, {"log", "log"}};
+  for (; widget; widget = widget->parentWidget()) {
+    if (widget == pair_view_) return QStringLiteral("view");
+    const auto page = qobject_cast<const QDockWidget*>(widget) ? kPages.find(widget->objectName()) : kPages.end();
+    if (page != kPages.end()) return page->second;
+  }
+  return workbench_.sessions().empty() ? QStringLiteral("start") : QStringLiteral("projects");
+}
+
+void MainWindow::show_help() {
+  const QString page = help_page_of(QApplication::focusWidget());
+  if (!help_) {
+    const QString own = ":/help/" + spoken_language();
+    help_ = new HelpWindow(QDir(own).exists() ? own : QStringLiteral(":/help/en"), this);
+  }
+  help_->show_page(page);
+  help_->show();
+  help_->raise();
+  help_->activateWindow();
+}
+
+}  // namespace remount

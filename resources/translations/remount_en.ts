@@ -1,0 +1,48 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>remount::MainWindow</name>
+    <message numerus="yes">
+        <source>%n decision(s) about pairs</source>
+        <translation>
+            <numerusform>%n decision about pairs</numerusform>
+            <numerusform>%n decisions about pairs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::ProjectKeeper</name>
+    <message numerus="yes">
+        <source>a calibration with %n pair(s)</source>
+        <translation>
+            <numerusform>a calibration with %n pair</numerusform>
+            <numerusform>a calibration with %n pairs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n decision(s) of yours</source>
+        <translation>
+            <numerusform>%n decision of yours</numerusform>
+            <numerusform>%n decisions of yours</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::recovery</name>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>%n minute ago</numerusform>
+            <numerusform>%n minutes ago</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>%n hour ago</numerusform>
+            <numerusform>%n hours ago</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,3668 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>main</name>
+    <message>
+        <source>Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS.</source>
+        <translation>求出激光雷达在车辆上相对于 GNSS/INS 的安装位置。</translation>
+    </message>
+    <message>
+        <source>Open the bundled sample session.</source>
+        <translation>打开随附的示例数据。</translation>
+    </message>
+    <message>
+        <source>Sessions (folders or files) or a project to open.</source>
+        <translation>要打开的数据（文件夹或文件）或项目。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::CandidatePlot</name>
+    <message>
+        <source>Candidates: x, y, z</source>
+        <translation>候选：x、y、z</translation>
+    </message>
+    <message>
+        <source>Candidates: yaw, pitch, roll</source>
+        <translation>候选：偏航、俯仰、横滚</translation>
+    </message>
+    <message>
+        <source>Left and right arrow keys select the candidate before or after in rank.</source>
+        <translation>左右方向键选择名次在前或在后的候选。</translation>
+    </message>
+    <message>
+        <source>Candidates appear here: x, y, z.</source>
+        <translation>候选显示在这里：x、y、z。</translation>
+    </message>
+    <message>
+        <source>Candidates appear here: yaw, pitch, roll.</source>
+        <translation>候选显示在这里：偏航、俯仰、横滚。</translation>
+    </message>
+    <message>
+        <source>over %1</source>
+        <translation>超过 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::CandidateTableModel</name>
+    <message>
+        <source>This is the result. It weighs every pair by its noise; another candidate may have a smaller E, which counts all pairs alike.</source>
+        <translation>这就是结果。它按各帧对的噪声加权；另一个候选的 E 可能更小，因为 E 对所有帧对一视同仁。</translation>
+    </message>
+    <message>
+        <source>✓ %1 (the result)</source>
+        <translation>✓ %1（结果）</translation>
+    </message>
+    <message>
+        <source>in range</source>
+        <translation>在范围内</translation>
+    </message>
+    <message>
+        <source>out of range: %1</source>
+        <translation>超出范围：%1</translation>
+    </message>
+    <message>
+        <source>Rank</source>
+        <translation>名次</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>x [m]</source>
+        <translation>x [米]</translation>
+    </message>
+    <message>
+        <source>y [m]</source>
+        <translation>y [米]</translation>
+    </message>
+    <message>
+        <source>z [m]</source>
+        <translation>z [米]</translation>
+    </message>
+    <message>
+        <source>yaw [°]</source>
+        <translation>偏航 [°]</translation>
+    </message>
+    <message>
+        <source>pitch [°]</source>
+        <translation>俯仰 [°]</translation>
+    </message>
+    <message>
+        <source>roll [°]</source>
+        <translation>横滚 [°]</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E 值</translation>
+    </message>
+    <message>
+        <source>Search range</source>
+        <translation>搜索范围</translation>
+    </message>
+    <message>
+        <source>E(X): sum over the accepted pairs of ‖P X − X Q‖ (Frobenius norm, translation over the characteristic length)</source>
+        <translation>E(X)：所有已接受帧对的 ‖P X − X Q‖ 之和（Frobenius 范数，平移除以特征长度）</translation>
+    </message>
+</context>
+<context>
+    <name>remount::CandidatesPanel</name>
+    <message>
+        <source>Candidates</source>
+        <translation>候选</translation>
+    </message>
+    <message>
+        <source>● in range  ○ out of it  ✚ nominal  ◯ result  ▭ range</source>
+        <translation>● 在范围内  ○ 超出  ✚ 名义值  ◯ 结果  ▭ 范围</translation>
+    </message>
+</context>
+<context>
+    <name>remount::CorrelationChart</name>
+    <message>
+        <source>Correlations of the six parameters</source>
+        <translation>六个参数的相关性</translation>
+    </message>
+    <message>
+        <source>no two parameters are correlated</source>
+        <translation>没有两个参数相关</translation>
+    </message>
+    <message>
+        <source>strongest: %1 with %2, %3</source>
+        <translation>最强：%1 与 %2，%3</translation>
+    </message>
+    <message>
+        <source>%1: %2. Near 1 or -1 the drive tells the two apart only together.</source>
+        <translation>%1：%2。接近 1 或 -1 时，此次行驶只能把两者一起确定。</translation>
+    </message>
+    <message>
+        <source>%1: one of them is not observed</source>
+        <translation>%1：其中之一不可观测</translation>
+    </message>
+</context>
+<context>
+    <name>remount::DistanceLegend</name>
+    <message>
+        <source> m</source>
+        <translation> 米</translation>
+    </message>
+    <message>
+        <source>End of the distance scale</source>
+        <translation>距离色标的上限</translation>
+    </message>
+    <message>
+        <source>End of the scale in m. It is the same for every pair.</source>
+        <translation>色标的上限，单位米。对所有帧对相同。</translation>
+    </message>
+    <message>
+        <source>more</source>
+        <translation>更多</translation>
+    </message>
+    <message>
+        <source>nothing within %1 m</source>
+        <translation>%1 米以内没有</translation>
+    </message>
+    <message>
+        <source>Median distance of the points of scan a that have a surface of scan b within %1 m, as shown</source>
+        <translation>所示状态下，扫描 a 中在 %1 米内有扫描 b 表面的点的距离中位数</translation>
+    </message>
+    <message>
+        <source>Distance to scan b: 0</source>
+        <translation>到扫描 b 的距离：0</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 米</translation>
+    </message>
+    <message>
+        <source>median …</source>
+        <translation>中位数 …</translation>
+    </message>
+    <message>
+        <source>median %1</source>
+        <translation>中位数 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::DriveMap</name>
+    <message>
+        <source>Map of the drive</source>
+        <translation>行驶地图</translation>
+    </message>
+    <message>
+        <source>Trajectory with keyframes and pairs. Plus and minus zoom, the arrow keys pan, Home shows all.</source>
+        <translation>轨迹及关键帧和帧对。加减键缩放，方向键平移，Home 显示全部。</translation>
+    </message>
+    <message>
+        <source>pair %1: %2</source>
+        <translation>帧对 %1：%2</translation>
+    </message>
+    <message>
+        <source>This drive has no INS positions.</source>
+        <translation>此次行驶没有 INS 位置。</translation>
+    </message>
+    <message>
+        <source>The drive appears here once it is open.</source>
+        <translation>打开数据后，行驶轨迹显示在这里。</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>%1 km</source>
+        <translation>%1 千米</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 米</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>北</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+</context>
+<context>
+    <name>remount::DrivePanel</name>
+    <message>
+        <source>%1: none</source>
+        <translation>%1：无</translation>
+    </message>
+    <message>
+        <source>no gaps</source>
+        <translation>没有间断</translation>
+    </message>
+    <message>
+        <source>%1 gaps, the longest %2 s</source>
+        <translation>%1 处间断，最长 %2 秒</translation>
+    </message>
+    <message>
+        <source>%1: %2 at %3 Hz, %4</source>
+        <translation>%1：%2，%3 赫兹，%4</translation>
+    </message>
+    <message>
+        <source>LiDAR</source>
+        <translation>激光雷达</translation>
+    </message>
+    <message>
+        <source>INS</source>
+        <translation>惯导</translation>
+    </message>
+    <message>
+        <source>%1 s, %2 m travelled</source>
+        <translation>%1 秒，行驶 %2 米</translation>
+    </message>
+    <message>
+        <source>Drive that is shown</source>
+        <translation>显示的行驶</translation>
+    </message>
+    <message>
+        <source>Streams of the drive</source>
+        <translation>此次行驶的数据流</translation>
+    </message>
+    <message>
+        <source>Click selects a pair, the wheel zooms, dragging pans, Home shows all</source>
+        <translation>点击选择帧对，滚轮缩放，拖动平移，Home 显示全部</translation>
+    </message>
+</context>
+<context>
+    <name>remount::DriveTimeline</name>
+    <message>
+        <source>good</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>degraded</source>
+        <translation>下降</translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation>无效</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>未说明</translation>
+    </message>
+    <message>
+        <source>Streams and INS quality over time</source>
+        <translation>数据流和 INS 质量随时间的变化</translation>
+    </message>
+    <message>
+        <source>Left and right arrow keys select the pair that was recorded before or after.</source>
+        <translation>左右方向键选择记录在前或在后的帧对。</translation>
+    </message>
+    <message>
+        <source>LiDAR</source>
+        <translation>激光雷达</translation>
+    </message>
+    <message>
+        <source>INS</source>
+        <translation>惯导</translation>
+    </message>
+    <message>
+        <source>fix</source>
+        <translation>定位</translation>
+    </message>
+    <message>
+        <source>position sigma of the INS [m]</source>
+        <translation>INS 位置标准差 [米]</translation>
+    </message>
+    <message>
+        <source>speed [m/s] (the log states no sigma)</source>
+        <translation>速度 [米/秒]（记录未说明标准差）</translation>
+    </message>
+    <message>
+        <source>0 s</source>
+        <translation>0 秒</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 s: fix %2, %3 m/s</source>
+        <translation>%1 秒：定位 %2，%3 米/秒</translation>
+    </message>
+    <message>
+        <source>
+sigma: position %1 m, attitude %2°</source>
+        <translation>
+标准差：位置 %1 米，姿态 %2°</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ErrorBarChart</name>
+    <message>
+        <source>Error of each pair</source>
+        <translation>每个帧对的误差</translation>
+    </message>
+    <message>
+        <source>One bar per pair. Left and right arrow keys select the neighbouring pair; up and down move the line above which Return rejects, Escape puts it back.</source>
+        <translation>每个帧对一根柱。左右方向键选择相邻帧对；上下方向键移动阈值线，回车拒绝线以上的帧对，Esc 复位。</translation>
+    </message>
+    <message>
+        <source>Drag: what is above the line is rejected when you let go.
+In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
+        <translation>拖动：松开时拒绝线以上的帧对。
+在图中：上下方向键移动阈值线，回车拒绝，Esc 复位。</translation>
+    </message>
+    <message>
+        <source>pair %1: %2, %3</source>
+        <translation>帧对 %1：%2，%3</translation>
+    </message>
+    <message>
+        <source>not aligned</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>No pair is shown: the filter of the table hides them.</source>
+        <translation>没有显示帧对：表格的筛选把它们隐藏了。</translation>
+    </message>
+    <message>
+        <source>No pairs yet: the error of each pair appears here.</source>
+        <translation>还没有帧对：每个帧对的误差将显示在这里。</translation>
+    </message>
+    <message>
+        <source>pair %1</source>
+        <translation>帧对 %1</translation>
+    </message>
+    <message>
+        <source>pair %1: %2</source>
+        <translation>帧对 %1：%2</translation>
+    </message>
+    <message>
+        <source>rejects %1 of %2 above %3 %4</source>
+        <translation>拒绝 %2 个中的 %1 个（高于 %3 %4）</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ErrorChartPanel</name>
+    <message>
+        <source>What the bars show</source>
+        <translation>柱表示什么</translation>
+    </message>
+    <message>
+        <source>What the line would reject</source>
+        <translation>阈值线会拒绝什么</translation>
+    </message>
+    <message>
+        <source>%1 above %2 %3</source>
+        <translation>%1 高于 %2 %3</translation>
+    </message>
+    <message>
+        <source>rejects %1 of %2</source>
+        <translation>拒绝 %2 个中的 %1 个</translation>
+    </message>
+    <message>
+        <source>drag ◀ to reject</source>
+        <translation>拖动 ◀ 以拒绝</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ExportDialog</name>
+    <message>
+        <source>Export the result</source>
+        <translation>导出结果</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>预览</translation>
+    </message>
+    <message>
+        <source>Direction of the transform</source>
+        <translation>变换的方向</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Direction:</source>
+        <translation>方向：</translation>
+    </message>
+    <message>
+        <source>Save %1</source>
+        <translation>保存 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::HelpWindow</name>
+    <message>
+        <source>seen from above</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>seen from the right</source>
+        <translation>从右侧看</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Search in the help</source>
+        <translation>在帮助中搜索</translation>
+    </message>
+    <message>
+        <source>Contents of the help</source>
+        <translation>帮助目录</translation>
+    </message>
+    <message>
+        <source>Page of the help</source>
+        <translation>帮助页面</translation>
+    </message>
+</context>
+<context>
+    <name>remount::JobRunner</name>
+    <message>
+        <source>There is not enough memory. Lower cache_mb in the options, or use fewer keyframes.</source>
+        <translation>内存不足。请在选项中减小 cache_mb，或使用更少的关键帧。</translation>
+    </message>
+    <message>
+        <source>Unexpected failure: %1. What was there is kept.</source>
+        <translation>意外失败：%1。原有内容已保留。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::KeysDialog</name>
+    <message>
+        <source>%1: %2 and %3</source>
+        <translation>%1：%2 和 %3</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Key of %1</source>
+        <translation>%1 的按键</translation>
+    </message>
+    <message>
+        <source>Click and press the key. Standard: %1</source>
+        <translation>点击后按下按键。默认：%1</translation>
+    </message>
+    <message>
+        <source>Several pairs can be marked with Ctrl or Shift and decided together.</source>
+        <translation>可用 Ctrl 或 Shift 选中多个帧对，一起作出决定。</translation>
+    </message>
+    <message>
+        <source>Keys with two meanings:
+%1</source>
+        <translation>有两种含义的按键：
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::LogPanel</name>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>What the program does and finds appears here.</source>
+        <translation>程序做了什么、发现了什么，显示在这里。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MainWindow</name>
+    <message>
+        <source>Remount</source>
+        <translation>Remount 标定</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>步骤</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Nominal mounting (LiDAR in the INS frame)</source>
+        <translation>名义安装（激光雷达在 INS 坐标系中）</translation>
+    </message>
+    <message>
+        <source>Calibrate (F5)</source>
+        <translation>标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Search range</source>
+        <translation>搜索范围</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>候选</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>设置区</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>Error chart</source>
+        <translation>误差图</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>日志</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Open session folder…</source>
+        <translation>打开数据文件夹(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open session &amp;file…</source>
+        <translation>打开数据文件(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Open &amp;project…</source>
+        <translation>打开项目(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+P</source>
+        <translation>Ctrl+P</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>最近打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Save project</source>
+        <translation>保存项目(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save project &amp;as…</source>
+        <translation>项目另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>&amp;Export result…</source>
+        <translation>导出结果(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Make &amp;report…</source>
+        <translation>生成报告(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+R</source>
+        <translation>Ctrl+R</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy result</source>
+        <translation>复制结果(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>&amp;Options…</source>
+        <translation>选项(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>标定(&amp;C)</translation>
+    </message>
+    <message>
+        <source>F5</source>
+        <translation>F5</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>取消(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Use the result as &amp;nominal mounting</source>
+        <translation>把结果用作名义安装(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Check &amp;obstacles…</source>
+        <translation>检查障碍物(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>适合窗口(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>俯视(&amp;T)</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>前视(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>恢复布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Open &amp;sample session</source>
+        <translation>打开示例数据(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>按键(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;About Remount</source>
+        <translation>关于 Remount(&amp;A)</translation>
+    </message>
+    <message>
+        <source>The sample session is not installed.</source>
+        <translation>没有安装示例数据。</translation>
+    </message>
+    <message>
+        <source>Open the folder of a recorded drive</source>
+        <translation>打开一次行驶记录的文件夹</translation>
+    </message>
+    <message>
+        <source>Open files of recorded drives</source>
+        <translation>打开行驶记录的文件</translation>
+    </message>
+    <message>
+        <source>Nominal mounting from a result or an exported file</source>
+        <translation>从结果或导出文件读取名义安装</translation>
+    </message>
+    <message>
+        <source>There is no result to export yet.</source>
+        <translation>还没有可导出的结果。</translation>
+    </message>
+    <message>
+        <source>Cannot be written in this format: %1</source>
+        <translation>无法写成此格式：%1</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>scan b of pair %1, %2</source>
+        <translation>帧对 %1 的扫描 b，%2</translation>
+    </message>
+    <message>
+        <source>About Remount</source>
+        <translation>关于 Remount</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS, from recorded drives.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Remount %1&lt;/b&gt;&lt;p&gt;根据行驶记录求出激光雷达在车辆上相对于 GNSS/INS 的安装位置。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Open a project</source>
+        <translation>打开项目</translation>
+    </message>
+    <message>
+        <source>Remount projects (*%1)</source>
+        <translation>Remount 项目 (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the project</source>
+        <translation>保存项目</translation>
+    </message>
+    <message>
+        <source>report.html</source>
+        <translation>报告.html</translation>
+    </message>
+    <message>
+        <source>Save the report (HTML, and PDF beside it)</source>
+        <translation>保存报告（HTML，PDF 存在旁边）</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>the result of the calibration</source>
+        <translation>标定结果</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n decision(s) about pairs</source>
+        <translation>
+            <numerusform>%n 个关于帧对的决定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Work is not saved</source>
+        <translation>有未保存的工作</translation>
+    </message>
+    <message>
+        <source>Save your changes to the project before closing?</source>
+        <translation>关闭前是否把更改保存到项目？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project before closing? Not saved: %1.</source>
+        <translation>关闭前是否把工作保存为项目？未保存：%1。</translation>
+    </message>
+    <message>
+        <source>&amp;Review</source>
+        <translation>审查(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Accept pair</source>
+        <translation>接受帧对(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Reject pair</source>
+        <translation>拒绝帧对(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Next pair</source>
+        <translation>下一帧对(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous pair</source>
+        <translation>上一帧对(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Next &amp;undecided pair</source>
+        <translation>下一个未决定的帧对(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Blink</source>
+        <translation>闪烁(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys…</source>
+        <translation>按键(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>Reject &amp;because</source>
+        <translation>拒绝的理由(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Other reason…</source>
+        <translation>其他理由(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Why is pair %1 rejected?</source>
+        <translation>为什么拒绝帧对 %1？</translation>
+    </message>
+    <message>
+        <source>Why are %1 pairs rejected?</source>
+        <translation>为什么拒绝 %1 个帧对？</translation>
+    </message>
+    <message>
+        <source>You have decided every pair that is shown.</source>
+        <translation>显示的帧对您都已作出决定。</translation>
+    </message>
+    <message>
+        <source>Reject: %1</source>
+        <translation>拒绝：%1</translation>
+    </message>
+    <message>
+        <source>report saved, and as %1</source>
+        <translation>报告已保存，同时保存为 %1</translation>
+    </message>
+    <message>
+        <source>Select a pair to see its two scans.</source>
+        <translation>选择一个帧对以查看它的两次扫描。</translation>
+    </message>
+    <message>
+        <source>Reading the scans of pair %1…</source>
+        <translation>正在读取帧对 %1 的扫描…</translation>
+    </message>
+    <message>
+        <source>The scans of pair %1 cannot be shown.
+%2</source>
+        <translation>无法显示帧对 %1 的扫描。
+%2</translation>
+    </message>
+    <message>
+        <source>Opening sessions…</source>
+        <translation>正在打开数据…</translation>
+    </message>
+    <message>
+        <source>Calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+    <message>
+        <source>Calibrate again (F5)</source>
+        <translation>重新标定 (F5)</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
+        <translation>帧对 %1：%2 → %3，%4 米，%5°。%6</translation>
+    </message>
+    <message>
+        <source>Pair %1 comes from LiDAR poses: there are no scans to show.</source>
+        <translation>帧对 %1 来自激光雷达位姿：没有扫描可显示。</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>左视(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>轴测(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Help on this panel</source>
+        <translation>本面板的帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Flip before and after</source>
+        <translation>切换之前与之后(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>行驶</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MessageBanner</name>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+    <message>
+        <source>Dismiss the message</source>
+        <translation>关闭这条消息</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MissingSessionsDialog</name>
+    <message>
+        <source>Where do the sessions lie now?</source>
+        <translation>数据现在在哪里？</translation>
+    </message>
+    <message>
+        <source>%1 names sessions that are not there. Show where one of them lies now; the others that were moved with it are then found by themselves. The project remembers it when it is saved.</source>
+        <translation>%1 提到的数据不在原处。请指出其中一个现在的位置；与它一起移动的其他数据会自动找到。项目保存后会记住。</translation>
+    </message>
+    <message>
+        <source>Was at</source>
+        <translation>原来位于</translation>
+    </message>
+    <message>
+        <source>Lies now at</source>
+        <translation>现在位于</translation>
+    </message>
+    <message>
+        <source>Sessions that are missing</source>
+        <translation>缺少的数据</translation>
+    </message>
+    <message>
+        <source>not found yet</source>
+        <translation>尚未找到</translation>
+    </message>
+    <message>
+        <source>Locate…</source>
+        <translation>定位…</translation>
+    </message>
+    <message>
+        <source>Open without them</source>
+        <translation>不带它们打开</translation>
+    </message>
+    <message>
+        <source>Their pairs and the result that rests on them are left out. The project&apos;s file is left as it is.</source>
+        <translation>它们的帧对以及依赖它们的结果将被略去。项目文件保持不变。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+</context>
+<context>
+    <name>remount::NominalPanel</name>
+    <message>
+        <source>Unknown</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>About here:</source>
+        <translation>大约在这里：</translation>
+    </message>
+    <message>
+        <source>The mounting is found from nothing, however the sensor is turned</source>
+        <translation>从零开始求安装位置，无论传感器怎样转动</translation>
+    </message>
+    <message>
+        <source>Pose of the LiDAR in the INS frame (x forward, y left, z up); R = Rz(yaw) Ry(pitch) Rx(roll)</source>
+        <translation>激光雷达在 INS 坐标系中的位姿（x 向前，y 向左，z 向上）；R = Rz(yaw) Ry(pitch) Rx(roll)</translation>
+    </message>
+    <message>
+        <source>From file…</source>
+        <translation>从文件…</translation>
+    </message>
+    <message>
+        <source>A result of an earlier calibration, or any format that can be exported</source>
+        <translation>以前的标定结果，或任何可导出的格式</translation>
+    </message>
+    <message>
+        <source>Nominal %1</source>
+        <translation>名义值 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ObstacleDialog</name>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 米</translation>
+    </message>
+    <message>
+        <source>no obstacle</source>
+        <translation>不是障碍物</translation>
+    </message>
+    <message>
+        <source>Obstacles in %1</source>
+        <translation>%1 中的障碍物</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>With result</source>
+        <translation>按结果</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差</translation>
+    </message>
+    <message>
+        <source>Distance of each object from the outline of the vehicle</source>
+        <translation>每个物体到车辆轮廓的距离</translation>
+    </message>
+    <message>
+        <source>nearest at %1</source>
+        <translation>最近 %1</translation>
+    </message>
+    <message>
+        <source>nothing near</source>
+        <translation>附近没有</translation>
+    </message>
+    <message>
+        <source>stop (%1)</source>
+        <translation>停车（%1）</translation>
+    </message>
+    <message>
+        <source>clear (%1)</source>
+        <translation>畅通（%1）</translation>
+    </message>
+    <message>
+        <source>Before: %1. With result: %2.</source>
+        <translation>之前：%1。按结果：%2。</translation>
+    </message>
+    <message>
+        <source>The mounting changes the decision.</source>
+        <translation>安装改变了判定。</translation>
+    </message>
+    <message>
+        <source>Closer than the stop distance</source>
+        <translation>比停车距离更近</translation>
+    </message>
+</context>
+<context>
+    <name>remount::OptionsDialog</name>
+    <message>
+        <source>General</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>Keyframes</source>
+        <translation>关键帧</translation>
+    </message>
+    <message>
+        <source>Pairing</source>
+        <translation>配对</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Search range</source>
+        <translation>搜索范围</translation>
+    </message>
+    <message>
+        <source>Solution</source>
+        <translation>求解</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>选项</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>分组</translation>
+    </message>
+    <message>
+        <source>Search range and solution apply at once; the other options apply to the next calibration. Every change can be undone (Ctrl+Z in the window).</source>
+        <translation>搜索范围和求解立即生效；其他选项在下次标定时生效。每次更改都可以撤销（在窗口中按 Ctrl+Z）。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::PairTableModel</name>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>What was decided about the pair, and by whom</source>
+        <translation>对该帧对作出的决定，以及由谁作出</translation>
+    </message>
+    <message>
+        <source>Δt [cm]</source>
+        <translation>Δt [厘米]</translation>
+    </message>
+    <message>
+        <source>Translation residual of P X = X Q under the present result</source>
+        <translation>当前结果下 P X = X Q 的平移残差</translation>
+    </message>
+    <message>
+        <source>Δrot [°]</source>
+        <translation>Δ旋转 [°]</translation>
+    </message>
+    <message>
+        <source>Rotation residual of P X = X Q under the present result</source>
+        <translation>当前结果下 P X = X Q 的旋转残差</translation>
+    </message>
+    <message>
+        <source>RMSE [cm]</source>
+        <translation>RMSE [厘米]</translation>
+    </message>
+    <message>
+        <source>Of the inlier residuals of the alignment</source>
+        <translation>配准内点残差的均方根</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>重叠</translation>
+    </message>
+    <message>
+        <source>Share of points of scan a with a neighbour in scan b after alignment</source>
+        <translation>配准后扫描 a 的点在扫描 b 中有邻点的比例</translation>
+    </message>
+    <message>
+        <source>Screw [σ]</source>
+        <translation>螺旋 [σ]</translation>
+    </message>
+    <message>
+        <source>How much INS and LiDAR motion differ in turn and advance, whatever the mounting; in sigma</source>
+        <translation>无论怎样安装，INS 与激光雷达的转角和轴向前进量之差；以 sigma 计</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>权重</translation>
+    </message>
+    <message>
+        <source>Robust weight of the pair in the solution, 0 to 1</source>
+        <translation>该帧对在解中的稳健权重，0 到 1</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Static objects that both scans contain; moving ones after the plus sign</source>
+        <translation>两次扫描共有的静止物体；加号后是运动物体</translation>
+    </message>
+    <message>
+        <source>Base [m]</source>
+        <translation>基线 [米]</translation>
+    </message>
+    <message>
+        <source>Distance between the two INS positions</source>
+        <translation>两个 INS 位置之间的距离</translation>
+    </message>
+    <message>
+        <source>Turn [°]</source>
+        <translation>转角 [°]</translation>
+    </message>
+    <message>
+        <source>Angle between the two INS attitudes</source>
+        <translation>两个 INS 姿态之间的夹角</translation>
+    </message>
+    <message>
+        <source>Gap [s]</source>
+        <translation>间隔 [秒]</translation>
+    </message>
+    <message>
+        <source>Time between the two scans</source>
+        <translation>两次扫描之间的时间</translation>
+    </message>
+    <message>
+        <source>a [s]</source>
+        <translation>a [秒]</translation>
+    </message>
+    <message>
+        <source>Time of scan a since the session&apos;s first keyframe</source>
+        <translation>扫描 a 距数据首个关键帧的时间</translation>
+    </message>
+    <message>
+        <source>b [s]</source>
+        <translation>b [秒]</translation>
+    </message>
+    <message>
+        <source>Time of scan b since the session&apos;s first keyframe</source>
+        <translation>扫描 b 距数据首个关键帧的时间</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Drive the pair is from</source>
+        <translation>帧对来自哪次行驶</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Why the pair was rejected or accepted</source>
+        <translation>为什么拒绝或接受该帧对</translation>
+    </message>
+    <message>
+        <source>Number of the pair</source>
+        <translation>帧对编号</translation>
+    </message>
+    <message>
+        <source>%1 + %2 moving</source>
+        <translation>%1 + %2 运动</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>The two scans were not aligned: %1</source>
+        <translation>两次扫描没有配准：%1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::PairView</name>
+    <message>
+        <source>3-D view of the pair</source>
+        <translation>帧对的三维视图</translation>
+    </message>
+    <message>
+        <source>Select a pair to see its two scans.</source>
+        <translation>选择一个帧对以查看它的两次扫描。</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>闪烁</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>As predicted by the INS and the mounting the calibration started from</source>
+        <translation>按 INS 和标定起始安装的预测</translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation>配准后</translation>
+    </message>
+    <message>
+        <source>As the two scans were aligned with each other</source>
+        <translation>两次扫描相互配准的结果</translation>
+    </message>
+    <message>
+        <source>With result</source>
+        <translation>按结果</translation>
+    </message>
+    <message>
+        <source>As predicted by the INS and the present result</source>
+        <translation>按 INS 和当前结果的预测</translation>
+    </message>
+    <message>
+        <source>scan a</source>
+        <translation>扫描 a</translation>
+    </message>
+    <message>
+        <source>scan b</source>
+        <translation>扫描 b</translation>
+    </message>
+    <message>
+        <source>From before to after</source>
+        <translation>从之前到之后</translation>
+    </message>
+    <message>
+        <source>Moves scan a from where it was before (left) to where the chosen alignment puts it (right)</source>
+        <translation>把扫描 a 从之前的位置（左）移到所选配准的位置（右）</translation>
+    </message>
+    <message>
+        <source>Shows before and after in turn (B); Space flips once</source>
+        <translation>轮流显示之前与之后 (B)；空格切换一次</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>Before on the left, after on the right; both are turned together</source>
+        <translation>左为之前，右为之后；两者一起转动</translation>
+    </message>
+    <message>
+        <source>Boxes of the objects that both scans contain, joined by lines; moving ones are red and crossed out</source>
+        <translation>两次扫描共有物体的方框，用线相连；运动物体为红色并打叉</translation>
+    </message>
+    <message>
+        <source>Scan a:</source>
+        <translation>扫描 a：</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>Blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>By distance</source>
+        <translation>按距离</translation>
+    </message>
+    <message>
+        <source>Colour of scan a</source>
+        <translation>扫描 a 的颜色</translation>
+    </message>
+    <message>
+        <source>One colour, or the distance of each point to the surfaces of scan b, in m</source>
+        <translation>单一颜色，或每个点到扫描 b 表面的距离（米）</translation>
+    </message>
+    <message>
+        <source>With %1</source>
+        <translation>按 %1</translation>
+    </message>
+    <message>
+        <source>As predicted by the INS and this candidate: %1</source>
+        <translation>按 INS 和此候选的预测：%1</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 m</source>
+        <translation>x %1，y %2，z %3 米</translation>
+    </message>
+    <message>
+        <source>Point of %1: %2 in LiDAR axes of %1; %3 in %4. </source>
+        <translation>%1 的点：在 %1 的激光雷达轴中 %2；在%4中 %3。</translation>
+    </message>
+    <message>
+        <source>Nothing of %1 within %2 m as shown.</source>
+        <translation>所示状态下 %2 米以内没有 %1 的任何点。</translation>
+    </message>
+    <message>
+        <source>%1 m from the surfaces of %2 as shown.</source>
+        <translation>所示状态下离 %2 的表面 %1 米。</translation>
+    </message>
+    <message>
+        <source>INS axes at scan b</source>
+        <translation>扫描 b 处的 INS 轴</translation>
+    </message>
+    <message>
+        <source>left: before, right: %1</source>
+        <translation>左：之前，右：%1</translation>
+    </message>
+    <message>
+        <source>%1 % of the way</source>
+        <translation>%1 % 的位置</translation>
+    </message>
+</context>
+<context>
+    <name>remount::PairsPanel</name>
+    <message>
+        <source>✓ Accept</source>
+        <translation>✓ 接受</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>All states</source>
+        <translation>所有状态</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>待定</translation>
+    </message>
+    <message>
+        <source>Accepted</source>
+        <translation>已接受</translation>
+    </message>
+    <message>
+        <source>Rejected</source>
+        <translation>已拒绝</translation>
+    </message>
+    <message>
+        <source>Show pairs of this state</source>
+        <translation>显示此状态的帧对</translation>
+    </message>
+    <message>
+        <source>All pairs</source>
+        <translation>所有帧对</translation>
+    </message>
+    <message>
+        <source>Not decided by you</source>
+        <translation>您尚未决定的</translation>
+    </message>
+    <message>
+        <source>Worst %1</source>
+        <translation>最差 %1 个</translation>
+    </message>
+    <message>
+        <source>Screw test failed</source>
+        <translation>螺旋检验未通过</translation>
+    </message>
+    <message>
+        <source>Few shared objects (&lt; %1)</source>
+        <translation>共有物体少（&lt; %1）</translation>
+    </message>
+    <message>
+        <source>Not aligned</source>
+        <translation>未配准</translation>
+    </message>
+    <message>
+        <source>By what the bars show, among those of the state</source>
+        <translation>按柱所表示的量，在该状态的帧对之中</translation>
+    </message>
+    <message>
+        <source>Show pairs of this kind</source>
+        <translation>显示这类帧对</translation>
+    </message>
+    <message>
+        <source>Number or text</source>
+        <translation>编号或文字</translation>
+    </message>
+    <message>
+        <source>Shows pairs of this number, or with this text in state, session or reason</source>
+        <translation>显示此编号的帧对，或状态、数据、理由中含有此文字的帧对</translation>
+    </message>
+    <message>
+        <source>Show pairs that contain this text</source>
+        <translation>显示含有此文字的帧对</translation>
+    </message>
+    <message>
+        <source>Accept the marked pairs</source>
+        <translation>接受选中的帧对</translation>
+    </message>
+    <message>
+        <source>✕ Reject</source>
+        <translation>✕ 拒绝</translation>
+    </message>
+    <message>
+        <source>Reject the marked pairs; the arrow gives reasons</source>
+        <translation>拒绝选中的帧对；箭头给出理由</translation>
+    </message>
+    <message>
+        <source>Reject</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>no pairs yet</source>
+        <translation>还没有帧对</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 个帧对</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation>%2 个帧对中的 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ProgressStrip</name>
+    <message>
+        <source>about %1 s left</source>
+        <translation>约剩 %1 秒</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>约剩 %1 分钟</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop (Esc); what was there before is kept</source>
+        <translation>停止 (Esc)；原有内容保留</translation>
+    </message>
+    <message>
+        <source>Present work</source>
+        <translation>当前工作</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1：%2 / %3</translation>
+    </message>
+    <message>
+        <source>Cancelling…</source>
+        <translation>正在取消…</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ProjectKeeper</name>
+    <message>
+        <source>Unsaved work cannot be kept safe automatically: %1</source>
+        <translation>无法自动保全未保存的工作：%1</translation>
+    </message>
+    <message>
+        <source>Never saved as a project</source>
+        <translation>从未保存为项目</translation>
+    </message>
+    <message>
+        <source>no sessions</source>
+        <translation>没有数据</translation>
+    </message>
+    <message>
+        <source>Sessions: %1</source>
+        <translation>数据：%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>a calibration with %n pair(s)</source>
+        <translation>
+            <numerusform>含 %n 个帧对的标定</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n decision(s) of yours</source>
+        <translation>
+            <numerusform>您的 %n 个决定</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>saved %1 (%2)</source>
+        <translation>保存于 %1（%2）</translation>
+    </message>
+    <message>
+        <source>Where is %1 now?</source>
+        <translation>%1 现在在哪里？</translation>
+    </message>
+    <message>
+        <source>Nothing opened yet</source>
+        <translation>还没有打开过</translation>
+    </message>
+    <message>
+        <source>Forget these</source>
+        <translation>忘记这些</translation>
+    </message>
+</context>
+<context>
+    <name>remount::RangePanel</name>
+    <message>
+        <source>from</source>
+        <translation>从</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>到</translation>
+    </message>
+    <message>
+        <source>Smallest %1</source>
+        <translation>最小 %1</translation>
+    </message>
+    <message>
+        <source>Largest %1</source>
+        <translation>最大 %1</translation>
+    </message>
+    <message>
+        <source>x, y, z within 5 m and every angle</source>
+        <translation>x、y、z 在 5 米以内，任何角度</translation>
+    </message>
+    <message>
+        <source>The largest %1 is below the smallest: nothing can be found there.</source>
+        <translation>%1 的最大值小于最小值：那里什么也找不到。</translation>
+    </message>
+    <message>
+        <source>Widest range</source>
+        <translation>最宽范围</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>radians</source>
+        <translation>弧度</translation>
+    </message>
+    <message>
+        <source>Unit of angles</source>
+        <translation>角度单位</translation>
+    </message>
+    <message>
+        <source>In which unit angles of range and options are shown and typed</source>
+        <translation>范围和选项中的角度以哪种单位显示和输入</translation>
+    </message>
+    <message>
+        <source>Range of %1</source>
+        <translation>%1 的范围</translation>
+    </message>
+    <message>
+        <source>Drag the ends. ▼ above: the nominal mounting; ▲ below: the result.</source>
+        <translation>拖动两端。上方 ▼：名义安装；下方 ▲：结果。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::RecoveryDialog</name>
+    <message>
+        <source>Unsaved work was found</source>
+        <translation>发现未保存的工作</translation>
+    </message>
+    <message>
+        <source>Remount ended without closing the last time. This was kept; nothing is changed until you choose.</source>
+        <translation>Remount 上次没有正常关闭。以下内容已保留；在您选择之前不会有任何改变。</translation>
+    </message>
+    <message>
+        <source>Decide later</source>
+        <translation>以后决定</translation>
+    </message>
+    <message>
+        <source>Keeps it; the next start asks again</source>
+        <translation>保留；下次启动再问</translation>
+    </message>
+    <message>
+        <source>Which state</source>
+        <translation>哪个状态</translation>
+    </message>
+    <message>
+        <source>The newest state is usually the right one; older ones are kept for the case that it is not</source>
+        <translation>通常最新的状态就是所要的；较旧的状态留作备用</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>丢弃</translation>
+    </message>
+    <message>
+        <source>Removes what was kept for good</source>
+        <translation>永久删除所保留的内容</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ReportMaker</name>
+    <message>
+        <source>No pictures of pairs: %1.</source>
+        <translation>没有帧对图片：%1。</translation>
+    </message>
+    <message>
+        <source>Report: picture of pair %1…</source>
+        <translation>报告：帧对 %1 的图片…</translation>
+    </message>
+    <message>
+        <source>Pair %1 cannot be pictured: %2</source>
+        <translation>无法绘制帧对 %1：%2</translation>
+    </message>
+    <message>
+        <source>Pair %1, %2. Residual %3 cm, %4°, RMSE %5 cm.</source>
+        <translation>帧对 %1，%2。残差 %3 厘米，%4°，RMSE %5 厘米。</translation>
+    </message>
+    <message>
+        <source>No pictures of pairs: they come from LiDAR poses, without scans.</source>
+        <translation>没有帧对图片：帧对来自激光雷达位姿，没有扫描。</translation>
+    </message>
+    <message>
+        <source>from above, under the mounting before</source>
+        <translation>俯视，按之前的安装</translation>
+    </message>
+    <message>
+        <source>from above, under the result</source>
+        <translation>俯视，按结果</translation>
+    </message>
+    <message>
+        <source>Report: writing pages…</source>
+        <translation>报告：正在写页面…</translation>
+    </message>
+    <message>
+        <source>Calibration of a LiDAR</source>
+        <translation>激光雷达标定</translation>
+    </message>
+    <message>
+        <source>could not be made</source>
+        <translation>无法生成</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ResultPanel</name>
+    <message>
+        <source>Solved</source>
+        <translation>已求解</translation>
+    </message>
+    <message>
+        <source>Solved, but not every direction</source>
+        <translation>已求解，但不是每个方向</translation>
+    </message>
+    <message>
+        <source>Not solved: too few pairs</source>
+        <translation>未求解：帧对太少</translation>
+    </message>
+    <message>
+        <source>Not solved: did not converge</source>
+        <translation>未求解：没有收敛</translation>
+    </message>
+    <message>
+        <source>Not solved: nothing in the search range</source>
+        <translation>未求解：搜索范围内没有解</translation>
+    </message>
+    <message>
+        <source>Do not trust: the pairs contradict each other</source>
+        <translation>不可信：帧对互相矛盾</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)</source>
+        <translation>ins_from_lidar（激光雷达到 INS），R = Rz(yaw) Ry(pitch) Rx(roll)</translation>
+    </message>
+    <message>
+        <source>(not observed: do not rely on it)</source>
+        <translation>（不可观测：不要依赖）</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Status of the result</source>
+        <translation>结果的状态</translation>
+    </message>
+    <message>
+        <source>Explanation of the result</source>
+        <translation>结果的说明</translation>
+    </message>
+    <message>
+        <source>What the result is compared with</source>
+        <translation>结果与什么比较</translation>
+    </message>
+    <message>
+        <source>LiDAR in INS</source>
+        <translation>激光雷达在 INS 中</translation>
+    </message>
+    <message>
+        <source>1 sigma</source>
+        <translation>1 倍标准差</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>变动</translation>
+    </message>
+    <message>
+        <source>Value of %1</source>
+        <translation>%1 的值</translation>
+    </message>
+    <message>
+        <source>Sigma of %1</source>
+        <translation>%1 的标准差</translation>
+    </message>
+    <message>
+        <source>Change since the result before the last decision</source>
+        <translation>自上次决定之前的结果以来的变化</translation>
+    </message>
+    <message>
+        <source>No result yet</source>
+        <translation>还没有结果</translation>
+    </message>
+    <message>
+        <source>▲ Out of date. It was: %1</source>
+        <translation>▲ 已过期。原为：%1</translation>
+    </message>
+    <message>
+        <source>… Result before: %1</source>
+        <translation>… 之前的结果：%1</translation>
+    </message>
+    <message>
+        <source>moved: since the calibration before</source>
+        <translation>变动：自上次标定以来</translation>
+    </message>
+    <message>
+        <source>moved: by “%1”</source>
+        <translation>变动：由于“%1”</translation>
+    </message>
+    <message>
+        <source>Not observed, and no nominal mounting is given: files hold 0</source>
+        <translation>不可观测，且没有给出名义安装：文件中写 0</translation>
+    </message>
+    <message>
+        <source>not observed</source>
+        <translation>不可观测</translation>
+    </message>
+    <message>
+        <source>Bootstrap over blocks of time: ± %1</source>
+        <translation>按时间块重采样：± %1</translation>
+    </message>
+    <message>
+        <source>From the information of the solution</source>
+        <translation>来自解的信息矩阵</translation>
+    </message>
+    <message>
+        <source>This drive says nothing about it: do not rely on the value shown</source>
+        <translation>此次行驶对它没有任何信息：不要依赖显示的值</translation>
+    </message>
+    <message>
+        <source>%1 pairs: %2 accepted, %3 rejected</source>
+        <translation>%1 个帧对：%2 个接受，%3 个拒绝</translation>
+    </message>
+    <message>
+        <source>residuals: %1 cm, %2° (rms)</source>
+        <translation>残差：%1 厘米，%2°（均方根）</translation>
+    </message>
+    <message>
+        <source>E = %1 (Frobenius sum)</source>
+        <translation>E = %1（Frobenius 和）</translation>
+    </message>
+    <message>
+        <source>clock offset INS − LiDAR: %1 ms ± %2 ms, %3</source>
+        <translation>时钟偏差 INS − 激光雷达：%1 毫秒 ± %2 毫秒，%3</translation>
+    </message>
+    <message>
+        <source>applied</source>
+        <translation>已应用</translation>
+    </message>
+    <message>
+        <source>not applied</source>
+        <translation>未应用</translation>
+    </message>
+    <message>
+        <source>the clouds of all accepted pairs were aligned together as the last step</source>
+        <translation>最后一步已把所有接受帧对的点云一起配准</translation>
+    </message>
+    <message>
+        <source>solved from the aligned pairs; calibrate again (F5) to align their clouds together, too</source>
+        <translation>由已配准的帧对求解；重新标定 (F5) 可把点云也一起配准</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>该怎么做</translation>
+    </message>
+    <message>
+        <source>Not observed</source>
+        <translation>不可观测</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数据指标</translation>
+    </message>
+    <message>
+        <source>Nominal and new</source>
+        <translation>名义值与新值</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>名义值</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>新值</translation>
+    </message>
+    <message>
+        <source>difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>after: result</source>
+        <translation>之后：结果</translation>
+    </message>
+    <message>
+        <source>before: nominal</source>
+        <translation>之前：名义值</translation>
+    </message>
+    <message>
+        <source>Map sharpness (lower is sharper)</source>
+        <translation>地图清晰度（越低越清晰）</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>表面</translation>
+    </message>
+    <message>
+        <source>entropy</source>
+        <translation>熵</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Correlations&lt;/b&gt;</source>
+        <translation>&lt;b&gt;相关性&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>… Being completed: %1</source>
+        <translation>… 正在补全：%1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SceneController</name>
+    <message>
+        <source>candidate %1</source>
+        <translation>候选 %1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SceneView</name>
+    <message>
+        <source>Picked point</source>
+        <translation>选取的点</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>明暗</translation>
+    </message>
+    <message>
+        <source>Eye-dome lighting: darkens edges of depth, which makes shapes easier to see</source>
+        <translation>眼穹光照：使深度的边缘变暗，形状更易看清</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Click two points for the distance between them, in m. Esc ends it. Without it a click tells the coordinates of a point.</source>
+        <translation>点击两个点，得到它们之间的距离（米）。Esc 结束。不测量时，点击给出一个点的坐标。</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Standard views. Drag orbits, Shift drag pans, the wheel zooms.</source>
+        <translation>标准视图。拖动旋转，Shift 拖动平移，滚轮缩放。</translation>
+    </message>
+    <message>
+        <source>The 3-D view is not available: %1.
+Everything else works.</source>
+        <translation>三维视图不可用：%1。
+其他功能都正常。</translation>
+    </message>
+    <message>
+        <source>Click the first of two points. Esc ends measuring.</source>
+        <translation>点击两个点中的第一个。Esc 结束测量。</translation>
+    </message>
+    <message>
+        <source>There is no point here.</source>
+        <translation>这里没有点。</translation>
+    </message>
+    <message>
+        <source>Click the second point.</source>
+        <translation>点击第二个点。</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 米</translation>
+    </message>
+    <message>
+        <source>Distance %1 (x %2, y %3, z %4 m in %5). Esc ends measuring.</source>
+        <translation>距离 %1（在%5中 x %2，y %3，z %4 米）。Esc 结束测量。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SessionListModel</name>
+    <message>
+        <source>%1 scans</source>
+        <translation>%1 次扫描</translation>
+    </message>
+    <message>
+        <source>%1 LiDAR poses, no scans</source>
+        <translation>%1 个激光雷达位姿，没有扫描</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 INS samples</source>
+        <translation>%1 个 INS 采样</translation>
+    </message>
+    <message>
+        <source>%1 INS poses</source>
+        <translation>%1 个 INS 位姿</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>数据</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SessionsPanel</name>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Open sessions and findings</source>
+        <translation>打开的数据和发现的问题</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>打开…</translation>
+    </message>
+    <message>
+        <source>A folder or file with a recorded drive; several drives of one vehicle are calibrated together</source>
+        <translation>含有行驶记录的文件夹或文件；同一车辆的多次行驶一起标定</translation>
+    </message>
+</context>
+<context>
+    <name>remount::StepBar</name>
+    <message>
+        <source>Open the recorded sessions of one vehicle</source>
+        <translation>打开一辆车的行驶记录</translation>
+    </message>
+    <message>
+        <source>Choose scans and pair those that see the same objects</source>
+        <translation>选择扫描，并把看到相同物体的扫描配成对</translation>
+    </message>
+    <message>
+        <source>Align the two scans of every pair</source>
+        <translation>配准每个帧对的两次扫描</translation>
+    </message>
+    <message>
+        <source>Look at the pairs and decide on doubtful ones</source>
+        <translation>查看帧对，对可疑的作出决定</translation>
+    </message>
+    <message>
+        <source>The mounting that explains the pairs</source>
+        <translation>能解释各帧对的安装位置</translation>
+    </message>
+    <message>
+        <source>Write the result for other software</source>
+        <translation>为其他软件写出结果</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>载入</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>配准</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>审查</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>求解</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>等待中</translation>
+    </message>
+    <message>
+        <source>next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>进行中</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>needs attention</source>
+        <translation>需要注意</translation>
+    </message>
+    <message>
+        <source>Step %1: %2, %3</source>
+        <translation>第 %1 步：%2，%3</translation>
+    </message>
+</context>
+<context>
+    <name>remount::WelcomePanel</name>
+    <message>
+        <source>Open the sample session</source>
+        <translation>打开示例数据</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Where does the LiDAR sit now?&lt;/h2&gt;&lt;p&gt;Drop the folder of a recorded drive here, or open one. A drive holds LiDAR scans (or LiDAR poses) and the log of the GNSS/INS. Several drives of one vehicle are calibrated together.&lt;/p&gt;&lt;ol&gt;&lt;li&gt;Open the sessions.&lt;/li&gt;&lt;li&gt;Say roughly where the LiDAR sits, or leave it unknown.&lt;/li&gt;&lt;li&gt;Calibrate (F5).&lt;/li&gt;&lt;li&gt;Look at the pairs; accept or reject the doubtful ones.&lt;/li&gt;&lt;li&gt;Export the result.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>&lt;h2&gt;激光雷达现在装在哪里？&lt;/h2&gt;&lt;p&gt;把行驶记录的文件夹拖到这里，或打开一个。一次行驶包含激光雷达扫描（或激光雷达位姿）和 GNSS/INS 的记录。同一车辆的多次行驶一起标定。&lt;/p&gt;&lt;ol&gt;&lt;li&gt;打开数据。&lt;/li&gt;&lt;li&gt;说出激光雷达大致装在哪里，或者留作未知。&lt;/li&gt;&lt;li&gt;标定 (F5)。&lt;/li&gt;&lt;li&gt;查看帧对；接受或拒绝可疑的帧对。&lt;/li&gt;&lt;li&gt;导出结果。&lt;/li&gt;&lt;/ol&gt;</translation>
+    </message>
+    <message>
+        <source>Open session…</source>
+        <translation>打开数据…</translation>
+    </message>
+</context>
+<context>
+    <name>remount::Workbench</name>
+    <message>
+        <source>other files in the sessions</source>
+        <translation>数据中的文件变了</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before opening sessions.</source>
+        <translation>请等当前工作完成，或取消它，再打开数据。</translation>
+    </message>
+    <message>
+        <source>%1 paths could not be opened (more in the log)</source>
+        <translation>有 %1 个路径无法打开（详见日志）</translation>
+    </message>
+    <message>
+        <source>is open already</source>
+        <translation>已经打开</translation>
+    </message>
+    <message>
+        <source>opened as %1</source>
+        <translation>按 %1 格式打开</translation>
+    </message>
+    <message>
+        <source>its nominal mounting is used</source>
+        <translation>使用其中的名义安装</translation>
+    </message>
+    <message>
+        <source>There is nothing to calibrate yet: open a recorded session first.</source>
+        <translation>还没有可标定的内容：请先打开一次行驶记录。</translation>
+    </message>
+    <message>
+        <source>Nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+    <message>
+        <source>Options</source>
+        <translation>选项</translation>
+    </message>
+    <message>
+        <source>Calibration started</source>
+        <translation>标定开始</translation>
+    </message>
+    <message>
+        <source>Cancelled. What was there before is kept.</source>
+        <translation>已取消。原有内容保留。</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>change %1</source>
+        <translation>更改 %1</translation>
+    </message>
+    <message>
+        <source>reset the search range</source>
+        <translation>重置搜索范围</translation>
+    </message>
+    <message>
+        <source>restore default options</source>
+        <translation>恢复默认选项</translation>
+    </message>
+    <message>
+        <source>change the nominal mounting</source>
+        <translation>更改名义安装</translation>
+    </message>
+    <message>
+        <source>accept pair %1</source>
+        <translation>接受帧对 %1</translation>
+    </message>
+    <message>
+        <source>accept %1 pairs</source>
+        <translation>接受 %1 个帧对</translation>
+    </message>
+    <message>
+        <source>reject pair %1</source>
+        <translation>拒绝帧对 %1</translation>
+    </message>
+    <message>
+        <source>reject %1 pairs</source>
+        <translation>拒绝 %1 个帧对</translation>
+    </message>
+    <message>
+        <source>pair %1: %2</source>
+        <translation>帧对 %1：%2</translation>
+    </message>
+    <message>
+        <source>Cannot be accepted, for no solution can use it</source>
+        <translation>不能接受，因为任何解都用不上</translation>
+    </message>
+    <message>
+        <source>%1
+The project is opened without this session and without its pairs. Its file is left as it is: saving asks for another name.</source>
+        <translation>%1
+项目在没有此数据及其帧对的情况下打开。文件保持不变：保存时会询问另一个名称。</translation>
+    </message>
+    <message>
+        <source>project saved</source>
+        <translation>项目已保存</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before opening a project.</source>
+        <translation>请等当前工作完成，或取消它，再打开项目。</translation>
+    </message>
+    <message>
+        <source>holds a result that was made with other settings than it holds now: %1.
+Calibrate again (F5).</source>
+        <translation>其中的结果是用不同于现在的设置得到的：%1。
+请重新标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
+        <translation>与得到所示结果时不同。请重新标定 (F5)。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::edit_commands</name>
+    <message>
+        <source>undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::gl_support</name>
+    <message>
+        <source>the display platform &quot;%1&quot; has no OpenGL</source>
+        <translation>显示平台“%1”没有 OpenGL</translation>
+    </message>
+    <message>
+        <source>no OpenGL context could be made; over a remote connection, allow GLX or use a local display</source>
+        <translation>无法建立 OpenGL 上下文；远程连接时请允许 GLX 或使用本地显示</translation>
+    </message>
+    <message>
+        <source>the OpenGL context cannot be used</source>
+        <translation>OpenGL 上下文无法使用</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.2 is needed, this display offers %1.%2</source>
+        <translation>需要 OpenGL 3.2，此显示只有 %1.%2</translation>
+    </message>
+</context>
+<context>
+    <name>remount::model</name>
+    <message>
+        <source>observed</source>
+        <translation>可观测</translation>
+    </message>
+    <message>
+        <source>not observed</source>
+        <translation>不可观测</translation>
+    </message>
+    <message>
+        <source>x (forward)</source>
+        <translation>x（向前）</translation>
+    </message>
+    <message>
+        <source>y (left)</source>
+        <translation>y（向左）</translation>
+    </message>
+    <message>
+        <source>z (height)</source>
+        <translation>z（高度）</translation>
+    </message>
+    <message>
+        <source>rotation about x (roll)</source>
+        <translation>绕 x 旋转（横滚）</translation>
+    </message>
+    <message>
+        <source>rotation about y (pitch)</source>
+        <translation>绕 y 旋转（俯仰）</translation>
+    </message>
+    <message>
+        <source>rotation about z (yaw)</source>
+        <translation>绕 z 旋转（偏航）</translation>
+    </message>
+    <message>
+        <source>%1: observed</source>
+        <translation>%1：可观测</translation>
+    </message>
+    <message>
+        <source>%1: not observable, %2</source>
+        <translation>%1：不可观测，%2</translation>
+    </message>
+    <message>
+        <source>%1: not known, %2</source>
+        <translation>%1：未知，%2</translation>
+    </message>
+    <message>
+        <source>%1 with %2</source>
+        <translation>%1 与 %2</translation>
+    </message>
+    <message>
+        <source>the drive hardly turned</source>
+        <translation>行驶几乎没有转弯</translation>
+    </message>
+    <message>
+        <source>flat driving</source>
+        <translation>路面平坦</translation>
+    </message>
+    <message>
+        <source>too little motion for it</source>
+        <translation>相应的运动太少</translation>
+    </message>
+    <message>
+        <source>the clocks of lidar and INS differ</source>
+        <translation>激光雷达与 INS 的时钟不一致</translation>
+    </message>
+    <message>
+        <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma)</source>
+        <translation>与 INS 运动相差 %1 米、%2 度（%3 sigma）</translation>
+    </message>
+    <message>
+        <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma); screw test failed</source>
+        <translation>与 INS 运动相差 %1 米、%2 度（%3 sigma）；螺旋检验未通过</translation>
+    </message>
+    <message>
+        <source>does not determine %1</source>
+        <translation>不能确定 %1</translation>
+    </message>
+    <message>
+        <source>its scans determine nothing</source>
+        <translation>它的扫描不能确定任何方向</translation>
+    </message>
+    <message>
+        <source>its scans were not aligned</source>
+        <translation>它的扫描没有配准</translation>
+    </message>
+    <message>
+        <source>registration did not converge</source>
+        <translation>配准没有收敛</translation>
+    </message>
+    <message>
+        <source>the surfaces in common determine nothing</source>
+        <translation>共有的表面不能确定任何方向</translation>
+    </message>
+    <message>
+        <source>overlap too small: %1</source>
+        <translation>重叠太小：%1</translation>
+    </message>
+    <message>
+        <source>residual too large: %1</source>
+        <translation>残差太大：%1</translation>
+    </message>
+    <message>
+        <source>too few points with a surface: %1</source>
+        <translation>带有表面的点太少：%1</translation>
+    </message>
+    <message>
+        <source>accepted by the user</source>
+        <translation>由用户接受</translation>
+    </message>
+    <message>
+        <source>rejected by the user</source>
+        <translation>由用户拒绝</translation>
+    </message>
+    <message>
+        <source>Solved; all six parameters are observed.</source>
+        <translation>已求解；六个参数全部可观测。</translation>
+    </message>
+    <message>
+        <source>Solved; all six parameters are known, with what was measured.</source>
+        <translation>已求解；连同测量值，六个参数全部已知。</translation>
+    </message>
+    <message>
+        <source>Solved, but not everything is observed: %1.</source>
+        <translation>已求解，但并非全部可观测：%1。</translation>
+    </message>
+    <message>
+        <source>The solution lies outside the search range: %1.</source>
+        <translation>解超出搜索范围：%1。</translation>
+    </message>
+    <message>
+        <source>The joint solution did not converge.</source>
+        <translation>联合求解没有收敛。</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>Only %1 usable pair; at least %2 are needed.</source>
+        <translation>只有 %1 个可用帧对；至少需要 %2 个。</translation>
+    </message>
+    <message>
+        <source>Only %1 usable pairs; at least %2 are needed.</source>
+        <translation>只有 %1 个可用的帧对；至少需要 %2 个。</translation>
+    </message>
+    <message>
+        <source>Nothing is known: the clocks of lidar and INS differ by more than X can bear.</source>
+        <translation>一无所知：激光雷达与 INS 的时钟差超出了 X 的承受范围。</translation>
+    </message>
+    <message>
+        <source>Nothing is observed: the motion of this drive does not determine any component of X.</source>
+        <translation>不可观测：此次行驶的运动不能确定 X 的任何分量。</translation>
+    </message>
+    <message>
+        <source>The sessions say different mountings: %1 against the rest.</source>
+        <translation>各数据给出不同的安装：%1 与其余不一致。</translation>
+    </message>
+    <message>
+        <source>No first estimate of the mounting: %1.</source>
+        <translation>没有安装的初始估计：%1。</translation>
+    </message>
+    <message>
+        <source>Drive longer, take keyframes closer together, or relax the limits of pairing and registration.</source>
+        <translation>请行驶更久，关键帧取得更密，或放宽配对和配准的限制。</translation>
+    </message>
+    <message>
+        <source>Drive turns within sight of buildings and poles, or give a nominal mounting.</source>
+        <translation>请在能看到建筑物和杆状物的地方转弯行驶，或给出名义安装。</translation>
+    </message>
+    <message>
+        <source>Give scans and INS data of the same time, on one clock.</source>
+        <translation>请给出同一时间、同一时钟的扫描和 INS 数据。</translation>
+    </message>
+    <message>
+        <source>x and y need turns: drive a figure of eight or two tight turns in each direction.</source>
+        <translation>x 和 y 需要转弯：走一个 8 字，或向每个方向各做两次急转弯。</translation>
+    </message>
+    <message>
+        <source>x and y need more rotation: drive tighter turns, in both directions.</source>
+        <translation>x 和 y 需要更大的转动：向两个方向走更急的弯。</translation>
+    </message>
+    <message>
+        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then z stays at the nominal value; measure it by tape where it matters.</source>
+        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前 z 保持名义值；重要时请用卷尺测量。</translation>
+    </message>
+    <message>
+        <source>Yaw and pitch need travel: drive at least a few tens of metres with good INS quality.</source>
+        <translation>偏航和俯仰需要行驶距离：在 INS 质量良好时至少行驶几十米。</translation>
+    </message>
+    <message>
+        <source>Roll needs turns or slopes: a straight drive does not show it.</source>
+        <translation>横滚需要转弯或坡道：直线行驶看不出来。</translation>
+    </message>
+    <message>
+        <source>Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are enough), or drive longer, with turns to both sides.</source>
+        <translation>没有名义安装，且偏航不可观测时，什么也不能断定：请给出名义安装（精度 10 度左右即可），或行驶更久并向两侧转弯。</translation>
+    </message>
+    <message>
+        <source>The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: X is then no longer biased.</source>
+        <translation>激光雷达与 INS 的时钟不一致，使 X 有偏；标准差已计入。设置 solve.apply_time_offset 后 X 不再有偏。</translation>
+    </message>
+    <message>
+        <source>Widen the search range where it is too narrow. Where it is right, the data contradict it: check axes and units of the INS, and whether the LiDAR is the one that the range is for.</source>
+        <translation>搜索范围太窄时请放宽。若范围正确，则数据与它矛盾：请检查 INS 的坐标轴和单位，以及激光雷达是否为该范围所指的那一个。</translation>
+    </message>
+    <message>
+        <source>checking the map</source>
+        <translation>检查地图</translation>
+    </message>
+    <message>
+        <source>finding the mounting</source>
+        <translation>寻找安装位置</translation>
+    </message>
+    <message>
+        <source>hashing inputs</source>
+        <translation>计算输入的校验值</translation>
+    </message>
+    <message>
+        <source>listing scans</source>
+        <translation>列出扫描</translation>
+    </message>
+    <message>
+        <source>reading INS</source>
+        <translation>读取 INS</translation>
+    </message>
+    <message>
+        <source>reading poses</source>
+        <translation>读取位姿</translation>
+    </message>
+    <message>
+        <source>reading scans</source>
+        <translation>读取扫描</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>名义值</translation>
+    </message>
+    <message>
+        <source>refined</source>
+        <translation>精化</translation>
+    </message>
+    <message>
+        <source>joint clouds</source>
+        <translation>联合点云</translation>
+    </message>
+    <message>
+        <source>pair %1</source>
+        <translation>帧对 %1</translation>
+    </message>
+    <message>
+        <source>pairs %1 + %2</source>
+        <translation>帧对 %1 + %2</translation>
+    </message>
+    <message>
+        <source>aligning all clouds</source>
+        <translation>配准所有点云</translation>
+    </message>
+    <message>
+        <source>finding objects</source>
+        <translation>寻找物体</translation>
+    </message>
+    <message>
+        <source>findings</source>
+        <translation>发现</translation>
+    </message>
+    <message>
+        <source>registering pairs</source>
+        <translation>配准帧对</translation>
+    </message>
+    <message>
+        <source>writing scans</source>
+        <translation>写扫描</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X 值</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y 值</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z 值</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <translation>偏航</translation>
+    </message>
+    <message>
+        <source>Pitch</source>
+        <translation>俯仰</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>横滚</translation>
+    </message>
+    <message>
+        <source>INS height</source>
+        <translation>INS 高度</translation>
+    </message>
+    <message>
+        <source>INS height sigma</source>
+        <translation>INS 高度标准差</translation>
+    </message>
+    <message>
+        <source>INS tilt sigma</source>
+        <translation>INS 倾斜标准差</translation>
+    </message>
+    <message>
+        <source>X min</source>
+        <translation>X 最小</translation>
+    </message>
+    <message>
+        <source>X max</source>
+        <translation>X 最大</translation>
+    </message>
+    <message>
+        <source>Y min</source>
+        <translation>Y 最小</translation>
+    </message>
+    <message>
+        <source>Y max</source>
+        <translation>Y 最大</translation>
+    </message>
+    <message>
+        <source>Z min</source>
+        <translation>Z 最小</translation>
+    </message>
+    <message>
+        <source>Z max</source>
+        <translation>Z 最大</translation>
+    </message>
+    <message>
+        <source>Yaw min</source>
+        <translation>偏航最小</translation>
+    </message>
+    <message>
+        <source>Yaw max</source>
+        <translation>偏航最大</translation>
+    </message>
+    <message>
+        <source>Pitch min</source>
+        <translation>俯仰最小</translation>
+    </message>
+    <message>
+        <source>Pitch max</source>
+        <translation>俯仰最大</translation>
+    </message>
+    <message>
+        <source>Roll min</source>
+        <translation>横滚最小</translation>
+    </message>
+    <message>
+        <source>Roll max</source>
+        <translation>横滚最大</translation>
+    </message>
+    <message>
+        <source>Characteristic length</source>
+        <translation>特征长度</translation>
+    </message>
+    <message>
+        <source>INS position sigma</source>
+        <translation>INS 位置标准差</translation>
+    </message>
+    <message>
+        <source>INS attitude sigma</source>
+        <translation>INS 姿态标准差</translation>
+    </message>
+    <message>
+        <source>INS attitude bias sigma</source>
+        <translation>INS 姿态偏差标准差</translation>
+    </message>
+    <message>
+        <source>INS position drift</source>
+        <translation>INS 位置漂移</translation>
+    </message>
+    <message>
+        <source>INS attitude drift</source>
+        <translation>INS 姿态漂移</translation>
+    </message>
+    <message>
+        <source>Max translation sigma</source>
+        <translation>平移标准差上限</translation>
+    </message>
+    <message>
+        <source>Max rotation sigma</source>
+        <translation>旋转标准差上限</translation>
+    </message>
+    <message>
+        <source>Outlier threshold</source>
+        <translation>离群阈值</translation>
+    </message>
+    <message>
+        <source>Max listed candidates</source>
+        <translation>候选列出上限</translation>
+    </message>
+    <message>
+        <source>Bootstrap samples</source>
+        <translation>重采样次数</translation>
+    </message>
+    <message>
+        <source>Bootstrap block</source>
+        <translation>重采样时间块</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Joint clouds</source>
+        <translation>联合点云配准</translation>
+    </message>
+    <message>
+        <source>Apply time offset</source>
+        <translation>应用时钟偏差</translation>
+    </message>
+    <message>
+        <source>Ground cell</source>
+        <translation>地面网格</translation>
+    </message>
+    <message>
+        <source>Ground height</source>
+        <translation>地面高度</translation>
+    </message>
+    <message>
+        <source>Cluster distance</source>
+        <translation>聚类距离</translation>
+    </message>
+    <message>
+        <source>Min points</source>
+        <translation>最少点数</translation>
+    </message>
+    <message>
+        <source>Max points</source>
+        <translation>最多点数</translation>
+    </message>
+    <message>
+        <source>Max range</source>
+        <translation>最远距离</translation>
+    </message>
+    <message>
+        <source>Association distance</source>
+        <translation>关联距离</translation>
+    </message>
+    <message>
+        <source>Moving distance</source>
+        <translation>运动距离</translation>
+    </message>
+    <message>
+        <source>Outline x min</source>
+        <translation>轮廓 x 最小</translation>
+    </message>
+    <message>
+        <source>Outline x max</source>
+        <translation>轮廓 x 最大</translation>
+    </message>
+    <message>
+        <source>Outline y min</source>
+        <translation>轮廓 y 最小</translation>
+    </message>
+    <message>
+        <source>Outline y max</source>
+        <translation>轮廓 y 最大</translation>
+    </message>
+    <message>
+        <source>Clearance above</source>
+        <translation>上方净空</translation>
+    </message>
+    <message>
+        <source>Stop distance</source>
+        <translation>停车距离</translation>
+    </message>
+    <message>
+        <source>Ignore inside</source>
+        <translation>忽略轮廓内部</translation>
+    </message>
+    <message>
+        <source>Algorithm</source>
+        <translation>算法</translation>
+    </message>
+    <message>
+        <source>Voxel</source>
+        <translation>体素</translation>
+    </message>
+    <message>
+        <source>Min range</source>
+        <translation>最近距离</translation>
+    </message>
+    <message>
+        <source>Max correspondence</source>
+        <translation>最大对应距离</translation>
+    </message>
+    <message>
+        <source>Max iterations</source>
+        <translation>最多迭代</translation>
+    </message>
+    <message>
+        <source>Min overlap</source>
+        <translation>最小重叠</translation>
+    </message>
+    <message>
+        <source>Max rmse</source>
+        <translation>最大 RMSE</translation>
+    </message>
+    <message>
+        <source>Search when doubtful</source>
+        <translation>可疑时搜索</translation>
+    </message>
+    <message>
+        <source>Search reach</source>
+        <translation>搜索半径</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>方式</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>转角</translation>
+    </message>
+    <message>
+        <source>Interval</source>
+        <translation>间隔</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最少</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最多</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>限制</translation>
+    </message>
+    <message>
+        <source>Max gap</source>
+        <translation>最长间隔</translation>
+    </message>
+    <message>
+        <source>Max distance</source>
+        <translation>最大距离</translation>
+    </message>
+    <message>
+        <source>Min distance</source>
+        <translation>最小距离</translation>
+    </message>
+    <message>
+        <source>Min rotation</source>
+        <translation>最小转角</translation>
+    </message>
+    <message>
+        <source>Max partners</source>
+        <translation>最多伙伴</translation>
+    </message>
+    <message>
+        <source>Min shared objects</source>
+        <translation>最少共有物体</translation>
+    </message>
+    <message>
+        <source>Deskew</source>
+        <translation>运动补偿</translation>
+    </message>
+    <message>
+        <source>Map check</source>
+        <translation>地图检查</translation>
+    </message>
+    <message>
+        <source>x of X (forward in the INS frame) as measured, for example by tape.</source>
+        <translation>测得的 X 的 x（INS 坐标系向前），例如用卷尺。</translation>
+    </message>
+    <message>
+        <source>y of X (left in the INS frame) as measured.</source>
+        <translation>测得的 X 的 y（INS 坐标系向左）。</translation>
+    </message>
+    <message>
+        <source>z of X (up in the INS frame) as measured.</source>
+        <translation>测得的 X 的 z（INS 坐标系向上）。</translation>
+    </message>
+    <message>
+        <source>Yaw of X as measured.</source>
+        <translation>测得的 X 的偏航。</translation>
+    </message>
+    <message>
+        <source>Pitch of X as measured.</source>
+        <translation>测得的 X 的俯仰。</translation>
+    </message>
+    <message>
+        <source>Roll of X as measured.</source>
+        <translation>测得的 X 的横滚。</translation>
+    </message>
+    <message>
+        <source>Height of the INS above the ground; with the ground in the scans it gives z.</source>
+        <translation>INS 离地面的高度；结合扫描中的地面可得到 z。</translation>
+    </message>
+    <message>
+        <source>Sigma of that height; 0: not known, the ground is not used.</source>
+        <translation>该高度的标准差；0：未知，不使用地面。</translation>
+    </message>
+    <message>
+        <source>How far the INS may lean against the ground on which the vehicle stands; where the ground is used it gives pitch and roll this well.</source>
+        <translation>INS 相对车辆所在地面可能倾斜多少；使用地面时，它决定俯仰和横滚的精度。</translation>
+    </message>
+    <message>
+        <source>Search range of x, forward in the INS frame.</source>
+        <translation>x 的搜索范围，INS 坐标系向前。</translation>
+    </message>
+    <message>
+        <source>Search range of y, left in the INS frame.</source>
+        <translation>y 的搜索范围，INS 坐标系向左。</translation>
+    </message>
+    <message>
+        <source>Search range of z, up in the INS frame.</source>
+        <translation>z 的搜索范围，INS 坐标系向上。</translation>
+    </message>
+    <message>
+        <source>Search range of yaw; half a turn to each side is every angle.</source>
+        <translation>偏航的搜索范围；两侧各半圈即任何角度。</translation>
+    </message>
+    <message>
+        <source>Search range of pitch, which is stated within a quarter turn.</source>
+        <translation>俯仰的搜索范围，以四分之一圈以内表示。</translation>
+    </message>
+    <message>
+        <source>Search range of roll; half a turn to each side is every angle.</source>
+        <translation>横滚的搜索范围；两侧各半圈即任何角度。</translation>
+    </message>
+    <message>
+        <source>Scales the translation block in the ranking error; 1 m is the plain Frobenius norm.</source>
+        <translation>排序误差中平移部分的尺度；1 米即普通的 Frobenius 范数。</translation>
+    </message>
+    <message>
+        <source>INS position noise from sample to sample, where the log does not state it.</source>
+        <translation>采样之间的 INS 位置噪声，用于记录未说明时。</translation>
+    </message>
+    <message>
+        <source>INS attitude noise from sample to sample, where the log does not state it.</source>
+        <translation>采样之间的 INS 姿态噪声，用于记录未说明时。</translation>
+    </message>
+    <message>
+        <source>INS attitude error that stays the same over a drive, where the log does not state it.</source>
+        <translation>一次行驶中保持不变的 INS 姿态误差，用于记录未说明时。</translation>
+    </message>
+    <message>
+        <source>INS position error that builds up in one second, growing with the root of time, where the log does not state its errors.</source>
+        <translation>一秒内累积的 INS 位置误差，随时间的平方根增长，用于记录未说明误差时。</translation>
+    </message>
+    <message>
+        <source>INS attitude error that builds up in one second, growing with the root of time, where the log does not state its errors.</source>
+        <translation>一秒内累积的 INS 姿态误差，随时间的平方根增长，用于记录未说明误差时。</translation>
+    </message>
+    <message>
+        <source>A translation with a larger sigma counts as not observed.</source>
+        <translation>标准差更大的平移视为不可观测。</translation>
+    </message>
+    <message>
+        <source>A rotation with a larger sigma counts as not observed.</source>
+        <translation>标准差更大的旋转视为不可观测。</translation>
+    </message>
+    <message>
+        <source>Pairs whose residual exceeds this many sigma are rejected.</source>
+        <translation>残差超过这么多 sigma 的帧对被拒绝。</translation>
+    </message>
+    <message>
+        <source>Candidates kept in the result, best first.</source>
+        <translation>结果中保留的候选数，最好的在前。</translation>
+    </message>
+    <message>
+        <source>Resamplings for the bootstrap sigma; 0 for none.</source>
+        <translation>求标准差的重采样次数；0 表示不做。</translation>
+    </message>
+    <message>
+        <source>Length of the blocks of time that are resampled together.</source>
+        <translation>一起重采样的时间块的长度。</translation>
+    </message>
+    <message>
+        <source>Seed of the bootstrap.</source>
+        <translation>重采样的随机种子。</translation>
+    </message>
+    <message>
+        <source>Align the clouds of all accepted pairs together as the last step.</source>
+        <translation>最后一步把所有接受帧对的点云一起配准。</translation>
+    </message>
+    <message>
+        <source>Apply the estimated clock offset between lidar and INS.</source>
+        <translation>应用估计出的激光雷达与 INS 的时钟偏差。</translation>
+    </message>
+    <message>
+        <source>Edge of the cells in which the ground&apos;s height is found.</source>
+        <translation>求地面高度所用网格的边长。</translation>
+    </message>
+    <message>
+        <source>Points within this height above the ground belong to it.</source>
+        <translation>离地面在此高度以内的点属于地面。</translation>
+    </message>
+    <message>
+        <source>Points closer than this belong to one object.</source>
+        <translation>比这更近的点属于同一物体。</translation>
+    </message>
+    <message>
+        <source>Smaller clusters are not objects.</source>
+        <translation>更小的聚类不算物体。</translation>
+    </message>
+    <message>
+        <source>Larger clusters are cut into pieces of cell size.</source>
+        <translation>更大的聚类按网格大小切开。</translation>
+    </message>
+    <message>
+        <source>Objects farther than this are not used.</source>
+        <translation>比这更远的物体不使用。</translation>
+    </message>
+    <message>
+        <source>Farthest an object may be from where it is predicted in the other scan.</source>
+        <translation>物体离它在另一次扫描中的预测位置最远多少。</translation>
+    </message>
+    <message>
+        <source>An object displaced by more than this against the rest of the pair is moving.</source>
+        <translation>相对帧对其余部分位移超过此值的物体是运动的。</translation>
+    </message>
+    <message>
+        <source>Rear end of the vehicle in the INS frame.</source>
+        <translation>车辆在 INS 坐标系中的后端。</translation>
+    </message>
+    <message>
+        <source>Front end of the vehicle in the INS frame.</source>
+        <translation>车辆在 INS 坐标系中的前端。</translation>
+    </message>
+    <message>
+        <source>Right side of the vehicle in the INS frame.</source>
+        <translation>车辆在 INS 坐标系中的右侧。</translation>
+    </message>
+    <message>
+        <source>Left side of the vehicle in the INS frame.</source>
+        <translation>车辆在 INS 坐标系中的左侧。</translation>
+    </message>
+    <message>
+        <source>What is higher than this above the INS is no obstacle: bridges, branches.</source>
+        <translation>高出 INS 超过此值的不算障碍物：桥梁、树枝。</translation>
+    </message>
+    <message>
+        <source>Decision: stop where an obstacle is closer than this to the outline.</source>
+        <translation>判定：障碍物离轮廓比这更近时停车。</translation>
+    </message>
+    <message>
+        <source>What lies wholly within the outline is the vehicle itself, not an obstacle.</source>
+        <translation>完全在轮廓内的是车辆自身，不是障碍物。</translation>
+    </message>
+    <message>
+        <source>How two scans are aligned: own plane-to-plane engine, or PCL&apos;s.</source>
+        <translation>两次扫描怎样配准：自带的面对面引擎，或 PCL 的算法。</translation>
+    </message>
+    <message>
+        <source>Edge of the voxels that thin a scan before alignment.</source>
+        <translation>配准前用于抽稀扫描的体素边长。</translation>
+    </message>
+    <message>
+        <source>Points farther than this from the sensor are left out.</source>
+        <translation>离传感器比这更远的点被略去。</translation>
+    </message>
+    <message>
+        <source>Points nearer than this to the sensor (the vehicle itself) are left out.</source>
+        <translation>离传感器比这更近的点（车辆自身）被略去。</translation>
+    </message>
+    <message>
+        <source>Neighbours farther apart than this do not count in the last iterations.</source>
+        <translation>相距超过此值的邻点在最后几次迭代中不计。</translation>
+    </message>
+    <message>
+        <source>Iterations before an alignment is given up.</source>
+        <translation>放弃配准之前的迭代次数。</translation>
+    </message>
+    <message>
+        <source>An alignment with a smaller share of inliers is rejected.</source>
+        <translation>内点比例更小的配准被拒绝。</translation>
+    </message>
+    <message>
+        <source>An alignment with larger inlier residuals is rejected.</source>
+        <translation>内点残差更大的配准被拒绝。</translation>
+    </message>
+    <message>
+        <source>Where an alignment fails, fits upright surfaces badly or moved far, others around its start are tried.</source>
+        <translation>配准失败、与竖直表面不符或移动很远时，尝试起点周围的其他位置。</translation>
+    </message>
+    <message>
+        <source>How far around the start other positions are tried.</source>
+        <translation>在起点周围多远的范围内尝试其他位置。</translation>
+    </message>
+    <message>
+        <source>How far around the start other yaws are tried.</source>
+        <translation>在起点周围多大的范围内尝试其他偏航。</translation>
+    </message>
+    <message>
+        <source>Take a keyframe after a travelled distance or after a time.</source>
+        <translation>按行驶距离或按时间取关键帧。</translation>
+    </message>
+    <message>
+        <source>Travelled distance between keyframes (mode distance).</source>
+        <translation>关键帧之间的行驶距离（距离方式）。</translation>
+    </message>
+    <message>
+        <source>Turn after which a keyframe is taken even without distance (mode distance).</source>
+        <translation>即使没有行驶也取关键帧的转角（距离方式）。</translation>
+    </message>
+    <message>
+        <source>Time between keyframes (mode time).</source>
+        <translation>关键帧之间的时间（时间方式）。</translation>
+    </message>
+    <message>
+        <source>A short drive takes keyframes closer together until it has this many, or all its scans.</source>
+        <translation>短途行驶把关键帧取得更密，直到达到此数或用完所有扫描。</translation>
+    </message>
+    <message>
+        <source>At most this many keyframes a session; beyond it they are spread evenly.</source>
+        <translation>每个数据最多这么多关键帧；超过时均匀分布。</translation>
+    </message>
+    <message>
+        <source>Pair keyframes that are close in time, in distance, or in either.</source>
+        <translation>把时间上、距离上或任一方面接近的关键帧配成对。</translation>
+    </message>
+    <message>
+        <source>Longest time between the two scans of a pair (limit time).</source>
+        <translation>帧对两次扫描之间的最长时间（时间限制）。</translation>
+    </message>
+    <message>
+        <source>Longest distance between the two scans of a pair (limit distance).</source>
+        <translation>帧对两次扫描之间的最长距离（距离限制）。</translation>
+    </message>
+    <message>
+        <source>A pair must have moved at least this far, or turned (min_rotation_deg).</source>
+        <translation>帧对至少移动这么远，或转过 min_rotation_deg。</translation>
+    </message>
+    <message>
+        <source>A pair must have turned at least this much, or moved (min_distance_m).</source>
+        <translation>帧对至少转过这么多，或移动过 min_distance_m。</translation>
+    </message>
+    <message>
+        <source>At most this many later partners for each keyframe, spread over the allowed gaps.</source>
+        <translation>每个关键帧最多这么多后续伙伴，分布在允许的间隔内。</translation>
+    </message>
+    <message>
+        <source>Static objects that both scans must contain.</source>
+        <translation>两次扫描都必须含有的静止物体数。</translation>
+    </message>
+    <message>
+        <source>Compensate motion within a scan: where the data call for it (auto), always, never.</source>
+        <translation>补偿扫描内的运动：数据需要时 (auto)、总是、从不。</translation>
+    </message>
+    <message>
+        <source>Memory for scans and what is prepared from them; independent of the length of a drive.</source>
+        <translation>扫描及其预处理所用的内存；与行驶长度无关。</translation>
+    </message>
+    <message>
+        <source>Compare how sharp the accumulated scans are under the nominal, the candidates and the result.</source>
+        <translation>比较累积扫描在名义值、候选和结果下的清晰程度。</translation>
+    </message>
+    <message>
+        <source>X sigma</source>
+        <translation>X 标准差</translation>
+    </message>
+    <message>
+        <source>Y sigma</source>
+        <translation>Y 标准差</translation>
+    </message>
+    <message>
+        <source>Z sigma</source>
+        <translation>Z 标准差</translation>
+    </message>
+    <message>
+        <source>Yaw sigma</source>
+        <translation>偏航标准差</translation>
+    </message>
+    <message>
+        <source>Pitch sigma</source>
+        <translation>俯仰标准差</translation>
+    </message>
+    <message>
+        <source>Roll sigma</source>
+        <translation>横滚标准差</translation>
+    </message>
+    <message>
+        <source>Sigma of the measured value; 0: not measured.</source>
+        <translation>测量值的标准差；0：没有测量。</translation>
+    </message>
+    <message>
+        <source>Cache</source>
+        <translation>缓存</translation>
+    </message>
+</context>
+<context>
+    <name>remount::pair_measure</name>
+    <message>
+        <source>Residual translation</source>
+        <translation>平移残差</translation>
+    </message>
+    <message>
+        <source>Residual rotation</source>
+        <translation>旋转残差</translation>
+    </message>
+    <message>
+        <source>Alignment RMSE</source>
+        <translation>配准 RMSE</translation>
+    </message>
+    <message>
+        <source>Screw test</source>
+        <translation>螺旋检验</translation>
+    </message>
+</context>
+<context>
+    <name>remount::reasons</name>
+    <message>
+        <source>moving objects</source>
+        <translation>有运动物体</translation>
+    </message>
+    <message>
+        <source>aligned wrongly</source>
+        <translation>配准错误</translation>
+    </message>
+    <message>
+        <source>too little in common</source>
+        <translation>共同部分太少</translation>
+    </message>
+    <message>
+        <source>INS doubtful here</source>
+        <translation>此处 INS 可疑</translation>
+    </message>
+    <message>
+        <source>view blocked or dirty</source>
+        <translation>视野被挡或脏污</translation>
+    </message>
+</context>
+<context>
+    <name>remount::recovery</name>
+    <message>
+        <source>cannot be made: work is not saved until you save it</source>
+        <translation>无法建立：在您保存之前工作不会被保存</translation>
+    </message>
+    <message>
+        <source>less than a minute ago</source>
+        <translation>不到一分钟前</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>%n 分钟前</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>%n 小时前</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::steps</name>
+    <message>
+        <source>all six observed</source>
+        <translation>六个全部可观测</translation>
+    </message>
+    <message>
+        <source>solved in part</source>
+        <translation>部分求解</translation>
+    </message>
+    <message>
+        <source>too few pairs</source>
+        <translation>帧对太少</translation>
+    </message>
+    <message>
+        <source>did not converge</source>
+        <translation>没有收敛</translation>
+    </message>
+    <message>
+        <source>nothing in range</source>
+        <translation>范围内没有解</translation>
+    </message>
+    <message>
+        <source>contradictory pairs</source>
+        <translation>帧对矛盾</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>opening…</source>
+        <translation>正在打开…</translation>
+    </message>
+    <message>
+        <source>open a session</source>
+        <translation>打开数据</translation>
+    </message>
+    <message>
+        <source>1 session</source>
+        <translation>1 个数据</translation>
+    </message>
+    <message>
+        <source>%1 sessions</source>
+        <translation>%1 个数据</translation>
+    </message>
+    <message>
+        <source>calibrating…</source>
+        <translation>正在标定…</translation>
+    </message>
+    <message>
+        <source>calibrate (F5)</source>
+        <translation>标定 (F5)</translation>
+    </message>
+    <message>
+        <source>changed: F5 again</source>
+        <translation>有更改：再按 F5</translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation>%1 个帧对</translation>
+    </message>
+    <message>
+        <source>%1 of %2 aligned</source>
+        <translation>%2 个中 %1 个已配准</translation>
+    </message>
+    <message>
+        <source>%1 accepted, %2 rejected</source>
+        <translation>%1 个接受，%2 个拒绝</translation>
+    </message>
+    <message>
+        <source>solving again…</source>
+        <translation>正在重新求解…</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>已过期</translation>
+    </message>
+    <message>
+        <source>exported</source>
+        <translation>已导出</translation>
+    </message>
+    <message>
+        <source>ready (Ctrl+E)</source>
+        <translation>就绪 (Ctrl+E)</translation>
+    </message>
+</context>
+<context>
+    <name>remount::theme</name>
+    <message>
+        <source>✓ accepted by you</source>
+        <translation>✓ 由您接受</translation>
+    </message>
+    <message>
+        <source>✓ accepted</source>
+        <translation>✓ 已接受</translation>
+    </message>
+    <message>
+        <source>✕ rejected by you</source>
+        <translation>✕ 由您拒绝</translation>
+    </message>
+    <message>
+        <source>✕ rejected</source>
+        <translation>✕ 已拒绝</translation>
+    </message>
+    <message>
+        <source>• proposed</source>
+        <translation>• 待定</translation>
+    </message>
+</context>
+<context>
+    <name>remount::wording</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>以及另外 %1 个</translation>
+    </message>
+    <message>
+        <source>Solving again…</source>
+        <translation>正在重新求解…</translation>
+    </message>
+    <message>
+        <source>The result is out of date: calibrate again (F5)</source>
+        <translation>结果已过期：请重新标定 (F5)</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>The sessions are being opened.</source>
+        <translation>正在打开数据。</translation>
+    </message>
+    <message>
+        <source>The calibration is running.</source>
+        <translation>标定正在进行。</translation>
+    </message>
+    <message>
+        <source>Open the sessions of a vehicle first.</source>
+        <translation>请先打开一辆车的数据。</translation>
+    </message>
+    <message>
+        <source>Calibrate (F5).</source>
+        <translation>标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>Opening sessions…</source>
+        <translation>正在打开数据…</translation>
+    </message>
+    <message>
+        <source>Calibrating: choosing scans, aligning pairs, solving.
+The pairs appear here when they are aligned.</source>
+        <translation>正在标定：选择扫描、配准帧对、求解。
+配准后帧对显示在这里。</translation>
+    </message>
+    <message>
+        <source>Say on the left roughly where the LiDAR sits, or leave it unknown.
+Then calibrate: F5.</source>
+        <translation>请在左侧说出激光雷达大致装在哪里，或留作未知。
+然后标定：F5。</translation>
+    </message>
+    <message>
+        <source>Calibrating; this is the result before.</source>
+        <translation>正在标定；这是之前的结果。</translation>
+    </message>
+    <message>
+        <source>This result was made with other settings or files: %1. Calibrate again (F5).</source>
+        <translation>此结果是用其他设置或文件得到的：%1。请重新标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>Not observed: %1. What a file holds for these is not measured: for a translation the nominal value or 0, for a rotation the best guess.</source>
+        <translation>不可观测：%1。文件中这些值不是测量所得：平移为名义值或 0，旋转为最佳猜测。</translation>
+    </message>
+    <message>
+        <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow…</source>
+        <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新…</translation>
+    </message>
+    <message>
+        <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow.</source>
+        <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新。</translation>
+    </message>
+</context>
+<context>
+    <name>report</name>
+    <message>
+        <source>Residual of translation per pair (cm)</source>
+        <translation>各帧对的平移残差（厘米）</translation>
+    </message>
+    <message>
+        <source>Residual of rotation per pair (degrees)</source>
+        <translation>各帧对的旋转残差（度）</translation>
+    </message>
+    <message>
+        <source>blue: accepted, grey: rejected, amber: undecided</source>
+        <translation>蓝：接受，灰：拒绝，黄：未决定</translation>
+    </message>
+    <message>
+        <source>Where the INS drove, seen from above, north up</source>
+        <translation>INS 行驶轨迹，俯视，北向上</translation>
+    </message>
+    <message>
+        <source>Calibration of a LiDAR: report</source>
+        <translation>激光雷达标定报告</translation>
+    </message>
+    <message>
+        <source>Status</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>LiDAR in the INS frame (ins_from_lidar)</source>
+        <translation>激光雷达在 INS 坐标系中 (ins_from_lidar)</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>1 sigma</source>
+        <translation>1 倍标准差</translation>
+    </message>
+    <message>
+        <source>by resampling</source>
+        <translation>重采样</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>名义值</translation>
+    </message>
+    <message>
+        <source>new − nominal</source>
+        <translation>新值 − 名义值</translation>
+    </message>
+    <message>
+        <source>not observed</source>
+        <translation>不可观测</translation>
+    </message>
+    <message>
+        <source>R = Rz(yaw) Ry(pitch) Rx(roll); point_in_ins = ins_from_lidar * point_in_lidar.</source>
+        <translation>R = Rz(yaw) Ry(pitch) Rx(roll)；point_in_ins = ins_from_lidar * point_in_lidar。</translation>
+    </message>
+    <message>
+        <source>* with a value measured by hand.</source>
+        <translation>* 含有手工测量值。</translation>
+    </message>
+    <message>
+        <source>quaternion x, y, z, w</source>
+        <translation>四元数 x, y, z, w</translation>
+    </message>
+    <message>
+        <source>Correlation of the parameters</source>
+        <translation>参数的相关性</translation>
+    </message>
+    <message>
+        <source>What the drive can tell</source>
+        <translation>此次行驶能说明什么</translation>
+    </message>
+    <message>
+        <source>All six parameters are observed.</source>
+        <translation>六个参数全部可观测。</translation>
+    </message>
+    <message>
+        <source>Not observed</source>
+        <translation>不可观测</translation>
+    </message>
+    <message>
+        <source>Clock offset INS − LiDAR</source>
+        <translation>时钟偏差 INS − 激光雷达</translation>
+    </message>
+    <message>
+        <source>applied</source>
+        <translation>已应用</translation>
+    </message>
+    <message>
+        <source>not applied</source>
+        <translation>未应用</translation>
+    </message>
+    <message>
+        <source>Check by the accumulated map</source>
+        <translation>用累积地图检查</translation>
+    </message>
+    <message>
+        <source>No map check was made.</source>
+        <translation>没有做地图检查。</translation>
+    </message>
+    <message>
+        <source>Lower is sharper. This check does not use the residual.</source>
+        <translation>数值越低越清晰。此检查不使用残差。</translation>
+    </message>
+    <message>
+        <source>under</source>
+        <translation>条件</translation>
+    </message>
+    <message>
+        <source>mean map entropy</source>
+        <translation>平均地图熵</translation>
+    </message>
+    <message>
+        <source>thickness of planes</source>
+        <translation>平面厚度</translation>
+    </message>
+    <message>
+        <source>neighbourhoods</source>
+        <translation>邻域数</translation>
+    </message>
+    <message>
+        <source>Worst and best pairs</source>
+        <translation>最差和最好的帧对</translation>
+    </message>
+    <message>
+        <source>Residuals of the pairs</source>
+        <translation>各帧对的残差</translation>
+    </message>
+    <message>
+        <source>Drive</source>
+        <translation>行驶</translation>
+    </message>
+    <message>
+        <source>The sessions were not opened for this report.</source>
+        <translation>此报告没有打开数据。</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>待定</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>接受</translation>
+    </message>
+    <message>
+        <source>rejected</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>rms of residuals</source>
+        <translation>残差均方根</translation>
+    </message>
+    <message>
+        <source>pair</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>scan a (UTC)</source>
+        <translation>扫描 a (UTC)</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>间隔</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>基线</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>转角</translation>
+    </message>
+    <message>
+        <source>RMSE</source>
+        <translation>均方根误差</translation>
+    </message>
+    <message>
+        <source>overlap</source>
+        <translation>重叠</translation>
+    </message>
+    <message>
+        <source>screw test</source>
+        <translation>螺旋检验</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>state</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>理由</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>数据文件</translation>
+    </message>
+    <message>
+        <source>The files&apos; hashes are not known.</source>
+        <translation>文件的校验值未知。</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>字节</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>All settings have their defaults.</source>
+        <translation>所有设置均为默认值。</translation>
+    </message>
+    <message>
+        <source>Changed from the defaults (in brackets):</source>
+        <translation>与默认值不同的设置（括号内为默认值）：</translation>
+    </message>
+</context>
+</TS>

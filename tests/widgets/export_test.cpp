@@ -1,0 +1,46 @@
+// What is copied, what is shown and what is saved are the same text, and its numbers are those of the result.
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include "app/gui/result_files.h"
+#include "model/exporters/exporter.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/export_dialog.h"
+
+namespace remount {
+namespace {
+
+using export_window = testing::WindowFixture;
+
+TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
+  const QTemporaryDir folder;
+  show();
+  calibrate_drive();
+  trigger("Ctrl+E");
+  auto& dialog = child<ExportDialog>();
+  dialog.choose("matrix");
+  for (auto* button : dialog.findChildren<QPushButton*>())
+    if (button->text() == ExportDialog::tr("Copy")) button->click();
+  const QString copied = QGuiApplication::clipboard()->text();
+  ASSERT_FALSE(copied.isEmpty());
+  EXPECT_EQ(copied, dialog.current_text()) << "what is shown";
+  const QString path = folder.filePath("matrix.txt");
+  emit dialog.save_requested("matrix", path, dialog.current_text());
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_EQ(QString::fromUtf8(file.readAll()), copied) << "what is saved";
+  const RigidTransform read = exporter("matrix").read(copied.toStdString(), "clipboard");
+  EXPECT_EQ(read.matrix(), workbench_.output()->result.ins_from_lidar.matrix()) << "not one bit is lost";
+  dialog.close();
+  trigger("Ctrl+Shift+C");
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().contains(export_text(workbench_, "matrix").trimmed()))
+      << "the copied result ends with the same matrix";
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,65 @@
+// F1 opens the page of the panel that has the focus; both languages have the same pages.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTextBrowser>
+
+#include "app/gui/language.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/help_window.h"
+#include "widgets/panels/pairs_panel.h"
+
+namespace remount {
+namespace {
+
+using help = testing::WindowFixture;
+
+TEST(help_pages, are_the_same_in_every_language) {
+  speak("en", false);
+  const QStringList english = QDir(":/help/en").entryList(QDir::Files);
+  EXPECT_GT(english.size(), 8);
+  for (const Language& language : languages()) {
+    const QDir folder(":/help/" + language.code);
+    EXPECT_EQ(folder.entryList(QDir::Files), english) << language.code.toStdString();
+    HelpWindow window(folder.path());
+    for (const QString& page : window.listed_pages()) {
+      window.show_page(page);
+      EXPECT_EQ(window.current_page(), page);
+      EXPECT_GT(window.findChild<QTextBrowser*>()->toPlainText().size(), 30) << page.toStdString();
+    }
+  }
+}
+
+TEST(help_pages, are_found_by_their_text) {
+  speak("en", false);
+  HelpWindow window(":/help/en");
+  const qsizetype all = window.listed_pages().size();
+  window.findChild<QLineEdit*>()->setText("quaternions");
+  EXPECT_EQ(window.listed_pages(), QStringList{"axes"});
+  window.findChild<QLineEdit*>()->clear();
+  EXPECT_EQ(window.listed_pages().size(), all);
+}
+
+TEST_F(help, f1_opens_the_page_of_the_panel) {
+  speak("en", false);
+  show();
+  trigger("F1");
+  auto& opened = child<HelpWindow>();
+  EXPECT_EQ(opened.current_page(), "start") << "an empty window begins at the beginning";
+  opened.close();
+  calibrate_drive();
+  window_.activateWindow();
+  child<PairsPanel>().table()->setFocus();
+  if (!QTest::qWaitFor([&] { return QApplication::focusWidget() == child<PairsPanel>().table(); }, 2000))
+    GTEST_SKIP() << "the window cannot have the focus here";
+  trigger("F1");
+  EXPECT_EQ(opened.current_page(), "pairs");
+  opened.show_page("axes");
+  photograph(opened, "17-help");
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,74 @@
+#include "widgets/model_text.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QRegularExpression>
+
+namespace remount {
+namespace {
+
+constexpr const char* kContext = "remount::model";
+constexpr qsizetype kMostRemembered = 4000;
+
+struct Pattern {
+  QRegularExpression expression;
+  QString translation;
+};
+
+struct Patterns {
+  QString probe;  // one phrase in the language that the rest is in
+  std::vector<Pattern> list;
+  QHash<QString, QString> known;
+};
+
+QString translated(const char* phrase) { return QCoreApplication::translate(kContext, phrase); }
+
+/// The patterns of the present language; made anew where that has changed.
+Patterns& patterns() {
+  static Patterns all;
+  const QString probe = translated("observed");
+  if (probe == all.probe) return all;
+  all = {probe, {}, {}};
+  for (const char* phrase : model_phrases()) {
+    const QString english = QString::fromUtf8(phrase), other = translated(phrase);
+    if (!english.contains(QLatin1String("%1")) || other == english) continue;
+    QString expression = QRegularExpression::escape(english);
+    expression.replace(QRegularExpression(QStringLiteral("\\\\%(\\d)")), QStringLiteral("(?<a\\1>.+?)"));
+    all.list.push_back({QRegularExpression(QStringLiteral("\\A") + expression + QStringLiteral("\\z"),
+                                           QRegularExpression::DotMatchesEverythingOption),
+                        other});
+  }
+  return all;
+}
+
+QString by_pattern(const QString& text, const Patterns& all) {
+  for (const Pattern& pattern : all.list) {
+    const QRegularExpressionMatch match = pattern.expression.match(text);
+    if (!match.hasMatch()) continue;
+    QString sentence = pattern.translation;
+    for (int i = 1; i < match.lastCapturedIndex() + 1; ++i)
+      sentence.replace(QStringLiteral("%%1").arg(i), model_text(match.captured(QStringLiteral("a%1").arg(i))));
+    return sentence;
+  }
+  return text;
+}
+
+}  // namespace
+
+QString model_text(const QString& text) {
+  if (text.isEmpty()) return text;
+  Patterns& all = patterns();
+  if (all.list.empty()) return text;  // English
+  if (const auto found = all.known.constFind(text); found != all.known.constEnd()) return *found;
+  const QString exact = QCoreApplication::translate(kContext, text.toUtf8().constData());
+  const QString result = exact != text ? exact : by_pattern(text, all);
+  if (all.known.size() > kMostRemembered) all.known.clear();
+  all.known.insert(text, result);
+  return result;
+}
+
+QString model_text(std::string_view text) {
+  return model_text(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())));
+}
+
+}  // namespace remount

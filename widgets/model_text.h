@@ -1,0 +1,18 @@
+// Sentences of the model, which knows no languages, in the language of the window.
+#pragma once
+
+#include <QString>
+#include <string_view>
+#include <vector>
+
+namespace remount {
+
+/// The sentence in the present language: recognised as one of model_phrases(), whose "%1" stand for whatever the model
+/// put there. What is not recognised stays English: better understood than lost.
+QString model_text(std::string_view text);
+QString model_text(const QString& text);
+
+/// What the model says, as patterns. A new sentence of the model that users see often gets a line here.
+const std::vector<const char*>& model_phrases();
+
+}  // namespace remount
