@@ -68,7 +68,9 @@ void CandidatesPanel::show_output(std::shared_ptr<const PipelineOutput> output) 
     plot->show_selected(-1);  // the number is another candidate's now
     plot->show_output(output);
   }
-  table_->resizeColumnsToContents();
+  const bool any = model_.rowCount() > 0;
+  if (any && !sized_) table_->resizeColumnsToContents();  // once: every decision would pay for it
+  sized_ = any;
 }
 
 void CandidatesPanel::show_range(const SearchRange& range) {

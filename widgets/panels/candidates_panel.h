@@ -38,6 +38,7 @@ class CandidatesPanel : public QWidget {
   QTableView* table_;
   CandidatePlot *position_, *attitude_;
   QLabel* legend_;
+  bool sized_ = false;
 };
 
 }  // namespace remount
