@@ -174,6 +174,7 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
           run_input_.settings = settings;
           exported_ = false;
           emit output_changed();
+          mark_edited();
         };
       },
       report_failure());
