@@ -71,6 +71,18 @@ struct PairClouds {
 };
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair);
 
+/// The keyframes' scans of one session for its accumulated map, deskewed as for registration.
+struct SessionScans {
+  MapScans scans;                   ///< local: level axes of the INS data, the origin at the first keyframe's INS
+  std::size_t points_recorded = 0;  ///< before they were thinned
+  std::size_t unreadable = 0;       ///< scans
+  std::string first_failure;        ///< where and why; empty where all were read
+};
+/// Holds at most about `most_points`, thinned alike in every scan. Empty where the session has LiDAR poses and no
+/// scans, or where cancelled. Throws Error where no scan can be read.
+SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, int session,
+                            std::size_t most_points, Progress& progress);
+
 /// Solves P X = X Q from motion pairs alone (no scans): the `solve` verb. `pairs` carry P and Q; where
 /// `registration.information` is zero all pairs weigh alike. Where the keyframes' numbers name poses (P of the loops
 /// that they form close), pairs share their errors; otherwise each stands for itself, its neighbours in the list

@@ -92,6 +92,8 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "finding objects"),
       QT_TRANSLATE_NOOP("remount::model", "findings"),
       QT_TRANSLATE_NOOP("remount::model", "registering pairs"),
+      QT_TRANSLATE_NOOP("remount::model", "reading scans for the map"),
+      QT_TRANSLATE_NOOP("remount::model", "putting the scans together"),
       QT_TRANSLATE_NOOP("remount::model", "writing scans"),
       // names of options
       QT_TRANSLATE_NOOP("remount::model", "X"),

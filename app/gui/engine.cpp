@@ -4,6 +4,8 @@
 
 namespace remount {
 
-Engine model_engine() { return {open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once}; }
+Engine model_engine() {
+  return {open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once, load_map_scans};
+}
 
 }  // namespace remount

@@ -15,9 +15,11 @@ struct Engine {
   std::function<PairClouds(const PipelineInput&, const PipelineOutput&, int)> load_pair_clouds;
   /// The first answer after a decision (solve_at_once); may be empty.
   std::function<bool(const PipelineInput&, PipelineOutput&, const Progress&)> solve_at_once;
+  /// May be empty: then there are no maps.
+  std::function<SessionScans(const PipelineInput&, const PipelineOutput&, int, std::size_t, Progress&)> load_map_scans;
 };
 
-/// The model's own: open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once.
+/// The model's own: open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once, load_map_scans.
 Engine model_engine();
 
 }  // namespace remount

@@ -13,6 +13,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QTabWidget>
 #include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -26,6 +27,7 @@
 #include "widgets/panels/drive_panel.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
+#include "widgets/panels/map_view.h"
 #include "widgets/panels/message_banner.h"
 #include "widgets/panels/nominal_panel.h"
 #include "widgets/panels/options_dialog.h"
@@ -93,13 +95,18 @@ void MainWindow::make_centre() {
   welcome_ = new WelcomePanel(this);
   welcome_->set_sample_available(!sample_path().isEmpty());
   pair_view_ = new PairView(this);
+  map_view_ = new MapView(this);
   centre_ = new QStackedWidget(this);
   auto* welcome_page = new QScrollArea(this);
   welcome_page->setWidget(welcome_);
   welcome_page->setWidgetResizable(true);
   welcome_page->setFrameShape(QFrame::NoFrame);
   centre_->addWidget(welcome_page);
-  centre_->addWidget(pair_view_);
+  views_ = new QTabWidget(this);
+  views_->setDocumentMode(true);
+  views_->addTab(pair_view_, tr("Pair"));
+  views_->addTab(map_view_, tr("Map"));
+  centre_->addWidget(views_);
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);

@@ -13,6 +13,7 @@ class QPushButton;
 class QMenu;
 class QStackedWidget;
 class QTableView;
+class QTabWidget;
 
 namespace remount {
 
@@ -28,6 +29,8 @@ class OptionsDialog;
 class PairsPanel;
 class PairTableModel;
 class PairView;
+class MapController;
+class MapView;
 class SceneController;
 class ProgressStrip;
 class ProjectKeeper;
@@ -146,7 +149,10 @@ class MainWindow : public QMainWindow {
   QStackedWidget* centre_ = nullptr;
   WelcomePanel* welcome_ = nullptr;
   PairView* pair_view_ = nullptr;
+  MapView* map_view_ = nullptr;
+  QTabWidget* views_ = nullptr;  // pair and map
   SceneController* scenes_ = nullptr;
+  MapController* maps_ = nullptr;
   SessionsPanel* sessions_ = nullptr;
   NominalPanel* nominal_ = nullptr;
   RangePanel* range_ = nullptr;

@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QStackedWidget>
+#include <QTabWidget>
 #include <QTableView>
 
 #include "algorithms/core/error.h"
@@ -17,6 +18,7 @@
 #include "app/gui/wording.h"
 #include "model/session_frames.h"
 #include "remount_version.h"
+#include "widgets/panels/map_view.h"
 #include "widgets/panels/obstacle_dialog.h"
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
@@ -90,8 +92,12 @@ void MainWindow::make_view_menu() {
   QList<QAction*> view_actions;
   for (const auto& [text, view] : views)
     view_actions << add_action(menu, text, QStringLiteral("Ctrl+%1").arg(view_actions.size() + 1),
-                               [this, view = view] { pair_view_->look(view); });
+                               [this, view = view] { static_cast<SceneView*>(views_->currentWidget())->look(view); });
   pair_view_->set_view_actions(view_actions);
+  map_view_->set_view_actions(view_actions);
+  menu.addSeparator();
+  add_action(menu, tr("The &pair"), tr("Ctrl+Shift+P"), [this] { views_->setCurrentWidget(pair_view_); });
+  add_action(menu, tr("The accumulated &map"), tr("Ctrl+M"), [this] { views_->setCurrentWidget(map_view_); });
   menu.addSeparator();
   for (QDockWidget* dock :
        {setup_dock_, drive_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, log_dock_})

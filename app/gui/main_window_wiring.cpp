@@ -1,11 +1,11 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
 
 #include "app/gui/main_window.h"
+#include "app/gui/map_controller.h"
 #include "app/gui/report_maker.h"
 #include "app/gui/scene_controller.h"
 #include "app/gui/steps.h"
@@ -64,8 +64,11 @@ void MainWindow::connect_intents() {
 void MainWindow::connect_state() {
   scenes_ = new SceneController(
       workbench_, *pair_view_, [this](int pair) { return pair_caption(pair); }, this);
-  connect(candidates_, &CandidatesPanel::candidate_selected, this,
-          [this](int candidate) { scenes_->show_candidate(candidate); });
+  maps_ = new MapController(workbench_, *map_view_, this);
+  connect(candidates_, &CandidatesPanel::candidate_selected, this, [this](int candidate) {
+    scenes_->show_candidate(candidate);
+    maps_->show_candidate(scenes_->candidate());
+  });
   connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
   connect(&workbench_, &Workbench::overviews_changed, this,
           [this] { drive_->show_drives(workbench_.session_names(), workbench_.overviews()); });
@@ -132,6 +135,7 @@ void MainWindow::show_output() {
                                                           : std::nullopt);
   result_->show_output(output, workbench_.output_before(), workbench_.moved_by());
   scenes_->refresh();
+  maps_->refresh();
   show_state();
 }
 

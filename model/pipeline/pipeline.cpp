@@ -9,6 +9,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/search/candidates.h"
 #include "model/attitude_check.h"
+#include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/coarse_start.h"
 #include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
@@ -321,6 +322,13 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   return output;
 }
 
+void compensate_as_solved(const PipelineInput& input, const PipelineOutput& output, ScanStore& scans) {
+  if (input.settings.run.deskew == DeskewMode::Off) return;
+  std::vector<bool> uses_sweep = output.session_uses_sweep;
+  uses_sweep.resize(input.sessions.size(), false);
+  scans.compensate_motion(output.compensation_ins_from_lidar, uses_sweep);
+}
+
 void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
   DriveMotion motion = motion_as_solved(input, output);
   PipelineOutput solved = output;  // a cancelled call leaves the output as it was
@@ -351,11 +359,7 @@ PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& ou
   const DriveMotion motion = motion_as_solved(input, output);
   const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
   ScanStore scans(motion, input.settings.registration, 0);
-  if (input.settings.run.deskew != DeskewMode::Off) {
-    std::vector<bool> uses_sweep = output.session_uses_sweep;
-    uses_sweep.resize(input.sessions.size(), false);
-    scans.compensate_motion(output.compensation_ins_from_lidar, uses_sweep);
-  }
+  compensate_as_solved(input, output, scans);
   clouds.cloud_a = scans.load(a);
   clouds.cloud_b = scans.load(b);
   clouds.objects_a = find_objects(clouds.cloud_a, up_in_lidar(context, a), input.settings.objects);

@@ -929,6 +929,176 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Drive</source>
         <translation>行驶</translation>
     </message>
+    <message>
+        <source>Pair</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>地图</translation>
+    </message>
+    <message>
+        <source>The &amp;pair</source>
+        <translation>帧对(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Ctrl+Shift+P</translation>
+    </message>
+    <message>
+        <source>The accumulated &amp;map</source>
+        <translation>累积地图(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MapController</name>
+    <message>
+        <source>The scans of a session, put together under one mounting, are shown here after a calibration.</source>
+        <translation>标定之后，这里显示一份数据的全部扫描按同一安装拼合成的地图。</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>名义</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>Candidate %1</source>
+        <translation>候选 %1</translation>
+    </message>
+    <message>
+        <source>There is no result to put the scans together with. Choose another mounting above.</source>
+        <translation>没有可用来拼合扫描的结果。请在上方选择其他安装。</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>已取消。</translation>
+    </message>
+    <message>
+        <source>This session has no scans to put together.</source>
+        <translation>此数据没有可拼合的扫描。</translation>
+    </message>
+    <message>
+        <source>the nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+    <message>
+        <source>the mounting that the calibration started from</source>
+        <translation>标定的起始安装</translation>
+    </message>
+    <message>
+        <source>candidate %1</source>
+        <translation>候选 %1</translation>
+    </message>
+    <message>
+        <source>the result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>%1: %2 scans under %3.</source>
+        <translation>%1：%2 帧扫描，按%3拼合。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read (%2).</source>
+        <translation>%1 帧无法读取（%2）。</translation>
+    </message>
+    <message>
+        <source>Thinned from %1 points.</source>
+        <translation>由 %1 个点抽稀而来。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MapView</name>
+    <message>
+        <source>3-D view of the accumulated map</source>
+        <translation>累积地图的三维视图</translation>
+    </message>
+    <message>
+        <source>Make the map</source>
+        <translation>生成地图</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Progress of the map</source>
+        <translation>地图的进度</translation>
+    </message>
+    <message>
+        <source>The scans of a session, put together under one mounting, are shown here after a calibration.</source>
+        <translation>标定之后，这里显示一份数据的全部扫描按同一安装拼合成的地图。</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>名义</translation>
+    </message>
+    <message>
+        <source>The scans put together under the mounting that the calibration started from</source>
+        <translation>按标定的起始安装拼合的扫描</translation>
+    </message>
+    <message>
+        <source>Candidate</source>
+        <translation>候选</translation>
+    </message>
+    <message>
+        <source>… under the candidate that is selected in the table of candidates</source>
+        <translation>……按候选表中选中的候选</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>… under the present result</source>
+        <translation>……按当前结果</translation>
+    </message>
+    <message>
+        <source>Session of the map</source>
+        <translation>地图的数据</translation>
+    </message>
+    <message>
+        <source>The session whose scans are put together</source>
+        <translation>其扫描被拼合的数据</translation>
+    </message>
+    <message>
+        <source>The map is being made…</source>
+        <translation>正在生成地图……</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1：%2 / %3</translation>
+    </message>
+    <message>
+        <source>Height: %1 m</source>
+        <translation>高度：%1 m</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 个点</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points</source>
+        <translation>%1 / %2 个点</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3 m in %4.</source>
+        <translation>x %1，y %2，z %3 m（%4）。</translation>
+    </message>
+    <message>
+        <source>axes of the INS data, origin at the first keyframe</source>
+        <translation>INS 数据的坐标轴，原点在首个关键帧</translation>
+    </message>
 </context>
 <context>
     <name>remount::MessageBanner</name>
@@ -3178,6 +3348,14 @@ Calibrate again (F5).</source>
     <message>
         <source>Cache</source>
         <translation>缓存</translation>
+    </message>
+    <message>
+        <source>reading scans for the map</source>
+        <translation>正在读取地图的扫描</translation>
+    </message>
+    <message>
+        <source>putting the scans together</source>
+        <translation>正在拼合扫描</translation>
     </message>
 </context>
 <context>

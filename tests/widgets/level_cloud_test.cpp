@@ -115,6 +115,17 @@ TEST(frame_budget, finds_the_number_of_points_that_the_machine_can_draw) {
   }
 }
 
+TEST(frame_budget, what_a_frame_costs_without_points_is_not_blamed_on_them) {
+  FrameBudget budget;
+  const double fixed_s = 0.08, seconds_per_point = 2e-7;
+  for (int frame = 0; frame < 40; ++frame) {
+    const std::size_t points = frame % 4 ? budget.points() : budget.points() / 3;
+    budget.took(points, fixed_s + seconds_per_point * static_cast<double>(points));
+  }
+  EXPECT_NEAR(seconds_per_point * static_cast<double>(budget.points()), 0.5 * FrameBudget::kTarget_s,
+              0.1 * FrameBudget::kTarget_s);
+}
+
 TEST(frame_budget, one_slow_frame_does_not_empty_the_view) {
   FrameBudget budget;
   const std::size_t before = budget.points();

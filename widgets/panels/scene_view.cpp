@@ -128,6 +128,8 @@ void SceneView::show_message(const QString& text) {
   clear_marks();
 }
 
+void SceneView::enable_buttons(bool enable) { rows_->setEnabled(enable); }
+
 void SceneView::show_scene() {
   if (!canvas_) return;
   rows_->setEnabled(true);

@@ -65,6 +65,7 @@ class SceneView : public QWidget {
   QToolButton* add_button(QHBoxLayout* row, const QString& text, const QString& help, bool checkable);
   void add_common_buttons(QHBoxLayout* row);
   void show_scene();
+  void enable_buttons(bool enable);
   void add_below(QWidget* widget);
   void clear_marks();
 

@@ -1,11 +1,14 @@
 // How many points may be drawn while the camera moves.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace remount {
 
-/// Follows the machine: from the time that frames took, the number of points that keeps a frame within the target.
+/// Follows the machine: from the time that frames took, the number of points that keeps a frame within the target. What
+/// a frame costs without any point is told apart from it, or slow displays would be left with hardly any point for
+/// nothing.
 class FrameBudget {
  public:
   static constexpr double kTarget_s = 0.05;
@@ -18,8 +21,15 @@ class FrameBudget {
   double seconds_for(std::size_t points) const;   ///< as far as is known
 
  private:
+  struct Frame {
+    double points = 0.0, seconds = 0.0;
+  };
+  void learn();
+
+  std::array<Frame, 16> frames_{};  // the last ones
+  std::size_t count_ = 0;
   std::size_t points_ = kAtFirst;
-  double seconds_per_point_ = kTarget_s / static_cast<double>(kAtFirst);
+  double fixed_s_ = 0.0, seconds_per_point_ = kTarget_s / static_cast<double>(kAtFirst);
 };
 
 }  // namespace remount

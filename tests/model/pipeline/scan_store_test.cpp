@@ -192,5 +192,52 @@ TEST(load_pair_clouds, compensates_as_the_calibration_did) {
   EXPECT_LT(worst_error_m(load_pair_clouds(input, output, 0).cloud_b), 0.05);
 }
 
+// Under the true mounting every scan of the map lies on the one floor there is.
+TEST(load_map_scans, brings_all_scans_of_a_session_to_one_place_within_the_number_of_points) {
+  const Drive drive(ScanTiming::SweepAzimuth);
+  PipelineInput input;
+  input.sessions = {drive.session};
+  PipelineOutput output;
+  for (int scan = 1; scan <= 5; ++scan) output.keyframes.push_back(drive.keyframe(scan));
+  output.compensation_ins_from_lidar = truth();
+  output.session_uses_sweep = {true};
+  Progress progress;
+  const SessionScans map = load_map_scans(input, output, 0, 5000, progress);
+  ASSERT_EQ(map.scans.points_in_lidar.size(), 4U) << "scan 5 cannot be read";
+  EXPECT_EQ(map.unreadable, 1U);
+  EXPECT_NE(map.first_failure.find("5.pcd"), std::string::npos) << map.first_failure;
+  EXPECT_EQ(map.points_recorded, 12000U);
+  EXPECT_LT(map.scans.local_from_ins.front().translation().norm(), 1e-9);
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < map.scans.points_in_lidar.size(); ++i) {
+    points += map.scans.points_in_lidar[i].size();
+    const RigidTransform local_from_lidar = map.scans.local_from_ins[i] * truth();
+    const Eigen::Vector3d between_stamps =
+        world_from_ins(stamp_s(i + 1)).translation() - world_from_ins(stamp_s(1)).translation();
+    EXPECT_LT((map.scans.local_from_ins[i].translation() - between_stamps).norm(), 0.02);
+    for (const Eigen::Vector3f& point : map.scans.points_in_lidar[i]) {
+      const Eigen::Vector3d in_lidar = point.cast<double>();
+      EXPECT_NEAR(in_lidar.z(), -1.8, 0.06);
+      EXPECT_TRUE((local_from_lidar * in_lidar).allFinite());
+    }
+  }
+  EXPECT_LE(points, 5000U);
+  EXPECT_GT(points, 3000U);
+}
+
+TEST(load_map_scans, cancelled_is_empty_and_unreadable_throws) {
+  const Drive drive(ScanTiming::SweepAzimuth);
+  PipelineInput input;
+  input.sessions = {drive.session};
+  PipelineOutput output;
+  output.keyframes = {drive.keyframe(5)};
+  Progress progress;
+  EXPECT_THROW(load_map_scans(input, output, 0, 5000, progress), Error);
+  std::stop_source stop;
+  stop.request_stop();
+  Progress stopped(stop.get_token());
+  EXPECT_TRUE(load_map_scans(input, output, 0, 5000, stopped).scans.points_in_lidar.empty());
+}
+
 }  // namespace
 }  // namespace remount

@@ -225,6 +225,19 @@ Engine sample_engine(int stages) {
     }
     return clouds;
   };
+  engine.load_map_scans = [](const PipelineInput& input, const PipelineOutput& output, int session, std::size_t most,
+                             Progress& progress) {
+    SessionScans map;
+    const ScanSource& scans = *input.sessions.at(static_cast<std::size_t>(session))->scans;
+    for (std::size_t i = 0; i < output.keyframes.size() && !progress.cancelled(); i += 6) {
+      progress.report("reading scans for the map", i, output.keyframes.size());
+      const int scan = output.keyframes[i].scan;
+      map.scans.points_in_lidar.push_back(scans.load(static_cast<std::size_t>(scan)).points);
+      map.scans.local_from_ins.push_back(world_from_ins(scan));
+      map.points_recorded += map.scans.points_in_lidar.back().size();
+    }
+    return map.points_recorded > most ? SessionScans{} : map;
+  };
   return engine;
 }
 
