@@ -57,17 +57,9 @@ void add_block(int row, int column, const Matrix6d& block, Entries& entries) {
 // The drift walks from each keyframe to the next; that of a session's first is zero, for only differences matter.
 void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
                      NormalEquations& equations, Entries& entries) {
-  constexpr double kStart = 1e-6;           // m and rad: zero for all purposes
-  constexpr double kLeastStep_s = 1e-3;     // keyframes at the same time
-  constexpr double kLeastVariance = 1e-14;  // of a component that does not drift
   for (std::size_t k = 0; k < problem.nodes.size(); ++k) {
-    const bool first = k == 0 || problem.nodes[k - 1].session != problem.nodes[k].session;
-    Vector6d variances = Vector6d::Constant(kStart * kStart);
-    if (!first)
-      variances = noise.drift_covariance(std::max(kLeastStep_s, problem.nodes[k].time_s - problem.nodes[k - 1].time_s))
-                      .diagonal()
-                      .cwiseMax(kLeastVariance);
-    const Vector6d information = variances.cwiseInverse();
+    const bool first = is_first_of_session(problem, k);
+    const Vector6d information = drift_step_information(problem, noise, k);
     const Vector6d change = first ? state.drifts[k] : Vector6d(state.drifts[k] - state.drifts[k - 1]);
     const int here = layout.node_at(k) + 6;
     const Matrix6d block = information.asDiagonal();
@@ -144,8 +136,7 @@ void add_parts(const NodePart& row, const NodePart& column, const Matrix6d& info
 
 void add_term(const LinearTerm& linear, const NoiseModel& noise, const Layout& layout, NormalEquations& equations,
               Entries& entries) {
-  const Matrix6d information =
-      linear.term->weight * noise.registration_information(linear.term->information, linear.share);
+  const Matrix6d information = term_information(linear, noise);
   add_parts(linear.a, linear.a, information, entries);
   add_parts(linear.b, linear.b, information, entries);
   const bool a_later = linear.a.at > linear.b.at;
@@ -172,6 +163,23 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   layout.clock = problem.estimate_time_offset;
   layout.drift = noise.drifts();
   return layout;
+}
+
+bool is_first_of_session(const JointProblem& problem, std::size_t node) {
+  return node == 0 || problem.nodes[node - 1].session != problem.nodes[node].session;
+}
+
+Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, std::size_t node) {
+  constexpr double kStart = 1e-6;           // m and rad: zero for all purposes
+  constexpr double kLeastStep_s = 1e-3;     // keyframes at the same time
+  constexpr double kLeastVariance = 1e-14;  // of a component that does not drift
+  if (is_first_of_session(problem, node)) return Vector6d::Constant(1.0 / (kStart * kStart));
+  const double step_s = std::max(kLeastStep_s, problem.nodes[node].time_s - problem.nodes[node - 1].time_s);
+  return noise.drift_covariance(step_s).diagonal().cwiseMax(kLeastVariance).cwiseInverse();
+}
+
+Matrix6d term_information(const LinearTerm& linear, const NoiseModel& noise) {
+  return linear.term->weight * noise.registration_information(linear.term->information, linear.share);
 }
 
 Matrix6d drift_in_body(const JointNode& node) {

@@ -64,6 +64,14 @@ struct LinearTerm {
 
 std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout);
 
+bool is_first_of_session(const JointProblem& problem, std::size_t node);
+
+/// Inverse variances of a keyframe's drift from that of the keyframe before; of a session's first, which is zero.
+Vector6d drift_step_information(const JointProblem& problem, const NoiseModel& noise, std::size_t node);
+
+/// Inverse covariance of the term's residual, keyframes' errors apart.
+Matrix6d term_information(const LinearTerm& linear, const NoiseModel& noise);
+
 NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>& terms, const NoiseModel& noise,
                       const State& state, const Layout& layout);
 

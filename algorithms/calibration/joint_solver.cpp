@@ -46,6 +46,22 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   }
 }
 
+// Gauss-Newton; true where it converged. `step` is the last one taken, invalid where a linearisation was singular.
+bool iterate(const JointProblem& problem, const NoiseModel& noise, const Layout& layout, int max_iterations,
+             const Progress& progress, State& state, Eliminated& step) {
+  bool converged = false;
+  for (int iteration = 0; iteration < max_iterations && !progress.cancelled(); ++iteration) {
+    eliminate(build(problem, linearise(problem, state, layout), noise, state, layout), step);
+    if (!step.valid) return false;
+    take_step(step, layout, state);
+    // In units of sigma: a direction that the data hardly show needs no more digits than it has.
+    const double squared_sigmas = step.shared_step.dot(step.reduced * step.shared_step);
+    converged = squared_sigmas < 1e-3;
+    if (squared_sigmas < 1e-8) break;
+  }
+  return converged && !progress.cancelled();
+}
+
 }  // namespace
 
 JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, const RigidTransform& start,
@@ -55,21 +71,48 @@ JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, 
   JointSolution solution;
   solution.ins_from_lidar = start;
   Eliminated step;
-  for (int iteration = 0; iteration < max_iterations && !progress.cancelled(); ++iteration) {
-    eliminate(build(problem, linearise(problem, state, layout), noise, state, layout), step);
-    if (!step.valid) {
-      solution.converged = false;
-      return solution;
-    }
-    take_step(step, layout, state);
-    // In units of sigma: a direction that the data hardly show needs no more digits than it has.
-    const double squared_sigmas = step.shared_step.dot(step.reduced * step.shared_step);
-    solution.converged = squared_sigmas < 1e-3;
-    if (squared_sigmas < 1e-8) break;
-  }
-  if (progress.cancelled()) solution.converged = false;
+  solution.converged = iterate(problem, noise, layout, max_iterations, progress, state, step);
   if (step.valid) describe(problem, layout, state, step, solution);
   return solution;
+}
+
+std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, const NoiseModel& noise,
+                                               const JointSolution& solution, const Progress& progress) {
+  constexpr int kIterations = 8;
+  const Layout layout = layout_of(problem, noise);
+  State state = start_state(problem, layout, solution.ins_from_lidar);
+  Eliminated step;
+  if (!iterate(problem, noise, layout, kIterations, progress, state, step)) return {};
+  const std::vector<LinearTerm> terms = linearise(problem, state, layout);
+  const NormalEquations equations = build(problem, terms, noise, state, layout);
+  eliminate(equations, step);
+  if (!step.valid) return {};
+  // How X moves with the gradient of a shared unknown (columns) and of one of a keyframe's (rows).
+  const Eigen::MatrixXd of_shared =
+      step.reduced.ldlt().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size())).topRows<6>();
+  const Eigen::MatrixXd of_keyframes = -step.factors.solve(equations.coupling) * of_shared.transpose();
+  const auto moved_by = [&](int at, const auto& gradient) -> Vector6d {
+    return -of_keyframes.middleRows(at, gradient.size()).transpose() * gradient;
+  };
+  std::vector<MeasurementPull> pulls;
+  for (const LinearTerm& term : terms) {
+    const Vector6d weighted = term_information(term, noise) * term.residual;
+    Vector6d moved = -of_shared * (term.shared.transpose() * weighted);
+    for (const NodePart* part : {&term.a, &term.b})
+      moved += moved_by(part->at, Eigen::VectorXd(part->jacobian.transpose() * weighted));
+    pulls.push_back({moved, term.term->node_a});
+  }
+  for (std::size_t k = 0; k < problem.nodes.size(); ++k) {
+    const Matrix6d covariance = noise.node_covariance(problem.nodes[k].scan_covariance);
+    Vector6d moved = moved_by(layout.node_at(k), Vector6d(covariance.ldlt().solve(state.errors[k])));
+    if (layout.drift && !is_first_of_session(problem, k)) {
+      const Vector6d change = state.drifts[k] - state.drifts[k - 1];
+      const Vector6d weighted = drift_step_information(problem, noise, k).cwiseProduct(change);
+      moved += moved_by(layout.node_at(k) + 6, weighted) - moved_by(layout.node_at(k - 1) + 6, weighted);
+    }
+    pulls.push_back({moved, static_cast<int>(k)});
+  }
+  return pulls;
 }
 
 }  // namespace remount

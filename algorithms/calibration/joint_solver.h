@@ -66,6 +66,19 @@ struct JointSolution {
 JointSolution solve_joint(const JointProblem& problem, const NoiseModel& noise, const RigidTransform& start,
                           int max_iterations, const Progress& progress);
 
+/// How far one measurement moves X (under `perturbed`) at the solution: a registration's own error, or what a
+/// keyframe's INS pose, scan and drift since the keyframe before bring together.
+struct MeasurementPull {
+  Vector6d step = Vector6d::Zero();
+  int node = 0;  ///< the keyframe; of a registration its first
+};
+
+/// What every measurement of the joint solution pulls: minus its gradient times the inverse of the information, all
+/// other unknowns moving along. To first order the change of X when the measurement counts twice; at the solution all
+/// of them sum to what the weak priors hold back. Empty where nothing converges from `solution`.
+std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, const NoiseModel& noise,
+                                               const JointSolution& solution, const Progress& progress);
+
 /// Restricted maximum likelihood of the noise model (variance components): starts from and is drawn towards `expected`,
 /// with `log_spread` the 1-sigma of the logarithm of each component in the order of NoiseModel's members; 0 holds it. A
 /// component that is zero stays zero.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cmath>
 
 #include "algorithms/calibration/observability.h"
@@ -22,6 +23,12 @@ Eigen::MatrixXd well_determined(const Matrix6d& information, const SolveOptions&
   Eigen::MatrixXd columns = limits.cwiseInverse().asDiagonal() * eigen.eigenvectors().rightCols(count);
   for (Eigen::Index i = 0; i < count; ++i) columns.col(i) *= std::sqrt(eigen.eigenvalues()[6 - count + i]);
   return columns;
+}
+
+// What is left of information where a drive moves X on its own; also where the information is singular.
+Matrix6d with_limits(const Matrix6d& information) {
+  const Matrix6d left = (Matrix6d::Identity() + information * registration_limits()).partialPivLu().solve(information);
+  return 0.5 * (left + left.transpose());
 }
 
 bool takes_part(std::size_t session, int without) { return static_cast<int>(session) != without; }
@@ -61,7 +68,7 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
     alone.measured = {};  // what all sessions are given is no agreement
     const JointSolution own = solve_joint(alone, details.noise, x, kIterations, progress);
     // A session that cannot be solved on its own says nothing.
-    answers.push_back(own.converged ? SessionAnswer{own.information, difference(x, own.ins_from_lidar)}
+    answers.push_back(own.converged ? SessionAnswer{with_limits(own.information), difference(x, own.ins_from_lidar)}
                                     : SessionAnswer{});
   }
   return answers;

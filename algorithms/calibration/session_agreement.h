@@ -10,7 +10,7 @@ namespace remount {
 
 /// What one session says about X on its own.
 struct SessionAnswer {
-  Matrix6d information = Matrix6d::Zero();  ///< of X under `perturbed`
+  Matrix6d information = Matrix6d::Zero();  ///< of X under `perturbed`, its registrations' limits counted
   Vector6d from_common = Vector6d::Zero();  ///< its own X as seen from the common one
 };
 

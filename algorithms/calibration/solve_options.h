@@ -52,9 +52,7 @@ struct SolveOptions {
   double max_rotation_sigma_deg = 1.0;
   double outlier_threshold = 4.0;
   int max_listed_candidates = 200;
-  int bootstrap_samples = 100;
   double bootstrap_block_s = 5.0;
-  int seed = 1;
   bool joint_clouds = true;
   bool apply_time_offset = false;
 
@@ -92,11 +90,9 @@ struct SolveOptions {
             self.outlier_threshold);
     visitor({"max_listed_candidates", "", "Candidates kept in the result, best first.", 1, 100000},
             self.max_listed_candidates);
-    visitor({"bootstrap_samples", "", "Resamplings for the bootstrap sigma; 0 for none.", 0, 10000},
-            self.bootstrap_samples);
-    visitor({"bootstrap_block_s", "s", "Length of the blocks of time that are resampled together.", 0.1, 600.0},
+    visitor({"bootstrap_block_s", "s", "Longest block of time whose errors count as one for the bootstrap sigma.", 0.1,
+             600.0},
             self.bootstrap_block_s);
-    visitor({"seed", "", "Seed of the bootstrap.", 0, 2147483647}, self.seed);
     visitor({"joint_clouds", "", "Align the clouds of all accepted pairs together as the last step."},
             self.joint_clouds);
     visitor({"apply_time_offset", "", "Apply the estimated clock offset between lidar and INS."},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "algorithms/calibration/bootstrap.h"
 #include "algorithms/calibration/observability.h"
@@ -26,19 +27,15 @@ double block_length_s(const PairwiseInput& input) {
   return std::clamp(total_s / 20.0, 1e-3, input.options.bootstrap_block_s);
 }
 
-std::vector<PairInfluence> influences(const PairwiseInput& input, const std::vector<Pair>& pairs,
-                                      const RigidTransform& x, const NoiseModel& noise) {
-  std::vector<PairInfluence> out;
+std::vector<BlockPull> block_pulls(const PairwiseInput& input, const JointProblem& problem,
+                                   const PairwiseDetails& details, const Progress& progress) {
+  constexpr int kMostOfSession = 1'000'000;
   const double block_s = block_length_s(input);
-  for (const Pair& pair : pairs) {
-    if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
-    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
-    const Matrix6d information = residual_information(pair, equation, noise);
-    const auto node = static_cast<std::size_t>(pair.keyframe_a);
-    const int block = input.nodes[node].session * 1'000'000 +
-                      static_cast<int>(std::min(input.nodes[node].time_s / block_s, 999'999.0));
-    out.push_back({equation.d_x.transpose() * information * equation.d_x,
-                   -equation.d_x.transpose() * information * equation.residual, block});
+  std::vector<BlockPull> out;
+  for (const MeasurementPull& pull : measurement_pulls(problem, details.noise, details.joint, progress)) {
+    const JointNode& node = problem.nodes[static_cast<std::size_t>(pull.node)];
+    const double of_session = std::min(node.time_s / block_s, kMostOfSession - 1.0);
+    out.push_back({pull.step, node.session * kMostOfSession + static_cast<int>(of_session)});
   }
   return out;
 }
@@ -93,26 +90,24 @@ SpuriousInformation spurious_information(const PairwiseInput& input, const std::
 }
 
 // Where resampling whole blocks of time scatters X more than the noise model allows, errors are correlated in ways that
-// the model does not hold (pairs see the same surfaces for seconds). Half of the excess variance is added: some twenty
-// blocks know a variance to a third, and taking the larger of two always would overstate what the model has right. Of
-// motions computed elsewhere the model holds nothing: the whole excess.
-Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& bootstrap, double share) {
-  Vector6d factors = Vector6d::Ones();
-  for (int i = 0; i < 6; ++i) {
-    const double ratio2 = bootstrap(i, i) / covariance(i, i);
-    if (ratio2 > 1.0) factors[i] = std::sqrt(1.0 + share * (ratio2 - 1.0));
-  }
+// the model does not hold: what they scatter counts then.
+Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& bootstrap) {
+  const Vector6d factors = bootstrap.diagonal().cwiseQuotient(covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
 
-// What registration leaves behind however quiet the data: beams and voxels sample the same surface differently from
-// different places, and distances come out a little long or short, the same way in every pair. Neither shows in
-// residuals nor shrinks with more pairs; sizes from simulated drives (docs/adr/0006-honest-sigma.md).
-Matrix6d with_registration_limits(Matrix6d covariance, const Vector6d& response_to_scale) {
-  constexpr double kLimit_m = 2e-4, kLimit_rad = 1e-5;
-  covariance.diagonal().head<3>().array() += kLimit_m * kLimit_m;
-  covariance.diagonal().tail<3>().array() += kLimit_rad * kLimit_rad;
+Matrix6d with_limits(Matrix6d covariance, const Vector6d& response_to_scale, std::size_t sessions) {
+  // Surroundings of other drives are others.
+  covariance += registration_limits() / static_cast<double>(std::max<std::size_t>(1, sessions));
   return covariance + response_to_scale * response_to_scale.transpose();
+}
+
+// Sessions that a pair was accepted of.
+std::size_t sessions_used(const JointProblem& problem) {
+  std::set<int> sessions;
+  for (const JointTerm& term : problem.terms)
+    if (term.weight > 0.0) sessions.insert(problem.nodes[static_cast<std::size_t>(term.node_a)].session);
+  return sessions.size();
 }
 
 // How X moves where all distances that the lidar measures are too long by `kScale`.
@@ -151,6 +146,15 @@ Matrix6d weak_prior(bool nominal_known) {
   return information.asDiagonal();
 }
 
+// Measured on simulated drives (docs/adr/0006-honest-sigma.md). Most about the direction of travel, across which the
+// least ground is seen.
+Matrix6d registration_limits() {
+  constexpr double kDisplaced_m = 3e-4, kRoll_rad = 3e-5, kPitch_rad = 1.4e-5, kYaw_rad = 1.75e-5;
+  Vector6d sigmas;
+  sigmas << kDisplaced_m, kDisplaced_m, kDisplaced_m, kRoll_rad, kPitch_rad, kYaw_rad;
+  return sigmas.cwiseAbs2().asDiagonal();
+}
+
 Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise) {
   const Matrix6d ins = noise.ins_covariance();
   const Matrix6d ins_and_drift = ins + noise.drift_covariance(std::abs(pair.gap_s));
@@ -175,13 +179,10 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);
   const Matrix6d covariance = inverse(by_pairs + beside_pairs);
-  const Matrix6d bootstrap = bootstrap_covariance(influences(input, pairs, x, details.noise), beside_pairs,
-                                                  input.options.bootstrap_samples, input.options.seed, progress);
-  constexpr double kExcessOfLogs = 0.5;
-  judge_parameters(
-      with_registration_limits(inflated_by_bootstrap(covariance, bootstrap, input.motions_only ? 1.0 : kExcessOfLogs),
-                               response_to_scale(problem, details, progress)),
-      motion, input.options, result);
+  const Matrix6d bootstrap = bootstrap_covariance(block_pulls(input, problem, details, progress));
+  judge_parameters(with_limits(inflated_by_bootstrap(covariance, bootstrap),
+                               response_to_scale(problem, details, progress), sessions_used(problem)),
+                   motion, input.options, result);
   add_disagreement_advice(result);
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));

@@ -1,4 +1,4 @@
-// Step 9: sigma of X, from the joint solution, from resampling, and from what neither can see.
+// Step 9: sigma of X, from the joint solution, from blocks of time, and from what neither can see.
 #pragma once
 
 #include "algorithms/calibration/pair_equation.h"
@@ -11,6 +11,10 @@ namespace remount {
 /// the data do not show (2 m, 0.1 rad). Without a nominal yaw may be anything (1 rad); the ground in the scans still
 /// settles roll and pitch.
 Matrix6d weak_prior(bool nominal_known);
+
+/// Covariance (under `perturbed`) of what one drive does to X that no residual of it shows: its surroundings, sampled
+/// by beams and voxels, displace and tilt every one of its scans alike.
+Matrix6d registration_limits();
 
 /// Information of a pair's residual with the errors of both INS poses, the drift between them and the registration's
 /// error marginalised: (M + L^-1)^-1 without the inverse of L, which may be singular.

@@ -3130,16 +3130,8 @@ Calibrate again (F5).</source>
         <translation>结果中保留的候选数，最好的在前。</translation>
     </message>
     <message>
-        <source>Resamplings for the bootstrap sigma; 0 for none.</source>
-        <translation>求标准差的重采样次数；0 表示不做。</translation>
-    </message>
-    <message>
-        <source>Length of the blocks of time that are resampled together.</source>
-        <translation>一起重采样的时间块的长度。</translation>
-    </message>
-    <message>
-        <source>Seed of the bootstrap.</source>
-        <translation>重采样的随机种子。</translation>
+        <source>Longest block of time whose errors count as one for the bootstrap sigma.</source>
+        <translation>自助法标准差中误差视为一体的最长时间块。</translation>
     </message>
     <message>
         <source>Align the clouds of all accepted pairs together as the last step.</source>

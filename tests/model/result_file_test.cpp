@@ -38,7 +38,7 @@ ResultFile example() {
                         "by \"hand\": no", 0.1, 2.0, 0.03, 0.7, 1.2, 0.001, 0.02, 0.5, 9});
   file.findings = {"scan 7 was skipped"};
   file.ins_axes = InsAxes::RightForwardUp;
-  file.settings.solve.seed = 5;
+  file.settings.solve.max_listed_candidates = 55;
   file.inputs.push_back({"drive", "ins.csv", 123, std::string(64, 'a')});
   return file;
 }
@@ -103,7 +103,7 @@ TEST(result_file, has_the_documented_keys_and_orders) {
   EXPECT_EQ(root.at("time_offset_s").number(), 0.0123);
   EXPECT_EQ(root.at("candidates").items().size(), 2U);
   EXPECT_FALSE(root.at("provenance").at("version").string().empty());
-  EXPECT_EQ(root.at("provenance").at("settings").at("solve").at("seed").integer(0, 9), 5);
+  EXPECT_EQ(root.at("provenance").at("settings").at("solve").at("max_listed_candidates").integer(0, 99), 55);
 }
 
 TEST(result_file, matrix_quaternion_and_angles_agree_for_any_rotation) {

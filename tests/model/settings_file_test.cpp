@@ -28,7 +28,7 @@ TEST(settings_file, written_settings_read_back_the_same) {
   settings.pairing.max_gap_s = 0.1 + 0.2;
   settings.registration.algorithm = RegistrationAlgorithm::PclNdt;
   settings.solve.joint_clouds = false;
-  settings.solve.seed = 77;
+  settings.solve.max_listed_candidates = 77;
   settings.range.x_min_m = -1.25;
   for (const bool comments : {false, true}) {
     const Settings back = from_text(settings_text(settings, comments));
@@ -37,7 +37,7 @@ TEST(settings_file, written_settings_read_back_the_same) {
     EXPECT_EQ(back.pairing.max_gap_s, 0.1 + 0.2);
     EXPECT_EQ(back.registration.algorithm, RegistrationAlgorithm::PclNdt);
     EXPECT_FALSE(back.solve.joint_clouds);
-    EXPECT_EQ(back.solve.seed, 77);
+    EXPECT_EQ(back.solve.max_listed_candidates, 77);
   }
 }
 
@@ -121,8 +121,8 @@ TEST(settings_file, one_setting_from_an_assignment) {
   EXPECT_EQ(settings.registration.algorithm, RegistrationAlgorithm::PclGicp);
   EXPECT_FALSE(settings.solve.joint_clouds);
   EXPECT_EQ(settings.range.x_min_m, -2.0);
-  for (const char* wrong :
-       {"solve", "solve.joint_clouds", "joint_clouds=true", "solve.nothing=1", "solve.seed=x", "a.b=[", "x.y="})
+  for (const char* wrong : {"solve", "solve.joint_clouds", "joint_clouds=true", "solve.nothing=1",
+                            "solve.max_listed_candidates=x", "a.b=[", "x.y="})
     EXPECT_THROW(apply_setting(settings, wrong), Error) << wrong;
 }
 

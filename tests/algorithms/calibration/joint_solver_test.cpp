@@ -67,6 +67,48 @@ TEST(joint_solver, errors_are_consistent_with_attitude_errors_that_stay_over_a_d
   EXPECT_LT(mean, 8.0);
 }
 
+TEST(joint_solver, pulls_are_how_x_moves_where_a_measurement_counts_more) {
+  DriveOptions options;
+  options.noise.ins_attitude_drift = 1e-4;
+  SimulatedDrive drive = simulate(options, 1);
+  const JointSolution solution = solve_joint(drive.problem, options.noise, kOff, 20, {});
+  const std::vector<MeasurementPull> pulls = measurement_pulls(drive.problem, options.noise, solution, {});
+  ASSERT_EQ(pulls.size(), drive.problem.terms.size() + drive.problem.nodes.size());
+  constexpr double kMore = 1e-3;
+  for (const std::size_t term : {std::size_t{0}, drive.problem.terms.size() / 2}) {
+    JointProblem more = drive.problem;
+    more.terms[term].weight += kMore;
+    const JointSolution moved = solve_joint(more, options.noise, solution.ins_from_lidar, 20, {});
+    const Vector6d change = difference(solution.ins_from_lidar, moved.ins_from_lidar) / kMore;
+    EXPECT_LT((change - pulls[term].step).norm(), 0.02 * change.norm())
+        << change.transpose() << " against " << pulls[term].step.transpose();
+  }
+}
+
+TEST(joint_solver, pulls_balance_and_scatter_as_the_covariance_says) {
+  DriveOptions options;
+  options.noise.ins_position_drift = 0.02;
+  Vector6d ratios2 = Vector6d::Zero();
+  constexpr int kProblems = 20;
+  for (int seed = 1; seed <= kProblems; ++seed) {
+    const SimulatedDrive drive = simulate(options, seed);
+    const JointSolution solution = solve_joint(drive.problem, options.noise, kOff, 20, {});
+    Vector6d sum = Vector6d::Zero(), squares = Vector6d::Zero();
+    for (const MeasurementPull& pull : measurement_pulls(drive.problem, options.noise, solution, {})) {
+      sum += pull.step;
+      squares += pull.step.cwiseAbs2();
+    }
+    const Vector6d variances = solution.covariance.diagonal();
+    EXPECT_LT(sum.cwiseAbs2().cwiseQuotient(variances).maxCoeff(), 0.01) << "seed " << seed;
+    ratios2 += squares.cwiseQuotient(variances) / kProblems;
+  }
+  // Residuals are smaller than errors by what the unknowns take up: six of each keyframe's measurements.
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_GT(ratios2[i], 0.4) << i;
+    EXPECT_LT(ratios2[i], 1.1) << i;
+  }
+}
+
 TEST(joint_solver, a_fix_that_enters_many_pairs_is_counted_once) {
   // More partners for each keyframe repeat the same fixes: where their noise dominates, sigma stays.
   DriveOptions few, many;

@@ -60,7 +60,6 @@ void expect_solved(double wrong_share, int first_seed, double most_deg, double m
       const SimulatedDrive drive = simulate(options, seed);
       std::vector<Pair> pairs = with_outliers(pairs_of(drive), wrong_share, first_seed + seed);
       PairwiseInput input = input_of(drive, options);
-      input.options.bootstrap_samples = 0;
       if (with_nominal) input.nominal_ins_from_lidar = perturbed(mounting(), Vector6d::Constant(0.05));
       const CalibrationResult result = solve_pairwise(input, pairs, {});
       std::printf("  %zu pairs, %d rejected: %.4f deg, %.1f mm\n", pairs.size(), result.pairs_rejected,
