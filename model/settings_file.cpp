@@ -1,6 +1,7 @@
 #include "model/settings_file.h"
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 #include "algorithms/core/error.h"
@@ -99,10 +100,14 @@ struct OptionReader {
   }
 
   void report_unknown_keys() {
+    // Settings of former versions that changed nothing but the sample of a bootstrap: files that hold them stay
+    // readable.
+    constexpr std::array<std::string_view, 2> kRetired{"bootstrap_samples", "seed"};
     std::string list;
     for (const std::string_view name : known) list += (list.empty() ? "" : ", ") + std::string(name);
     for (const auto& [key, view] : section.entries()) {
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+      if (std::find(kRetired.begin(), kRetired.end(), key) != kRetired.end()) continue;
       try {
         view.fail("is not a setting; known here are " + list);
       } catch (const Error& error) {

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QHash>
 #include <QRegularExpression>
+#include <mutex>
 
 namespace remount {
 namespace {
@@ -56,6 +57,9 @@ QString by_pattern(const QString& text, const Patterns& all) {
 }  // namespace
 
 QString model_text(const QString& text) {
+  // Reports are written in the background while the window paints; recursive, for patterns hold texts of their own.
+  static std::recursive_mutex mutex;
+  const std::scoped_lock lock(mutex);
   if (text.isEmpty()) return text;
   Patterns& all = patterns();
   if (all.list.empty()) return text;  // English

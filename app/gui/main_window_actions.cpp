@@ -134,7 +134,7 @@ void MainWindow::open_paths(const QStringList& paths) {
   QStringList sessions;
   for (const QString& path : paths) {
     if (is_project(path))
-      workbench_.open_project(path);
+      replace_by(path);
     else
       sessions << path;
   }

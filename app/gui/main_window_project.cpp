@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPointer>
 
 #include "app/gui/main_window.h"
 #include "app/gui/project_keeper.h"
@@ -17,7 +18,7 @@ const QString kSuffix = QStringLiteral(".remount");
 void MainWindow::open_project() {
   const QString path =
       QFileDialog::getOpenFileName(this, tr("Open a project"), {}, tr("Remount projects (*%1)").arg(kSuffix));
-  if (!path.isEmpty()) workbench_.open_project(path);
+  if (!path.isEmpty()) replace_by(path);
 }
 
 bool MainWindow::save_project(bool ask, std::function<void()> saved) {
@@ -50,7 +51,15 @@ void MainWindow::ask_for_report() {
   report_->make(path);
 }
 
-bool MainWindow::may_close() {
+void MainWindow::replace_by(const QString& project) {
+  // The window may be gone by then: another language makes a new one.
+  const auto open = [window = QPointer(this), project] {
+    if (window) window->workbench_.open_project(project);
+  };
+  if (may_close(open)) open();
+}
+
+bool MainWindow::may_close(std::function<void()> saved) {
   if (!workbench_.has_unsaved_work()) return true;
   QStringList unsaved;
   if (workbench_.output()) unsaved << tr("the result of the calibration");
@@ -62,8 +71,8 @@ bool MainWindow::may_close() {
                         : tr("Save your work as a project before closing? Not saved: %1.").arg(unsaved.join(", ")),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
-  // Closes once the file is known to be whole; a failure keeps the window open and says why.
-  save_project(false, [this] { close(); });
+  // Goes on once the file is known to be whole; a failure keeps the window as it is and says why.
+  save_project(false, std::move(saved));
   return false;
 }
 

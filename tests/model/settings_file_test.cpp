@@ -59,6 +59,12 @@ TEST(settings_file, what_is_left_out_keeps_its_value) {
   EXPECT_EQ(settings.pairing.max_distance_m, PairingOptions{}.max_distance_m);
 }
 
+TEST(settings_file, files_of_before_with_settings_that_are_gone_are_read) {
+  const Settings settings = from_text("solve:\n  bootstrap_samples: 100\n  seed: 1\n  joint_clouds: false\n");
+  EXPECT_FALSE(settings.solve.joint_clouds);
+  EXPECT_NE(error_of("solve:\n  seeds: 1\n"), "");
+}
+
 TEST(settings_file, every_problem_is_listed_with_its_line) {
   const std::string error = error_of(
       "pairing:\n  max_gap_s: 1e9\n  max_gap: 3\n  limit: often\nrun:\n  cache_mb: 1.5\nsolve:\n  joint_clouds: "
