@@ -1,0 +1,140 @@
+#include "model/pipeline/hold_out.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/calibration/pair_equation.h"
+#include "algorithms/calibration/pair_judgement.h"
+#include "model/result_file.h"
+
+namespace remount {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar) {
+  const SixParameters six = six_from_rigid(ins_from_lidar);
+  return {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+}
+
+PipelineInput input_of_session(const PipelineInput& input, std::size_t session) {
+  PipelineInput alone = input;
+  alone.sessions = {input.sessions[session]};
+  alone.settings.measured = {};
+  return alone;
+}
+
+PipelineOutput output_of_session(const PipelineOutput& output, std::size_t session) {
+  PipelineOutput alone;
+  alone.initial_ins_from_lidar = output.initial_ins_from_lidar;
+  alone.nominal_known = output.nominal_known;
+  alone.initial_known = output.initial_known;
+  alone.clock_bias = output.clock_bias;
+  const TimeOffset& clock = output.result.time_offset;
+  if (clock.applied && session < output.result.session_time_offset_s.size()) {
+    alone.result.time_offset = clock;
+    alone.result.session_time_offset_s = {output.result.session_time_offset_s[session]};
+  }
+  std::vector<int> place(output.keyframes.size(), -1);
+  for (std::size_t k = 0; k < output.keyframes.size(); ++k) {
+    if (output.keyframes[k].session != static_cast<int>(session)) continue;
+    place[k] = static_cast<int>(alone.keyframes.size());
+    alone.keyframes.push_back(output.keyframes[k]);
+    alone.keyframes.back().session = 0;
+  }
+  for (const Pair& pair : output.pairs) {
+    if (place[static_cast<std::size_t>(pair.keyframe_a)] < 0) continue;
+    alone.pairs.push_back(pair);
+    alone.pairs.back().keyframe_a = place[static_cast<std::size_t>(pair.keyframe_a)];
+    alone.pairs.back().keyframe_b = place[static_cast<std::size_t>(pair.keyframe_b)];
+  }
+  return alone;
+}
+
+ResidualRms residual_rms(const std::vector<MotionPair>& pairs, const RigidTransform& ins_from_lidar) {
+  if (pairs.empty()) return {};
+  double rotation2 = 0.0, translation2 = 0.0;
+  for (const MotionPair& pair : pairs) {
+    const Vector6d residual =
+        difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
+    translation2 += residual.head<3>().squaredNorm();
+    rotation2 += residual.tail<3>().squaredNorm();
+  }
+  const auto count = static_cast<double>(pairs.size());
+  return {std::sqrt(rotation2 / count), std::sqrt(translation2 / count)};
+}
+
+bool all(const std::array<bool, 6>& observed) {
+  return std::find(observed.begin(), observed.end(), false) == observed.end();
+}
+
+/// The pairs of a session under the X of `solved`, which takes what it does not observe from the session's own. Where
+/// the session has none, an incomplete X has no residual.
+ResidualRms score(const CalibrationResult& solved, const SessionAlone& session, const std::vector<MotionPair>& pairs) {
+  const bool has_own = is_usable(session.result);
+  if (!is_usable(solved) || (!has_own && !all(solved.observed))) return {};
+  std::array<double, 6> six = parameters_of(solved.ins_from_lidar);
+  const std::array<double, 6> own = parameters_of(session.result.ins_from_lidar);
+  for (std::size_t i = 0; i < six.size(); ++i)
+    if (!solved.observed[i]) six[i] = own[i];
+  return residual_rms(pairs, rigid_from_six({six[0], six[1], six[2], six[3], six[4], six[5]}));
+}
+
+SessionDifference difference_of(const std::vector<SessionAlone>& sessions, std::size_t a, std::size_t b) {
+  SessionDifference out{static_cast<int>(a), static_cast<int>(b), {}, {}};
+  const CalibrationResult &first = sessions[a].result, &second = sessions[b].result;
+  const std::array<double, 6> x_a = parameters_of(first.ins_from_lidar), x_b = parameters_of(second.ins_from_lidar);
+  for (std::size_t i = 0; i < x_a.size(); ++i) {
+    out.difference[i] = out.sigma[i] = kUnknown;
+    const std::optional<double> sigma_a = first.sigma(i), sigma_b = second.sigma(i);
+    if (!is_usable(first) || !is_usable(second) || !sigma_a || !sigma_b) continue;
+    if (!std::isfinite(*sigma_a) || !std::isfinite(*sigma_b)) continue;
+    out.difference[i] = i < 3 ? x_a[i] - x_b[i] : wrap_angle_rad(x_a[i] - x_b[i]);
+    out.sigma[i] = std::hypot(*sigma_a, *sigma_b);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<LargestDifference> largest_difference(const SessionDifference& difference) {
+  std::optional<LargestDifference> largest;
+  for (std::size_t i = 0; i < difference.sigma.size(); ++i) {
+    const double sigmas = std::abs(difference.difference[i]) / difference.sigma[i];
+    if (std::isfinite(sigmas) && (!largest || sigmas > largest->sigmas)) largest = LargestDifference{i, sigmas};
+  }
+  return largest;
+}
+
+HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output, Progress& progress) {
+  HoldOut out;
+  const std::size_t count = input.sessions.size();
+  if (count < 2) return out;
+  std::vector<std::vector<MotionPair>> pairs;
+  for (std::size_t s = 0; s < count; ++s) {
+    progress.report("solving every session alone", s, count);
+    PipelineOutput alone = output_of_session(output, s);
+    const std::vector<MotionPair> accepted_by_all = accepted_motions(alone.pairs);
+    solve_again(input_of_session(input, s), alone, progress);
+    if (progress.cancelled()) return {};
+    SessionAlone session{std::move(alone.result), 0, {}, {}};
+    session.result.candidates.clear();
+    pairs.push_back(is_usable(session.result) ? accepted_motions(alone.pairs) : accepted_by_all);
+    session.pairs = static_cast<int>(pairs.back().size());
+    session.own = score(session.result, session, pairs.back());
+    session.common = score(output.result, session, pairs.back());
+    out.sessions.push_back(std::move(session));
+  }
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b) {
+      if (a == b) continue;
+      HeldOutScore held{static_cast<int>(a), static_cast<int>(b), {}, {}};
+      held.residual = score(out.sessions[a].result, out.sessions[b], pairs[b]);
+      for (std::size_t i = 0; i < held.lent.size(); ++i) held.lent[i] = !out.sessions[a].result.observed[i];
+      out.scores.push_back(held);
+      if (a < b) out.differences.push_back(difference_of(out.sessions, a, b));
+    }
+  return out;
+}
+
+}  // namespace remount
