@@ -5,7 +5,7 @@
 namespace remount {
 
 Engine model_engine() {
-  return {open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once, load_map_scans};
+  return {open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once, load_map_scans, check_hold_out};
 }
 
 }  // namespace remount

@@ -35,6 +35,7 @@
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/progress_strip.h"
+#include "widgets/panels/quality_view.h"
 #include "widgets/panels/range_panel.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/sessions_panel.h"
@@ -42,7 +43,7 @@
 
 namespace remount {
 namespace {
-constexpr int kLayoutVersion = 2;
+constexpr int kLayoutVersion = 3;
 }  // namespace
 
 bool MainWindow::remembers() { return !QCoreApplication::organizationName().isEmpty(); }
@@ -165,6 +166,7 @@ void MainWindow::make_docks() {
   result_->setMinimumWidth(290);
   log_ = new LogPanel;
   candidates_ = new CandidatesPanel(*candidate_model_);
+  quality_ = new QualityView;
 
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
@@ -177,11 +179,14 @@ void MainWindow::make_docks() {
   result_dock_ = make_dock(tr("Result"), "result", result_, Qt::RightDockWidgetArea);
   pairs_dock_ = make_dock(tr("Pairs"), "pairs", pairs_, Qt::BottomDockWidgetArea);
   error_dock_ = make_dock(tr("Error chart"), "errors", errors_, Qt::BottomDockWidgetArea);
-  candidates_dock_ = make_dock(tr("Candidates"), "candidates", candidates_, Qt::BottomDockWidgetArea);
-  log_dock_ = make_dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
   splitDockWidget(pairs_dock_, error_dock_, Qt::Horizontal);
+  // One after the other: all beside each other would widen the window.
+  candidates_dock_ = make_dock(tr("Candidates"), "candidates", candidates_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(pairs_dock_, candidates_dock_);
-  tabifyDockWidget(candidates_dock_, log_dock_);
+  quality_dock_ = make_dock(tr("Quality"), "quality", quality_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(candidates_dock_, quality_dock_);
+  log_dock_ = make_dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(quality_dock_, log_dock_);
   setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
   pairs_dock_->raise();
   size_docks();

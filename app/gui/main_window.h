@@ -34,6 +34,8 @@ class MapView;
 class SceneController;
 class ProgressStrip;
 class ProjectKeeper;
+class QualityController;
+class QualityView;
 class RangePanel;
 class ReportMaker;
 class ResultPanel;
@@ -112,6 +114,7 @@ class MainWindow : public QMainWindow {
   void show_export();
   void ask_for_report();
   void show_obstacles();
+  void show_quality();
   void copy_result();
   void go_to_step(Step step);
   void show_about();
@@ -156,6 +159,8 @@ class MainWindow : public QMainWindow {
   QTabWidget* views_ = nullptr;  // pair and map
   SceneController* scenes_ = nullptr;
   MapController* maps_ = nullptr;
+  QualityView* quality_ = nullptr;
+  QualityController* checks_ = nullptr;
   SessionsPanel* sessions_ = nullptr;
   NominalPanel* nominal_ = nullptr;
   RangePanel* range_ = nullptr;
@@ -171,7 +176,7 @@ class MainWindow : public QMainWindow {
   OptionsDialog* options_ = nullptr;
   HelpWindow* help_ = nullptr;
   QDockWidget *pairs_dock_ = nullptr, *error_dock_ = nullptr, *drive_dock_ = nullptr, *candidates_dock_ = nullptr,
-              *log_dock_ = nullptr, *setup_dock_ = nullptr, *result_dock_ = nullptr;
+              *log_dock_ = nullptr, *setup_dock_ = nullptr, *result_dock_ = nullptr, *quality_dock_ = nullptr;
   QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *make_report_ = nullptr, *obstacles_ = nullptr;
   struct ReviewAction {

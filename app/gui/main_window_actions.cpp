@@ -23,6 +23,7 @@
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/quality_view.h"
 #include "widgets/panels/result_panel.h"
 
 namespace remount {
@@ -80,6 +81,7 @@ void MainWindow::make_calibrate_menu() {
   menu.addSeparator();
   add_action(menu, tr("Use the result as &nominal mounting"), {}, [this] { workbench_.use_result_as_nominal(); });
   obstacles_ = add_action(menu, tr("Check &obstacles…"), tr("Ctrl+B"), [this] { show_obstacles(); });
+  add_action(menu, tr("Check &quality"), tr("Ctrl+Shift+B"), [this] { show_quality(); });
 }
 
 void MainWindow::make_view_menu() {
@@ -100,7 +102,7 @@ void MainWindow::make_view_menu() {
   add_action(menu, tr("The accumulated &map"), tr("Ctrl+M"), [this] { views_->setCurrentWidget(map_view_); });
   menu.addSeparator();
   for (QDockWidget* dock :
-       {setup_dock_, drive_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, log_dock_})
+       {setup_dock_, drive_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, quality_dock_, log_dock_})
     menu.addAction(dock->toggleViewAction());
   menu.addSeparator();
   add_action(menu, tr("&Reset layout"), {}, [this] { reset_layout(); });
@@ -221,6 +223,12 @@ void MainWindow::show_obstacles() {
       vehicle_from_ins * output->initial_ins_from_lidar, vehicle_from_ins * output->result.ins_from_lidar, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
+}
+
+void MainWindow::show_quality() {
+  quality_dock_->show();
+  quality_dock_->raise();
+  quality_->setFocus();
 }
 
 void MainWindow::copy_result() {

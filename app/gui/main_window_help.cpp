@@ -11,9 +11,9 @@
 namespace remount {
 
 QString MainWindow::help_page_of(const QWidget* widget) const {
-  static const std::map<QString, QString> kPages{{"setup", "setup"},   {"pairs", "pairs"},
-                                                 {"errors", "errors"}, {"candidates", "candidates"},
-                                                 {"result", "result"}, {"log", "log"}};
+  static const std::map<QString, QString> kPages{
+      {"setup", "setup"},   {"pairs", "pairs"},     {"errors", "errors"}, {"candidates", "candidates"},
+      {"result", "result"}, {"quality", "quality"}, {"log", "log"}};
   for (; widget; widget = widget->parentWidget()) {
     if (widget == pair_view_) return QStringLiteral("view");
     const auto page = qobject_cast<const QDockWidget*>(widget) ? kPages.find(widget->objectName()) : kPages.end();

@@ -2,10 +2,12 @@
 #include <QDockWidget>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTabWidget>
 #include <QTableView>
 
 #include "app/gui/main_window.h"
 #include "app/gui/map_controller.h"
+#include "app/gui/quality_controller.h"
 #include "app/gui/report_maker.h"
 #include "app/gui/scene_controller.h"
 #include "app/gui/steps.h"
@@ -18,11 +20,13 @@
 #include "widgets/panels/drive_panel.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
+#include "widgets/panels/map_view.h"
 #include "widgets/panels/message_banner.h"
 #include "widgets/panels/nominal_panel.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/progress_strip.h"
+#include "widgets/panels/quality_view.h"
 #include "widgets/panels/range_panel.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/sessions_panel.h"
@@ -65,6 +69,11 @@ void MainWindow::connect_state() {
   scenes_ = new SceneController(
       workbench_, *pair_view_, [this](int pair) { return pair_caption(pair); }, this);
   maps_ = new MapController(workbench_, *map_view_, this);
+  checks_ = new QualityController(workbench_, *quality_, this);
+  connect(checks_, &QualityController::map_requested, this, [this](MapX x) {
+    map_view_->choose(x);
+    views_->setCurrentWidget(map_view_);
+  });
   connect(candidates_, &CandidatesPanel::candidate_selected, this, [this](int candidate) {
     scenes_->show_candidate(candidate);
     maps_->show_candidate(scenes_->candidate());
@@ -136,6 +145,7 @@ void MainWindow::show_output() {
   result_->show_output(output, workbench_.output_before(), workbench_.moved_by());
   scenes_->refresh();
   maps_->refresh();
+  checks_->refresh();
   show_state();
 }
 

@@ -473,6 +473,109 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::HoldOutView</name>
+    <message>
+        <source>%1°, %2 mm</source>
+        <translation>%1°，%2 毫米</translation>
+    </message>
+    <message>
+        <source>%1 alone gives no result: %2</source>
+        <translation>%1 单独求解没有结果：%2</translation>
+    </message>
+    <message>
+        <source>There are no pairs to score.</source>
+        <translation>没有可供检验的帧对。</translation>
+    </message>
+    <message>
+        <source>%1 does not observe %2: taken from %3&apos;s own X</source>
+        <translation>%1 观测不到 %2：取自 %3 自己的 X</translation>
+    </message>
+    <message>
+        <source>There is no common result.</source>
+        <translation>没有共同的结果。</translation>
+    </message>
+    <message>
+        <source>nothing is observed by both</source>
+        <translation>没有双方都可观测的分量</translation>
+    </message>
+    <message>
+        <source>differ by %1 sigma in %2</source>
+        <translation>不一致：%2 相差 %1 倍标准差</translation>
+    </message>
+    <message>
+        <source>%1 times the sigma of both together</source>
+        <translation>为两者合成标准差的 %1 倍</translation>
+    </message>
+    <message>
+        <source>%1 does not observe %2</source>
+        <translation>%1 观测不到 %2</translation>
+    </message>
+    <message>
+        <source>Whether the sessions agree</source>
+        <translation>各份数据是否一致</translation>
+    </message>
+    <message>
+        <source>Residuals of each session under the X of another</source>
+        <translation>每份数据在另一份数据的 X 下的残差</translation>
+    </message>
+    <message>
+        <source>Differences between the X of two sessions</source>
+        <translation>两份数据的 X 之差</translation>
+    </message>
+    <message>
+        <source>What P X = X Q leaves over the pairs of the session it is scored on, root mean square, in degrees and mm</source>
+        <translation>P X = X Q 在被检验数据的帧对上的残差均方根，单位度和毫米</translation>
+    </message>
+    <message>
+        <source>Needs a second session.</source>
+        <translation>需要第二份数据。</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 与 %2</translation>
+    </message>
+    <message>
+        <source>Each session solved alone. %1: %2.</source>
+        <translation>各份数据单独求解。%1：%2。</translation>
+    </message>
+    <message>
+        <source>Solved on</source>
+        <translation>求解于</translation>
+    </message>
+    <message>
+        <source>Scored on</source>
+        <translation>检验于</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>帧对</translation>
+    </message>
+    <message>
+        <source>Under that X</source>
+        <translation>用该 X</translation>
+    </message>
+    <message>
+        <source>Under its own X</source>
+        <translation>用自己的 X</translation>
+    </message>
+    <message>
+        <source>Under the common X</source>
+        <translation>用共同的 X</translation>
+    </message>
+    <message>
+        <source>Difference of X</source>
+        <translation>X 之差</translation>
+    </message>
+    <message>
+        <source>In words</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>agree (at most %1 sigma, in %2)</source>
+        <translation>一致（%2 最多相差 %1 倍标准差）</translation>
+    </message>
+</context>
+<context>
     <name>remount::JobRunner</name>
     <message>
         <source>There is not enough memory. Lower cache_mb in the options, or use fewer keyframes.</source>
@@ -952,6 +1055,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Check &amp;quality</source>
+        <translation>检查质量(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
     </message>
 </context>
 <context>
@@ -1763,6 +1878,60 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::QualityController</name>
+    <message>
+        <source>start</source>
+        <translation>起点</translation>
+    </message>
+    <message>
+        <source>After a calibration the sharpness of the map is compared here.</source>
+        <translation>标定之后，这里比较地图的清晰度。</translation>
+    </message>
+    <message>
+        <source>Not compared: the sessions hold LiDAR poses and no scans.</source>
+        <translation>未比较：数据中只有激光雷达位姿，没有扫描。</translation>
+    </message>
+    <message>
+        <source>Not compared: there is no result to use.</source>
+        <translation>未比较：没有可用的结果。</translation>
+    </message>
+    <message>
+        <source>Not compared: the map check is switched off in the options (run).</source>
+        <translation>未比较：选项（运行）中关闭了地图检查。</translation>
+    </message>
+    <message>
+        <source>Not compared since the last decision, which moved X. Calibrate again (F5).</source>
+        <translation>上次决定移动了 X，此后未再比较。请重新标定（F5）。</translation>
+    </message>
+    <message>
+        <source>Not compared: no stretch of eight scans that follow each other turns and overlaps.</source>
+        <translation>未比较：没有转弯且相互重叠的连续八帧扫描。</translation>
+    </message>
+    <message>
+        <source>Needs a second session: X is solved on one and scored on the other.</source>
+        <translation>需要第二份数据：用一个求解 X，在另一个上检验。</translation>
+    </message>
+    <message>
+        <source>After a calibration of two or more sessions they are compared here.</source>
+        <translation>标定两份或更多数据之后，在此互相检验。</translation>
+    </message>
+    <message>
+        <source>Solving every session alone…</source>
+        <translation>正在单独求解每份数据…</translation>
+    </message>
+</context>
+<context>
+    <name>remount::QualityView</name>
+    <message>
+        <source>Map sharpness</source>
+        <translation>地图清晰度</translation>
+    </message>
+    <message>
+        <source>Session against session</source>
+        <translation>数据互检</translation>
+    </message>
+</context>
+<context>
     <name>remount::RangePanel</name>
     <message>
         <source>from</source>
@@ -2218,6 +2387,97 @@ Everything else works.</source>
     <message>
         <source>A folder or file with a recorded drive; several drives of one vehicle are calibrated together</source>
         <translation>含有行驶记录的文件夹或文件；同一车辆的多次行驶一起标定</translation>
+    </message>
+</context>
+<context>
+    <name>remount::SharpnessView</name>
+    <message>
+        <source>result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>名义值</translation>
+    </message>
+    <message>
+        <source>candidate: %1</source>
+        <translation>候选：%1</translation>
+    </message>
+    <message>
+        <source>The scans do not overlap enough.</source>
+        <translation>扫描重叠不够。</translation>
+    </message>
+    <message>
+        <source>Under which mounting the map is sharper</source>
+        <translation>哪种安装下地图更清晰</translation>
+    </message>
+    <message>
+        <source>Sharpness of the accumulated map</source>
+        <translation>累积地图的清晰度</translation>
+    </message>
+    <message>
+        <source>Map under the result</source>
+        <translation>结果下的地图</translation>
+    </message>
+    <message>
+        <source>Lower is sharper. Thickness: how thick flat surfaces are, in mm. Entropy: mean map entropy, no unit.</source>
+        <translation>越低越清晰。厚度：平坦表面的厚度，单位毫米。熵：平均地图熵，无单位。</translation>
+    </message>
+    <message>
+        <source>Shows the accumulated map as it was with the mounting before</source>
+        <translation>显示先前安装下的累积地图</translation>
+    </message>
+    <message>
+        <source>Shows the accumulated map as it is with the new mounting</source>
+        <translation>显示新安装下的累积地图</translation>
+    </message>
+    <message>
+        <source>Map under the nominal</source>
+        <translation>名义下的地图</translation>
+    </message>
+    <message>
+        <source>Map under the %1</source>
+        <translation>%1下的地图</translation>
+    </message>
+    <message>
+        <source>surfaces are %1 mm thick under the result, %2 mm under the nominal</source>
+        <translation>表面厚度在结果下为 %1 毫米，在名义下为 %2 毫米</translation>
+    </message>
+    <message>
+        <source>The map became sharper: %1.</source>
+        <translation>地图变清晰了：%1。</translation>
+    </message>
+    <message>
+        <source>The map became blunter: %1.</source>
+        <translation>地图变模糊了：%1。</translation>
+    </message>
+    <message>
+        <source>No clear difference: %1.</source>
+        <translation>没有明显差别：%1。</translation>
+    </message>
+    <message>
+        <source>No nominal mounting was given: there is nothing before to compare with.</source>
+        <translation>没有给出名义安装：没有可比较的先前状态。</translation>
+    </message>
+    <message>
+        <source>The same places are compared under every mounting</source>
+        <translation>在每种安装下比较相同的位置</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>安装</translation>
+    </message>
+    <message>
+        <source>Thickness [mm]</source>
+        <translation>厚度 [毫米]</translation>
+    </message>
+    <message>
+        <source>Entropy</source>
+        <translation>熵</translation>
+    </message>
+    <message>
+        <source>Places compared</source>
+        <translation>比较的位置数</translation>
     </message>
 </context>
 <context>

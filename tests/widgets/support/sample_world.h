@@ -16,6 +16,9 @@ Session sample_session(const std::string& name);
 /// are proposed. z is not observed.
 PipelineOutput sample_output(const PipelineInput& input, int pairs);
 
+/// What two or more drives say that agree but for yaw; the second does not observe z.
+HoldOut sample_hold_out(int sessions, double yaw_sigmas = 1.5);
+
 /// Opens paths that contain "drive", runs in `stages` reports of 5 ms, solves so that x moves by 1 mm with every
 /// pair that is not accepted.
 Engine sample_engine(int stages = 10);

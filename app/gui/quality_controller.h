@@ -1,0 +1,37 @@
+// Between the workbench and the quality page: what takes time is computed in the background when it is looked at.
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/gui/workbench.h"
+
+namespace remount {
+
+class QualityView;
+enum class MapX;
+
+class QualityController : public QObject {
+  Q_OBJECT
+ public:
+  QualityController(Workbench& workbench, QualityView& view, QObject* parent = nullptr);
+  void refresh();  ///< the output, or what is under way, changed
+  bool working() const { return jobs_.running(hold_out_job_); }
+
+ signals:
+  void map_requested(remount::MapX x);
+
+ private:
+  void refresh_sharpness();
+  void refresh_hold_out();
+  void start_hold_out(const OutputPtr& output);
+  QString why_no_sharpness(const PipelineOutput& output) const;
+
+  Workbench& workbench_;
+  QualityView& view_;
+  OutputPtr sharpness_of_, hold_out_of_;  // what is shown, or being computed
+  int hold_out_job_ = 0;
+  JobRunner jobs_;  // last: its threads end before anything they report to is gone
+};
+
+}  // namespace remount

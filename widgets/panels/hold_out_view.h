@@ -1,0 +1,25 @@
+// Whether sessions agree: each one's pairs under the X of every other, and what their X differ by.
+#pragma once
+
+#include <QWidget>
+
+#include "model/pipeline/hold_out.h"
+
+namespace remount {
+
+class FigureTable;
+class VerdictLabel;
+
+class HoldOutView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit HoldOutView(QWidget* parent = nullptr);
+  void show_message(const QString& text);  ///< instead of numbers: what is missing, or under way
+  void show_hold_out(const HoldOut& found, const QStringList& sessions);
+
+ private:
+  VerdictLabel* verdict_;
+  FigureTable *scores_, *differences_;
+};
+
+}  // namespace remount

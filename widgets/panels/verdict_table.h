@@ -1,0 +1,49 @@
+// A sentence that says what was found, and the table of numbers behind it: the parts of the quality page.
+#pragma once
+
+#include <QColor>
+#include <QLabel>
+#include <QStringList>
+#include <QTableWidget>
+
+namespace remount {
+
+enum class Verdict { Neutral, Good, Doubtful, Bad };
+
+/// One sentence on a tint of its meaning.
+class VerdictLabel : public QLabel {
+  Q_OBJECT
+ public:
+  explicit VerdictLabel(const QString& accessible_name, QWidget* parent = nullptr);
+  void show_verdict(Verdict verdict, const QString& text);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Verdict verdict_ = Verdict::Neutral;
+};
+
+struct TableCell {
+  QString text, tool_tip;
+  Verdict verdict = Verdict::Neutral;
+};
+
+/// Rows of numbers that nobody edits; the first column is of words. Reached with the Tab key, read with the arrows.
+class FigureTable : public QTableWidget {
+  Q_OBJECT
+ public:
+  explicit FigureTable(const QString& accessible_name, QWidget* parent = nullptr);
+  void show_rows(const QStringList& heads, const std::vector<std::vector<TableCell>>& rows);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void recolor();
+};
+
+/// A dash, for what is not known, and why.
+TableCell unknown_cell(const QString& why);
+
+}  // namespace remount
