@@ -1,7 +1,7 @@
 #include "model/report/charts.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -13,8 +13,6 @@ namespace {
 constexpr double kWidth = 680.0, kLeft = 46.0, kRight = 10.0, kTop = 22.0, kBottom = 24.0;
 constexpr std::size_t kTrackPoints = 1500;
 constexpr const char *kAccepted = "#2a6fbb", *kRejected = "#b9bcc2", *kUndecided = "#e0a030", *kAxis = "#8a8f98";
-// Told apart by people who do not see colours alike (Okabe and Ito).
-constexpr std::array<const char*, 5> kTrackColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9"};
 
 std::string number(const char* pattern, double value) {
   char text[48];
@@ -43,12 +41,11 @@ const char* color_of(PairState state) {
 }  // namespace
 
 ReportTrack track_of(const Session& session) {
-  const std::vector<StampedPose> poses = session.ins.empty() ? session.world_from_ins : local_from_ins(session.ins);
-  ReportTrack track;
-  track.session = session.name;
+  ReportTrack track{session.name, !session.ins.empty(), {}};
+  const std::vector<StampedPose> poses = track.geographic ? local_from_ins(session.ins) : session.world_from_ins;
   const std::size_t stride = poses.size() / kTrackPoints + 1;
   for (std::size_t i = 0; i < poses.size(); i += stride)
-    track.east_north_m.push_back(poses[i].pose.translation().head<2>());
+    track.points_m.push_back(poses[i].pose.translation().head<2>());
   return track;
 }
 
@@ -92,40 +89,41 @@ Drawing residual_chart(const std::vector<PairRecord>& pairs, ResidualKind kind, 
   return drawing;
 }
 
-Drawing track_chart(const std::vector<ReportTrack>& tracks, const Phrases& phrase) {
+Drawing track_chart(const ReportTrack& track, const Phrases& phrase) {
+  constexpr double kMargin = 24.0, kHead = 44.0, kTallest = 270.0;
+  const std::string axes = track.geographic
+                               ? phrase("report", "Track of the INS from above: east to the right, north up (UTM grid)")
+                               : phrase("report", "Track of the INS as its poses state it: x to the right, y up");
   Drawing drawing;
   drawing.width = kWidth;
-  drawing.height = 340.0;
-  drawing.description = phrase("report", "Where the INS drove, seen from above, north up");
-  Eigen::Vector2d least = Eigen::Vector2d::Constant(1e300), most = -least;
-  for (const ReportTrack& track : tracks)
-    for (const Eigen::Vector2d& point : track.east_north_m)
-      if (point.allFinite()) least = least.cwiseMin(point), most = most.cwiseMax(point);
-  if (!(least.x() <= most.x())) return drawing;
-  const Eigen::Vector2d span = (most - least).cwiseMax(1.0);
-  constexpr double kMargin = 24.0;
-  const double scale = std::min((kWidth - 2 * kMargin) / span.x(), (drawing.height - 2 * kMargin - kBottom) / span.y());
-  const auto place = [&](const Eigen::Vector2d& point) {
-    return Eigen::Vector2d(kMargin + scale * (point.x() - least.x()), kMargin + scale * (most.y() - point.y()));
-  };
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    const char* color = kTrackColors[i % kTrackColors.size()];
-    DrawnLine line{{}, color, 1.5};
-    for (const Eigen::Vector2d& point : tracks[i].east_north_m)
-      if (point.allFinite()) line.points.push_back(place(point));
-    if (line.points.empty()) continue;
-    drawing.shapes.push_back(DrawnDot{line.points.front(), 3.5, color});
-    drawing.shapes.push_back(line);
+  drawing.height = kHead;
+  drawing.description = track.session + ": " + axes;
+  drawing.shapes.push_back(DrawnText{{kMargin, 13.0}, track.session, TextAnchor::Start, 11.0});
+  drawing.shapes.push_back(DrawnText{{kMargin, 27.0}, axes, TextAnchor::Start, 10.0});
+  Eigen::AlignedBox2d bounds;
+  for (const Eigen::Vector2d& point : track.points_m)
+    if (point.allFinite()) bounds.extend(point);
+  if (bounds.isEmpty()) {
     drawing.shapes.push_back(
-        DrawnText{{kMargin + 150.0 * static_cast<double>(i % 4), 12.0 + 12.0 * static_cast<double>(i / 4)},
-                  tracks[i].session,
-                  TextAnchor::Start,
-                  10.0,
-                  color});
+        DrawnText{{kMargin, 41.0}, phrase("report", "No positions are known."), TextAnchor::Start, 10.0});
+    return drawing;
   }
-  const double bar_m = round_number(0.1 * kWidth / scale), bar = bar_m * scale, y = drawing.height - 12.0;
+  const Eigen::Vector2d span = bounds.sizes().cwiseMax(1.0);
+  const double scale = std::min((kWidth - 2 * kMargin) / span.x(), kTallest / span.y());
+  DrawnLine line{{}, kAccepted, 1.5};
+  for (const Eigen::Vector2d& point : track.points_m)
+    if (point.allFinite())
+      line.points.emplace_back(kMargin + scale * (point.x() - bounds.min().x()),
+                               kHead + scale * (bounds.max().y() - point.y()));
+  drawing.shapes.push_back(DrawnDot{line.points.front(), 3.5, kAccepted});
+  drawing.shapes.push_back(line);
+  const double bar_m = round_number(0.1 * kWidth / scale), bar = bar_m * scale, y = kHead + scale * span.y() + kBottom;
+  drawing.height = y + 12.0;
   drawing.shapes.push_back(DrawnLine{{{kMargin, y}, {kMargin + bar, y}}, "#333333", 2.0});
-  drawing.shapes.push_back(DrawnText{{kMargin + bar + 6.0, y + 4.0}, number("%g m", bar_m), TextAnchor::Start, 10.0});
+  drawing.shapes.push_back(DrawnText{{kMargin + bar + 6.0, y + 4.0},
+                                     number("%g m", bar_m) + "; " + phrase("report", "dot: start"),
+                                     TextAnchor::Start,
+                                     10.0});
   return drawing;
 }
 

@@ -200,15 +200,18 @@ void Page::write_sharpness() {
 }
 
 void Page::write_pictures() {
-  // On paper a picture and its caption stay together.
   html_ += "<h2 style=\"page-break-before:always\">" + phrase("report", "Worst and best pairs") + "</h2>\n";
   if (!report_.no_pictures.empty()) html_ += "<p class=\"weak\">" + html_escaped(report_.no_pictures) + "</p>\n";
-  for (const ReportPicture& picture : report_.pictures)
-    html_ += "<p>" + html_escaped(picture.caption) + "<br>" +
+  for (std::size_t i = 0; i < report_.pictures.size(); ++i) {
+    const ReportPicture& picture = report_.pictures[i];
+    // Two fill a page: on paper a picture and its caption stay together.
+    html_ += i > 0 && i % 2 == 0 ? "<p style=\"page-break-before:always\">" : "<p>";
+    html_ += html_escaped(picture.caption) + "<br>" +
              (style_.picture ? style_.picture(picture)
                              : "<img alt=\"" + html_escaped(picture.caption) + "\" src=\"data:image/png;base64," +
                                    base64(picture.png) + "\">") +
              "</p>\n";
+  }
 }
 
 void Page::write_charts() {
@@ -221,8 +224,7 @@ void Page::write_charts() {
   heading(phrase("report", "Drive"));
   if (report_.tracks.empty())
     html_ += "<p class=\"weak\">" + phrase("report", "The sessions were not opened for this report.") + "</p>\n";
-  else
-    chart(track_chart(report_.tracks, words));
+  for (const ReportTrack& track : report_.tracks) chart(track_chart(track, words));
 }
 
 void Page::write_pairs() {

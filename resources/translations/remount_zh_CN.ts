@@ -3871,10 +3871,6 @@ Then calibrate: F5.</source>
         <translation>蓝：接受，灰：拒绝，黄：未决定</translation>
     </message>
     <message>
-        <source>Where the INS drove, seen from above, north up</source>
-        <translation>INS 行驶轨迹，俯视，北向上</translation>
-    </message>
-    <message>
         <source>Calibration of a LiDAR: report</source>
         <translation>激光雷达标定报告</translation>
     </message>
@@ -4093,6 +4089,22 @@ Then calibrate: F5.</source>
     <message>
         <source>Changed from the defaults (in brackets):</source>
         <translation>与默认值不同的设置（括号内为默认值）：</translation>
+    </message>
+    <message>
+        <source>Track of the INS from above: east to the right, north up (UTM grid)</source>
+        <translation>INS 轨迹，俯视：东向右，北向上（UTM 格网）</translation>
+    </message>
+    <message>
+        <source>Track of the INS as its poses state it: x to the right, y up</source>
+        <translation>INS 轨迹，按其位姿的坐标轴：x 向右，y 向上</translation>
+    </message>
+    <message>
+        <source>No positions are known.</source>
+        <translation>没有已知的位置。</translation>
+    </message>
+    <message>
+        <source>dot: start</source>
+        <translation>圆点：起点</translation>
     </message>
 </context>
 </TS>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 
 #include "model/io/base64.h"
 
@@ -21,6 +22,9 @@ Report example() {
   result.covariance(0, 1) = result.covariance(1, 0) = -2e-6;
   result.directions = {{Vector6d::Unit(2), 1e9, false, "height z: not observable, flat driving"}};
   report.file.nominal_ins_from_lidar = rigid_from_six({1.0, 0.0, 0.75, 0.0, 0.0, 0.0});
+  result.pairs_proposed = 8, result.pairs_accepted = 7, result.pairs_rejected = 1;
+  result.translation_rms_m = 0.0123, result.rotation_rms_rad = 1e-3;
+  report.file.settings.pairing.max_gap_s = 2.25;
   report.file.version = "1.2.3";
   report.file.inputs = {{"drive1", "ins.csv", 12, "0123abcd"}};
   report.file.sharpness = {{"result", {-3.5, 0.021, 400}}, {"nominal", {-3.1, 0.034, 400}}};
@@ -32,21 +36,79 @@ Report example() {
     if (i == 7) pair.reason = "overlap 0.21 is below 0.30";
     report.file.pairs.push_back(pair);
   }
-  report.tracks = {{"drive1", {{0, 0}, {10, 5}, {20, 0}}}};
+  report.tracks = {{"drive1", true, {{0, 0}, {10, 5}, {20, 0}}}};
   report.pictures = {{"pair 3", "PNG"}};
   return report;
 }
 
-TEST(report, says_everything_that_a_decision_needs) {
+using Cells = std::vector<std::string>;
+
+/// The cells of the table's row that begins with `first`, the first such row below `heading`; without marks.
+Cells row_of(const std::string& html, const std::string& heading, const std::string& first) {
+  static const std::regex kRow("<tr>(.*)</tr>"), kCell("<t[dh][^>]*>(.*?)</t[dh]>");
+  const auto below = html.begin() + static_cast<std::ptrdiff_t>(std::min(html.find(heading), html.size()));
+  for (std::sregex_iterator row(below, html.end(), kRow), none; row != none; ++row) {
+    const std::string inside = (*row)[1];
+    Cells cells;
+    for (std::sregex_iterator cell(inside.begin(), inside.end(), kCell); cell != none; ++cell)
+      cells.push_back((*cell)[1]);
+    if (!cells.empty() && cells[0] == first) return cells;
+  }
+  return {};
+}
+
+TEST(report, parameters_have_their_value_sigma_and_change) {
   const std::string html = report_html(example());
-  for (const char* part : {"0.9000 m", "± 0.0020 m", "not observed", "-0.1000 m", "-0.50", "height z: not observable",
-                           "-3.5000", "3.40 cm", "overlap 0.21 is below 0.30", "0123abcd", "ins.csv", "1.2.3", "drive1",
-                           "data:image/png;base64,UE5H", "<svg", "Five of six &lt;parameters&gt;", "max_gap_s"})
+  const char* const table = "<h2>LiDAR in the INS frame";
+  EXPECT_EQ(row_of(html, table, "x"), (Cells{"x", "0.9000 m", "± 0.0020 m", "–", "1.0000 m", "-0.1000 m"}));
+  EXPECT_EQ(row_of(html, table, "y"), (Cells{"y", "-0.2500 m", "± 0.0020 m", "–", "0.0000 m", "-0.2500 m"}));
+  EXPECT_EQ(row_of(html, table, "z"), (Cells{"z", "0.7500 m", "not observed", "–", "0.7500 m", "+0.0000 m"}));
+  EXPECT_EQ(row_of(html, table, "yaw"), (Cells{"yaw", "1.7189 °", "± 0.1146 °", "–", "0.0000 °", "+1.7189 °"}));
+  EXPECT_EQ(row_of(html, "<h2>Correlation", "x"), (Cells{"x", "1.00", "-0.50", "–", "–", "–", "–"}));
+}
+
+TEST(report, pairs_are_listed_with_what_was_found) {
+  const std::string html = report_html(example());
+  const Cells accepted = row_of(html, "<h2>Pairs</h2>", "3"), rejected = row_of(html, "<h2>Pairs</h2>", "7");
+  ASSERT_EQ(accepted.size(), 12U);
+  EXPECT_EQ(accepted[3], "1.0 s") << "from scan to scan";
+  EXPECT_EQ(accepted[9], "7.0 cm 0.00 °");
+  EXPECT_EQ(accepted[10], "accepted");
+  ASSERT_EQ(rejected.size(), 12U);
+  EXPECT_EQ(rejected[9], "3.0 cm 0.00 °");
+  EXPECT_EQ(rejected[10], "rejected");
+  EXPECT_EQ(rejected[11], "overlap 0.21 is below 0.30");
+  EXPECT_NE(html.find("proposed: 8, accepted: 7, rejected: 1; rms of residuals: 1.23 cm, 0.057 °"), std::string::npos);
+}
+
+TEST(report, says_what_it_is_made_from) {
+  const std::string html = report_html(example());
+  EXPECT_EQ(row_of(html, "<h2>Data</h2>", "drive1"), (Cells{"drive1", "ins.csv", "12", "0123abcd"}));
+  EXPECT_EQ(row_of(html, "<h2>Check by", "result"), (Cells{"result", "-3.5000", "2.10 cm", "400"}));
+  EXPECT_EQ(row_of(html, "<h2>Check by", "nominal"), (Cells{"nominal", "-3.1000", "3.40 cm", "400"}));
+  EXPECT_NE(html.find("<li>pairing.max_gap_s = 2.25   (1.5)</li>"), std::string::npos);
+  for (const char* part :
+       {"height z: not observable", "Remount 1.2.3", "Five of six &lt;parameters&gt;", "data:image/png;base64,UE5H"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
   EXPECT_EQ(html.find("nan"), std::string::npos);
-  for (const char* outside : {"http://www.w3.org/2000/svg", "https://", "<script", "src=\"/", "href="})
-    if (std::string(outside) != "http://www.w3.org/2000/svg")
-      EXPECT_EQ(html.find(outside), std::string::npos) << "the page needs nothing else: " << outside;
+}
+
+TEST(report, each_session_has_a_chart_of_its_own) {
+  Report report = example();
+  const auto charts = [&] {
+    const std::string html = report_html(report);
+    static const std::regex kChart("<svg");
+    return std::distance(std::sregex_iterator(html.begin(), html.end(), kChart), std::sregex_iterator());
+  };
+  EXPECT_EQ(charts(), 2 + 1) << "residuals, and one drive";
+  report.tracks.push_back({"drive2", true, {{0, 0}, {3, 3}}});
+  EXPECT_EQ(charts(), 2 + 2);
+}
+
+TEST(report, needs_no_other_file) {
+  const std::string html = report_html(example());
+  for (const char* outside : {"https://", "<script", "src=\"/", "href="})
+    EXPECT_EQ(html.find(outside), std::string::npos) << outside;
 }
 
 TEST(report, without_a_usable_result_no_number_passes_for_one) {
