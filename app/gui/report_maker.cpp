@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QThread>
 #include <QTimer>
+#include <exception>
 
 #include "algorithms/core/error.h"
 #include "model/io/atomic_save.h"
@@ -14,8 +15,6 @@
 #include "model/session_report.h"
 #include "widgets/gl_support.h"
 #include "widgets/model_text.h"
-#include "widgets/report_pdf.h"
-#include "widgets/scene/pair_picture.h"
 
 namespace remount {
 namespace {
@@ -32,7 +31,28 @@ std::string png_of(const RgbImage& picture) {
   return bytes.toStdString();
 }
 
+/// The text engine starts timers, which only a thread of Qt's own has. What is thrown there is thrown here.
+QByteArray on_qt_thread(const std::function<QByteArray()>& make) {
+  QByteArray made;
+  std::exception_ptr failure;
+  const std::unique_ptr<QThread> thread(QThread::create([&] {
+    try {
+      made = make();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  }));
+  thread->start();
+  thread->wait();
+  if (failure) std::rethrow_exception(failure);
+  return made;
+}
+
 }  // namespace
+
+QString pdf_beside(const QString& html_path) {
+  return (html_path.endsWith(QLatin1String(".html")) ? html_path.chopped(5) : html_path) + QStringLiteral(".pdf");
+}
 
 ReportStyle report_style() {
   ReportStyle style;
@@ -44,7 +64,8 @@ ReportStyle report_style() {
   return style;
 }
 
-ReportMaker::ReportMaker(Workbench& workbench, QObject* parent) : QObject(parent), workbench_(workbench) {}
+ReportMaker::ReportMaker(Workbench& workbench, QObject* parent, MakePdf make_pdf)
+    : QObject(parent), workbench_(workbench), make_pdf_(std::move(make_pdf)) {}
 
 void ReportMaker::make(const QString& html_path) {
   if (busy_ || !workbench_.output()) return;
@@ -56,14 +77,15 @@ void ReportMaker::make(const QString& html_path) {
   report_.file = make_result_file(input_, *output_, workbench_.input_files());
   report_.created = utc_text(QDateTime::currentMSecsSinceEpoch() * 1000000).substr(0, 19) + " UTC";
   pairs_.clear();
+  drawn_.clear();
   if (const QString reason = missing_gl_reason(); !reason.isEmpty())
     report_.no_pictures = tr("No pictures of pairs: %1.").arg(reason).toStdString();
   else
     pairs_ = pairs_to_picture(report_.file.pairs, kWorst, kBest);
-  next_picture();
+  next_pair();
 }
 
-void ReportMaker::next_picture() {
+void ReportMaker::next_pair() {
   if (pairs_.empty()) {
     write();
     return;
@@ -73,57 +95,61 @@ void ReportMaker::next_picture() {
   emit progressed(tr("Report: picture of pair %1…").arg(pair));
   jobs_.start(
       [this, pair, input = input_, output = output_,
-       load = workbench_.engine().load_pair_clouds](Progress&) -> JobRunner::Deliver {
-        auto clouds = std::make_shared<const PairClouds>(load(input, *output, static_cast<int>(pair)));
-        return [this, pair, clouds] {
-          take_clouds(pair, *clouds);
-          QTimer::singleShot(0, this, &ReportMaker::next_picture);
+       load = workbench_.engine().load_pair_clouds](Progress& progress) -> JobRunner::Deliver {
+        const auto clouds = std::make_shared<const PairClouds>(load(input, *output, static_cast<int>(pair)));
+        const bool scans = clouds->cloud_a.size() > 0 || clouds->cloud_b.size() > 0;
+        const PairSceneDataPtr data = scans ? prepare_pair_scene(clouds, progress) : nullptr;
+        return [this, pair, data, transforms = pair_transforms(*output, static_cast<int>(pair))] {
+          if (data)
+            sittings_ = {{pair, PairAlignment::CurrentX, data, transforms},
+                         {pair, PairAlignment::Before, data, transforms}};
+          else
+            report_.no_pictures = tr("No pictures of pairs: they come from LiDAR poses, without scans.").toStdString();
+          QTimer::singleShot(0, this, &ReportMaker::draw_next);
         };
       },
       [this, pair](const JobFailure& failure) {
-        const QString why = tr("Pair %1 cannot be pictured: %2").arg(pair).arg(failure.what);
-        report_.no_pictures += (report_.no_pictures.empty() ? "" : " ") + why.toStdString();
-        next_picture();
+        if (!report_.no_pictures.empty()) report_.no_pictures += ' ';
+        report_.no_pictures += tr("Pair %1 cannot be pictured: %2").arg(pair).arg(failure.what).toStdString();
+        next_pair();
       });
 }
 
-QString ReportMaker::caption(std::size_t pair, const QString& alignment) const {
+void ReportMaker::draw_next() {
+  if (sittings_.empty()) {
+    next_pair();
+    return;
+  }
+  const Sitting sitting = std::move(sittings_.back());
+  sittings_.pop_back();
+  if (!painter_) painter_ = std::make_unique<PairPainter>(kWidth, kHeight);
+  drawn_.emplace_back(caption(sitting.pair, sitting.alignment).toStdString(),
+                      painter_->paint(sitting.data, sitting.transforms, sitting.alignment));
+  QTimer::singleShot(0, this, &ReportMaker::draw_next);
+}
+
+QString ReportMaker::caption(std::size_t pair, PairAlignment alignment) const {
   const PairRecord& record = report_.file.pairs.at(pair);
   return tr("Pair %1, %2. Residual %3 cm, %4°, RMSE %5 cm.")
       .arg(pair)
-      .arg(alignment)
+      .arg(alignment == PairAlignment::Before ? tr("from above, under the mounting before")
+                                              : tr("from above, under the result"))
       .arg(100.0 * record.residual_translation_m, 0, 'f', 1)
       .arg(radians_to_degrees(record.residual_rotation_rad), 0, 'f', 2)
       .arg(100.0 * record.rmse_m, 0, 'f', 1);
 }
 
-void ReportMaker::take_clouds(std::size_t pair, const PairClouds& clouds) {
-  if (clouds.cloud_a.size() == 0 && clouds.cloud_b.size() == 0) {
-    report_.no_pictures = tr("No pictures of pairs: they come from LiDAR poses, without scans.").toStdString();
-    return;
-  }
-  const PairTransforms transforms = pair_transforms(*output_, static_cast<int>(pair));
-  for (const auto& [alignment, words] : {std::pair{PairAlignment::Before, tr("from above, under the mounting before")},
-                                         std::pair{PairAlignment::CurrentX, tr("from above, under the result")}})
-    report_.pictures.push_back(
-        {caption(pair, words).toStdString(), png_of(picture_of_pair(clouds, transforms, alignment, kWidth, kHeight))});
-}
-
 void ReportMaker::write() {
+  painter_.reset();
   emit progressed(tr("Report: writing pages…"));
-  const QString pdf_path =
-      html_path_.endsWith(QLatin1String(".html")) ? html_path_.chopped(5) + ".pdf" : html_path_ + ".pdf";
-  const QString title = tr("Calibration of a LiDAR");
   jobs_.start(
-      [this, pdf_path, title, html_path = html_path_, report = std::make_shared<Report>(std::move(report_)),
-       sessions = input_.sessions, style = report_style()](Progress&) -> JobRunner::Deliver {
+      [this, html_path = html_path_, pdf_path = pdf_beside(html_path_), title = tr("Calibration of a LiDAR"),
+       report = std::make_shared<Report>(std::move(report_)), drawn = std::move(drawn_), sessions = input_.sessions,
+       style = report_style()](Progress&) -> JobRunner::Deliver {
+        for (const auto& [caption, picture] : drawn) report->pictures.push_back({caption, png_of(picture)});
         for (const auto& session : sessions) report->tracks.push_back(track_of(*session));
         save_atomically(html_path.toStdString(), report_html(*report, style));
-        QByteArray pdf;
-        // The text engine starts timers, which a thread of Qt's own has.
-        const std::unique_ptr<QThread> thread(QThread::create([&] { pdf = report_pdf(*report, style, title); }));
-        thread->start();
-        thread->wait();
+        const QByteArray pdf = on_qt_thread([&] { return make_pdf_(*report, style, title); });
         if (pdf.isEmpty()) throw Error(ErrorCode::Io, pdf_path.toStdString(), tr("could not be made").toStdString());
         save_atomically(pdf_path.toStdString(),
                         std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
@@ -134,7 +160,7 @@ void ReportMaker::write() {
       },
       [this](const JobFailure& failure) {
         busy_ = false;
-        emit failed(failure.where, failure.what);
+        emit failed(failure.where.isEmpty() ? html_path_ : failure.where, failure.what);
       });
 }
 

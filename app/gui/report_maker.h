@@ -1,4 +1,5 @@
-// Makes the report of the present result: pictures on this thread, one a turn of the event loop, the rest on workers.
+// Makes the report of the present result: pictures are drawn on this thread, one a turn of the event loop; the rest is
+// made on workers.
 #pragma once
 
 #include <QObject>
@@ -7,16 +8,20 @@
 
 #include "app/gui/workbench.h"
 #include "model/report/report.h"
+#include "widgets/report_pdf.h"
+#include "widgets/scene/pair_picture.h"
 
 namespace remount {
 
 class ReportMaker : public QObject {
   Q_OBJECT
  public:
-  explicit ReportMaker(Workbench& workbench, QObject* parent = nullptr);
+  using MakePdf = std::function<QByteArray(const Report&, ReportStyle, const QString& title)>;
+
+  explicit ReportMaker(Workbench& workbench, QObject* parent = nullptr, MakePdf make_pdf = report_pdf);
 
   bool busy() const { return busy_; }
-  /// Writes `html_path`, and the PDF of the same name beside it. Does nothing without a result.
+  /// Writes `html_path`, and the PDF of the same name beside it. Does nothing without a result, or while it is busy.
   void make(const QString& html_path);
 
  signals:
@@ -25,20 +30,35 @@ class ReportMaker : public QObject {
   void failed(const QString& where, const QString& what);
 
  private:
-  void next_picture();
-  void take_clouds(std::size_t pair, const PairClouds& clouds);
+  /// A picture that only has to be drawn.
+  struct Sitting {
+    std::size_t pair;
+    PairAlignment alignment;
+    PairSceneDataPtr data;
+    PairTransforms transforms;
+  };
+
+  void next_pair();
+  void draw_next();
   void write();
-  QString caption(std::size_t pair, const QString& alignment) const;
+  QString caption(std::size_t pair, PairAlignment alignment) const;
 
   Workbench& workbench_;
+  MakePdf make_pdf_;
   Report report_;
   PipelineInput input_;
   OutputPtr output_;
-  std::vector<std::size_t> pairs_;  // still to be pictured
+  std::vector<std::size_t> pairs_;                       // still to be pictured
+  std::unique_ptr<PairPainter> painter_;                 // null while nothing is drawn
+  std::vector<Sitting> sittings_;                        // of the present pair, still to be drawn
+  std::vector<std::pair<std::string, RgbImage>> drawn_;  // with captions
   QString html_path_;
   bool busy_ = false;
   JobRunner jobs_;
 };
+
+/// Where the PDF of a page goes.
+QString pdf_beside(const QString& html_path);
 
 /// Words of a report in the language of the window.
 ReportStyle report_style();

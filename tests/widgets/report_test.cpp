@@ -1,10 +1,23 @@
 // The report from the window: page and PDF with pictures, charts and the same numbers.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QFile>
+#include <QFileDialog>
+#include <QFontDatabase>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QProcess>
+#include <QRegularExpression>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QTemporaryDir>
+#include <QTimer>
+#include <stdexcept>
 
+#include "algorithms/core/error.h"
+#include "app/gui/language.h"
 #include "app/gui/report_maker.h"
 #include "app/gui/result_files.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -34,8 +47,9 @@ TEST_F(report_window, one_click_makes_a_page_and_a_pdf) {
   ASSERT_EQ(failed.count(), 0) << failed.at(0).at(1).toString().toStdString();
   const QString html = QString::fromUtf8(contents(folder.filePath("drive.html")));
   const QByteArray pdf = contents(folder.filePath("drive.pdf"));
-  EXPECT_TRUE(html.contains("0.9070 m") || html.contains("0.90")) << "x of the result";
-  EXPECT_EQ(html.count("<svg"), 3);
+  for (const double value_m : {x_m(), workbench_.output()->result.ins_from_lidar.translation().y()})
+    EXPECT_TRUE(html.contains(QStringLiteral(">%1 m</td>").arg(value_m, 0, 'f', 4))) << value_m;
+  EXPECT_EQ(html.count("<svg"), 3) << "residuals of translation and rotation, and the drive";
   if (missing_gl_reason().isEmpty())
     EXPECT_EQ(html.count("data:image/png"), 8) << "three worst and the best, before and after";
   else
@@ -60,6 +74,24 @@ TEST_F(report_window, a_place_that_cannot_be_written_is_named) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.count() > 0; }, kPatience_ms));
   EXPECT_TRUE(failed.at(0).at(0).toString().contains("/nowhere/at/all"));
   EXPECT_FALSE(maker.busy());
+}
+
+TEST_F(report_window, a_pdf_that_fails_is_a_failure_with_its_reason) {
+  const QTemporaryDir folder;
+  calibrate_drive();
+  ReportMaker maker(workbench_, nullptr, [](const Report&, ReportStyle, const QString&) -> QByteArray {
+    throw std::runtime_error("the paper is gone");
+  });
+  QSignalSpy finished(&maker, &ReportMaker::finished), failed(&maker, &ReportMaker::failed);
+  maker.make(folder.filePath("drive.html"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() + failed.count() > 0; }, kPatience_ms));
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_EQ(failed.at(0).at(0).toString(), folder.filePath("drive.html"));
+  EXPECT_TRUE(failed.at(0).at(1).toString().contains("the paper is gone"))
+      << failed.at(0).at(1).toString().toStdString();
+  EXPECT_FALSE(maker.busy());
+  EXPECT_TRUE(QFile::exists(folder.filePath("drive.html"))) << "the page is whole";
+  EXPECT_FALSE(QFile::exists(folder.filePath("drive.pdf")));
 }
 
 TEST(paint_drawing, puts_colours_where_the_drawing_says) {

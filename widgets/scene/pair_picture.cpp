@@ -12,26 +12,32 @@
 
 namespace remount {
 
-RgbImage picture_of_pair(const PairClouds& clouds, const PairTransforms& transforms, PairAlignment alignment, int width,
-                         int height) {
+struct PairPainter::Parts {
   vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetSize(width, height);
   vtkNew<vtkRenderWindowInteractor> interactor;  // the scene hangs its mouse style on it
-  interactor->SetRenderWindow(window);
   PairScene scene;
-  scene.stage().attach(*window);
-  scene.set_dark(false);
-  // Not owned: the scene ends before this function does.
-  scene.set_pair(prepare_pair_scene(std::shared_ptr<const PairClouds>(std::shared_ptr<void>(), &clouds), {}),
-                 transforms);
+};
+
+PairPainter::PairPainter(int width, int height) : parts_(std::make_unique<Parts>()) {
+  parts_->window->SetOffScreenRendering(1);
+  parts_->window->SetSize(width, height);
+  parts_->interactor->SetRenderWindow(parts_->window);
+  parts_->scene.stage().attach(*parts_->window);
+  parts_->scene.set_dark(false);
+}
+
+PairPainter::~PairPainter() = default;
+
+RgbImage PairPainter::paint(PairSceneDataPtr data, const PairTransforms& transforms, PairAlignment alignment) {
+  PairScene& scene = parts_->scene;
+  scene.set_pair(std::move(data), transforms);
   scene.show(alignment, alignment == PairAlignment::Before ? 0.0 : 1.0, false);
-  window->Render();  // the camera is fitted to a window that has its size
   scene.stage().look(StandardView::Top);
-  window->Render();
+  parts_->window->Render();
   vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
+  grab->SetInput(parts_->window);
   grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
   grab->Update();
   vtkImageData* image = grab->GetOutput();
   RgbImage picture;

@@ -1,6 +1,7 @@
-// A picture of a pair without a window, for reports. VTK inside, no Qt.
+// Pictures of pairs without a window, for reports. VTK inside, no Qt.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "widgets/scene/pair_scene.h"
@@ -13,7 +14,15 @@ struct RgbImage {
 };
 
 /// Only where there is OpenGL (missing_gl_reason): VTK ends the program elsewhere. On the thread that owns the display.
-RgbImage picture_of_pair(const PairClouds& clouds, const PairTransforms& transforms, PairAlignment alignment, int width,
-                         int height);
+class PairPainter {
+ public:
+  PairPainter(int width, int height);
+  ~PairPainter();
+  RgbImage paint(PairSceneDataPtr data, const PairTransforms& transforms, PairAlignment alignment);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;  // kept from picture to picture: shaders are compiled once
+};
 
 }  // namespace remount
