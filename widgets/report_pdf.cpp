@@ -2,15 +2,22 @@
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
+#include <QCoreApplication>
+#include <QFontMetrics>
 #include <QPainter>
 #include <QPdfWriter>
 #include <QTextDocument>
 #include <QUrl>
 
+#include "algorithms/core/error.h"
 #include "widgets/charts/paint_drawing.h"
 
 namespace remount {
 namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(remount::report_pdf)
+};
 
 constexpr int kDpi = 288;
 constexpr double kLayoutDpi = 96.0;  // of the text engine's pixels
@@ -33,6 +40,17 @@ void fit_to_paper(QTextDocument& document, const QSizeF& page) {
       "pre{font-size:9px} .weak{color:#666666} .warn{color:#9a4a00}");
   document.setDocumentMargin(0);
   document.setPageSize(page);
+}
+
+void check_letters(const QString& text, const QFont& font) {
+  const QFontMetrics metrics(font);  // of the fonts that step in for this one, too
+  for (const char32_t letter : text.toUcs4())
+    if (letter > 0x7f && QChar::isLetter(letter) && !metrics.inFontUcs4(letter))
+      throw Error(ErrorCode::Unsupported, {},
+                  Words::tr("There is no PDF: no font with the letter \"%1\" is installed. For Chinese, install "
+                            "fonts-noto-cjk.")
+                      .arg(QString::fromUcs4(&letter, 1))
+                      .toStdString());
 }
 
 }  // namespace
@@ -65,6 +83,7 @@ QByteArray report_pdf(const Report& report, ReportStyle style, const QString& ti
   const qsizetype css = html.indexOf("<style>"), end = html.indexOf("</style>");
   html.remove(css, end + 8 - css);
   document.setHtml(html);
+  check_letters(document.toPlainText(), document.defaultFont());
   QPainter painter(&writer);
   if (!painter.isActive()) return {};
   const int pages = document.pageCount();

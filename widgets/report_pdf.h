@@ -7,7 +7,8 @@
 
 namespace remount {
 
-/// A4, numbered pages, fonts embedded. May run on a worker. Empty where it could not be made.
+/// A4, numbered pages, fonts embedded. May run on a worker. Empty where it could not be made; throws Error(Unsupported)
+/// where no installed font has a letter of it: boxes instead of words are no report.
 QByteArray report_pdf(const Report& report, ReportStyle style, const QString& title);
 
 }  // namespace remount

@@ -3676,6 +3676,13 @@ Calibrate again (F5).</source>
     </message>
 </context>
 <context>
+    <name>remount::report_pdf</name>
+    <message>
+        <source>There is no PDF: no font with the letter &quot;%1&quot; is installed. For Chinese, install fonts-noto-cjk.</source>
+        <translation>未生成 PDF：没有安装含“%1”字的字体。中文请安装 fonts-noto-cjk。</translation>
+    </message>
+</context>
+<context>
     <name>remount::steps</name>
     <message>
         <source>all six observed</source>

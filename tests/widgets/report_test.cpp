@@ -94,6 +94,68 @@ TEST_F(report_window, a_pdf_that_fails_is_a_failure_with_its_reason) {
   EXPECT_FALSE(QFile::exists(folder.filePath("drive.pdf")));
 }
 
+class chinese_report : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    speak("zh_CN", false);
+    report_.file.result.message = "Solved; all six parameters are observed.";
+    report_.tracks = {{"drive1", true, {{0, 0}, {10, 5}}}};
+  }
+  void TearDown() override { speak("en", false); }
+  Report report_;
+};
+
+TEST_F(chinese_report, is_a_pdf_with_chinese_letters) {
+  const QString reader = QStandardPaths::findExecutable("pdftotext");
+  if (reader.isEmpty()) GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
+  if (QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty()) GTEST_SKIP() << "no font for Chinese";
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("report.pdf"));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(report_pdf(report_, report_style(), "报告"));
+  file.close();
+  QProcess read;
+  read.start(reader, {file.fileName(), "-"});
+  ASSERT_TRUE(read.waitForFinished(kPatience_ms));
+  QString text = QString::fromUtf8(read.readAllStandardOutput());
+  text.remove(QRegularExpression("\\s"));  // lines break anywhere
+  const auto phrase = [](const char* english) { return QCoreApplication::translate("report", english); };
+  for (const QString& words : {QStringLiteral("已求解；六个参数全部可观测。"), phrase("Calibration of a LiDAR: report"),
+                               phrase("Residuals of the pairs"), phrase("All settings have their defaults.")})
+    EXPECT_TRUE(text.contains(QString(words).remove(' '))) << words.toStdString() << "\n"
+                                                           << text.left(600).toStdString();
+}
+
+/// In a process of its own: an application looks for fonts once.
+TEST_F(chinese_report, says_that_a_font_is_missing_instead_of_drawing_boxes) {
+  if (qEnvironmentVariableIsEmpty("REMOUNT_WITHOUT_CHINESE_FONTS")) {
+    const QTemporaryDir folder;
+    QFile fonts(folder.filePath("fonts.conf"));
+    ASSERT_TRUE(fonts.open(QIODevice::WriteOnly));
+    fonts.write("<?xml version=\"1.0\"?><fontconfig><dir>/usr/share/fonts/truetype/dejavu</dir></fontconfig>");
+    fonts.close();
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("FONTCONFIG_FILE", fonts.fileName());
+    environment.insert("REMOUNT_WITHOUT_CHINESE_FONTS", "1");
+    QProcess child;
+    child.setProcessEnvironment(environment);
+    child.setProcessChannelMode(QProcess::MergedChannels);
+    child.start(QCoreApplication::applicationFilePath(),
+                {"--gtest_filter=chinese_report.says_that_a_font_is_missing_instead_of_drawing_boxes"});
+    ASSERT_TRUE(child.waitForFinished(kPatience_ms));
+    EXPECT_EQ(child.exitCode(), 0) << child.readAll().toStdString();
+    return;
+  }
+  try {
+    report_pdf(report_, report_style(), "报告");
+    FAIL() << "boxes were drawn";
+  } catch (const Error& error) {
+    EXPECT_NE(error.what_happened().find("fonts-noto-cjk"), std::string::npos) << error.what_happened();
+  }
+  speak("en", false);
+  EXPECT_TRUE(report_pdf(report_, report_style(), "Report").startsWith("%PDF")) << "English needs no such font";
+}
+
 TEST(paint_drawing, puts_colours_where_the_drawing_says) {
   Drawing drawing;
   drawing.width = 40, drawing.height = 20;
