@@ -113,6 +113,7 @@ class MainWindow : public QMainWindow {
   void show_options();
   void show_export();
   void ask_for_report();
+  bool may_replace(QStringList files);  ///< asks where one of them exists
   void show_obstacles();
   void show_quality();
   void copy_result();

@@ -44,11 +44,21 @@ void MainWindow::ask_for_report() {
   const QString suggested = project.isEmpty()
                                 ? tr("report.html")
                                 : QFileInfo(project).dir().filePath(QFileInfo(project).completeBaseName() + ".html");
+  // The dialog knows of neither the suffix nor the PDF: what will be replaced is asked afterwards, once for both.
   QString path = QFileDialog::getSaveFileName(this, tr("Save the report (HTML, and PDF beside it)"), suggested,
-                                              tr("Web pages (*.html)"));
+                                              tr("Web pages (*.html)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   if (!path.endsWith(QLatin1String(".html"))) path += QStringLiteral(".html");
-  report_->make(path);
+  if (may_replace({path, pdf_beside(path)})) report_->make(path);
+}
+
+bool MainWindow::may_replace(QStringList files) {
+  files.removeIf([](const QString& file) { return !QFileInfo::exists(file); });
+  for (QString& file : files) file = QDir::toNativeSeparators(file);
+  return files.isEmpty() ||
+         QMessageBox::question(this, tr("Replace files"),
+                               tr("%n file(s) exist already. Replace?", nullptr, static_cast<int>(files.size())) +
+                                   QStringLiteral("\n\n") + files.join('\n')) == QMessageBox::Yes;
 }
 
 void MainWindow::replace_by(const QString& project) {

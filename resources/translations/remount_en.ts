@@ -10,6 +10,13 @@
             <numerusform>%n decisions about pairs</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n file(s) exist already. Replace?</source>
+        <translation>
+            <numerusform>%n file exists already. Replace it?</numerusform>
+            <numerusform>%n files exist already. Replace them?</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>remount::ProjectKeeper</name>

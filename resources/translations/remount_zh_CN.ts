@@ -1068,6 +1068,16 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Ctrl+Shift+B</source>
         <translation>Ctrl+Shift+B</translation>
     </message>
+    <message>
+        <source>Replace files</source>
+        <translation>替换文件</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) exist already. Replace?</source>
+        <translation>
+            <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>

@@ -94,6 +94,62 @@ TEST_F(report_window, a_pdf_that_fails_is_a_failure_with_its_reason) {
   EXPECT_FALSE(QFile::exists(folder.filePath("drive.pdf")));
 }
 
+/// Names a file in the dialog that asks for one and answers the questions after it.
+class Answers : public QObject {
+ public:
+  Answers(const QString& file, QMessageBox::StandardButton answer) {
+    connect(&timer_, &QTimer::timeout, this, [this, file, answer] {
+      QWidget* const dialog = QApplication::activeModalWidget();
+      if (auto* files = qobject_cast<QFileDialog*>(dialog)) {
+        files->findChild<QLineEdit*>()->setText(file);
+        QMetaObject::invokeMethod(files, "accept");
+      } else if (auto* question = qobject_cast<QMessageBox*>(dialog)) {
+        questions << question->text();
+        question->button(answer)->click();
+      }
+    });
+    timer_.start(20);
+  }
+  QStringList questions;
+
+ private:
+  QTimer timer_;
+};
+
+TEST_F(report_window, asks_once_before_page_or_pdf_are_replaced) {
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  const QTemporaryDir folder;
+  const QString html = folder.filePath("drive.html"), pdf = folder.filePath("drive.pdf");
+  show();
+  calibrate_drive();
+  auto& maker = *window_.findChild<ReportMaker*>();
+  const auto ask = [&](const QString& file, QMessageBox::StandardButton answer) {
+    Answers answers(file, answer);
+    trigger("Ctrl+R");
+    return answers.questions;
+  };
+  const auto write = [](const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write("old") == 3;
+  };
+  ASSERT_TRUE(write(pdf));
+  QStringList questions = ask(html, QMessageBox::No);
+  ASSERT_EQ(questions.size(), 1);
+  EXPECT_TRUE(questions[0].contains(pdf) && !questions[0].contains(html)) << questions[0].toStdString();
+  ASSERT_TRUE(write(html));
+  questions = ask(folder.filePath("drive"), QMessageBox::No);
+  ASSERT_EQ(questions.size(), 1) << "the suffix is added";
+  EXPECT_TRUE(questions[0].contains(pdf) && questions[0].contains(html)) << questions[0].toStdString();
+  EXPECT_FALSE(maker.busy());
+  EXPECT_EQ(contents(html) + contents(pdf), "oldold");
+  QSignalSpy finished(&maker, &ReportMaker::finished);
+  EXPECT_EQ(ask(html, QMessageBox::Yes).size(), 1) << "not a second time by the dialog";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() > 0; }, kPatience_ms));
+  EXPECT_TRUE(contents(html).startsWith("<!DOCTYPE html>") && contents(pdf).startsWith("%PDF"));
+  EXPECT_TRUE(ask(folder.filePath("other.html"), QMessageBox::No).isEmpty());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() > 1; }, kPatience_ms));
+}
+
 class chinese_report : public ::testing::Test {
  protected:
   void SetUp() override {
