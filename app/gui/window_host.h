@@ -14,7 +14,8 @@ class WindowHost : public QObject {
  public:
   explicit WindowHost(Workbench& workbench, QObject* parent = nullptr);
   MainWindow& window() { return *window_; }
-  /// The work, the log and the layout stay; open dialogs close.
+  /// The work, the log and the layout stay; open dialogs close. A report that is being made is finished first, in the
+  /// language in which it was begun.
   void change_language(const QString& code);
 
  signals:
@@ -22,8 +23,10 @@ class WindowHost : public QObject {
 
  private:
   void connect_window();
+  class ReportMaker& report();  // of the window
   Workbench& workbench_;
   std::unique_ptr<MainWindow> window_;
+  QString wanted_;  // language; empty: as it is
 };
 
 }  // namespace remount

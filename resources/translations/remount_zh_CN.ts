@@ -2581,6 +2581,13 @@ Everything else works.</source>
     </message>
 </context>
 <context>
+    <name>remount::WindowHost</name>
+    <message>
+        <source>The language changes as soon as the report is written.</source>
+        <translation>报告写完后即切换语言。</translation>
+    </message>
+</context>
+<context>
     <name>remount::Workbench</name>
     <message>
         <source>other files in the sessions</source>

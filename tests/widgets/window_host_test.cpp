@@ -1,0 +1,79 @@
+// Another language in the midst of work.
+#include "app/gui/window_host.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "app/gui/language.h"
+#include "app/gui/report_maker.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/log_panel.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+
+class window_host : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto settle = [&] {
+      return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating(); }, kPatience_ms);
+    };
+    host_.window().open_paths({"/data/drive1"});
+    ASSERT_TRUE(settle());
+    workbench_.calibrate();
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(workbench_.output());
+  }
+  void TearDown() override { speak("en", false); }
+  ReportMaker& report() { return *host_.window().findChild<ReportMaker*>(); }
+  QString log() { return host_.window().findChild<LogPanel*>()->toPlainText(); }
+
+  QTemporaryDir folder_;
+  const QString html_ = folder_.filePath("drive.html"), pdf_ = folder_.filePath("drive.pdf");
+  Workbench workbench_{testing::sample_engine()};
+  WindowHost host_{workbench_};
+  QSignalSpy changed_{&host_, &WindowHost::window_changed};
+};
+
+TEST_F(window_host, a_report_is_finished_before_the_language_changes) {
+  report().make(html_);
+  ASSERT_TRUE(report().busy());
+  host_.change_language("zh_CN");
+  EXPECT_EQ(spoken_language(), "en");
+  EXPECT_EQ(changed_.count(), 0);
+  EXPECT_TRUE(log().contains("as soon as the report is written")) << log().toStdString();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return changed_.count() > 0; }, kPatience_ms));
+  EXPECT_EQ(spoken_language(), "zh_CN");
+  EXPECT_TRUE(log().contains("report saved")) << log().toStdString();
+  EXPECT_TRUE(QFile::exists(pdf_));
+  QFile page(html_);
+  ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(page.readAll().contains("Residuals of the pairs")) << "in the language in which it was begun";
+  EXPECT_FALSE(report().busy());
+}
+
+TEST_F(window_host, a_report_that_fails_lets_the_language_change_too) {
+  report().make("/nowhere/at/all/drive.html");
+  host_.change_language("zh_CN");
+  EXPECT_TRUE(QTest::qWaitFor([&] { return changed_.count() > 0; }, kPatience_ms));
+  EXPECT_EQ(spoken_language(), "zh_CN");
+}
+
+TEST_F(window_host, the_last_wish_counts) {
+  QSignalSpy finished(&report(), &ReportMaker::finished);
+  report().make(html_);
+  host_.change_language("zh_CN");
+  host_.change_language("en");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() > 0; }, kPatience_ms));
+  QTest::qWait(50);
+  EXPECT_EQ(changed_.count(), 0);
+  EXPECT_EQ(spoken_language(), "en");
+}
+
+}  // namespace
+}  // namespace remount
