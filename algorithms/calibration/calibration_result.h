@@ -72,8 +72,8 @@ struct CalibrationResult {
   std::vector<ObservabilityDirection> directions;
 
   NoiseModel noise;  ///< as estimated from the residuals: what the sigmas rest on
-  /// How much more the sessions' own answers scatter than their errors explain; where above 1, every sigma is larger by
-  /// it. NaN where it cannot be told (one session).
+  /// How much more the sessions' own answers scatter than their errors explain; where above 1, every sigma is larger, by
+  /// the more the less it may be chance. NaN where it cannot be told (one session).
   double session_disagreement = std::numeric_limits<double>::quiet_NaN();
   int pairs_proposed = 0, pairs_accepted = 0, pairs_rejected = 0;
   double frobenius_sum = 0.0;

@@ -74,7 +74,7 @@ std::vector<SessionAnswer> session_answers(const JointProblem& problem, const Pa
   return answers;
 }
 
-double session_disagreement(const std::vector<SessionAnswer>& answers, const SolveOptions& options, int without) {
+SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const SolveOptions& options, int without) {
   const Common common = combine(answers, without);
   double chi2 = 0.0;
   auto freedom = -static_cast<int>(well_determined(common.information, options).cols());
@@ -84,18 +84,26 @@ double session_disagreement(const std::vector<SessionAnswer>& answers, const Sol
     chi2 += (directions.transpose() * (answers[s].from_common - common.from_common)).squaredNorm();
     freedom += static_cast<int>(directions.cols());
   }
-  return freedom > 0 && std::isfinite(chi2) ? std::sqrt(chi2 / freedom) : std::numeric_limits<double>::quiet_NaN();
+  if (freedom <= 0 || !std::isfinite(chi2)) return {};
+  return {std::sqrt(chi2 / freedom), freedom};
+}
+
+double widening(const SessionScatter& scatter, double log_spread) {
+  if (!(scatter.ratio > 1.0)) return 1.0;
+  // A variance estimated from n squares has a relative error of sqrt(2 / n), its root half of that.
+  const double believed = 0.5 / (log_spread * log_spread), freedom = scatter.freedom;
+  return std::sqrt((freedom * scatter.ratio * scatter.ratio + believed) / (freedom + believed));
 }
 
 std::optional<OutlierSession> outlier_session(const std::vector<SessionAnswer>& answers, const SolveOptions& options) {
   constexpr std::size_t kFewest = 3;
   constexpr double kContradict = 4.0, kAgree = 1.5;
   if (answers.size() < kFewest) return std::nullopt;
-  const double all = session_disagreement(answers, options);
+  const double all = session_scatter(answers, options).ratio;
   if (!(all > kContradict)) return std::nullopt;
   std::optional<OutlierSession> found;
   for (int s = 0; s < static_cast<int>(answers.size()); ++s) {
-    if (!(session_disagreement(answers, options, s) < kAgree)) continue;
+    if (!(session_scatter(answers, options, s).ratio < kAgree)) continue;
     if (found) return std::nullopt;
     found = OutlierSession{s, all, combine(answers, s).from_common};
   }

@@ -1,6 +1,7 @@
 // Whether several sessions say the same about X.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,11 +19,22 @@ struct SessionAnswer {
 std::vector<SessionAnswer> session_answers(const JointProblem& problem, const PairwiseDetails& details,
                                            const Progress& progress);
 
-/// How far the answers scatter about their common one, as a multiple of what their errors explain (the Birge ratio:
-/// root of chi-square over its degrees of freedom, over the directions that each session determines well); about 1
-/// where the noise model holds. NaN where no two sessions determine the same direction.
+/// How far the answers of sessions scatter about their common one.
+struct SessionScatter {
+  /// As a multiple of what their errors explain (the Birge ratio: root of chi-square over its degrees of freedom, over
+  /// the directions that each session determines well); about 1 where the noise model holds. NaN without `freedom`.
+  double ratio = std::numeric_limits<double>::quiet_NaN();
+  int freedom = 0;  ///< 0 where no two sessions determine the same direction
+};
+
 /// @param without a session that is left out; -1: none
-double session_disagreement(const std::vector<SessionAnswer>& answers, const SolveOptions& options, int without = -1);
+SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const SolveOptions& options,
+                               int without = -1);
+
+/// By how much every sigma is larger for that scatter, never below 1: a few sessions may agree by chance, and may differ
+/// by chance as well. What is believed of the noise counts like so many degrees of freedom at a ratio of 1.
+/// @param log_spread 1-sigma of the logarithm of the noise before it is compared, as in NoisePrior
+double widening(const SessionScatter& scatter, double log_spread);
 
 /// A session that all others contradict.
 struct OutlierSession {

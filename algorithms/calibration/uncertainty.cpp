@@ -7,6 +7,7 @@
 #include <set>
 
 #include "algorithms/calibration/bootstrap.h"
+#include "algorithms/calibration/noise_prior.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/session_agreement.h"
 
@@ -172,10 +173,10 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   const MotionSummary motion = summarise_motion(pairs);
   result.directions = observed_directions(details.joint.information,
                                           spurious_information(input, pairs, x, details.noise), motion, input.options);
-  result.session_disagreement = session_disagreement(answers, input.options);
-  // Not below 1: a few sessions may agree by chance.
-  const double scale2 = result.session_disagreement > 1.0 ? std::pow(result.session_disagreement, 2) : 1.0;
-  const Matrix6d by_pairs = trusted_information(result.directions, input.options) / scale2;
+  const SessionScatter scatter = session_scatter(answers, input.options);
+  result.session_disagreement = scatter.ratio;
+  const double wider = widening(scatter, noise_prior(input).log_spread.front());
+  const Matrix6d by_pairs = trusted_information(result.directions, input.options) / (wider * wider);
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);
   const Matrix6d covariance = inverse(by_pairs + beside_pairs);

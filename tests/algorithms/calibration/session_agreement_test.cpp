@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "tests/algorithms/support/simulated_drive.h"
 
@@ -74,6 +76,28 @@ TEST(session_agreement, two_mountings_are_no_result_and_a_third_session_decides)
   bool reported = false;
   for (const std::string& advice : three.advice) reported = reported || advice.find("Session 2") != std::string::npos;
   EXPECT_TRUE(reported);
+}
+
+TEST(session_agreement, a_scatter_that_may_be_chance_widens_less_than_one_that_cannot) {
+  constexpr double kStated = 0.3, kAssumed = 1.5;
+  EXPECT_EQ(widening({0.5, 6}, kStated), 1.0) << "agreeing by chance makes nothing smaller";
+  EXPECT_EQ(widening({}, kStated), 1.0);
+  EXPECT_NEAR(widening({2.0, 100000}, kStated), 2.0, 1e-3) << "many sessions are no chance";
+  EXPECT_NEAR(widening({2.0, 6}, kAssumed), 2.0, 0.05) << "a noise that was only assumed is not defended";
+  const double few = widening({2.0, 6}, kStated);
+  EXPECT_GT(few, 1.4);
+  EXPECT_LT(few, 1.7);
+  // Over sessions whose errors are as stated, the mean square is hardly widened.
+  std::mt19937 random(7);
+  std::chi_squared_distribution<double> chi2(6.0);
+  double sum = 0.0, plain = 0.0;
+  constexpr int kDraws = 20000;
+  for (int i = 0; i < kDraws; ++i) {
+    const double ratio = std::sqrt(chi2(random) / 6.0);
+    sum += std::pow(widening({ratio, 6}, kStated), 2) / kDraws;
+    plain += std::max(1.0, ratio * ratio) / kDraws;
+  }
+  EXPECT_LT(sum, 1.0 + 0.6 * (plain - 1.0)) << "mean widening " << sum << " instead of " << plain;
 }
 
 TEST(session_agreement, a_single_session_says_nothing_of_it) {
