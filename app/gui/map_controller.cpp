@@ -52,17 +52,27 @@ void MapController::say(const QString& text) {
   view_.allow_choice();
 }
 
+QStringList MapController::session_names() const {
+  // Sessions that were opened since the calibration have no keyframes in it.
+  return workbench_.session_names().first(static_cast<qsizetype>(workbench_.input_of_output().sessions.size()));
+}
+
+void MapController::give_up() {
+  jobs_.cancel(job_);
+  job_ = 0;
+}
+
 void MapController::offer() {
   const OutputPtr output = workbench_.output();
   if (!output) {
-    jobs_.cancel(job_);
+    give_up();
     made_ = {};
     view_.show_message(
         tr("The scans of a session, put together under one mounting, are shown here after a calibration."));
     return;
   }
   if (candidate_ >= static_cast<int>(output->result.candidates.size())) candidate_ = -1;
-  view_.show_choices(workbench_.session_names(), output->nominal_known ? tr("Nominal") : tr("Start"),
+  view_.show_choices(session_names(), output->nominal_known ? tr("Nominal") : tr("Start"),
                      candidate_ < 0 ? QString() : tr("Candidate %1").arg(candidate_ + 1));
   make_map();
 }
@@ -87,7 +97,7 @@ void MapController::make_map() {
   if (!workbench_.engine().load_map_scans) return;
   const auto ins_from_lidar = chosen_ins_from_lidar();
   if (!ins_from_lidar) {
-    jobs_.cancel(job_);
+    give_up();
     return say(tr("There is no result to put the scans together with. Choose another mounting above."));
   }
   if (working()) {
@@ -142,7 +152,7 @@ void MapController::take(const std::shared_ptr<const SessionScans>& scans, const
 
 QString MapController::caption() const {
   const QLocale locale;
-  const QStringList names = workbench_.session_names();
+  const QStringList names = session_names();
   const QString x = view_.chosen_x() == MapX::Nominal
                         ? (workbench_.output()->nominal_known ? tr("the nominal mounting")
                                                               : tr("the mounting that the calibration started from"))

@@ -33,6 +33,8 @@ class MapController : public QObject {
   };
 
   void offer();
+  void give_up();  ///< what is under way is no longer wanted
+  QStringList session_names() const;
   void say(const QString& text);
   std::optional<RigidTransform> chosen_ins_from_lidar() const;
   bool scans_are_current() const;

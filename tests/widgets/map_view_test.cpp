@@ -96,7 +96,7 @@ class map_view : public ::testing::Test {
 };
 
 TEST_F(map_view, draws_few_points_while_it_is_turned_and_all_at_rest) {
-  const QByteArray wanted = qgetenv("REMOUNT_MAP_POINTS");  // 10000000 for the figure that the README gives
+  const QByteArray wanted = qgetenv("REMOUNT_MAP_POINTS");  // 10000000: as many as the map holds at most
   const std::size_t points = wanted.isEmpty() ? 500000 : wanted.toULongLong();
   show(points);
   EXPECT_EQ(facts_of(*data_).points, points + 1);
@@ -259,7 +259,26 @@ TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   EXPECT_FALSE(visible("Cancel"));
   QTest::mouseClick(visible("Make the map"), Qt::LeftButton);
   ASSERT_TRUE(QTest::qWaitFor([&] { return visible("Cancel") != nullptr; }, kPatience_ms));
+  workbench.remove_session(0);  // no output, and so no map
+  QTest::qWait(50);
+  EXPECT_FALSE(view.shows_scene());
+  window.open_paths({"/data/drive2"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  workbench.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return visible("Cancel") != nullptr; }, kPatience_ms));
   // The window ends while it works, in time.
+}
+
+TEST_F(map_page, offers_no_session_that_was_opened_after_the_calibration) {
+  trigger("Ctrl+M");
+  ASSERT_TRUE(shown());
+  window_.open_paths({"/data/drive2"});
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(workbench_.sessions().size(), 2U);
+  workbench_.decide({3}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  for (const auto* box : view().findChildren<QComboBox*>()) EXPECT_LT(box->findText("drive2"), 0);
+  ASSERT_TRUE(says("under the result"));
 }
 
 }  // namespace
