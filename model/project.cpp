@@ -101,6 +101,7 @@ DocumentNode calibration_document(const Project& project) {
   file.pairs.clear();  // they follow in full
   DocumentNode node = DocumentNode::map();
   node.add("session_count", DocumentNode::integer(static_cast<std::int64_t>(project.basis.session_count)));
+  if (project.solution_pending) node.add("solution_pending", DocumentNode::boolean(true));
   node.add("result", result_document(file));
   node.add("initial_ins_from_lidar", transform_document(output.initial_ins_from_lidar));
   node.add("compensation_ins_from_lidar", transform_document(output.compensation_ins_from_lidar));
@@ -132,6 +133,7 @@ void read_calibration(const DocumentView& view, Project& project) {
   if (view.has("session_count"))
     project.basis.session_count =
         static_cast<std::size_t>(view.at("session_count").integer(0, static_cast<std::int64_t>(session_count)));
+  project.solution_pending = view.has("solution_pending") && view.at("solution_pending").boolean();
   output.initial_ins_from_lidar = transform_from_document(view.at("initial_ins_from_lidar"));
   output.compensation_ins_from_lidar = transform_from_document(view.at("compensation_ins_from_lidar"));
   output.initial_known = view.at("initial_known").boolean();
@@ -184,7 +186,9 @@ std::vector<std::string> changes_since(const CalibrationBasis& calibration, cons
 
 std::vector<std::string> Project::changes_since_calibration() const {
   if (!output) return {};
-  return changes_since(basis, {sessions.size(), settings, nominal_ins_from_lidar});
+  std::vector<std::string> changes = changes_since(basis, {sessions.size(), settings, nominal_ins_from_lidar});
+  if (solution_pending) changes.emplace_back("decisions about pairs that the solution does not answer in full");
+  return changes;
 }
 
 std::vector<PairVerdict> verdicts_of(const PipelineOutput& output) {

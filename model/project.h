@@ -37,10 +37,11 @@ struct Project {
   std::optional<RigidTransform> nominal_ins_from_lidar;
   std::vector<PairVerdict> verdicts;
   std::optional<PipelineOutput> output;  ///< the last calibration, enough to review and solve again without scans
+  bool solution_pending = false;  ///< `output` holds decisions that its result does not answer in full: solve again
   CalibrationBasis basis;                ///< what `output` was made with
   std::vector<InputFile> inputs;         ///< hashes of what that calibration read
 
-  /// changes_since of what is set in the project; empty without a calibration.
+  /// changes_since of what is set in the project, and a pending solution; empty without a calibration.
   std::vector<std::string> changes_since_calibration() const;
 };
 

@@ -30,6 +30,10 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "does not determine %1"),
       QT_TRANSLATE_NOOP("remount::model", "its scans determine nothing"),
       QT_TRANSLATE_NOOP("remount::model", "its scans were not aligned"),
+      QT_TRANSLATE_NOOP("remount::model", "not aligned: the calibration was cancelled"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last "
+                        "steps (aligning all clouds, sharpness of the map). Calibrate again for the rest."),
       QT_TRANSLATE_NOOP("remount::model", "registration did not converge"),
       QT_TRANSLATE_NOOP("remount::model", "the surfaces in common determine nothing"),
       QT_TRANSLATE_NOOP("remount::model", "overlap too small: %1"),

@@ -23,12 +23,7 @@ Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* pa
   connect(&soon_, &QTimer::timeout, this, &Autosave::write);
   connect(&again_, &QTimer::timeout, this, &Autosave::look);
   connect(&workbench_, &Workbench::project_changed, this, &Autosave::look);
-  connect(&workbench_, &Workbench::project_opened, this, [this](const ProjectToOpen& request) {
-    for (const RecoveryOffer& offer : restoring_)
-      for (const AutosaveGeneration& generation : offer.generations)
-        if (request.recovered && generation.path == request.path) restored_.push_back(offer);
-    restoring_.clear();
-  });
+  connect(&workbench_, &Workbench::project_opened, this, &Autosave::take_over);
 }
 
 Autosave::~Autosave() {
@@ -43,6 +38,14 @@ void Autosave::restore(const RecoveryOffer& offer, const AutosaveGeneration& gen
   request.recovered = true;
   request.belongs_to = offer.summary.project_path;
   workbench_.open_project(request);
+}
+
+void Autosave::take_over(const ProjectToOpen& request, bool whole) {
+  // What was opened only in part must not replace what has it in full.
+  for (const RecoveryOffer& offer : restoring_)
+    for (const AutosaveGeneration& generation : offer.generations)
+      if (whole && request.recovered && generation.path == request.path) restored_.push_back(offer);
+  restoring_.clear();
 }
 
 void Autosave::look() {
@@ -93,6 +96,7 @@ void Autosave::write() {
 
 void Autosave::written(const QString& path, int revision) {
   job_ = 0;
+  if (finished_) return notes_->clear();
   notes_->adopt(path);
   saved_revision_ = revision;
   complained_ = false;
@@ -113,7 +117,8 @@ void Autosave::finish() {
   again_.stop();
   for (const RecoveryOffer& offer : restored_) discard(offer);
   restored_.clear();
-  if (notes_) notes_->clear();
+  // One that is being written is removed once it is there: by the destructor, or when it is delivered.
+  if (notes_ && job_ == 0) notes_->clear();
 }
 
 }  // namespace remount

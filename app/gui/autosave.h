@@ -29,6 +29,7 @@ class Autosave : public QObject {
   void failed(const QString& where, const QString& what);  ///< once until it succeeds again
 
  private:
+  void take_over(const ProjectToOpen& request, bool whole);
   void look();
   void write();
   void written(const QString& path, int revision);

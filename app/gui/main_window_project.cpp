@@ -62,11 +62,12 @@ bool MainWindow::may_replace(QStringList files) {
 }
 
 void MainWindow::replace_by(const QString& project) {
-  // The window may be gone by then: another language makes a new one.
-  const auto open = [window = QPointer(this), project] {
-    if (window) window->workbench_.open_project(project);
-  };
-  if (may_close(open)) open();
+  // The window may be gone by then: another language makes a new one. What was edited while the file was written is
+  // asked about again.
+  if (may_close([window = QPointer(this), project] {
+        if (window) window->replace_by(project);
+      }))
+    workbench_.open_project(project);
 }
 
 bool MainWindow::may_close(std::function<void()> saved) {

@@ -83,7 +83,10 @@ RecoveryNotes::RecoveryNotes(const QString& data_folder)
                 Words::tr("cannot be made: work is not saved until you save it").toStdString());
   lock_ = std::make_unique<QLockFile>(QDir(folder_).filePath(kLock));
   lock_->setStaleLockTime(0);  // held as long as the process lives, however long that is
-  lock_->tryLock(0);
+  // Unlocked notes would be offered to the next window as those of a crash.
+  if (!lock_->tryLock(0))
+    throw Error(ErrorCode::Io, folder_.toStdString(),
+                Words::tr("cannot be locked: work is not saved until you save it").toStdString());
 }
 
 RecoveryNotes::~RecoveryNotes() = default;

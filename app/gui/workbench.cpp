@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
 #include "app/gui/edit_commands.h"
+#include "model/pipeline/keep_finished.h"
 #include "widgets/forms/option_access.h"
 
 namespace remount {
@@ -40,6 +42,7 @@ QStringList Workbench::changes_since_output() const {
   for (const std::string& change : changes_since(shown, basis_of(input_of_next_run())))
     changes << QString::fromStdString(change);
   if (data_changed_) changes << tr("other files in the sessions");
+  if (incomplete()) changes << tr("decisions about pairs that the solution does not answer in full");
   return changes;
 }
 
@@ -57,17 +60,19 @@ void Workbench::open(const QStringList& paths) {
   for (const QString& path : paths) wanted.emplace_back(path.toStdString());
   open_job_ = jobs_.start(
       [this, wanted, open = engine_.open](Progress& progress) -> JobRunner::Deliver {
-        std::vector<std::shared_ptr<const Session>> opened;
-        std::vector<JobFailure> failures;
-        for (const auto& path : wanted) {
-          if (progress.cancelled()) break;
+        std::vector<std::shared_ptr<const Session>> opened(wanted.size());
+        std::vector<JobFailure> failures(wanted.size());
+        parallel_for(wanted.size(), 0, [&](std::size_t i) {
+          if (progress.cancelled()) return;
           try {
-            opened.push_back(std::make_shared<const Session>(open(path, progress)));
+            opened[i] = std::make_shared<const Session>(open(wanted[i], progress));
           } catch (const Error& error) {
-            failures.push_back({QString::fromStdString(error.where().empty() ? path.string() : error.where()),
-                                QString::fromStdString(error.what_happened())});
+            failures[i] = {QString::fromStdString(error.where().empty() ? wanted[i].string() : error.where()),
+                           QString::fromStdString(error.what_happened())};
           }
-        }
+        });
+        std::erase(opened, nullptr);
+        std::erase_if(failures, [](const JobFailure& failure) { return failure.what.isEmpty(); });
         return [this, opened, failures] {
           add_sessions(opened);
           if (failures.size() == 1) emit message(Severity::Problem, failures[0].where, failures[0].what);
@@ -164,17 +169,29 @@ void Workbench::calibrate() {
             carry_over(input, decisions, *output))
           engine.solve_again(input, *output, progress);
         const bool cancelled = progress.cancelled() || output->result.status == Status::Cancelled;
-        return [this, input, output, cancelled] { take_run(input, cancelled ? nullptr : OutputPtr(output)); };
+        if (!cancelled) return [this, input, output] { take_run(input, output); };
+        return [this, input, output, decisions] {
+          // A complete result is not given up for part of another.
+          const std::size_t finished = output_ ? 0 : keep_finished(input, *output);
+          if (finished == 0) {
+            emit message(Severity::Note, {}, tr("Cancelled. What was there before is kept."));
+            return;
+          }
+          carry_over(input, decisions, *output);
+          take_run(input, output);
+          output_solved_ = nullptr;
+          start_solve(tr("cancelled calibration"), FirstAnswer::None);
+          emit message(Severity::Warning, tr("Cancelled"),
+                       tr("%1 of %2 pairs were aligned by then; they are kept, and solved.")
+                           .arg(finished)
+                           .arg(output->pairs.size()));
+        };
       },
       report_failure());
   emit state_changed();
 }
 
 void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
-  if (!output) {
-    emit message(Severity::Note, {}, tr("Cancelled. What was there before is kept."));
-    return;
-  }
   run_input_ = input;
   output_before_ = output_solved_;
   moved_by_.clear();

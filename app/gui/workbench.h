@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QStringList>
 #include <QUndoStack>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -69,6 +70,9 @@ class Workbench : public QObject {
   bool solving() const { return jobs_.running(solve_job_); }
   /// X of the output answers the last decision already; sigmas, candidates and the judgement of other pairs follow.
   bool refining() const { return solving() && refining_; }
+  /// The result does not answer every decision in full, and nothing under way will: the solution was cancelled or
+  /// failed.
+  bool incomplete() const { return output_ != output_solved_ && !solving(); }
   /// What is set now and was not so for the result that is shown, in words, one for each: calibrate again. What a
   /// solution under way will take up is not among them.
   QStringList changes_since_output() const;
@@ -106,12 +110,15 @@ class Workbench : public QObject {
   /// file says, nothing is replaced and sessions_missing asks for them.
   void open_project(const QString& path) { open_project(ProjectToOpen{path, {}, {}, {}, {}}); }
   void open_project(const ProjectToOpen& request);
-  /// `saved` is called once the file is whole; a failure becomes a message.
+  /// Saves what is there now, after the saves that were asked for before. `saved` is called once the file is whole, but
+  /// not where another project took this one's place meanwhile; a failure becomes a message.
   void save_project(const QString& path, std::function<void()> saved = {});
   const QString& project_path() const { return project_path_; }  ///< empty where it has not been saved
   bool has_unsaved_decisions() const { return unsaved() && !decisions_.empty(); }
-  /// Edits, decisions or results that no project file has, of a project that has a file or a result.
-  bool has_unsaved_work() const { return unsaved() && (output_ || !project_path_.isEmpty()); }
+  /// Edits, decisions or results that no project file has. Sessions that were merely opened are none.
+  bool has_unsaved_work() const {
+    return unsaved() && (output_ || !project_path_.isEmpty() || undo_.canUndo() || recovered_);
+  }
   bool unsaved() const { return revision_ != saved_revision_; }
   int revision() const { return revision_; }  ///< goes up with every edit
   int decision_count() const { return static_cast<int>(decisions_.size()); }
@@ -127,7 +134,7 @@ class Workbench : public QObject {
   void overviews_changed();
   void project_changed();  ///< its path, or whether it is saved
   void project_saved(const QString& path);
-  void project_opened(const remount::ProjectToOpen& request);
+  void project_opened(const remount::ProjectToOpen& request, bool whole);  ///< whole: with all of its sessions
   /// Ask for them and open again, with `moved` or `without_missing` filled in.
   void sessions_missing(const remount::ProjectToOpen& request, const QStringList& paths);
   void session_opened(const QString& path);
@@ -160,7 +167,7 @@ class Workbench : public QObject {
   void say_several_failed(const std::vector<JobFailure>& failures);
   void take_run(const PipelineInput& input, OutputPtr output);
   /// What is shown before the whole solution: how X moved by a decision, or the ranking in another search range.
-  enum class FirstAnswer { Moved, Ranking };
+  enum class FirstAnswer { None, Moved, Ranking };
   void start_solve(const QString& step, FirstAnswer first);
   void take_first_answer(OutputPtr answer, OutputPtr before);
   void load_clouds();
@@ -169,6 +176,14 @@ class Workbench : public QObject {
   void compare_input_files();
   /// The pairs as they are, with the present search range and solution options.
   PipelineInput input_of_next_solve() const;
+  struct Save {
+    QString path;
+    ProjectSnapshot snapshot;
+    std::function<void()> saved;
+    int project = 0;
+  };
+  void start_save();
+  void end_save();
   void set_project(const QString& path, int saved_revision);
   void mark_edited();
   void take_project(const ProjectToOpen& request, struct OpenedProject& opened);
@@ -189,7 +204,10 @@ class Workbench : public QObject {
   bool data_changed_ = false;  // the files on disk are not those that output_ was made from
   bool refining_ = false;
   bool exported_ = false;
+  bool recovered_ = false;  // from an autosave, and not saved since
   int revision_ = 0, saved_revision_ = 0;
+  int project_ = 0;         // goes up where another project takes this one's place
+  std::deque<Save> saves_;  // the first is being written: two at once could leave the older in the file
   QString stage_, project_path_;
   QString moved_by_, solving_for_;  // the edits of the last solution, and of the one under way
   QUndoStack undo_;

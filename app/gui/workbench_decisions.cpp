@@ -103,7 +103,7 @@ void Workbench::decide(const std::vector<int>& pairs, PairState state, const QSt
 void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, const QString& step) {
   if (!output_) return;
   auto changed = std::make_shared<PipelineOutput>(*output_);
-  bool counts = solving();  // a solution under way holds the reasons of before
+  bool counts = solving() || incomplete();  // a solution under way holds the reasons of before
   for (const PairDecision& decision : decisions) {
     Pair& pair = changed->pairs.at(static_cast<std::size_t>(decision.pair));
     counts |= pair.state != decision.state || pair.decided_by != decision.decided_by;
@@ -115,9 +115,12 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, cons
       decisions_.erase(key);
   }
   output_ = std::move(changed);
+  if (counts)
+    start_solve(step, FirstAnswer::Moved);
+  else
+    output_solved_ = output_;  // the reasons are other words for the same
   emit output_changed();
   mark_edited();
-  if (counts) start_solve(step, FirstAnswer::Moved);
 }
 
 void Workbench::start_solve(const QString& step, FirstAnswer first) {
@@ -135,7 +138,7 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
   solve_job_ = jobs_.start(
       [this, job, unlike, first, input = input_of_next_solve(), input_before = run_input_, output = *output_,
        before = output_solved_, engine = engine_](Progress& progress) mutable -> JobRunner::Deliver {
-        if (first == FirstAnswer::Moved && engine.solve_at_once) {
+        if (first == FirstAnswer::Moved && before && engine.solve_at_once) {
           auto answer = std::make_shared<PipelineOutput>(output), like = std::make_shared<PipelineOutput>(*before);
           const bool comparable = !unlike || engine.solve_at_once(input_before, *like, progress);
           if (comparable && engine.solve_at_once(input, *answer, progress))

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
 #include "app/gui/workbench.h"
 #include "model/project.h"
 
@@ -20,20 +21,32 @@ struct OpenedProject {
 namespace {
 
 void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
-  std::error_code none;
-  for (auto& path : opened.project.sessions) {
+  std::vector<std::filesystem::path>& paths = opened.project.sessions;
+  std::vector<std::filesystem::path> found = paths;
+  for (auto& path : found)
+    if (const auto moved = request.moved.find(path.string()); moved != request.moved.end()) path = moved->second;
+  std::vector<std::shared_ptr<const Session>> sessions(paths.size());
+  std::vector<std::optional<Error>> errors(paths.size());
+  parallel_for(paths.size(), 0, [&](std::size_t i) {
     if (progress.cancelled()) return;
-    const auto moved = request.moved.find(path.string());
-    const std::filesystem::path found = moved == request.moved.end() ? path : moved->second;
     try {
-      opened.sessions.push_back(std::make_shared<const Session>(engine.open(found, progress)));
-      path = found;
+      sessions[i] = std::make_shared<const Session>(engine.open(found[i], progress));
     } catch (const Error& error) {
-      if (!std::filesystem::exists(found, none) && !request.without_missing)
-        opened.missing << QString::fromStdString(path.string());
+      errors[i] = error;
+    }
+  });
+  std::error_code none;
+  for (std::size_t i = 0; i < paths.size() && !progress.cancelled(); ++i) {
+    if (sessions[i]) {
+      opened.sessions.push_back(sessions[i]);
+      paths[i] = found[i];
+    } else if (errors[i]) {
+      const Error& error = *errors[i];
+      if (!std::filesystem::exists(found[i], none) && !request.without_missing)
+        opened.missing << QString::fromStdString(paths[i].string());
       else
         opened.failures.push_back(
-            {QString::fromStdString(error.where().empty() ? found.string() : error.where()),
+            {QString::fromStdString(error.where().empty() ? found[i].string() : error.where()),
              Workbench::tr(
                  "%1\nThe project is opened without this session and without its pairs. Its file is left as it "
                  "is: saving asks for another name.")
@@ -60,6 +73,7 @@ ProjectSnapshot Workbench::snapshot() const {
   if (output_) snapshot.project.basis = basis_of(run_input_);
   snapshot.project.inputs = input_files_;
   snapshot.output = output_;
+  snapshot.project.solution_pending = output_ != output_solved_;
   snapshot.revision = revision_;
   return snapshot;
 }
@@ -75,19 +89,34 @@ void Workbench::mark_edited() {
   emit project_changed();
 }
 
-void Workbench::save_project(const QString& path, std::function<void()> done) {
+void Workbench::save_project(const QString& path, std::function<void()> saved) {
+  saves_.push_back({path, snapshot(), std::move(saved), project_});
+  if (saves_.size() == 1) start_save();
+}
+
+void Workbench::start_save() {
   jobs_.start(
-      [this, path, done, snapshot = snapshot()](Progress&) -> JobRunner::Deliver {
-        const int revision = snapshot.revision;
-        write_snapshot(snapshot, path);
-        return [this, path, revision, done] {
-          set_project(path, revision);
-          emit message(Severity::Note, path, tr("project saved"));
-          emit project_saved(path);
-          if (done && !unsaved()) done();
+      [this, save = saves_.front()](Progress&) -> JobRunner::Deliver {
+        write_snapshot(save.snapshot, save.path);
+        return [this, save] {
+          end_save();
+          emit message(Severity::Note, save.path, tr("project saved"));
+          emit project_saved(save.path);
+          if (save.project != project_) return;
+          recovered_ = false;
+          set_project(save.path, save.snapshot.revision);
+          if (save.saved) save.saved();
         };
       },
-      report_failure());
+      [this](const JobFailure& failure) {
+        end_save();
+        emit message(Severity::Problem, failure.where, failure.what);
+      });
+}
+
+void Workbench::end_save() {
+  saves_.pop_front();
+  if (!saves_.empty()) start_save();
 }
 
 void Workbench::open_project(const ProjectToOpen& request) {
@@ -117,13 +146,15 @@ void Workbench::take_project(const ProjectToOpen& request, OpenedProject& opened
     return;
   }
   restore(opened.sessions, opened.project, opened.output);
+  ++project_;
+  recovered_ = request.recovered;
   // What could not be opened in full must not replace the file that has it in full.
   const bool whole = opened.failures.empty();
   const QString own_path = request.recovered ? request.belongs_to : request.path;
   const bool as_saved = whole && !request.recovered && request.moved.empty();
   ++revision_;
   set_project(whole ? own_path : QString(), as_saved ? revision_ : revision_ - 1);
-  emit project_opened(request);
+  emit project_opened(request, whole);
   if (const QStringList changes = changes_since_output(); !changes.isEmpty())
     emit message(Severity::Warning, request.path,
                  tr("holds a result that was made with other settings than it holds now: %1.\n"
@@ -141,7 +172,8 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   nominal_ins_from_lidar_ = project.nominal_ins_from_lidar;
   output_before_ = nullptr;
   moved_by_.clear();
-  output_ = output_solved_ = std::move(output);
+  output_ = std::move(output);
+  output_solved_ = project.solution_pending ? nullptr : output_;
   run_input_ = input_of_next_run();
   if (output_) {
     run_input_.settings = project.basis.settings;
@@ -163,6 +195,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   selected_ = -1;
   select_pair(output_ && !output_->pairs.empty() ? 0 : -1);
   if (output_) compare_input_files();
+  if (output_ != output_solved_) start_solve(tr("decisions before it was saved"), FirstAnswer::None);
 }
 
 void Workbench::announce() {

@@ -2701,6 +2701,26 @@ Calibrate again (F5).</source>
         <source>is not as it was when the result that is shown was made. Calibrate again (F5).</source>
         <translation>与得到所示结果时不同。请重新标定 (F5)。</translation>
     </message>
+    <message>
+        <source>decisions about pairs that the solution does not answer in full</source>
+        <translation>求解尚未完整反映的配对决定</translation>
+    </message>
+    <message>
+        <source>cancelled calibration</source>
+        <translation>已取消的标定</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs were aligned by then; they are kept, and solved.</source>
+        <translation>取消时 %2 对中已有 %1 对完成配准；它们已保留并正在求解。</translation>
+    </message>
+    <message>
+        <source>decisions before it was saved</source>
+        <translation>保存之前的决定</translation>
+    </message>
 </context>
 <context>
     <name>remount::edit_commands</name>
@@ -3626,6 +3646,14 @@ Calibrate again (F5).</source>
         <source>putting the scans together</source>
         <translation>正在拼合扫描</translation>
     </message>
+    <message>
+        <source>not aligned: the calibration was cancelled</source>
+        <translation>未配准：标定已被取消</translation>
+    </message>
+    <message>
+        <source>was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last steps (aligning all clouds, sharpness of the map). Calibrate again for the rest.</source>
+        <translation>在 %2 对中有 %1 对完成配准时被取消：结果仅来自这些配对，未执行最后的步骤（对齐全部点云、地图清晰度）。要处理其余配对，请重新标定。</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -3690,6 +3718,10 @@ Calibrate again (F5).</source>
         <translation>
             <numerusform>%n 小时前</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>cannot be locked: work is not saved until you save it</source>
+        <translation>无法锁定：在您保存之前，工作不会被保存</translation>
     </message>
 </context>
 <context>

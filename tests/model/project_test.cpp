@@ -94,6 +94,17 @@ TEST_F(project, reads_back_what_it_saved) {
   EXPECT_EQ(read_regular_file(path).size(), first.size());
 }
 
+TEST_F(project, knows_that_its_solution_does_not_answer_the_decisions) {
+  const auto path = folder_ / "a.remount";
+  Project pending = example(folder_);
+  save_project(pending, path);
+  EXPECT_FALSE(load_project(path).solution_pending);
+  pending.solution_pending = true;
+  save_project(pending, path);
+  EXPECT_TRUE(load_project(path).solution_pending);
+  EXPECT_EQ(load_project(path).changes_since_calibration().size(), 1U);
+}
+
 TEST_F(project, knows_that_a_calibration_was_made_with_other_settings) {
   const auto path = folder_ / "a.remount";
   Project edited = example(folder_);

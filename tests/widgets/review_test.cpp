@@ -13,6 +13,8 @@
 #include <thread>
 
 #include "app/gui/result_files.h"
+#include "app/gui/wording.h"
+#include "model/project.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/error_bar_chart.h"
 #include "widgets/panels/keys_dialog.h"
@@ -197,11 +199,11 @@ TEST_F(review, how_x_moved_is_shown_in_millimetres_with_what_moved_it) {
   photograph(window_, "22-moved");
 }
 
-TEST(decisions, are_answered_at_once_and_completed_later) {
-  std::atomic<bool> complete = false;
+/// Answers at once, by moving X half a metre, and gives the whole solution once it is allowed to.
+Engine two_step_engine(const std::atomic<bool>& complete) {
   Engine engine = testing::sample_engine();
   const auto whole = engine.solve_again;
-  engine.solve_again = [&](const PipelineInput& input, PipelineOutput& output, Progress& progress) {
+  engine.solve_again = [&complete, whole](const PipelineInput& input, PipelineOutput& output, Progress& progress) {
     while (!complete && !progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (progress.cancelled())
       output.result.status = Status::Cancelled;
@@ -212,11 +214,49 @@ TEST(decisions, are_answered_at_once_and_completed_later) {
     output.result.ins_from_lidar.translation().x() += 0.5;
     return true;
   };
-  Workbench workbench(engine);
+  return engine;
+}
+
+bool calibrated(Workbench& workbench) {
   workbench.open({"/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  if (!QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms)) return false;
   workbench.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
+  return QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms) && workbench.output();
+}
+
+TEST(decisions, that_were_cancelled_before_they_were_answered_in_full_say_so_and_are_solved_when_opened) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("job.remount");
+  std::atomic<bool> complete = false;
+  Workbench workbench(two_step_engine(complete));
+  ASSERT_TRUE(calibrated(workbench));
+  EXPECT_FALSE(workbench.incomplete());
+  workbench.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.refining(); }, kPatience_ms));
+  workbench.cancel();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
+  EXPECT_TRUE(workbench.incomplete() && workbench.out_of_date()) << "its sigmas are of other pairs";
+  EXPECT_TRUE(standing_note(workbench).contains("decisions")) << standing_note(workbench).toStdString();
+  workbench.save_project(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.unsaved(); }, kPatience_ms));
+  EXPECT_EQ(load_project(path.toStdString()).changes_since_calibration().size(), 1U);
+
+  complete = true;
+  Workbench again(two_step_engine(complete));
+  again.open_project(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() && !again.solving(); }, kPatience_ms));
+  EXPECT_FALSE(again.incomplete() || again.out_of_date());
+  EXPECT_EQ(again.output()->pairs[5].state, PairState::Rejected);
+
+  workbench.decide({6}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
+  EXPECT_FALSE(workbench.incomplete()) << "the next decision is answered in full";
+}
+
+TEST(decisions, are_answered_at_once_and_completed_later) {
+  std::atomic<bool> complete = false;
+  Workbench workbench(two_step_engine(complete));
+  ASSERT_TRUE(calibrated(workbench));
   const double before_m = workbench.output()->result.ins_from_lidar.translation().x();
   const auto moved_m = [&] {
     return workbench.output()->result.ins_from_lidar.translation().x() -

@@ -246,6 +246,45 @@ TEST_F(slow_window_flow, cancel_keeps_what_was_there) {
   EXPECT_EQ(workbench_.sessions().size(), 1U);
 }
 
+class cancelled_calibration : public testing::WindowFixture {
+ protected:
+  cancelled_calibration() : WindowFixture(100) {}
+  void calibrate_and_cancel() {
+    qulonglong reached = 0;
+    const auto watch = connect_progress(reached);
+    workbench_.calibrate();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return reached >= 30; }, kPatience_ms));
+    workbench_.cancel();
+    ASSERT_TRUE(settle());
+    QObject::disconnect(watch);
+  }
+  QMetaObject::Connection connect_progress(qulonglong& reached) {
+    return QObject::connect(&workbench_, &Workbench::job_progressed, &workbench_,
+                            [&](const QString&, qulonglong done, qulonglong) { reached = std::max(reached, done); });
+  }
+};
+
+TEST_F(cancelled_calibration, keeps_the_pairs_that_were_aligned_but_no_part_instead_of_a_whole) {
+  show();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  calibrate_and_cancel();
+  ASSERT_TRUE(workbench_.output());
+  EXPECT_FALSE(workbench_.incomplete()) << "what was aligned is solved";
+  EXPECT_EQ(pair(2).reason, "");
+  EXPECT_EQ(pair(2).state, PairState::Proposed) << "the solver decides";
+  EXPECT_EQ(pair(49).state, PairState::Rejected);
+  EXPECT_EQ(pair(49).reason, "not aligned: the calibration was cancelled");
+  const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
+  EXPECT_TRUE(child<MessageBanner>().isVisible() && banner.contains("of 50 pairs")) << banner.toStdString();
+  photograph(window_, "26-cancelled");
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  const OutputPtr whole = workbench_.output();
+  calibrate_and_cancel();
+  EXPECT_EQ(workbench_.output(), whole);
+}
+
 TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
   if (!missing_gl_reason().isEmpty())
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();

@@ -209,8 +209,15 @@ Engine sample_engine(int stages) {
       progress.report("registering pairs", static_cast<std::size_t>(i), static_cast<std::size_t>(stages));
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       if (!progress.cancelled()) continue;
-      PipelineOutput output;
+      PipelineOutput output = sample_output(input, 50);
+      output.result = {};
       output.result.status = Status::Cancelled;
+      const auto finished = static_cast<std::size_t>(50 * i / stages);
+      for (std::size_t pair = finished; pair < output.pairs.size(); ++pair) {
+        output.pairs[pair].registration = {};
+        output.pairs[pair].state = PairState::Proposed;
+        output.pairs[pair].decided_by = DecidedBy::Nobody;
+      }
       return output;
     }
     return sample_output(input, 50);

@@ -1,0 +1,43 @@
+#include "model/pipeline/keep_finished.h"
+
+#include <algorithm>
+
+#include "algorithms/calibration/pair_judgement.h"
+
+namespace remount {
+namespace {
+
+constexpr const char* kNotReached = "not aligned: the calibration was cancelled";
+
+bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
+
+// A registration that was interrupted, or never begun.
+bool not_reached(const Pair& pair) { return !pair.registration.attempted || pair.registration.failure == "cancelled"; }
+
+}  // namespace
+
+std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
+  const auto finished = static_cast<std::size_t>(std::count_if(output.pairs.begin(), output.pairs.end(), aligned));
+  if (finished == 0 || input.settings.solve.apply_time_offset) return 0;
+  for (Pair& pair : output.pairs) {
+    if (pair.decided_by == DecidedBy::User) continue;
+    if (aligned(pair)) {
+      pair.state = PairState::Proposed;
+      pair.decided_by = DecidedBy::Nobody;
+      pair.reason.clear();
+    } else if (not_reached(pair) && (pair.state != PairState::Rejected || pair.registration.attempted)) {
+      pair.state = PairState::Rejected;
+      pair.decided_by = DecidedBy::Program;
+      pair.reason = kNotReached;
+      if (pair.registration.attempted) pair.registration.failure = kNotReached;
+    }
+  }
+  output.findings.push_back({Severity::Warning, "cancelled", "calibration",
+                             "was cancelled when " + std::to_string(finished) + " of " +
+                                 std::to_string(output.pairs.size()) +
+                                 " pairs were aligned: the result is from these, without the last steps (aligning all "
+                                 "clouds, sharpness of the map). Calibrate again for the rest."});
+  return finished;
+}
+
+}  // namespace remount
