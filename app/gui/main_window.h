@@ -70,6 +70,7 @@ class MainWindow : public QMainWindow {
   void take_over(WindowHandover handover);
   /// Where the bundled sample session lies; empty where it is not installed.
   static QString sample_path();
+  QString help_page_of(const QWidget* widget) const;  ///< its name in resources/help, by the panel that holds it
 
  signals:
   void language_requested(const QString& code);
@@ -120,7 +121,6 @@ class MainWindow : public QMainWindow {
   void go_to_step(Step step);
   void show_about();
   void show_help();
-  QString help_page_of(const QWidget* widget) const;
   // main_window_review.cpp: decisions about pairs, and their keys
   void make_review_menu();
   QAction* add_review(QMenu& menu, const char* id, const QString& text, const char* key,

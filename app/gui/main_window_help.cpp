@@ -6,6 +6,7 @@
 #include "app/gui/language.h"
 #include "app/gui/main_window.h"
 #include "widgets/panels/help_window.h"
+#include "widgets/panels/map_view.h"
 #include "widgets/panels/pair_view.h"
 
 namespace remount {
@@ -13,9 +14,10 @@ namespace remount {
 QString MainWindow::help_page_of(const QWidget* widget) const {
   static const std::map<QString, QString> kPages{
       {"setup", "setup"},   {"pairs", "pairs"},     {"errors", "errors"}, {"candidates", "candidates"},
-      {"result", "result"}, {"quality", "quality"}, {"log", "log"}};
+      {"result", "result"}, {"quality", "quality"}, {"drive", "drive"},   {"log", "log"}};
   for (; widget; widget = widget->parentWidget()) {
     if (widget == pair_view_) return QStringLiteral("view");
+    if (widget == map_view_) return QStringLiteral("map");
     const auto page = qobject_cast<const QDockWidget*>(widget) ? kPages.find(widget->objectName()) : kPages.end();
     if (page != kPages.end()) return page->second;
   }

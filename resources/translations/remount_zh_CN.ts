@@ -444,14 +444,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
 <context>
     <name>remount::HelpWindow</name>
     <message>
-        <source>seen from above</source>
-        <translation>俯视</translation>
-    </message>
-    <message>
-        <source>seen from the right</source>
-        <translation>从右侧看</translation>
-    </message>
-    <message>
         <source>Help</source>
         <translation>帮助</translation>
     </message>
@@ -2720,6 +2712,17 @@ Calibrate again (F5).</source>
     <message>
         <source>decisions before it was saved</source>
         <translation>保存之前的决定</translation>
+    </message>
+</context>
+<context>
+    <name>remount::axes_picture</name>
+    <message>
+        <source>seen from above</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>seen from the right</source>
+        <translation>从右侧看</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
+#include <QImage>
 #include <QRadioButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -17,6 +18,24 @@
 
 namespace remount {
 namespace {
+
+TEST(tooltips, of_a_pose_show_its_axes) {
+  NominalPanel panel;
+  const auto spins = panel.findChildren<QDoubleSpinBox*>();
+  ASSERT_EQ(spins.size(), 6);
+  for (const QDoubleSpinBox* spin : spins) {
+    const QString tip = spin->toolTip();
+    EXPECT_TRUE(tip.contains("x forward, y left, z up")) << tip.left(200).toStdString();
+    const qsizetype begin = tip.indexOf("base64,") + 7;
+    const QByteArray png = QByteArray::fromBase64(tip.mid(begin, tip.indexOf('"', begin) - begin).toLatin1());
+    const QImage picture = QImage::fromData(png, "PNG");
+    ASSERT_FALSE(picture.isNull());
+    int drawn = 0;
+    for (int x = 0; x < picture.width(); ++x) drawn += picture.pixelColor(x, picture.height() / 2).alpha() > 0;
+    EXPECT_GT(drawn, 4);
+    EXPECT_FALSE(spin->accessibleDescription().contains('<')) << "a screen reader reads words";
+  }
+}
 
 TEST(option_access, every_option_can_be_read_and_set) {
   const Settings defaults;

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTextBrowser>
@@ -10,6 +11,7 @@
 #include "app/gui/language.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/panels/help_window.h"
+#include "widgets/panels/map_view.h"
 #include "widgets/panels/pairs_panel.h"
 
 namespace remount {
@@ -28,7 +30,9 @@ TEST(help_pages, are_the_same_in_every_language) {
     for (const QString& page : window.listed_pages()) {
       window.show_page(page);
       EXPECT_EQ(window.current_page(), page);
-      EXPECT_GT(window.findChild<QTextBrowser*>()->toPlainText().size(), 30) << page.toStdString();
+      const QString text = window.findChild<QTextBrowser*>()->toPlainText(), title = text.section('\n', 0, 0);
+      EXPECT_FALSE(title.isEmpty());
+      EXPECT_GT(text.size() - title.size(), 40) << page.toStdString() << " says no more than its title";
     }
   }
 }
@@ -57,6 +61,11 @@ TEST_F(help, f1_opens_the_page_of_the_panel) {
     GTEST_SKIP() << "the window cannot have the focus here";
   trigger("F1");
   EXPECT_EQ(opened.current_page(), "pairs");
+  auto& map = child<MapView>();
+  EXPECT_EQ(window_.help_page_of(&map), "map");
+  for (const auto* dock : window_.findChildren<QDockWidget*>())
+    EXPECT_TRUE(opened.listed_pages().contains(window_.help_page_of(dock)) && window_.help_page_of(dock) != "projects")
+        << dock->objectName().toStdString() << " has no page of its own";
   opened.show_page("axes");
   photograph(opened, "17-help");
 }

@@ -31,7 +31,4 @@ class HelpWindow : public QDialog {
   QTextBrowser* text_;
 };
 
-/// The axes of the INS frame on a vehicle seen from above and from the left, as a small picture.
-QImage axes_picture(const QPalette& palette, int width);
-
 }  // namespace remount

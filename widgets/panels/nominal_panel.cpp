@@ -7,6 +7,7 @@
 #include <QRadioButton>
 #include <QSignalBlocker>
 
+#include "widgets/axes_picture.h"
 #include "widgets/parameter_text.h"
 
 namespace remount {
@@ -16,8 +17,10 @@ NominalPanel::NominalPanel(QWidget* parent)
       unknown_(new QRadioButton(tr("Unknown"), this)),
       known_(new QRadioButton(tr("About here:"), this)) {
   unknown_->setToolTip(tr("The mounting is found from nothing, however the sensor is turned"));
-  known_->setToolTip(
-      tr("Pose of the LiDAR in the INS frame (x forward, y left, z up); R = Rz(yaw) Ry(pitch) Rx(roll)"));
+  const QString convention =
+      tr("Pose of the LiDAR in the INS frame (x forward, y left, z up); R = Rz(yaw) Ry(pitch) Rx(roll)");
+  const QString with_axes = tooltip_with_axes(convention);
+  known_->setToolTip(with_axes);
   unknown_->setChecked(true);
   auto* file = new QPushButton(tr("From file…"), this);
   file->setToolTip(tr("A result of an earlier calibration, or any format that can be exported"));
@@ -36,6 +39,8 @@ NominalPanel::NominalPanel(QWidget* parent)
     spin->setSuffix(unit_suffix(i));
     spin->setKeyboardTracking(false);
     spin->setAccessibleName(tr("Nominal %1").arg(text));
+    spin->setAccessibleDescription(convention);
+    spin->setToolTip(with_axes);
     spin->setObjectName("nominal." + text);
     spin->setEnabled(false);
     connect(spin, &QDoubleSpinBox::valueChanged, this, &NominalPanel::send);

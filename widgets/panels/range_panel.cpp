@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "widgets/axes_picture.h"
 #include "widgets/charts/range_bar.h"
 #include "widgets/parameter_text.h"
 #include "widgets/theme.h"
@@ -35,7 +36,8 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
     auto* spin = new QDoubleSpinBox(this);
     set_limits(*spin, field);
     spin->setKeyboardTracking(false);
-    spin->setToolTip(field.help);
+    spin->setToolTip(tooltip_with_axes(field.help));
+    spin->setAccessibleDescription(field.help);
     spin->setObjectName("range." + field.name);
     spin->setAccessibleName(lower ? tr("Smallest %1").arg(parameter) : tr("Largest %1").arg(parameter));
     connect(spin, &QDoubleSpinBox::valueChanged, this,
