@@ -18,12 +18,13 @@ struct Engine {
   std::function<bool(const PipelineInput&, PipelineOutput&, const Progress&)> solve_at_once;
   /// May be empty: then there are no maps.
   std::function<SessionScans(const PipelineInput&, const PipelineOutput&, int, std::size_t, Progress&)> load_map_scans;
+  std::function<PointCloud(const PipelineInput&, const PipelineOutput&, int)> load_keyframe_scan;
   /// May be empty: then sessions are not compared.
   std::function<HoldOut(const PipelineInput&, const PipelineOutput&, Progress&)> check_hold_out;
 };
 
 /// The model's own: open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
-/// check_hold_out.
+/// load_keyframe_scan, check_hold_out.
 Engine model_engine();
 
 }  // namespace remount

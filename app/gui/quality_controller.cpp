@@ -1,7 +1,11 @@
 #include "app/gui/quality_controller.h"
 
+#include <QCoreApplication>
+#include <QSettings>
 #include <algorithm>
 
+#include "model/session_frames.h"
+#include "widgets/panels/clearance_view.h"
 #include "widgets/panels/hold_out_view.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/quality_view.h"
@@ -12,6 +16,58 @@ namespace {
 
 QString in_words(const JobFailure& failure) {
   return failure.where.isEmpty() ? failure.what : failure.where + QStringLiteral(": ") + failure.what;
+}
+
+/// A test's window, which has no organisation, leaves no trace.
+bool remembers() { return !QCoreApplication::organizationName().isEmpty(); }
+
+constexpr std::array<std::pair<const char*, double VehicleBox::*>, 5> kBoxKeys{
+    {{"quality/front_m", &VehicleBox::front_m},
+     {"quality/rear_m", &VehicleBox::rear_m},
+     {"quality/half_width_m", &VehicleBox::half_width_m},
+     {"quality/height_min_m", &VehicleBox::height_min_m},
+     {"quality/height_max_m", &VehicleBox::height_max_m}}};
+
+VehicleBox remembered_box() {
+  VehicleBox box;
+  const QSettings settings;
+  for (const auto& [key, member] : kBoxKeys) box.*member = settings.value(key, box.*member).toDouble();
+  return box;
+}
+
+void remember_box(const VehicleBox& box) {
+  if (!remembers()) return;
+  QSettings settings;
+  for (const auto& [key, member] : kBoxKeys) settings.setValue(key, box.*member);
+}
+
+/// Index of the keyframe at a place among those of a session; -1 where it has fewer.
+int keyframe_at(const PipelineOutput& output, int session, int place) {
+  for (std::size_t k = 0; k < output.keyframes.size(); ++k)
+    if (output.keyframes[k].session == session && place-- == 0) return static_cast<int>(k);
+  return -1;
+}
+
+std::vector<Eigen::Vector3f> moved(const std::vector<Eigen::Vector3f>& points_in_lidar,
+                                   const RigidTransform& vehicle_from_lidar) {
+  const Eigen::Isometry3f single = vehicle_from_lidar.cast<float>();
+  std::vector<Eigen::Vector3f> points_in_vehicle;
+  points_in_vehicle.reserve(points_in_lidar.size());
+  for (const Eigen::Vector3f& point : points_in_lidar) points_in_vehicle.push_back(single * point);
+  return points_in_vehicle;
+}
+
+std::shared_ptr<const VehicleScan> scan_of_vehicle(const PointCloud& cloud, const PipelineInput& input,
+                                                   const PipelineOutput& output) {
+  const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(input.sessions));
+  return std::make_shared<const VehicleScan>(
+      VehicleScan{moved(cloud.points, vehicle_from_ins * output.initial_ins_from_lidar),
+                  moved(cloud.points, vehicle_from_ins * output.result.ins_from_lidar)});
+}
+
+QString scan_name(const PipelineInput& input, const Keyframe& keyframe) {
+  const auto& scans = input.sessions[static_cast<std::size_t>(keyframe.session)]->scans;
+  return scans ? QString::fromStdString(scans->name(static_cast<std::size_t>(keyframe.scan))) : QString();
 }
 
 /// Of the sessions that were calibrated; others may be open by now.
@@ -27,12 +83,67 @@ QualityController::QualityController(Workbench& workbench, QualityView& view, QO
     : QObject(parent), workbench_(workbench), view_(view) {
   connect(&view_, &QualityView::looked_at, this, &QualityController::refresh);
   connect(&workbench_, &Workbench::state_changed, this, &QualityController::refresh);
+  connect(view_.obstacles(), &ClearanceView::scan_chosen, this, &QualityController::refresh_obstacles);
+  connect(view_.obstacles(), &ClearanceView::box_edited, this, &remember_box);
+  if (remembers()) view_.obstacles()->set_box(remembered_box());
   connect(view_.sharpness(), &SharpnessView::map_requested, this, &QualityController::map_requested);
 }
 
 void QualityController::refresh() {
+  refresh_obstacles();
   refresh_sharpness();
   refresh_hold_out();
+}
+
+void QualityController::offer_scans(const OutputPtr& output) {
+  if (output == offered_) return;
+  offered_ = output;
+  const PipelineInput& input = workbench_.input_of_output();
+  std::vector<int> counts(output ? input.sessions.size() : 0, 0);
+  for (std::size_t k = 0; output && k < output->keyframes.size(); ++k)
+    ++counts.at(static_cast<std::size_t>(output->keyframes[k].session));
+  view_.obstacles()->show_choices(output ? session_names(input) : QStringList(), counts);
+}
+
+void QualityController::refresh_obstacles() {
+  const OutputPtr output = workbench_.output();
+  ClearanceView& view = *view_.obstacles();
+  offer_scans(output);
+  const auto say = [&](const QString& text) {
+    scan_of_ = {};
+    view.show_message(text);
+  };
+  if (!output) return say(tr("After a calibration the vehicle is shown here among the points of a scan."));
+  if (!is_usable(output->result)) return say(tr("There is no result under which to look at obstacles."));
+  const ScanKey wanted{output, keyframe_at(*output, view.chosen_session(), view.chosen_keyframe())};
+  if (wanted.keyframe < 0) return say(tr("No scan of this session was used."));
+  const bool settled = !workbench_.calibrating() && !workbench_.solving();
+  // One at a time: whoever steps through scans waits for one of them, not for all.
+  if (wanted == scan_of_ || !settled || !view.isVisible() || jobs_.running(scan_job_)) return;
+  if (workbench_.engine().load_keyframe_scan) start_scan(wanted);
+}
+
+void QualityController::start_scan(const ScanKey& wanted) {
+  scan_of_ = wanted;
+  if (!view_.obstacles()->shows_scan()) view_.obstacles()->show_message(tr("Reading the scan…"));
+  scan_job_ = jobs_.start(
+      [this, wanted, input = workbench_.input_of_output(),
+       load = workbench_.engine().load_keyframe_scan](Progress&) -> JobRunner::Deliver {
+        const auto scan = scan_of_vehicle(load(input, *wanted.output, wanted.keyframe), input, *wanted.output);
+        const Keyframe& keyframe = wanted.output->keyframes[static_cast<std::size_t>(wanted.keyframe)];
+        return [this, wanted, scan, name = scan_name(input, keyframe)] {
+          if (wanted == scan_of_ && scan->after.empty())
+            view_.obstacles()->show_message(
+                tr("This session has no points: it may hold LiDAR poses instead of scans."));
+          else if (wanted == scan_of_)
+            view_.obstacles()->show_scan(name, scan);
+          refresh_obstacles();
+        };
+      },
+      [this, wanted](const JobFailure& failure) {
+        if (wanted == scan_of_) view_.obstacles()->show_message(in_words(failure));
+        refresh_obstacles();
+      });
 }
 
 void QualityController::refresh_sharpness() {

@@ -16,12 +16,22 @@ class QualityController : public QObject {
  public:
   QualityController(Workbench& workbench, QualityView& view, QObject* parent = nullptr);
   void refresh();  ///< the output, or what is under way, changed
-  bool working() const { return jobs_.running(hold_out_job_); }
+  bool working() const { return jobs_.running(hold_out_job_) || jobs_.running(scan_job_); }
 
  signals:
   void map_requested(remount::MapX x);
 
  private:
+  /// A keyframe's scan under the mountings of an output.
+  struct ScanKey {
+    OutputPtr output;
+    int keyframe = -1;
+    bool operator==(const ScanKey&) const = default;
+  };
+
+  void refresh_obstacles();
+  void offer_scans(const OutputPtr& output);
+  void start_scan(const ScanKey& wanted);
   void refresh_sharpness();
   void refresh_hold_out();
   void start_hold_out(const OutputPtr& output);
@@ -29,8 +39,9 @@ class QualityController : public QObject {
 
   Workbench& workbench_;
   QualityView& view_;
-  OutputPtr sharpness_of_, hold_out_of_;  // what is shown, or being computed
-  int hold_out_job_ = 0;
+  OutputPtr offered_, sharpness_of_, hold_out_of_;  // what is shown, or being computed
+  ScanKey scan_of_;
+  int hold_out_job_ = 0, scan_job_ = 0;
   JobRunner jobs_;  // last: its threads end before anything they report to is gone
 };
 

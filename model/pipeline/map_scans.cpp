@@ -1,4 +1,4 @@
-// Scans for the accumulated map of a session.
+// Scans for the accumulated map of a session, and one of them alone.
 #include <algorithm>
 #include <atomic>
 
@@ -33,6 +33,15 @@ std::vector<Eigen::Vector3f> thinned(const std::vector<Eigen::Vector3f>& points,
 }
 
 }  // namespace
+
+PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, int index) {
+  const Keyframe& keyframe = output.keyframes.at(static_cast<std::size_t>(index));
+  if (!input.sessions.at(static_cast<std::size_t>(keyframe.session))->scans) return {};
+  const DriveMotion motion = motion_as_solved(input, output);
+  ScanStore store(motion, input.settings.registration, 0);
+  compensate_as_solved(input, output, store);
+  return store.load(keyframe);
+}
 
 SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, int session,
                             std::size_t most_points, Progress& progress) {

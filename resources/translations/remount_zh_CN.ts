@@ -118,6 +118,156 @@
     </message>
 </context>
 <context>
+    <name>remount::ClearancePlot</name>
+    <message>
+        <source>The scan around the vehicle, seen from above</source>
+        <translation>车辆周围的扫描（俯视）</translation>
+    </message>
+    <message>
+        <source>Plus and minus zoom, Home shows what is near.</source>
+        <translation>加号和减号缩放，Home 显示近处。</translation>
+    </message>
+    <message>
+        <source>Seen from above, forward is right; metres from the INS. The wheel zooms, Home shows what is near.</source>
+        <translation>俯视，前方朝右；以 INS 为原点，单位米。滚轮缩放，Home 显示近处。</translation>
+    </message>
+    <message>
+        <source>● before</source>
+        <translation>● 之前</translation>
+    </message>
+    <message>
+        <source>● with the result</source>
+        <translation>● 按结果</translation>
+    </message>
+    <message>
+        <source>x forward → [m]</source>
+        <translation>x 前向 → [米]</translation>
+    </message>
+    <message>
+        <source>No points within the heights.</source>
+        <translation>该高度范围内没有点。</translation>
+    </message>
+    <message>
+        <source>The lowest height lies above the highest: no point counts.</source>
+        <translation>最低高度高于最高高度：没有点计入。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ClearanceView</name>
+    <message>
+        <source>Nothing is there within the heights.</source>
+        <translation>该高度范围内那里没有点。</translation>
+    </message>
+    <message>
+        <source>There is no point under one of the two.</source>
+        <translation>两者之一没有点。</translation>
+    </message>
+    <message>
+        <source>Distance of the nearest point on each side of the vehicle, metres</source>
+        <translation>车辆各侧最近点的距离，单位米</translation>
+    </message>
+    <message>
+        <source>From the outline to the nearest point straight ahead, behind, left and right, in metres; nearest: in any direction. Points inside the outline are the vehicle.</source>
+        <translation>从车辆轮廓到正前、正后、左、右最近点的距离，单位米；最近：任意方向。轮廓内的点属于车辆自身。</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> 米</translation>
+    </message>
+    <message>
+        <source>Session of the scan</source>
+        <translation>扫描所属的数据</translation>
+    </message>
+    <message>
+        <source>Number of the scan</source>
+        <translation>扫描编号</translation>
+    </message>
+    <message>
+        <source>Which of the scans that the calibration used</source>
+        <translation>标定所用扫描中的哪一帧</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>From the INS to the front end of the vehicle, m</source>
+        <translation>从 INS 到车头，单位米</translation>
+    </message>
+    <message>
+        <source>Rear</source>
+        <translation>后</translation>
+    </message>
+    <message>
+        <source>From the INS to the rear end of the vehicle, m</source>
+        <translation>从 INS 到车尾，单位米</translation>
+    </message>
+    <message>
+        <source>Half width</source>
+        <translation>半宽</translation>
+    </message>
+    <message>
+        <source>From the INS to either side of the vehicle, m</source>
+        <translation>从 INS 到车辆任一侧，单位米</translation>
+    </message>
+    <message>
+        <source>Lowest</source>
+        <translation>最低</translation>
+    </message>
+    <message>
+        <source>Lower points are the ground: height against the INS, m</source>
+        <translation>更低的点是地面：相对 INS 的高度，单位米</translation>
+    </message>
+    <message>
+        <source>Highest</source>
+        <translation>最高</translation>
+    </message>
+    <message>
+        <source>Higher points are bridges and branches: height against the INS, m</source>
+        <translation>更高的点是桥梁和树枝：相对 INS 的高度，单位米</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>扫描</translation>
+    </message>
+    <message>
+        <source> of %1</source>
+        <translation> / %1</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>最近</translation>
+    </message>
+    <message>
+        <source>Free [m]</source>
+        <translation>净距 [米]</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>With result</source>
+        <translation>按结果</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差</translation>
+    </message>
+</context>
+<context>
     <name>remount::CorrelationChart</name>
     <message>
         <source>Correlations of the six parameters</source>
@@ -1921,6 +2071,26 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Solving every session alone…</source>
         <translation>正在单独求解每份数据…</translation>
     </message>
+    <message>
+        <source>After a calibration the vehicle is shown here among the points of a scan.</source>
+        <translation>标定之后，这里在一帧扫描的点中显示车辆。</translation>
+    </message>
+    <message>
+        <source>There is no result under which to look at obstacles.</source>
+        <translation>没有可用来查看障碍物的结果。</translation>
+    </message>
+    <message>
+        <source>No scan of this session was used.</source>
+        <translation>这份数据没有扫描被使用。</translation>
+    </message>
+    <message>
+        <source>This session has no points: it may hold LiDAR poses instead of scans.</source>
+        <translation>这份数据没有点：它可能只有激光雷达位姿而没有扫描。</translation>
+    </message>
+    <message>
+        <source>Reading the scan…</source>
+        <translation>正在读取扫描…</translation>
+    </message>
 </context>
 <context>
     <name>remount::QualityView</name>
@@ -1931,6 +2101,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Session against session</source>
         <translation>数据互检</translation>
+    </message>
+    <message>
+        <source>Obstacles</source>
+        <translation>障碍物</translation>
     </message>
 </context>
 <context>

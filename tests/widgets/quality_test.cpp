@@ -1,14 +1,20 @@
-// The quality page: sessions against each other, the map's sharpness.
+// The quality page: what is free around the vehicle, the map's sharpness, sessions against each other.
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTabBar>
 #include <QTableWidget>
 
+#include "algorithms/core/error.h"
+#include "app/gui/quality_controller.h"
 #include "tests/widgets/support/window_fixture.h"
+#include "widgets/charts/clearance_plot.h"
+#include "widgets/panels/clearance_view.h"
 #include "widgets/panels/hold_out_view.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/quality_view.h"
@@ -47,9 +53,9 @@ TEST(hold_out_view, shows_every_choice_and_no_number_for_what_is_not_observed) {
   EXPECT_EQ(cell(scores, 0, 3), "0.023°, 13.0 mm");
   EXPECT_TRUE(scores.item(2, 3)->toolTip().contains("tuesday does not observe z: taken from monday's own X"));
   ASSERT_EQ(differences.rowCount(), 3);
-  EXPECT_EQ(cell(differences, 0, 2), "+2.0 ± 4.0 mm");
-  EXPECT_EQ(cell(differences, 0, 4), "–");
-  EXPECT_TRUE(differences.item(0, 4)->toolTip().contains("tuesday does not observe z"));
+  EXPECT_EQ(cell(differences, 0, 1), "+2.0 ± 4.0");
+  EXPECT_EQ(cell(differences, 0, 3), "–");
+  EXPECT_TRUE(differences.item(0, 3)->toolTip().contains("tuesday does not observe z"));
   for (const FigureTable* table : {&scores, &differences})
     for (int row = 0; row < table->rowCount(); ++row)
       for (int column = 0; column < table->columnCount(); ++column)
@@ -70,6 +76,72 @@ TEST(sharpness_view, marks_the_better_of_nominal_and_result) {
   EXPECT_TRUE(verdict_of(view).contains("No clear difference"));
 }
 
+/// A wall ahead that the mounting before saw 0.3 m too far away, a pole at the left, the bonnet.
+std::shared_ptr<const VehicleScan> courtyard() {
+  VehicleScan scan;
+  for (int i = -20; i <= 20; ++i) scan.after.emplace_back(8.0F, 0.2F * static_cast<float>(i), 0.5F);
+  scan.after.emplace_back(1.0F, 3.5F, 0.0F);
+  scan.after.emplace_back(3.0F, 0.0F, 0.0F);
+  scan.after.emplace_back(5.0F, 0.0F, -1.2F);  // ground
+  for (const Eigen::Vector3f& point : scan.after) scan.before.emplace_back(point.x() + 0.3F, point.y(), point.z());
+  return std::make_shared<const VehicleScan>(std::move(scan));
+}
+
+TEST(clearance_view, tells_what_is_free_on_each_side_before_and_after) {
+  ClearanceView view;
+  view.show_scan("scan7.pcd", courtyard());
+  const FigureTable& table = table_of(view);
+  EXPECT_EQ(cell(table, 0, 1), "4.80");
+  EXPECT_EQ(cell(table, 1, 1), "4.50");
+  EXPECT_EQ(cell(table, 2, 1), "-0.300");
+  EXPECT_EQ(cell(table, 1, 2), "–") << "nothing is behind";
+  EXPECT_EQ(cell(table, 1, 3), "2.50");
+  EXPECT_EQ(cell(table, 1, 5), "2.50") << "the nearest in any direction";
+  EXPECT_TRUE(view.plot()->message().isEmpty());
+}
+
+TEST(clearance_view, follows_the_outline_and_the_heights) {
+  ClearanceView view;
+  QSignalSpy edited(&view, &ClearanceView::box_edited);
+  view.show_scan("scan7.pcd", courtyard());
+  for (auto* spin : view.findChildren<QDoubleSpinBox*>()) {
+    EXPECT_FALSE(spin->accessibleName().isEmpty());
+    if (spin->accessibleName() == "Front") spin->setValue(2.5);
+    if (spin->accessibleName() == "Lowest") spin->setValue(-2.0);
+  }
+  EXPECT_EQ(edited.count(), 2);
+  EXPECT_EQ(cell(table_of(view), 1, 1), "0.50") << "the bonnet sticks out";
+  EXPECT_NEAR(view.box().height_min_m, -2.0, 1e-9);
+  view.set_box({});
+  EXPECT_EQ(edited.count(), 2) << "what the program sets is no edit";
+  EXPECT_EQ(cell(table_of(view), 1, 1), "4.50");
+  view.set_box({3.5, 1.5, 1.0, 10.0, 12.0});
+  EXPECT_TRUE(view.plot()->message().contains("No points within the heights"));
+}
+
+TEST(clearance_plot, draws_the_scan_under_both_mountings_and_zooms) {
+  ClearancePlot plot;
+  plot.resize(500, 320);
+  const auto scan = courtyard();
+  plot.show_scan("scan7.pcd", scan, {}, find_clearances(scan->before, {}), find_clearances(scan->after, {}));
+  const double before = plot.pixels_per_m();
+  const QPointF wall = plot.to_screen(8.0, 2.0);
+  const QImage picture = plot.grab().toImage();
+  const auto has = [&](QColor color, QPointF place) {
+    for (int dx = -2; dx <= 2; ++dx)
+      if (picture.pixelColor(place.toPoint() + QPoint(dx, 0)) == color) return true;
+    return false;
+  };
+  EXPECT_TRUE(has(after_color(plot.palette()), wall));
+  EXPECT_TRUE(has(before_color(plot.palette()), plot.to_screen(8.3, 2.0)));
+  QTest::keyClick(&plot, Qt::Key_Plus);
+  EXPECT_GT(plot.pixels_per_m(), before);
+  QTest::keyClick(&plot, Qt::Key_Home);
+  EXPECT_NEAR(plot.pixels_per_m(), before, 1e-9);
+  plot.show_message("no scan");
+  EXPECT_NE(plot.grab().toImage(), picture);
+}
+
 class quality_page : public testing::WindowFixture {
  protected:
   quality_page() : testing::WindowFixture(2) {}
@@ -88,6 +160,49 @@ class quality_page : public testing::WindowFixture {
     ASSERT_TRUE(settle());
   }
 };
+
+TEST_F(quality_page, shows_the_vehicle_among_the_points_of_a_scan) {
+  show();
+  look_at(view().obstacles());
+  const auto shows = [&](const QString& name) {
+    return QTest::qWaitFor([&] { return view().obstacles()->plot()->name() == name; }, kPatience_ms);
+  };
+  EXPECT_TRUE(view().obstacles()->plot()->message().contains("After a calibration"));
+  calibrate_drive();
+  ASSERT_TRUE(shows("scan0.pcd"));
+  photograph(window_, "21-obstacles");
+  auto& scan = *view().obstacles()->findChild<QSpinBox*>();
+  EXPECT_EQ(scan.maximum(), 60);
+  for (int step = 0; step < 5; ++step) scan.stepUp();
+  EXPECT_TRUE(shows("scan5.pcd")) << "the last that was asked for";
+  const auto figures = [&] {
+    QStringList cells;
+    const FigureTable& table = table_of(*view().obstacles());
+    for (int column = 1; column < table.columnCount(); ++column) cells << cell(table, 2, column);
+    return cells;
+  };
+  const QStringList before = figures();
+  workbench_.decide({1, 2, 4, 5, 6, 8, 9, 11, 12, 13}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return figures() != before; }, kPatience_ms)) << "x has moved by a centimetre";
+}
+
+TEST(quality_failures, a_scan_that_cannot_be_read_is_said) {
+  Engine engine = testing::sample_engine(2);
+  engine.load_keyframe_scan = [](const PipelineInput&, const PipelineOutput&, int) -> PointCloud {
+    throw Error(ErrorCode::Io, "scan0.pcd", "cannot be read any more");
+  };
+  Workbench workbench(engine);
+  QualityView view;
+  QualityController controller(workbench, view);
+  view.show();
+  workbench.open({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  workbench.calibrate();
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return view.obstacles()->plot()->message() == "scan0.pcd: cannot be read any more"; }, kPatience_ms));
+  EXPECT_FALSE(controller.working());
+}
 
 TEST_F(quality_page, one_session_needs_a_second) {
   show();

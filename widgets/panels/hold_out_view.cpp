@@ -58,17 +58,21 @@ Rows score_rows(const HoldOut& found, const QStringList& names) {
   return rows;
 }
 
-/// "+1.2 ± 0.8 mm": mm and mdeg where both are small.
+/// "+1.2 ± 0.8", in mm or mdeg.
 QString difference_text(std::size_t i, double difference, double sigma) {
-  const double value = on_screen(i, difference), spread = on_screen(i, sigma);
-  const bool large = std::max(std::abs(value), spread) >= 1.0;
-  const double scale = large ? 1.0 : 1e3;
-  const QString unit = large ? unit_suffix(i) : is_angle(i) ? QStringLiteral(" mdeg") : QStringLiteral(" mm");
-  return QStringLiteral("%1%2 ± %3%4")
+  const double value = 1e3 * on_screen(i, difference);
+  return QStringLiteral("%1%2 ± %3")
       .arg(value < 0.0 ? QStringLiteral("−") : QStringLiteral("+"))
-      .arg(scale * std::abs(value), 0, 'f', large ? 3 : 1)
-      .arg(scale * spread, 0, 'f', large ? 3 : 1)
-      .arg(unit);
+      .arg(std::abs(value), 0, 'f', 1)
+      .arg(1e3 * on_screen(i, sigma), 0, 'f', 1);
+}
+
+QStringList difference_heads() {
+  QStringList heads{HoldOutView::tr("Difference of X")};
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+    heads << QStringLiteral("%1 [%2]").arg(parameter_name(i),
+                                           is_angle(i) ? QStringLiteral("mdeg") : QStringLiteral("mm"));
+  return heads << HoldOutView::tr("In words");
 }
 
 bool differ(const SessionDifference& difference) {
@@ -114,10 +118,10 @@ Rows difference_rows(const HoldOut& found, const QStringList& names) {
   Rows rows;
   for (const SessionDifference& difference : found.differences) {
     std::vector<TableCell> row{
-        {QStringLiteral("%1 − %2").arg(names.value(difference.a), names.value(difference.b)), {}, Verdict::Neutral},
-        {in_words(difference), {}, verdict_of(difference)}};
+        {QStringLiteral("%1 − %2").arg(names.value(difference.a), names.value(difference.b)), {}, Verdict::Neutral}};
     for (std::size_t i = 0; i < kParameterNames.size(); ++i)
       row.push_back(difference_cell(found, difference, i, names));
+    row.push_back({in_words(difference), {}, verdict_of(difference)});
     rows.push_back(std::move(row));
   }
   return rows;
@@ -161,9 +165,7 @@ void HoldOutView::show_hold_out(const HoldOut& found, const QStringList& names) 
   scores_->show_rows({tr("Solved on"), tr("Scored on"), tr("Pairs"), tr("Under that X"), tr("Under its own X"),
                       tr("Under the common X")},
                      score_rows(found, names));
-  QStringList heads{tr("Difference of X"), tr("In words")};
-  for (std::size_t i = 0; i < kParameterNames.size(); ++i) heads << parameter_name(i);
-  differences_->show_rows(heads, difference_rows(found, names));
+  differences_->show_rows(difference_heads(), difference_rows(found, names));
   scores_->show();
   differences_->show();
 }

@@ -1,13 +1,15 @@
 #include "widgets/panels/quality_view.h"
 
+#include "widgets/panels/clearance_view.h"
 #include "widgets/panels/hold_out_view.h"
 #include "widgets/panels/sharpness_view.h"
 
 namespace remount {
 
 QualityView::QualityView(QWidget* parent)
-    : QTabWidget(parent), sharpness_(new SharpnessView), hold_out_(new HoldOutView) {
+    : QTabWidget(parent), obstacles_(new ClearanceView), sharpness_(new SharpnessView), hold_out_(new HoldOutView) {
   setDocumentMode(true);
+  addTab(obstacles_, tr("Obstacles"));
   addTab(sharpness_, tr("Map sharpness"));
   addTab(hold_out_, tr("Session against session"));
   connect(this, &QTabWidget::currentChanged, this, &QualityView::looked_at);

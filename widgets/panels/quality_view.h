@@ -1,10 +1,11 @@
-// Whether the calibration is good: sessions against each other, the map, distances to obstacles.
+// Whether the calibration is good: distances to obstacles, the map, sessions against each other.
 #pragma once
 
 #include <QTabWidget>
 
 namespace remount {
 
+class ClearanceView;
 class HoldOutView;
 class SharpnessView;
 
@@ -12,6 +13,7 @@ class QualityView : public QTabWidget {
   Q_OBJECT
  public:
   explicit QualityView(QWidget* parent = nullptr);
+  ClearanceView* obstacles() const { return obstacles_; }
   SharpnessView* sharpness() const { return sharpness_; }
   HoldOutView* hold_out() const { return hold_out_; }
 
@@ -22,6 +24,7 @@ class QualityView : public QTabWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  ClearanceView* obstacles_;
   SharpnessView* sharpness_;
   HoldOutView* hold_out_;
 };

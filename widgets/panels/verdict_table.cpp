@@ -75,7 +75,6 @@ FigureTable::FigureTable(const QString& accessible_name, QWidget* parent) : QTab
   setMinimumHeight(3 * (fontMetrics().height() + 6) + 4);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  horizontalHeader()->setStretchLastSection(true);
 }
 
 void FigureTable::show_rows(const QStringList& heads, const std::vector<std::vector<TableCell>>& rows) {

@@ -267,6 +267,11 @@ Engine sample_engine(int stages) {
     }
     return map.points_recorded > most ? SessionScans{} : map;
   };
+  engine.load_keyframe_scan = [](const PipelineInput& input, const PipelineOutput& output, int keyframe) {
+    const Keyframe& chosen = output.keyframes.at(static_cast<std::size_t>(keyframe));
+    return input.sessions.at(static_cast<std::size_t>(chosen.session))
+        ->scans->load(static_cast<std::size_t>(chosen.scan));
+  };
   engine.check_hold_out = [](const PipelineInput& input, const PipelineOutput&, Progress&) {
     return sample_hold_out(static_cast<int>(input.sessions.size()));
   };

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "algorithms/core/error.h"
+#include "model/pipeline.h"
+
+namespace remount {
+namespace {
+
+/// Scans whose points were measured one after the other; every third cannot be read.
+class TwoPointScans : public ScanSource {
+ public:
+  std::size_t size() const override { return 20; }
+  std::int64_t stamp_ns(std::size_t scan) const override {
+    return 1'000'000'000 + 100'000'000 * static_cast<std::int64_t>(scan);
+  }
+  std::string name(std::size_t scan) const override { return std::to_string(scan); }
+  PointCloud load(std::size_t scan) const override {
+    if (scan % 3 == 2) throw Error(ErrorCode::Io, name(scan), "is damaged");
+    PointCloud cloud;
+    cloud.points = {{10.0F, 0.0F, 0.0F}, {10.0F, 0.0F, 0.0F}};
+    cloud.time_from_stamp_s = {0.0F, 0.05F};
+    return cloud;
+  }
+};
+
+class keyframe_scan : public ::testing::Test {
+ protected:
+  keyframe_scan() {
+    auto session = std::make_shared<Session>();
+    for (int i = 0; i < 400; ++i)  // straight ahead at 10 m/s
+      session->world_from_ins.push_back({10'000'000LL * i, rigid_from_six({0.1 * i, 0, 0, 0, 0, 0})});
+    session->scans = std::make_shared<TwoPointScans>();
+    session->scan_timing = ScanTiming::PerPoint;
+    input_.sessions = {session};
+    for (int scan = 0; scan < 6; ++scan)
+      output_.keyframes.push_back({0, scan, session->scans->stamp_ns(static_cast<std::size_t>(scan)), 0.0});
+    output_.session_uses_sweep = {false};
+  }
+  PipelineInput input_;
+  PipelineOutput output_;
+};
+
+TEST_F(keyframe_scan, is_compensated_for_motion_as_the_calibration_did) {
+  const PointCloud cloud = load_keyframe_scan(input_, output_, 1);
+  ASSERT_EQ(cloud.size(), 2U);
+  EXPECT_NEAR(cloud.points[0].x(), 10.0F, 1e-3F);
+  EXPECT_NEAR(cloud.points[1].x(), 10.5F, 1e-3F) << "measured half a metre farther on";
+  input_.settings.run.deskew = DeskewMode::Off;
+  EXPECT_NEAR(load_keyframe_scan(input_, output_, 1).points[1].x(), 10.0F, 1e-3F);
+}
+
+TEST_F(keyframe_scan, that_cannot_be_read_is_named) {
+  try {
+    load_keyframe_scan(input_, output_, 2);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.what_happened(), "is damaged");
+  }
+}
+
+TEST_F(keyframe_scan, of_lidar_poses_is_empty) {
+  auto poses = std::make_shared<Session>(*input_.sessions[0]);
+  poses->scans.reset();
+  input_.sessions = {poses};
+  EXPECT_EQ(load_keyframe_scan(input_, output_, 0).size(), 0U);
+}
+
+}  // namespace
+}  // namespace remount
