@@ -113,7 +113,7 @@ std::size_t sessions_used(const JointProblem& problem) {
 
 // How X moves where all distances that the lidar measures are too long by `kScale`.
 Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& details, const Progress& progress) {
-  constexpr double kScale = 2.5e-5, kEnlarged = 1e-3;
+  constexpr double kScale = 1.5e-5, kEnlarged = 1e-3;
   JointProblem longer = problem;
   for (JointTerm& term : longer.terms) term.lidar_b_from_lidar_a.translation() *= 1.0 + kEnlarged;
   const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 8, progress);
@@ -150,7 +150,7 @@ Matrix6d weak_prior(bool nominal_known) {
 // Measured on simulated drives (docs/adr/0006-honest-sigma.md). Most about the direction of travel, across which the
 // least ground is seen.
 Matrix6d registration_limits() {
-  constexpr double kDisplaced_m = 3e-4, kRoll_rad = 3e-5, kPitch_rad = 1.4e-5, kYaw_rad = 1.75e-5;
+  constexpr double kDisplaced_m = 3.6e-4, kRoll_rad = 3e-5, kPitch_rad = 1.4e-5, kYaw_rad = 1.75e-5;
   Vector6d sigmas;
   sigmas << kDisplaced_m, kDisplaced_m, kDisplaced_m, kRoll_rad, kPitch_rad, kYaw_rad;
   return sigmas.cwiseAbs2().asDiagonal();
