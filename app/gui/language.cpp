@@ -1,10 +1,11 @@
 #include "app/gui/language.h"
 
-#include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QSettings>
 #include <QTranslator>
+
+#include "app/gui/remembering.h"
 
 /// Resources of a static library are left out where nothing names them. Not in a namespace: the macro says so.
 static void name_resources() {
@@ -25,8 +26,6 @@ Spoken& spoken() {
   static auto* only = new Spoken;  // outlives the application, which unhooks its translators when it ends
   return *only;
 }
-
-bool remembers() { return !QCoreApplication::organizationName().isEmpty(); }
 
 }  // namespace
 

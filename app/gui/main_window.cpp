@@ -1,7 +1,6 @@
 #include "app/gui/main_window.h"
 
 #include <QCloseEvent>
-#include <QCoreApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QGroupBox>
@@ -20,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include "app/gui/project_keeper.h"
+#include "app/gui/remembering.h"
 #include "app/gui/report_maker.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
@@ -45,8 +45,6 @@ namespace remount {
 namespace {
 constexpr int kLayoutVersion = 3;
 }  // namespace
-
-bool MainWindow::remembers() { return !QCoreApplication::organizationName().isEmpty(); }
 
 MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
     : QMainWindow(parent),

@@ -82,8 +82,6 @@ class MainWindow : public QMainWindow {
   void changeEvent(QEvent* event) override;
 
  private:
-  /// Layout and keys are remembered for the application; a test's window, which has no organisation, leaves no trace.
-  static bool remembers();
   static constexpr int kWelcomePage = 0, kPairPage = 1;  // of centre_
   // main_window.cpp: layout
   void make_centre();

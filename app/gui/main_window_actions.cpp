@@ -258,6 +258,9 @@ void MainWindow::go_to_step(Step step) {
       result_dock_->show();
       candidates_dock_->raise();
       break;
+    case Step::Check:
+      show_quality();
+      break;
     case Step::Export:
       show_export();
       break;

@@ -1,11 +1,13 @@
 // The language menu, and what a window hands to the one that takes its place.
 #include <QActionGroup>
 #include <QMenu>
+#include <QTableView>
 
 #include "app/gui/language.h"
 #include "app/gui/main_window.h"
 #include "app/gui/project_keeper.h"
 #include "widgets/panels/log_panel.h"
+#include "widgets/panels/pairs_panel.h"
 
 namespace remount {
 
@@ -37,6 +39,7 @@ void MainWindow::take_over(WindowHandover handover) {
   restoreState(handover.state);
   log_->setPlainText(handover.log);
   keeper_->put_autosave(std::move(handover.autosave));
+  if (workbench_.output()) pairs_->table()->setFocus();  // else the first step takes it
 }
 
 }  // namespace remount

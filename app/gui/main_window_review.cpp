@@ -6,6 +6,7 @@
 #include <QTableView>
 
 #include "app/gui/main_window.h"
+#include "app/gui/remembering.h"
 #include "widgets/pair_reasons.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/keys_dialog.h"

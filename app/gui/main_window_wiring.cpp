@@ -70,6 +70,9 @@ void MainWindow::connect_state() {
       workbench_, *pair_view_, [this](int pair) { return pair_caption(pair); }, this);
   maps_ = new MapController(workbench_, *map_view_, this);
   checks_ = new QualityController(workbench_, *quality_, this);
+  quality_->set_on_top(false);
+  connect(quality_dock_, &QDockWidget::visibilityChanged, quality_, &QualityView::set_on_top);
+  connect(quality_, &QualityView::looked_at, this, &MainWindow::show_state);
   connect(checks_, &QualityController::map_requested, this, [this](MapX x) {
     map_view_->choose(x);
     views_->setCurrentWidget(map_view_);
@@ -167,6 +170,7 @@ void MainWindow::show_state() {
     idle_ = idle;
     progress_text(idle);
   }
+  if (!busy && !workbench_.solving() && workbench_.output() && quality_->seen()) workbench_.mark_checked();
   steps_->show_steps(describe_steps(workbench_));
   calibrate_->setEnabled(!busy);
   run_->setEnabled(!busy && !workbench_.sessions().empty());

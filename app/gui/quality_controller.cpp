@@ -1,9 +1,9 @@
 #include "app/gui/quality_controller.h"
 
-#include <QCoreApplication>
 #include <QSettings>
 #include <algorithm>
 
+#include "app/gui/remembering.h"
 #include "model/session_frames.h"
 #include "widgets/panels/clearance_view.h"
 #include "widgets/panels/hold_out_view.h"
@@ -17,9 +17,6 @@ namespace {
 QString in_words(const JobFailure& failure) {
   return failure.where.isEmpty() ? failure.what : failure.where + QStringLiteral(": ") + failure.what;
 }
-
-/// A test's window, which has no organisation, leaves no trace.
-bool remembers() { return !QCoreApplication::organizationName().isEmpty(); }
 
 constexpr std::array<std::pair<const char*, double VehicleBox::*>, 5> kBoxKeys{
     {{"quality/front_m", &VehicleBox::front_m},
@@ -119,7 +116,7 @@ void QualityController::refresh_obstacles() {
   if (wanted.keyframe < 0) return say(tr("No scan of this session was used."));
   const bool settled = !workbench_.calibrating() && !workbench_.solving();
   // One at a time: whoever steps through scans waits for one of them, not for all.
-  if (wanted == scan_of_ || !settled || !view.isVisible() || jobs_.running(scan_job_)) return;
+  if (wanted == scan_of_ || !settled || !view_.seen() || !view.isVisible() || jobs_.running(scan_job_)) return;
   if (workbench_.engine().load_keyframe_scan) start_scan(wanted);
 }
 
@@ -181,7 +178,7 @@ void QualityController::refresh_hold_out() {
   }
   // A solution under way replaces the output soon.
   const bool settled = !workbench_.calibrating() && !workbench_.solving();
-  if (output != hold_out_of_ && settled && view.isVisible() && workbench_.engine().check_hold_out)
+  if (output != hold_out_of_ && settled && view_.seen() && view.isVisible() && workbench_.engine().check_hold_out)
     start_hold_out(output);
 }
 

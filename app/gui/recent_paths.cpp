@@ -1,14 +1,14 @@
 #include "app/gui/recent_paths.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 
+#include "app/gui/remembering.h"
+
 namespace remount {
 namespace {
 const QString kKey = QStringLiteral("recent/paths");
-bool remembers() { return !QCoreApplication::organizationName().isEmpty(); }
 }  // namespace
 
 RecentPaths::RecentPaths() {

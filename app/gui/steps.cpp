@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/calibration/pair_judgement.h"
+#include "model/pipeline/sharpness_stage.h"
 #include "widgets/panels/result_panel.h"
 
 namespace remount {
@@ -49,6 +50,17 @@ QString short_status(Status status) {
   return Words::tr("cancelled");
 }
 
+/// What speaks against the result without its residuals, before whether somebody has looked.
+StepInfo describe_check(const PipelineOutput& output, bool looked_at) {
+  constexpr double kContradict = 2.0;
+  const bool less_sharp = std::any_of(output.findings.begin(), output.findings.end(),
+                                      [](const Finding& finding) { return finding.code == kMapLessSharp; });
+  if (less_sharp) return {StepState::Attention, Words::tr("map less sharp")};
+  if (output.result.session_disagreement > kContradict) return {StepState::Attention, Words::tr("sessions contradict")};
+  if (looked_at) return {StepState::Done, Words::tr("looked at")};
+  return {StepState::Next, Words::tr("see Quality")};
+}
+
 }  // namespace
 
 std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
@@ -92,11 +104,14 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     step(Step::Solve) = {StepState::Attention, Words::tr("out of date")};
   else
     step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(status)};
-  if (stale && is_usable(output->result))
-    step(Step::Export) = {StepState::Attention, Words::tr("out of date")};
-  else if (is_usable(output->result))
-    step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, Words::tr("exported")}
-                                              : StepInfo{StepState::Next, Words::tr("ready (Ctrl+E)")};
+  if (!is_usable(output->result)) return steps;
+  if (stale) {
+    for (const Step which : {Step::Check, Step::Export}) step(which) = {StepState::Attention, Words::tr("out of date")};
+    return steps;
+  }
+  step(Step::Check) = describe_check(*output, workbench.checked());
+  step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, Words::tr("exported")}
+                                            : StepInfo{StepState::Next, Words::tr("ready (Ctrl+E)")};
   return steps;
 }
 

@@ -196,7 +196,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   output_before_ = output_solved_;
   moved_by_.clear();
   output_ = output_solved_ = std::move(output);
-  data_changed_ = exported_ = false;
+  data_changed_ = exported_ = checked_ = false;
   undo_.clear();
   for (const Finding& finding : output_->findings)
     emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
@@ -302,6 +302,12 @@ void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lida
   emit nominal_changed();
   emit state_changed();
   mark_edited();
+}
+
+void Workbench::mark_checked() {
+  if (checked_) return;
+  checked_ = true;
+  emit state_changed();
 }
 
 void Workbench::mark_exported() {

@@ -79,6 +79,7 @@ class Workbench : public QObject {
   bool out_of_date() const { return !changes_since_output().isEmpty(); }
   const QString& stage() const { return stage_; }  ///< of the running calibration
   bool exported() const { return exported_; }
+  bool checked() const { return checked_; }  ///< somebody looked at the quality of this result
   /// Hashes of what was read, for provenance; made in the background after a calibration, empty until then.
   const std::vector<InputFile>& input_files() const { return input_files_; }
   QUndoStack& undo_stack() { return undo_; }
@@ -99,6 +100,7 @@ class Workbench : public QObject {
   void edit_nominal(const std::optional<RigidTransform>& ins_from_lidar);
   void use_result_as_nominal();
   void mark_exported();
+  void mark_checked();
   void say(Severity severity, const QString& where, const QString& what) { emit message(severity, where, what); }
 
   // Steps of undo commands; not undoable by themselves.
@@ -203,7 +205,7 @@ class Workbench : public QObject {
   int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0;
   bool data_changed_ = false;  // the files on disk are not those that output_ was made from
   bool refining_ = false;
-  bool exported_ = false;
+  bool exported_ = false, checked_ = false;
   bool recovered_ = false;  // from an autosave, and not saved since
   int revision_ = 0, saved_revision_ = 0;
   int project_ = 0;         // goes up where another project takes this one's place

@@ -175,7 +175,7 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
           moved_by_ = solving_for_;
           output_ = output_solved_ = solved;
           run_input_.settings = settings;
-          exported_ = false;
+          exported_ = checked_ = false;
           emit output_changed();
           mark_edited();
         };
@@ -189,7 +189,7 @@ void Workbench::take_first_answer(OutputPtr answer, OutputPtr before) {
   output_ = std::move(answer);
   output_before_ = std::move(before);
   moved_by_ = solving_for_;
-  exported_ = false;
+  exported_ = checked_ = false;
   refining_ = true;
   emit output_changed();
   emit state_changed();

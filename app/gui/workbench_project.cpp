@@ -185,7 +185,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   for (std::size_t i = 0; output_ && i < output_->pairs.size(); ++i)
     if (output_->pairs[i].decided_by == DecidedBy::User)
       decisions_[key_of(run_input_, *output_, output_->pairs[i])] = {output_->pairs[i].state, output_->pairs[i].reason};
-  data_changed_ = exported_ = false;
+  data_changed_ = exported_ = checked_ = false;
   undo_.clear();
   emit sessions_changed();
   emit settings_changed();

@@ -2730,6 +2730,14 @@ Everything else works.</source>
         <source>Step %1: %2, %3</source>
         <translation>第 %1 步：%2，%3</translation>
     </message>
+    <message>
+        <source>See by other means than residuals that it is right</source>
+        <translation>用残差以外的方法确认结果正确</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>检查</translation>
+    </message>
 </context>
 <context>
     <name>remount::WelcomePanel</name>
@@ -2869,7 +2877,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>decisions about pairs that the solution does not answer in full</source>
-        <translation>求解尚未完整反映的配对决定</translation>
+        <translation>求解尚未完整反映的帧对决定</translation>
     </message>
     <message>
         <source>cancelled calibration</source>
@@ -2881,7 +2889,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>%1 of %2 pairs were aligned by then; they are kept, and solved.</source>
-        <translation>取消时 %2 对中已有 %1 对完成配准；它们已保留并正在求解。</translation>
+        <translation>取消时 %2 个帧对中已有 %1 个完成配准；它们已保留并正在求解。</translation>
     </message>
     <message>
         <source>decisions before it was saved</source>
@@ -3829,7 +3837,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last steps (aligning all clouds, sharpness of the map). Calibrate again for the rest.</source>
-        <translation>在 %2 对中有 %1 对完成配准时被取消：结果仅来自这些配对，未执行最后的步骤（对齐全部点云、地图清晰度）。要处理其余配对，请重新标定。</translation>
+        <translation>在 %2 个帧对中有 %1 个完成配准时被取消：结果仅来自这些帧对，未执行最后的步骤（对齐全部点云、地图清晰度）。要处理其余帧对，请重新标定。</translation>
     </message>
 </context>
 <context>
@@ -3993,6 +4001,22 @@ Calibrate again (F5).</source>
     <message>
         <source>ready (Ctrl+E)</source>
         <translation>就绪 (Ctrl+E)</translation>
+    </message>
+    <message>
+        <source>map less sharp</source>
+        <translation>地图变模糊</translation>
+    </message>
+    <message>
+        <source>sessions contradict</source>
+        <translation>数据互相矛盾</translation>
+    </message>
+    <message>
+        <source>looked at</source>
+        <translation>已查看</translation>
+    </message>
+    <message>
+        <source>see Quality</source>
+        <translation>查看“质量”</translation>
     </message>
 </context>
 <context>

@@ -246,7 +246,8 @@ TEST_F(slow_map_page, can_be_cancelled_and_asked_for_again) {
   workbench.calibrate();
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
   auto& view = *window.findChild<MapView*>();
-  window.findChild<QTabWidget*>()->setCurrentWidget(&view);
+  for (auto* tabs : window.findChildren<QTabWidget*>())
+    if (tabs->indexOf(&view) >= 0) tabs->setCurrentWidget(&view);
   const auto visible = [&](const QString& text) -> QPushButton* {
     for (auto* button : view.findChildren<QPushButton*>())
       if (button->text() == text && button->isVisible()) return button;

@@ -14,6 +14,7 @@
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/panels/export_dialog.h"
 #include "widgets/panels/message_banner.h"
+#include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/sessions_panel.h"
@@ -51,7 +52,7 @@ TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_
   workbench_.edit_option("registration", "voxel_m", 0.5);
   EXPECT_TRUE(result().contains("Out of date")) << result().toStdString();
   EXPECT_TRUE(strip().contains("out of date")) << strip().toStdString();
-  for (const Step which : {Step::Pairs, Step::Align, Step::Solve, Step::Export})
+  for (const Step which : {Step::Pairs, Step::Align, Step::Solve, Step::Check, Step::Export})
     EXPECT_EQ(step(which).state, StepState::Attention) << static_cast<int>(which);
   workbench_.select_pair(7);
   // The scans of the pair are read, and the strip says so.
@@ -61,6 +62,29 @@ TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_
   EXPECT_FALSE(result().contains("Out of date")) << result().toStdString();
   EXPECT_TRUE(strip_becomes("Ready")) << strip().toStdString();
   EXPECT_NE(step(Step::Export).state, StepState::Attention);
+}
+
+TEST_F(window_state, a_result_is_checked_once_its_quality_was_looked_at_and_what_speaks_against_it_is_said) {
+  show();
+  calibrate_drive();
+  EXPECT_EQ(step(Step::Check).state, StepState::Next);
+  trigger("Ctrl+Shift+B");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.checked(); }, kPatience_ms));
+  EXPECT_EQ(step(Step::Check).state, StepState::Done);
+  for (auto* dock : window_.findChildren<QDockWidget*>())
+    if (dock->objectName() == "pairs") dock->raise();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return child<PairsPanel>().isVisible(); }, kPatience_ms));
+  workbench_.decide({5}, PairState::Rejected);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return step(Step::Check).state == StepState::Next; }, kPatience_ms))
+      << "another result is to be looked at again";
+  ASSERT_TRUE(settle());
+  PipelineOutput output = *workbench_.output();
+  output.result.session_disagreement = 3.0;
+  Project project;
+  project.basis.session_count = 1;
+  workbench_.restore(workbench_.sessions(), project, std::make_shared<const PipelineOutput>(output));
+  workbench_.mark_checked();
+  EXPECT_EQ(describe_steps(workbench_)[static_cast<std::size_t>(Step::Check)].detail, "sessions contradict");
 }
 
 class slow_window_state : public window_state {

@@ -15,6 +15,11 @@ QualityView::QualityView(QWidget* parent)
   connect(this, &QTabWidget::currentChanged, this, &QualityView::looked_at);
 }
 
+void QualityView::set_on_top(bool on_top) {
+  on_top_ = on_top;
+  if (seen()) emit looked_at();
+}
+
 void QualityView::showEvent(QShowEvent* event) {
   QTabWidget::showEvent(event);
   emit looked_at();

@@ -16,6 +16,9 @@ class QualityView : public QTabWidget {
   ClearanceView* obstacles() const { return obstacles_; }
   SharpnessView* sharpness() const { return sharpness_; }
   HoldOutView* hold_out() const { return hold_out_; }
+  /// Behind other docks of its tabs it is visible to Qt, and nobody sees it.
+  void set_on_top(bool on_top);
+  bool seen() const { return on_top_ && isVisible(); }
 
  signals:
   void looked_at();  ///< a page came to be seen: what it shows may be out of date
@@ -27,6 +30,7 @@ class QualityView : public QTabWidget {
   ClearanceView* obstacles_;
   SharpnessView* sharpness_;
   HoldOutView* hold_out_;
+  bool on_top_ = true;
 };
 
 }  // namespace remount

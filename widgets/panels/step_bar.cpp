@@ -12,7 +12,8 @@ StepBar::StepBar(QWidget* parent) : QWidget(parent) {
   const std::array<QString, kStepCount> help{
       tr("Open the recorded sessions of one vehicle"), tr("Choose scans and pair those that see the same objects"),
       tr("Align the two scans of every pair"),         tr("Look at the pairs and decide on doubtful ones"),
-      tr("The mounting that explains the pairs"),      tr("Write the result for other software")};
+      tr("The mounting that explains the pairs"),      tr("See by other means than residuals that it is right"),
+      tr("Write the result for other software")};
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 4);
   layout->setSpacing(4);
@@ -37,8 +38,8 @@ void StepBar::changeEvent(QEvent* event) {
 }
 
 void StepBar::restyle() {
-  const std::array<QString, kStepCount> titles{tr("Load"),   tr("Pairs"), tr("Align"),
-                                               tr("Review"), tr("Solve"), tr("Export")};
+  const std::array<QString, kStepCount> titles{tr("Load"),  tr("Pairs"), tr("Align"), tr("Review"),
+                                               tr("Solve"), tr("Check"), tr("Export")};
   for (std::size_t i = 0; i < kStepCount; ++i) {
     const StepInfo& step = steps_[i];
     QColor color = palette().color(QPalette::Disabled, QPalette::WindowText);

@@ -8,14 +8,14 @@ class QToolButton;
 
 namespace remount {
 
-enum class Step { Load, Pairs, Align, Review, Solve, Export };
+enum class Step { Load, Pairs, Align, Review, Solve, Check, Export };
 enum class StepState { Waiting, Next, Running, Done, Attention };
 
 struct StepInfo {
   StepState state = StepState::Waiting;
   QString detail;  ///< "2 sessions"
 };
-inline constexpr std::size_t kStepCount = 6;
+inline constexpr std::size_t kStepCount = 7;
 
 class StepBar : public QWidget {
   Q_OBJECT

@@ -1,0 +1,12 @@
+// Whether settings of the user are kept from one start to the next.
+#pragma once
+
+#include <QCoreApplication>
+
+namespace remount {
+
+/// Layout, keys and lists are remembered for the application; a test's window, which has no organisation, leaves no
+/// trace.
+inline bool remembers() { return !QCoreApplication::organizationName().isEmpty(); }
+
+}  // namespace remount
