@@ -105,7 +105,7 @@ SimulationOptions small_street() {
 std::vector<Pair> random_pairs(int count) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
-  const auto vector = [&](double sigma) {
+  const auto vector = [&](double sigma) -> Eigen::Vector3d {  // not an expression of what is gone by then
     return sigma * Eigen::Vector3d(normal(random), normal(random), normal(random));
   };
   const RigidTransform x = rigid_from_six({1.0, 0.2, 1.5, 0.3, 0.02, -0.01});
