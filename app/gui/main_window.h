@@ -135,6 +135,8 @@ class MainWindow : public QMainWindow {
   // main_window_wiring.cpp: workbench <-> widgets
   void connect_intents();
   void connect_state();
+  void make_controllers();
+  void connect_selection();
   void show_sessions();
   void show_output();
   void show_state();

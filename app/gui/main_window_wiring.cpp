@@ -66,21 +66,7 @@ void MainWindow::connect_intents() {
 }
 
 void MainWindow::connect_state() {
-  scenes_ = new SceneController(
-      workbench_, *pair_view_, [this](int pair) { return pair_caption(pair); }, this);
-  maps_ = new MapController(workbench_, *map_view_, this);
-  checks_ = new QualityController(workbench_, *quality_, this);
-  quality_->set_on_top(false);
-  connect(quality_dock_, &QDockWidget::visibilityChanged, quality_, &QualityView::set_on_top);
-  connect(quality_, &QualityView::looked_at, this, &MainWindow::show_state);
-  connect(checks_, &QualityController::map_requested, this, [this](MapX x) {
-    map_view_->choose(x);
-    views_->setCurrentWidget(map_view_);
-  });
-  connect(candidates_, &CandidatesPanel::candidate_selected, this, [this](int candidate) {
-    scenes_->show_candidate(candidate);
-    maps_->show_candidate(scenes_->candidate());
-  });
+  make_controllers();
   connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
   connect(&workbench_, &Workbench::overviews_changed, this,
           [this] { drive_->show_drives(workbench_.session_names(), workbench_.overviews()); });
@@ -100,12 +86,34 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
   connect(&workbench_, &Workbench::logged, log_, &LogPanel::add);
   connect(&workbench_, &Workbench::job_progressed, progress_, &ProgressStrip::show_progress);
+  connect_selection();
+}
+
+void MainWindow::make_controllers() {
+  scenes_ = new SceneController(
+      workbench_, *pair_view_, [this](int pair) { return pair_caption(pair); }, this);
+  maps_ = new MapController(workbench_, *map_view_, this);
+  checks_ = new QualityController(workbench_, *quality_, this);
+  quality_->set_on_top(false);
+  connect(quality_dock_, &QDockWidget::visibilityChanged, quality_, &QualityView::set_on_top);
+  connect(quality_, &QualityView::looked_at, this, &MainWindow::show_state);
+  connect(checks_, &QualityController::map_requested, this, [this](MapX x) {
+    map_view_->choose(x);
+    views_->setCurrentWidget(map_view_);
+  });
+  connect(candidates_, &CandidatesPanel::candidate_selected, this, [this](int candidate) {
+    scenes_->show_candidate(candidate);
+    maps_->show_candidate(scenes_->candidate());
+  });
   connect(report_, &ReportMaker::progressed, this, &MainWindow::progress_text);
   connect(report_, &ReportMaker::finished, this, [this](const QString& html, const QString& pdf) {
     show_message(Severity::Note, html, tr("report saved, and as %1").arg(pdf));
   });
   connect(report_, &ReportMaker::failed, this,
           [this](const QString& where, const QString& what) { show_message(Severity::Problem, where, what); });
+}
+
+void MainWindow::connect_selection() {
   connect(&workbench_, &Workbench::selection_changed, this, [this](int pair) {
     pairs_->show_selected(pair);
     errors_->chart()->show_selected(pair);

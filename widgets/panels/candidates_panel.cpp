@@ -6,6 +6,7 @@
 #include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTableView>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "widgets/itemmodels/candidate_table_model.h"
@@ -69,7 +70,9 @@ void CandidatesPanel::show_output(std::shared_ptr<const PipelineOutput> output) 
     plot->show_output(output);
   }
   const bool any = model_.rowCount() > 0;
-  if (any && !sized_) table_->resizeColumnsToContents();  // once: every decision would pay for it
+  // Once, for every decision would pay for it, and in a turn of its own: ten milliseconds of a table that is mostly
+  // behind others.
+  if (any && !sized_) QTimer::singleShot(0, table_, &QTableView::resizeColumnsToContents);
   sized_ = any;
 }
 
