@@ -1,0 +1,204 @@
+// Project files: sessions that were moved, work opened in part, saves in turn, recent paths.
+#include "app/gui/project_keeper.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <fstream>
+
+#include "algorithms/core/error.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/missing_sessions_dialog.h"
+#include "widgets/panels/recovery_dialog.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+
+/// Sessions that exist only where a folder of that name does.
+Engine engine_of_folders() {
+  Engine engine = testing::sample_engine();
+  engine.open = [](const std::filesystem::path& path, Progress&) {
+    if (!std::filesystem::exists(path)) throw Error(ErrorCode::Io, path.string(), "is not there");
+    Session session = testing::sample_session(path.filename().string());
+    session.path = path;
+    return session;
+  };
+  return engine;
+}
+
+TEST(moved_sessions, are_asked_for_once_and_remembered) {
+  const QTemporaryDir folder;
+  QDir root(folder.path());
+  root.mkpath("old/drive1");
+  root.mkpath("old/drive2");
+  const QString project = root.filePath("job.remount");
+  Workbench workbench(engine_of_folders());
+  MainWindow window(workbench);
+  const auto settled = [&] {
+    return QTest::qWaitFor([&] { return !workbench.opening() && !workbench.calibrating(); }, kPatience_ms);
+  };
+  window.open_paths({root.filePath("old/drive1"), root.filePath("old/drive2")});
+  ASSERT_TRUE(settled());
+  workbench.calibrate();
+  ASSERT_TRUE(settled());
+  workbench.save_project(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == project; }, kPatience_ms));
+  ASSERT_TRUE(root.rename("old", "new"));
+
+  workbench.open_project(project);
+  ASSERT_TRUE(settled());
+  auto* dialog = window.findChild<MissingSessionsDialog*>();
+  ASSERT_TRUE(dialog) << "it asks where they are";
+  EXPECT_TRUE(workbench.output()) << "nothing is replaced while it is not known";
+  if (const QString pictures = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR"); !pictures.isEmpty())
+    dialog->grab().save(QDir(pictures).filePath("15-missing.png"));
+  dialog->show_found(0, root.filePath("new/drive1"));
+  dialog->show_found(1, QString::fromStdString(relocated(root.filePath("old/drive2").toStdString(),
+                                                         root.filePath("old/drive1").toStdString(),
+                                                         root.filePath("new/drive1").toStdString())
+                                                   .string()));
+  emit dialog->open_requested(false);
+  ASSERT_TRUE(settled());
+  ASSERT_EQ(workbench.sessions().size(), 2U);
+  EXPECT_EQ(QString::fromStdString(workbench.sessions()[1]->path.string()), root.filePath("new/drive2"));
+  EXPECT_TRUE(workbench.output()) << "the calibration belongs to the sessions, wherever they lie";
+  EXPECT_TRUE(workbench.unsaved()) << "the new place is to be saved";
+  bool saved = false;
+  workbench.save_project(project, [&] { saved = true; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+  EXPECT_EQ(load_project(project.toStdString()).sessions.at(1), root.filePath("new/drive2").toStdString());
+}
+
+TEST(moved_sessions, left_out_they_do_not_cost_the_file) {
+  const QTemporaryDir folder;
+  QDir root(folder.path());
+  root.mkpath("drive1");
+  root.mkpath("drive2");
+  const QString project = root.filePath("job.remount");
+  Workbench workbench(engine_of_folders());
+  MainWindow window(workbench);
+  const auto settled = [&] { return QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms); };
+  window.open_paths({root.filePath("drive1"), root.filePath("drive2")});
+  ASSERT_TRUE(settled());
+  workbench.save_project(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == project; }, kPatience_ms));
+  QDir(root.filePath("drive2")).removeRecursively();
+  workbench.open_project(project);
+  ASSERT_TRUE(settled());
+  auto* dialog = window.findChild<MissingSessionsDialog*>();
+  ASSERT_TRUE(dialog);
+  emit dialog->open_requested(true);
+  ASSERT_TRUE(settled());
+  EXPECT_EQ(workbench.sessions().size(), 1U);
+  EXPECT_EQ(workbench.project_path(), "") << "saving must ask for a name: the file still knows both sessions";
+  EXPECT_EQ(load_project(project.toStdString()).sessions.size(), 2U);
+}
+
+TEST(recovery_in_part, keeps_what_holds_the_rest) {
+  const QTemporaryDir folder;
+  QDir root(folder.path());
+  root.mkpath("drive1");
+  root.mkpath("drive2");
+  const auto safe = [](Workbench& workbench, MainWindow& window) {
+    return QTest::qWaitFor(
+        [&, autosave = window.findChild<ProjectKeeper*>()->autosave()] {
+          return !workbench.opening() && !autosave->writing() && autosave->saved_revision() == workbench.revision();
+        },
+        kPatience_ms);
+  };
+  {  // ends without being closed
+    Workbench workbench(engine_of_folders());
+    MainWindow window(workbench);
+    window.keep_work_in(root.filePath("data"));
+    window.open_paths({root.filePath("drive1"), root.filePath("drive2")});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().size() == 2; }, kPatience_ms));
+    ASSERT_TRUE(safe(workbench, window));
+  }
+  ASSERT_TRUE(root.rename("drive2", "away"));
+  Workbench workbench(engine_of_folders());
+  MainWindow window(workbench);
+  window.keep_work_in(root.filePath("data"));
+  auto* offers = window.findChild<RecoveryDialog*>();
+  ASSERT_TRUE(offers);
+  emit offers->restore_requested(0, 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.findChild<MissingSessionsDialog*>() != nullptr; }, kPatience_ms));
+  emit window.findChild<MissingSessionsDialog*>()->open_requested(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.sessions().size() == 1; }, kPatience_ms));
+  EXPECT_TRUE(workbench.has_unsaved_work()) << "what was recovered is asked about before it is closed";
+  workbench.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  ASSERT_TRUE(safe(workbench, window));
+  EXPECT_EQ(find_recoveries(root.filePath("data")).size(), 1U) << "what has both sessions is still offered";
+}
+
+TEST(autosave, that_is_being_written_when_the_work_is_given_up_leaves_nothing) {
+  const QTemporaryDir folder;
+  Workbench workbench(testing::sample_engine());
+  for (int i = 0; i < 20; ++i) {
+    Autosave autosave(workbench, folder.path());
+    workbench.edit_nominal(rigid_from_six({1.0 + i, 0, 1, 0, 0, 0}));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.writing(); }, kPatience_ms));
+    autosave.finish();
+  }
+  EXPECT_TRUE(find_recoveries(folder.path()).empty());
+}
+
+TEST(autosave, needs_notes_that_only_one_window_holds) {
+  const QTemporaryDir folder;
+  std::ofstream(folder.filePath("recovery").toStdString()) << "a file where the folder should be";
+  Workbench workbench(testing::sample_engine());
+  Autosave autosave(workbench, folder.path());
+  QSignalSpy failed(&autosave, &Autosave::failed);
+  EXPECT_TRUE(failed.wait(kPatience_ms)) << "the user is told";
+}
+
+TEST(saving, several_times_leaves_the_newest_and_does_not_name_another_project) {
+  const QTemporaryDir folder;
+  QDir root(folder.path());
+  root.mkpath("drive1");
+  const QString first = root.filePath("first.remount"), second = root.filePath("second.remount");
+  Workbench workbench(engine_of_folders());
+  workbench.open({root.filePath("drive1")});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  workbench.save_project(second);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench.project_path() == second; }, kPatience_ms));
+  constexpr int kSaves = 30;
+  QSignalSpy saved(&workbench, &Workbench::project_saved);
+  for (int i = 1; i <= kSaves; ++i) {
+    workbench.edit_nominal(rigid_from_six({0.1 * i, 0, 1, 0, 0, 0}));
+    workbench.save_project(first);
+  }
+  workbench.open_project(second);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == kSaves && !workbench.opening(); }, kPatience_ms));
+  EXPECT_EQ(workbench.project_path(), second);
+  EXPECT_FALSE(workbench.unsaved());
+  const auto nominal = load_project(first.toStdString()).nominal_ins_from_lidar;
+  ASSERT_TRUE(nominal);
+  EXPECT_NEAR(nominal->translation().x(), 0.1 * kSaves, 1e-12);
+}
+
+TEST(recent_paths, are_offered_newest_first_without_repeats) {
+  Workbench workbench(testing::sample_engine());
+  MainWindow window(workbench);
+  for (const char* name : {"/data/drive1", "/data/drive2"}) {
+    window.open_paths({name});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  }
+  QMenu menu;
+  auto& keeper = *window.findChild<ProjectKeeper*>();
+  keeper.fill_recent_menu(menu);
+  ASSERT_GE(menu.actions().size(), 2);
+  EXPECT_TRUE(menu.actions().at(0)->text().startsWith("drive2"));
+  EXPECT_TRUE(menu.actions().at(1)->text().startsWith("drive1"));
+  QSignalSpy asked(&keeper, &ProjectKeeper::open_requested);
+  menu.actions().at(1)->trigger();
+  ASSERT_EQ(asked.count(), 1);
+  EXPECT_EQ(asked.at(0).at(0).toStringList(), QStringList{"/data/drive1"});
+}
+
+}  // namespace
+}  // namespace remount
