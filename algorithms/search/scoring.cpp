@@ -58,19 +58,31 @@ double frobenius_sum(const std::vector<MotionPair>& pairs, const RigidTransform&
 }
 
 QuadraticForm::QuadraticForm(const std::vector<MotionPair>& pairs, double characteristic_length_m) {
+  const double inverse_length = 1.0 / characteristic_length_m;
   for (const MotionPair& pair : pairs) {
     const Eigen::Matrix3d r_p = pair.ins_b_from_ins_a.linear(), r_q = pair.lidar_b_from_lidar_a.linear();
-    const Eigen::Vector3d t_q = pair.lidar_b_from_lidar_a.translation();
-    Eigen::Matrix<double, 12, 13> error = Eigen::Matrix<double, 12, 13>::Zero();
-    for (int column = 0; column < 3; ++column) {
-      error.block<3, 3>(3 * column, 3 * column) += r_p;
-      // Column c of R R_Q is the sum of R's columns weighted by column c of R_Q.
-      for (int k = 0; k < 3; ++k) error.block<3, 3>(3 * column, 3 * k) -= r_q(k, column) * Eigen::Matrix3d::Identity();
-      error.block<3, 3>(9, 3 * column) = -t_q[column] / characteristic_length_m * Eigen::Matrix3d::Identity();
+    // Rotation error: column c is R_P R's column c less R's columns weighted by column c of R_Q. Its squares,
+    // multiplied out, are sums of 3x3 blocks: a sixth of the work of the product of its rows.
+    const Eigen::Matrix3d p_squared = r_p.transpose() * r_p, q_squared = r_q * r_q.transpose();
+    Matrix13d squares = Matrix13d::Zero();
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l < 3; ++l) {
+        auto block = squares.block<3, 3>(3 * k, 3 * l);
+        block = -r_q(l, k) * r_p.transpose() - r_q(k, l) * r_p;
+        block.diagonal().array() += q_squared(k, l);
+        if (k == l) block += p_squared;
+      }
+    // Translation error, over the characteristic length: -R t_Q + (R_P - 1) t + t_P.
+    const Eigen::Vector3d t_q = inverse_length * pair.lidar_b_from_lidar_a.translation();
+    Eigen::Matrix<double, 3, 4> of_t;
+    of_t << inverse_length * (r_p - Eigen::Matrix3d::Identity()), inverse_length * pair.ins_b_from_ins_a.translation();
+    for (int k = 0; k < 3; ++k) {
+      for (int l = 0; l < 3; ++l) squares.block<3, 3>(3 * k, 3 * l).diagonal().array() += t_q[k] * t_q[l];
+      squares.block<3, 4>(3 * k, 9) = -t_q[k] * of_t;
+      squares.block<4, 3>(9, 3 * k) = -t_q[k] * of_t.transpose();
     }
-    error.block<3, 3>(9, 9) = (r_p - Eigen::Matrix3d::Identity()) / characteristic_length_m;
-    error.block<3, 1>(9, 12) = pair.ins_b_from_ins_a.translation() / characteristic_length_m;
-    form_.noalias() += pair.weight * error.transpose() * error;
+    squares.block<4, 4>(9, 9) = of_t.transpose() * of_t;
+    form_ += pair.weight * squares;
   }
   constexpr double kRelativeFloor = 1e-9;
   translation_inverse_ = pseudo_inverse(form_.block<3, 3>(9, 9), kRelativeFloor);
