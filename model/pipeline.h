@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "algorithms/calibration/method_details.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/quality/map_sharpness.h"
@@ -42,6 +43,9 @@ struct PipelineOutput {
   std::optional<Vector6d> clock_bias;
   /// The ground in the scans; where the settings give the height of the INS above it.
   std::optional<ObservedGround> ground;
+  std::string method = "pairwise";        ///< id of the CalibrationMethod
+  std::vector<NamedQuantity> quantities;  ///< what the method determined beside X
+  std::vector<Plot> plots;                ///< of the method
   bool nominal_known = false;
   bool initial_known = false;  ///< false: only odometry was given and no nominal
 };

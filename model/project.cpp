@@ -19,6 +19,8 @@ namespace {
 
 constexpr std::string_view kFormat = "remount-project/1";
 constexpr DocumentLimits kLimits{256U << 20U, 4000000, 16};
+/// Points of a curve that a file keeps: more than a page or a window shows.
+constexpr std::size_t kMostPlotted = 2000;
 constexpr std::int64_t kLongest = std::numeric_limits<std::int64_t>::max();
 
 /// Relative to the project's folder where that does not lead up to the root: a project and its data move together.
@@ -124,6 +126,9 @@ void read_calibration(const DocumentView& view, Project& project) {
   const std::size_t session_count = project.sessions.size();
   PipelineOutput& output = project.output.emplace();
   ResultFile file = result_from_document(view.at("result"));
+  output.method = std::move(file.method);
+  output.quantities = std::move(file.quantities);
+  output.plots = std::move(file.plots);
   output.result = std::move(file.result);
   output.sharpness = std::move(file.sharpness);
   project.inputs = std::move(file.inputs);
@@ -274,7 +279,11 @@ std::filesystem::path relocated(const std::filesystem::path& missing, const std:
 
 ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& output, std::vector<InputFile> inputs) {
   ResultFile file;
+  file.method = output.method;
   file.result = output.result;
+  file.quantities = output.quantities;
+  file.plots = output.plots;
+  thin(file.plots, kMostPlotted);
   file.ins_axes = common_axes(input.sessions);
   file.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   file.pairs = pair_records(output.keyframes, output.pairs);

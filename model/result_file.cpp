@@ -9,6 +9,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "model/io/atomic_save.h"
+#include "model/io/method_document.h"
 #include "model/io/sha256.h"
 #include "model/io/transform_document.h"
 #include "model/settings_file.h"
@@ -231,10 +232,12 @@ DocumentNode result_document(const ResultFile& file) {
   const CalibrationResult& result = file.result;
   DocumentNode root = DocumentNode::map();
   root.add("format", DocumentNode::string("remount-result/1"));
+  root.add("method", DocumentNode::string(file.method));
   root.add("status", DocumentNode::string(to_string(result.status)));
   root.add("message", DocumentNode::string(result.message));
   root.add("advice", strings_document(result.advice));
   root.add("ins_from_lidar", transform_document(result.ins_from_lidar));
+  root.add("reference_frame", DocumentNode::string(result.reference_frame));
   root.add("ins_axes", file.ins_axes ? DocumentNode::string(to_string(*file.ins_axes)) : DocumentNode::null());
   DocumentNode& observed = root.add("observed", DocumentNode::map());
   observed.on_one_line = true;
@@ -259,6 +262,8 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("time_offset_sigma_s", DocumentNode::number(result.time_offset.sigma_s));
   root.add("time_offset_applied", DocumentNode::boolean(result.time_offset.applied));
   root.add("session_time_offset_s", DocumentNode::numbers(result.session_time_offset_s));
+  if (!file.quantities.empty()) root.add("quantities", quantities_document(file.quantities));
+  if (!file.plots.empty()) root.add("plots", plots_document(file.plots));
   root.add("directions", directions_document(result.directions));
   root.add("nominal_ins_from_lidar",
            file.nominal_ins_from_lidar ? transform_document(*file.nominal_ins_from_lidar) : DocumentNode::null());

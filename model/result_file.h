@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "algorithms/calibration/method_details.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/quality/map_sharpness.h"
 #include "model/io/document.h"
@@ -56,7 +57,10 @@ std::string changed_file(const std::vector<InputFile>& then, const std::vector<I
 InputFile hash_input(const std::filesystem::path& path);
 
 struct ResultFile {
+  std::string method = "pairwise";  ///< id of the CalibrationMethod
   CalibrationResult result;
+  std::vector<NamedQuantity> quantities;                 ///< what the method determined beside X
+  std::vector<Plot> plots;                               ///< of the method, thinned
   std::optional<InsAxes> ins_axes;                       ///< of the frame that X is expressed in; nothing: not known
   std::optional<RigidTransform> nominal_ins_from_lidar;  ///< what the search started from
   std::vector<PairRecord> pairs;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "algorithms/core/error.h"
+#include "model/io/method_document.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
 #include "model/result_file.h"
@@ -138,6 +139,10 @@ ResultFile result_from_document(const DocumentView& root) {
   const auto status = status_from_string(root.at("status").string());
   if (!status) root.at("status").fail("\"" + root.at("status").string() + "\" is not a status that is known here");
   result.status = *status;
+  if (root.has("method")) file.method = root.at("method").string();
+  if (root.has("reference_frame")) result.reference_frame = root.at("reference_frame").string();
+  if (root.has("quantities")) file.quantities = quantities_from_document(root.at("quantities"));
+  if (root.has("plots")) file.plots = plots_from_document(root.at("plots"));
   if (root.has("message")) result.message = root.at("message").string();
   result.advice = strings_of(root, "advice");
   result.ins_from_lidar = transform_from_document(root.at("ins_from_lidar"));

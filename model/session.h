@@ -10,6 +10,7 @@
 
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/trajectory/ins_sample.h"
+#include "algorithms/trajectory/sensor_samples.h"
 #include "model/io/attitude_convention.h"
 
 namespace remount {
@@ -60,6 +61,11 @@ struct Session {
   std::vector<StampedPose> world_from_ins;
   std::vector<StampedPose> odometry_from_lidar;
   std::shared_ptr<const ScanSource> scans;  ///< null where odometry_from_lidar is given
+  // What other methods than the pairwise one live on; each ascending in time, empty where the drive has none.
+  std::vector<ImuSample> imu;
+  std::vector<GnssFix> gnss;
+  std::vector<WheelSample> wheels;
+  std::vector<BarometerSample> barometer;
   ScanTiming scan_timing = ScanTiming::Instant;
   SweepModel sweep;
   /// Of the INS frame in which X is expressed; nothing: as a pose file defines them, which does not say.

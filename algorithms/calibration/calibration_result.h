@@ -62,6 +62,9 @@ struct CalibrationResult {
   std::string message;              ///< one sentence for the user: what happened and why
   std::vector<std::string> advice;  ///< what to drive or to add, one sentence each
 
+  /// What X takes coordinates to: "ins"; methods that know no INS relate another frame, "vehicle" or "machine", and
+  /// then `ins_from_lidar` is that frame from the sensor's.
+  std::string reference_frame = "ins";
   RigidTransform ins_from_lidar = RigidTransform::Identity();
   std::array<bool, 6> observed{};  ///< order of kParameterNames; with the help of what was measured
   std::array<bool, 6> measured{};  ///< held near a value measured by hand
@@ -72,8 +75,8 @@ struct CalibrationResult {
   std::vector<ObservabilityDirection> directions;
 
   NoiseModel noise;  ///< as estimated from the residuals: what the sigmas rest on
-  /// How much more the sessions' own answers scatter than their errors explain; where above 1, every sigma is larger, by
-  /// the more the less it may be chance. NaN where it cannot be told (one session).
+  /// How much more the sessions' own answers scatter than their errors explain; where above 1, every sigma is larger,
+  /// by the more the less it may be chance. NaN where it cannot be told (one session).
   double session_disagreement = std::numeric_limits<double>::quiet_NaN();
   int pairs_proposed = 0, pairs_accepted = 0, pairs_rejected = 0;
   double frobenius_sum = 0.0;

@@ -6,6 +6,7 @@
 #include "app/cli/verbs.h"
 #include "model/io/atomic_save.h"
 #include "model/io/session_reader.h"
+#include "model/methods/calibration_method.h"
 #include "model/project.h"
 #include "model/session_frames.h"
 
@@ -16,6 +17,7 @@ struct CalibrateArguments {
   std::vector<std::string> sessions;
   SolveArguments solve;
   std::string project, save_project;
+  std::string method = "pairwise";
   bool no_hashes = false;
 };
 
@@ -59,7 +61,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     if (!input.nominal_ins_from_lidar) input.nominal_ins_from_lidar = declared_nominal(input.sessions);
   }
 
-  PipelineOutput output = run_pipeline(input, console.progress());
+  PipelineOutput output = calibration_method(arguments.method).run(input, console.progress());
   if (!console.cancelled() && apply_verdicts(project.verdicts, output) > 0)
     solve_again(input, output, console.progress());
   std::vector<InputFile> inputs;
@@ -84,6 +86,13 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
   CLI::App* verb = app.add_subcommand("calibrate", "Calibrate from one or more recorded sessions of one vehicle");
   verb->add_option("sessions", arguments->sessions, "Session folders or logs")->type_name("SESSION");
   arguments->solve.add_to(*verb);
+  std::vector<std::string> methods;
+  std::string explained = "How:";
+  for (const CalibrationMethod& method : calibration_methods()) {
+    methods.emplace_back(method.id);
+    explained += (methods.size() > 1 ? "; " : " ") + std::string(method.id) + " needs " + std::string(method.needs);
+  }
+  verb->add_option("--method", arguments->method, explained)->check(CLI::IsMember(methods))->capture_default_str();
   verb->add_option("--project", arguments->project,
                    "Take sessions, settings, nominal and verdicts on pairs from a project")
       ->type_name("FILE");

@@ -1,0 +1,37 @@
+// What a calibration method tells beside X: other quantities that it determined, and plots. Values only.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace remount {
+
+/// A quantity beside X: "scale", "slew centre x", "imu yaw". Angles are in rad and their unit is then "rad"; they are
+/// shown in degrees.
+struct NamedQuantity {
+  std::string name;
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double sigma = std::numeric_limits<double>::quiet_NaN();  ///< NaN where it is not known
+  std::string unit;                                         ///< "m", "rad", "" for a ratio
+  bool observed = true;  ///< false: `value` is what was assumed, not what the data say
+};
+
+/// One curve of a plot; `sigma` is empty or as long as `y`, and is drawn as a band of three sigma.
+struct Curve {
+  std::string name;
+  std::vector<double> x, y, sigma;
+  bool dots = false;  ///< single points instead of a line
+};
+
+struct Plot {
+  std::string title;
+  std::string x_label, y_label;  ///< with their units
+  bool equal_axes = false;       ///< a map: a metre is as long on both axes
+  std::vector<Curve> curves;
+};
+
+/// Keeps at most `most` points of each curve, evenly taken, the last one always.
+void thin(std::vector<Plot>& plots, std::size_t most);
+
+}  // namespace remount

@@ -1,0 +1,30 @@
+// The calibration methods: one interface, one result type, one list.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "model/pipeline.h"
+
+namespace remount {
+
+/// A way to find where the LiDAR sits. All take sessions and settings and leave a PipelineOutput behind, so that
+/// report, export, project and window need not know them; a method without pairs leaves those empty.
+struct CalibrationMethod {
+  std::string_view id;                ///< as on the command line and in files: "pairwise"
+  std::string_view title;             ///< for people: "Pairs of keyframes"
+  std::string_view needs;             ///< the streams a session must have, in words
+  std::string_view settings_section;  ///< of Settings::visit_sections; empty where it has none of its own
+  /// Throws Error(Unsupported) where the sessions lack a stream, Error(Contract) for settings out of range. What the
+  /// numbers do not allow is part of the result. Cancellable; the same for any number of threads.
+  PipelineOutput (*run)(const PipelineInput& input, Progress& progress);
+};
+
+/// The methods built in, pairwise first. Adding one: a file in this folder, a declaration in builtin.h and a line in
+/// calibration_methods.cpp.
+const std::vector<CalibrationMethod>& calibration_methods();
+
+/// Throws Error(Contract) that names the methods where `id` is none of them.
+const CalibrationMethod& calibration_method(std::string_view id);
+
+}  // namespace remount

@@ -1,0 +1,22 @@
+#include "algorithms/core/error.h"
+#include "model/methods/builtin.h"
+
+namespace remount {
+
+const std::vector<CalibrationMethod>& calibration_methods() {
+  static const std::vector<CalibrationMethod> methods{
+      {"pairwise", "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", run_pipeline},
+  };
+  return methods;
+}
+
+const CalibrationMethod& calibration_method(std::string_view id) {
+  std::string known;
+  for (const CalibrationMethod& method : calibration_methods()) {
+    if (method.id == id) return method;
+    known += (known.empty() ? "" : ", ") + std::string(method.id);
+  }
+  throw Error(ErrorCode::Contract, "method " + std::string(id), "is not one of: " + known);
+}
+
+}  // namespace remount
