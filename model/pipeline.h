@@ -43,7 +43,7 @@ struct PipelineOutput {
   std::optional<Vector6d> clock_bias;
   /// The ground in the scans; where the settings give the height of the INS above it.
   std::optional<ObservedGround> ground;
-  std::string method = "pairwise";        ///< id of the CalibrationMethod
+  std::string method{kPairwise};          ///< id of the CalibrationMethod
   std::vector<NamedQuantity> quantities;  ///< what the method determined beside X
   std::vector<Plot> plots;                ///< of the method
   bool nominal_known = false;

@@ -221,6 +221,8 @@ bool is_usable(const CalibrationResult& result) {
   return solved && std::find(result.observed.begin(), result.observed.end(), true) != result.observed.end();
 }
 
+bool is_from_pairs(const ResultFile& file) { return file.method == kPairwise || !file.pairs.empty(); }
+
 std::string parameter_list(const CalibrationResult& result, bool observed) {
   std::string list;
   for (std::size_t i = 0; i < 6; ++i)

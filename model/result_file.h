@@ -57,7 +57,7 @@ std::string changed_file(const std::vector<InputFile>& then, const std::vector<I
 InputFile hash_input(const std::filesystem::path& path);
 
 struct ResultFile {
-  std::string method = "pairwise";  ///< id of the CalibrationMethod
+  std::string method{kPairwise};  ///< id of the CalibrationMethod
   CalibrationResult result;
   std::vector<NamedQuantity> quantities;                 ///< what the method determined beside X
   std::vector<Plot> plots;                               ///< of the method, thinned
@@ -73,6 +73,8 @@ struct ResultFile {
 
 /// Whether X may be used at all: the status is ok or degenerate and something is observed.
 bool is_usable(const CalibrationResult& result);
+/// Whether X stands on pairs of keyframes; other methods have neither pairs nor residuals of them.
+bool is_from_pairs(const ResultFile& file);
 /// "x, y, yaw" of the parameters that are (`observed`) or are not observed; empty for none.
 std::string parameter_list(const CalibrationResult& result, bool observed);
 

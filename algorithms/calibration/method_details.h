@@ -3,9 +3,13 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace remount {
+
+/// Id of the method that every session starts with.
+inline constexpr std::string_view kPairwise = "pairwise";
 
 /// A quantity beside X: "scale", "slew centre x", "imu yaw". Angles are in rad and their unit is then "rad"; they are
 /// shown in degrees.

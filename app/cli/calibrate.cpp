@@ -17,7 +17,7 @@ struct CalibrateArguments {
   std::vector<std::string> sessions;
   SolveArguments solve;
   std::string project, save_project;
-  std::string method = "pairwise";
+  std::string method{kPairwise};
   bool no_hashes = false;
 };
 

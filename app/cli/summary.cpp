@@ -7,6 +7,7 @@
 #include <map>
 
 #include "model/display_units.h"
+#include "model/report/plot_chart.h"
 
 namespace remount {
 namespace {
@@ -21,7 +22,8 @@ std::string sigma_text(double sigma) { return format(sigma < 1e-3 ? "1-sigma %.1
 
 std::string parameters(const CalibrationResult& result) {
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
-  std::string text = "ins_from_lidar (pose of the lidar in the ins frame)\n";
+  const std::string& frame = result.reference_frame;
+  std::string text = frame + "_from_lidar (pose of the lidar in the " + frame + " frame)\n";
   for (std::size_t i = 0; i < 6; ++i) {
     const bool angle = is_angle(i);
     const char* unit = angle ? "deg" : "m  ";
@@ -91,6 +93,14 @@ std::string pairs(const ResultFile& file) {
   return text;
 }
 
+std::string quantities(const std::vector<NamedQuantity>& list) {
+  const Phrases english = [](const char*, const char* text) { return std::string(text); };
+  std::string text;
+  for (const NamedQuantity& quantity : list)
+    text += "  " + quantity.name + ": " + quantity_text(quantity, english) + "\n";
+  return text.empty() ? text : "also determined:\n" + text;
+}
+
 }  // namespace
 
 std::string summary(const ResultFile& file) {
@@ -99,14 +109,16 @@ std::string summary(const ResultFile& file) {
                      (result.message.empty() ? "" : " - " + result.message) + "\n";
   if (is_usable(result)) {
     text += parameters(result);
-    text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
-                   radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
+    if (is_from_pairs(file))
+      text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
+                     radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
   }
   if (is_usable(result) && result.session_disagreement >= 1.05)
     text += format("sessions: scatter %.1f times as much as their errors explain; the sigmas include it\n",
                    result.session_disagreement);
   if (is_usable(result)) text += sharpness(file.sharpness);
-  text += pairs(file);
+  text += quantities(file.quantities);
+  if (is_from_pairs(file)) text += pairs(file);
   if (is_usable(result) && std::isfinite(result.time_offset.offset_s))
     text += format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", result.time_offset.offset_s,
                    result.time_offset.sigma_s, result.time_offset.applied ? "applied" : "not applied");

@@ -5,7 +5,7 @@ namespace remount {
 
 const std::vector<CalibrationMethod>& calibration_methods() {
   static const std::vector<CalibrationMethod> methods{
-      {"pairwise", "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", run_pipeline},
+      {kPairwise, "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", run_pipeline},
   };
   return methods;
 }

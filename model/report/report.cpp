@@ -7,6 +7,7 @@
 
 #include "model/display_units.h"
 #include "model/io/base64.h"
+#include "model/report/plot_chart.h"
 #include "model/session_report.h"
 #include "model/settings_file.h"
 
@@ -58,9 +59,16 @@ class Page {
   void chart(const Drawing& drawing) {
     html_ += "<p>" + (style_.chart ? style_.chart(drawing) : to_svg(drawing)) + "</p>\n";
   }
+  Phrases words() const {
+    return [this](const char* context, const char* english) {
+      return style_.phrase ? style_.phrase(context, english) : std::string(english);
+    };
+  }
+  bool from_pairs() const { return is_from_pairs(file_); }
   void write_verdict();
   void write_parameters();
   void write_transform();
+  void write_method();
   void write_correlation();
   void write_observability();
   void write_sharpness();
@@ -96,7 +104,9 @@ void Page::write_verdict() {
 }
 
 void Page::write_parameters() {
-  heading(phrase("report", "LiDAR in the INS frame (ins_from_lidar)"));
+  heading(result_.reference_frame == "ins" ? phrase("report", "LiDAR in the INS frame (ins_from_lidar)")
+                                           : phrase("report", "LiDAR in the reference frame") + ": " +
+                                                 html_escaped(result_.reference_frame + "_from_lidar"));
   begin_table();
   row({"", phrase("report", "value"), phrase("report", "1 sigma"), phrase("report", "by resampling"),
        phrase("report", "nominal"), phrase("report", "new − nominal")},
@@ -122,9 +132,11 @@ void Page::write_parameters() {
          nominal, change});
   }
   end_table();
-  html_ += "<p class=\"weak\">" + phrase("report",
-                                         "R = Rz(yaw) Ry(pitch) Rx(roll); point_in_ins = ins_from_lidar * "
-                                         "point_in_lidar.");
+  html_ +=
+      "<p class=\"weak\">" +
+      (result_.reference_frame == "ins"
+           ? phrase("report", "R = Rz(yaw) Ry(pitch) Rx(roll); point_in_ins = ins_from_lidar * point_in_lidar.")
+           : phrase("report", "R = Rz(yaw) Ry(pitch) Rx(roll); X takes points of the LiDAR to the reference frame."));
   if (std::any_of(result_.measured.begin(), result_.measured.end(), [](bool measured) { return measured; }))
     html_ += " " + phrase("report", "* with a value measured by hand.");
   html_ += "</p>\n";
@@ -142,6 +154,18 @@ void Page::write_transform() {
   const Eigen::Quaterniond q(result_.ins_from_lidar.linear());
   html_ += "<p class=\"weak\">" + phrase("report", "quaternion x, y, z, w") + ": " + number("%.9f", q.x()) + ", " +
            number("%.9f", q.y()) + ", " + number("%.9f", q.z()) + ", " + number("%.9f", q.w()) + "</p>\n";
+}
+
+void Page::write_method() {
+  if (file_.method == kPairwise && file_.quantities.empty() && file_.plots.empty()) return;
+  heading(phrase("report", "Method") + ": " + html_escaped(file_.method));
+  if (!file_.quantities.empty()) {
+    begin_table();
+    for (const NamedQuantity& quantity : file_.quantities)
+      row({sentence(quantity.name), html_escaped(quantity_text(quantity, words()))});
+    end_table();
+  }
+  for (const Plot& plot : file_.plots) chart(plot_chart(plot, words()));
 }
 
 void Page::write_correlation() {
@@ -215,16 +239,15 @@ void Page::write_pictures() {
 }
 
 void Page::write_charts() {
-  heading(phrase("report", "Residuals of the pairs"));
-  const Phrases words = [this](const char* context, const char* english) {
-    return style_.phrase ? style_.phrase(context, english) : std::string(english);
-  };
-  chart(residual_chart(file_.pairs, ResidualKind::Translation, words));
-  chart(residual_chart(file_.pairs, ResidualKind::Rotation, words));
+  if (from_pairs()) {
+    heading(phrase("report", "Residuals of the pairs"));
+    chart(residual_chart(file_.pairs, ResidualKind::Translation, words()));
+    chart(residual_chart(file_.pairs, ResidualKind::Rotation, words()));
+  }
   heading(phrase("report", "Drive"));
   if (report_.tracks.empty())
     html_ += "<p class=\"weak\">" + phrase("report", "The sessions were not opened for this report.") + "</p>\n";
-  for (const ReportTrack& track : report_.tracks) chart(track_chart(track, words));
+  for (const ReportTrack& track : report_.tracks) chart(track_chart(track, words()));
 }
 
 void Page::write_pairs() {
@@ -297,12 +320,15 @@ std::string Page::write() {
   write_verdict();
   write_parameters();
   write_transform();
+  write_method();
   write_observability();
   write_correlation();
   write_sharpness();
   write_charts();
-  write_pictures();
-  write_pairs();
+  if (from_pairs()) {
+    write_pictures();
+    write_pairs();
+  }
   write_data();
   write_settings();
   return html_ + "</body></html>\n";
