@@ -24,13 +24,24 @@ struct PipelineInput {
   int threads = 0;                                       ///< 0: one per core; the result does not depend on it
 };
 
+/// Whether the accumulated map was compared under the result and others, and why not.
+enum class MapCheck {
+  NotReached,  ///< no usable result, or cancelled before
+  Made,
+  SwitchedOff,
+  NoScans,    ///< the sessions hold LiDAR poses
+  NoOverlap,  ///< no stretch of scans turns and overlaps
+  Moved,      ///< it was made, and X has moved since
+};
+
 /// What a calibration leaves behind: pairs for review, and the result.
 struct PipelineOutput {
   std::vector<Keyframe> keyframes;
   std::vector<Pair> pairs;
   CalibrationResult result;
-  std::vector<NamedSharpness> sharpness;  ///< the result's first; empty where it was not or could not be checked
-  std::vector<Finding> findings;          ///< of every stage, the readers' included
+  std::vector<NamedSharpness> sharpness;  ///< the result's first; empty unless map_check is Made
+  MapCheck map_check = MapCheck::NotReached;
+  std::vector<Finding> findings;  ///< of every stage, the readers' included
   /// The X under which objects and starts of registrations were predicted: the nominal, or the coarse X found without
   /// one.
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
@@ -58,14 +69,19 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress);
 
 /// Solves again from pairs that are already registered, with their present states and the present search range:
 /// what the window does after a decision. Pairs decided by the user keep their state; residuals, weights and the
-/// program's own decisions are updated in `output`. No scan is read; joint alignment of clouds is left out.
-void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress);
+/// program's own decisions are updated in `output`. No scan is read; joint alignment of clouds is left out, and the map
+/// check with it. False where cancelled; `output` is then as it was.
+bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress);
 
 /// The first answer of solve_again, in a fraction of its time: X, residuals and counts under the present states, from
 /// one joint solution with the noise that `output` has. Sigmas, what is observed (parameters that are not keep their
 /// values), candidates and the other pairs' states stay as they were: solve_again says them. False where `output` has
 /// no numbers to start from, or the solution failed; `output` is then as it was.
 bool solve_at_once(const PipelineInput& input, PipelineOutput& output, const Progress& progress);
+
+/// Compares the accumulated map under the X of `output` as a whole calibration does at its end: after solve_again.
+/// Reads up to 32 scans. Does nothing where there is no usable result or the settings switch it off.
+void check_map(const PipelineInput& input, PipelineOutput& output, Progress& progress);
 
 /// Clouds of one pair for the 3-D view, deskewed as for registration, each in its own lidar frame, with objects.
 struct PairClouds {

@@ -21,6 +21,9 @@ constexpr std::string_view kFormat = "remount-project/1";
 constexpr DocumentLimits kLimits{256U << 20U, 4000000, 16};
 /// Points of a curve that a file keeps: more than a page or a window shows.
 constexpr std::size_t kMostPlotted = 2000;
+/// In the order of MapCheck.
+const std::vector<std::string_view> kMapChecks{"not_reached", "made",       "switched_off",
+                                               "no_scans",    "no_overlap", "moved"};
 constexpr std::int64_t kLongest = std::numeric_limits<std::int64_t>::max();
 
 /// Relative to the project's folder where that does not lead up to the root: a project and its data move together.
@@ -104,6 +107,7 @@ DocumentNode calibration_document(const Project& project) {
   DocumentNode node = DocumentNode::map();
   node.add("session_count", DocumentNode::integer(static_cast<std::int64_t>(project.basis.session_count)));
   if (project.solution_pending) node.add("solution_pending", DocumentNode::boolean(true));
+  node.add("map_check", DocumentNode::string(kMapChecks[static_cast<std::size_t>(output.map_check)]));
   node.add("result", result_document(file));
   node.add("initial_ins_from_lidar", transform_document(output.initial_ins_from_lidar));
   node.add("compensation_ins_from_lidar", transform_document(output.compensation_ins_from_lidar));
@@ -131,6 +135,8 @@ void read_calibration(const DocumentView& view, Project& project) {
   output.plots = std::move(file.plots);
   output.result = std::move(file.result);
   output.sharpness = std::move(file.sharpness);
+  output.map_check = output.sharpness.empty() ? MapCheck::NotReached : MapCheck::Made;
+  if (view.has("map_check")) output.map_check = static_cast<MapCheck>(view.at("map_check").choice(kMapChecks));
   project.inputs = std::move(file.inputs);
   project.basis.settings = file.settings;
   project.basis.nominal_ins_from_lidar = file.nominal_ins_from_lidar;

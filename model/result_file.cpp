@@ -216,11 +216,6 @@ std::string changed_file(const std::vector<InputFile>& then, const std::vector<I
   return {};
 }
 
-bool is_usable(const CalibrationResult& result) {
-  const bool solved = result.status == Status::Ok || result.status == Status::Degenerate;
-  return solved && std::find(result.observed.begin(), result.observed.end(), true) != result.observed.end();
-}
-
 bool is_from_pairs(const ResultFile& file) { return file.method == kPairwise || !file.pairs.empty(); }
 
 std::string parameter_list(const CalibrationResult& result, bool observed) {

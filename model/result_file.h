@@ -71,8 +71,6 @@ struct ResultFile {
   std::vector<InputFile> inputs;
 };
 
-/// Whether X may be used at all: the status is ok or degenerate and something is observed.
-bool is_usable(const CalibrationResult& result);
 /// Whether X stands on pairs of keyframes; other methods have neither pairs nor residuals of them.
 bool is_from_pairs(const ResultFile& file);
 /// "x, y, yaw" of the parameters that are (`observed`) or are not observed; empty for none.

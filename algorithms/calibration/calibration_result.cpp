@@ -1,5 +1,7 @@
 #include "algorithms/calibration/calibration_result.h"
 
+#include <algorithm>
+
 namespace remount {
 namespace {
 constexpr std::array<std::string_view, 7> kStatusNames{"ok",           "degenerate",   "too_few_pairs", "not_converged",
@@ -12,6 +14,11 @@ std::optional<Status> status_from_string(std::string_view text) {
   for (std::size_t i = 0; i < kStatusNames.size(); ++i)
     if (kStatusNames[i] == text) return static_cast<Status>(i);
   return std::nullopt;
+}
+
+bool is_usable(const CalibrationResult& result) {
+  const bool solved = result.status == Status::Ok || result.status == Status::Degenerate;
+  return solved && std::find(result.observed.begin(), result.observed.end(), true) != result.observed.end();
 }
 
 }  // namespace remount

@@ -93,4 +93,7 @@ struct CalibrationResult {
   }
 };
 
+/// Whether X may be used at all: the status is ok or degenerate and something is observed.
+bool is_usable(const CalibrationResult& result);
+
 }  // namespace remount

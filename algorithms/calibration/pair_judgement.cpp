@@ -93,6 +93,23 @@ std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::ve
   return out;
 }
 
+namespace {
+
+// Adds J diag(variances) J' by blocks of three: J is upper triangular in blocks, so half of the product is not needed.
+void add_spread(const Matrix6d& jacobian, const Vector6d& variances, Matrix6d& covariance) {
+  const Eigen::Matrix3d of_turn = jacobian.topRightCorner<3, 3>() * variances.tail<3>().asDiagonal();
+  const Eigen::Matrix3d turn = jacobian.bottomRightCorner<3, 3>() * variances.tail<3>().asDiagonal();
+  const Eigen::Matrix3d mixed = of_turn * jacobian.bottomRightCorner<3, 3>().transpose();
+  covariance.topLeftCorner<3, 3>() +=
+      jacobian.topLeftCorner<3, 3>() * variances.head<3>().asDiagonal() * jacobian.topLeftCorner<3, 3>().transpose() +
+      of_turn * jacobian.topRightCorner<3, 3>().transpose();
+  covariance.topRightCorner<3, 3>() += mixed;
+  covariance.bottomLeftCorner<3, 3>() += mixed.transpose();
+  covariance.bottomRightCorner<3, 3>() += turn * jacobian.bottomRightCorner<3, 3>().transpose();
+}
+
+}  // namespace
+
 std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& x, const NoiseModel& noise) {
   const Vector6d ins = noise.ins_covariance().diagonal();
   std::vector<double> out;
@@ -100,9 +117,9 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
   for (const NoisyPair& pair : pairs) {
     const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
     Matrix6d covariance = pair.registration_covariance;
-    covariance.noalias() += equation.d_a * ins.asDiagonal() * equation.d_a.transpose();
-    covariance.noalias() += equation.d_b * pair.ins_variances_b.asDiagonal() * equation.d_b.transpose();
-    const double distance2 = equation.residual.dot(covariance.llt().solve(equation.residual));
+    add_spread(equation.d_a, ins, covariance);
+    add_spread(equation.d_b, pair.ins_variances_b, covariance);
+    const double distance2 = covariance.llt().matrixL().solve(equation.residual).squaredNorm();
     out.push_back(std::isfinite(distance2) ? std::max(0.0, distance2) : std::numeric_limits<double>::max());
   }
   return out;

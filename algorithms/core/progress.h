@@ -25,6 +25,9 @@ class Progress {
   explicit Progress(std::stop_token stop, Callback callback = {})
       : stop_(std::move(stop)), callback_(std::move(callback)) {}
 
+  /// For one of several tasks whose counts would mix: it can be cancelled like this one, and says nothing.
+  Progress without_reports() const { return Progress(stop_); }
+
   bool cancelled() const { return stop_.stop_requested(); }
 
   void report(std::string_view stage, std::size_t done, std::size_t total) {

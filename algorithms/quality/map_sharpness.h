@@ -44,4 +44,8 @@ std::vector<MapSharpness> compare_sharpness(const std::vector<MapScans>& maps,
                                             const std::vector<RigidTransform>& ins_from_lidar,
                                             const SharpnessOptions& options, int threads, const Progress& progress);
 
+enum class SharperUnder { Neither, First, Second, TooFewPlaces };
+/// Which of two is clearly sharper: by more than chance, and in enough places.
+SharperUnder compared(const MapSharpness& first, const MapSharpness& second);
+
 }  // namespace remount

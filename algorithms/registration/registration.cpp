@@ -41,7 +41,7 @@ JudgedAlignment align_from(const PreparedCloud& source, const PreparedCloud& tar
   result.quality.overlap = equations.overlap;
   result.quality.information = equations.information;
   result.quality.undetermined = equations.undetermined.words();
-  result.quality.failure = progress.cancelled() ? "cancelled" : judge(result.quality, options);
+  result.quality.failure = progress.cancelled() ? kRegistrationCancelled : judge(result.quality, options);
   return out;
 }
 
@@ -64,7 +64,7 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
   if (progress.cancelled()) {
     RegistrationResult result;  // scans whose preparation was cancelled are empty: no verdict on them
     result.quality.attempted = true;
-    result.quality.failure = "cancelled";
+    result.quality.failure = kRegistrationCancelled;
     return result;
   }
   if (source.size() < kMinPoints || target.size() < kMinPoints) {
@@ -88,7 +88,7 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
     alignment = align_from(source, target, around.target_from_source, patient, progress);
   }
   if (progress.cancelled())
-    alignment.result.quality.failure = "cancelled";
+    alignment.result.quality.failure = kRegistrationCancelled;
   else if (alignment.result.quality.failure.empty())
     alignment.result.quality.failure = around.ambiguity;
   return alignment.result;

@@ -17,6 +17,9 @@ struct Keyframe {
   double travelled_m = 0.0;   ///< along the trajectory since the session's start
 };
 
+/// The failure of a registration that was stopped.
+inline constexpr const char* kRegistrationCancelled = "cancelled";
+
 /// How a registration went.
 struct RegistrationQuality {
   bool attempted = false;

@@ -62,8 +62,11 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   }
 
   PipelineOutput output = calibration_method(arguments.method).run(input, console.progress());
-  if (!console.cancelled() && apply_verdicts(project.verdicts, output) > 0)
-    solve_again(input, output, console.progress());
+  project.solution_pending = false;
+  if (!console.cancelled() && apply_verdicts(project.verdicts, output) > 0) {
+    project.solution_pending = !solve_again(input, output, console.progress());
+    if (!project.solution_pending) check_map(input, output, console.progress());
+  }
   std::vector<InputFile> inputs;
   if (!arguments.no_hashes) inputs = hash_inputs(input.sessions, input.threads, console.progress());
   console.report(output.findings);

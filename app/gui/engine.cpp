@@ -5,8 +5,8 @@
 namespace remount {
 
 Engine model_engine() {
-  return {open_session,  run_pipeline,   solve_again,        load_pair_clouds,
-          solve_at_once, load_map_scans, load_keyframe_scan, check_hold_out};
+  return {open_session,   run_pipeline,       solve_again,    load_pair_clouds, solve_at_once,
+          load_map_scans, load_keyframe_scan, check_hold_out, check_map};
 }
 
 }  // namespace remount

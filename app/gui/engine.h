@@ -12,7 +12,7 @@ namespace remount {
 struct Engine {
   std::function<Session(const std::filesystem::path&, Progress&)> open;
   std::function<PipelineOutput(const PipelineInput&, Progress&)> run;
-  std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> solve_again;
+  std::function<bool(const PipelineInput&, PipelineOutput&, Progress&)> solve_again;  ///< false: cancelled
   std::function<PairClouds(const PipelineInput&, const PipelineOutput&, int)> load_pair_clouds;
   /// The first answer after a decision (solve_at_once); may be empty.
   std::function<bool(const PipelineInput&, PipelineOutput&, const Progress&)> solve_at_once;
@@ -21,10 +21,12 @@ struct Engine {
   std::function<PointCloud(const PipelineInput&, const PipelineOutput&, int)> load_keyframe_scan;
   /// May be empty: then sessions are not compared.
   std::function<HoldOut(const PipelineInput&, const PipelineOutput&, Progress&)> check_hold_out;
+  /// May be empty: then a result that moved keeps no map check.
+  std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> check_map;
 };
 
 /// The model's own: open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
-/// load_keyframe_scan, check_hold_out.
+/// load_keyframe_scan, check_hold_out, check_map.
 Engine model_engine();
 
 }  // namespace remount

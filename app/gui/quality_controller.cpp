@@ -155,15 +155,21 @@ void QualityController::refresh_sharpness() {
 }
 
 QString QualityController::why_no_sharpness(const PipelineOutput& output) const {
-  const PipelineInput& input = workbench_.input_of_output();
-  const bool any_scans = std::any_of(input.sessions.begin(), input.sessions.end(),
-                                     [](const auto& session) { return session->scans != nullptr; });
-  if (!any_scans) return tr("Not compared: the sessions hold LiDAR poses and no scans.");
-  if (!is_usable(output.result)) return tr("Not compared: there is no result to use.");
-  if (!input.settings.run.map_check) return tr("Not compared: the map check is switched off in the options (run).");
-  if (!workbench_.moved_by().isEmpty())
-    return tr("Not compared since the last decision, which moved X. Calibrate again (F5).");
-  return tr("Not compared: no stretch of eight scans that follow each other turns and overlaps.");
+  switch (output.map_check) {
+    case MapCheck::NoScans:
+      return tr("Not compared: the sessions hold LiDAR poses and no scans.");
+    case MapCheck::SwitchedOff:
+      return tr("Not compared: the map check is switched off in the options (run).");
+    case MapCheck::Moved:
+      return tr("Not compared since the last decision, which moved X. Calibrate again (F5).");
+    case MapCheck::NoOverlap:
+      return tr("Not compared: no stretch of eight scans that follow each other turns and overlaps.");
+    case MapCheck::NotReached:
+    case MapCheck::Made:
+      break;
+  }
+  return is_usable(output.result) ? tr("Not compared: the calibration was cancelled before. Calibrate again (F5).")
+                                  : tr("Not compared: there is no result to use.");
 }
 
 void QualityController::refresh_hold_out() {

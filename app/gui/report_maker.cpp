@@ -129,11 +129,11 @@ void ReportMaker::draw_next() {
 }
 
 QString ReportMaker::caption(std::size_t pair, PairAlignment alignment) const {
+  // Residuals are known under the result alone.
+  if (alignment == PairAlignment::Before) return tr("Pair %1, from above, under the mounting before.").arg(pair);
   const PairRecord& record = report_.file.pairs.at(pair);
-  return tr("Pair %1, %2. Residual %3 cm, %4°, RMSE %5 cm.")
+  return tr("Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.")
       .arg(pair)
-      .arg(alignment == PairAlignment::Before ? tr("from above, under the mounting before")
-                                              : tr("from above, under the result"))
       .arg(100.0 * record.residual_translation_m, 0, 'f', 1)
       .arg(radians_to_degrees(record.residual_rotation_rad), 0, 'f', 2)
       .arg(100.0 * record.rmse_m, 0, 'f', 1);

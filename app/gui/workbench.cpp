@@ -1,6 +1,7 @@
 #include "app/gui/workbench.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
@@ -62,14 +63,18 @@ void Workbench::open(const QStringList& paths) {
       [this, wanted, open = engine_.open](Progress& progress) -> JobRunner::Deliver {
         std::vector<std::shared_ptr<const Session>> opened(wanted.size());
         std::vector<JobFailure> failures(wanted.size());
+        std::atomic<std::size_t> done = 0;
         parallel_for(wanted.size(), 0, [&](std::size_t i) {
           if (progress.cancelled()) return;
+          // Several readers would count over each other: of several sessions, those that are open are counted.
+          Progress quiet = progress.without_reports();
           try {
-            opened[i] = std::make_shared<const Session>(open(wanted[i], progress));
+            opened[i] = std::make_shared<const Session>(open(wanted[i], wanted.size() > 1 ? quiet : progress));
           } catch (const Error& error) {
             failures[i] = {QString::fromStdString(error.where().empty() ? wanted[i].string() : error.where()),
                            QString::fromStdString(error.what_happened())};
           }
+          if (wanted.size() > 1) progress.report("opening sessions", ++done, wanted.size());
         });
         std::erase(opened, nullptr);
         std::erase_if(failures, [](const JobFailure& failure) { return failure.what.isEmpty(); });
@@ -165,30 +170,43 @@ void Workbench::calibrate() {
   run_job_ = jobs_.start(
       [this, input, engine = engine_, decisions = decisions_](Progress& progress) -> JobRunner::Deliver {
         auto output = std::make_shared<PipelineOutput>(engine.run(input, progress));
-        if (output->result.status != Status::Cancelled && !progress.cancelled() &&
-            carry_over(input, decisions, *output))
-          engine.solve_again(input, *output, progress);
-        const bool cancelled = progress.cancelled() || output->result.status == Status::Cancelled;
-        if (!cancelled) return [this, input, output] { take_run(input, output); };
-        return [this, input, output, decisions] {
-          // A complete result is not given up for part of another.
-          const std::size_t finished = output_ ? 0 : keep_finished(input, *output);
-          if (finished == 0) {
-            emit message(Severity::Note, {}, tr("Cancelled. What was there before is kept."));
-            return;
-          }
-          carry_over(input, decisions, *output);
+        if (output->result.status == Status::Cancelled)
+          return [this, input, output, decisions] { take_cancelled_run(input, output, decisions); };
+        bool answered = true;
+        if (carry_over(input, decisions, *output)) {
+          answered = engine.solve_again(input, *output, progress);
+          if (answered && engine.check_map) engine.check_map(input, *output, progress);
+        }
+        return [this, input, output, answered] {
           take_run(input, output);
-          output_solved_ = nullptr;
-          start_solve(tr("cancelled calibration"), FirstAnswer::None);
-          emit message(Severity::Warning, tr("Cancelled"),
-                       tr("%1 of %2 pairs were aligned by then; they are kept, and solved.")
-                           .arg(finished)
-                           .arg(output->pairs.size()));
+          if (answered) return;
+          output_solved_ = nullptr;  // whole, but for the decisions that were carried over
+          emit state_changed();
         };
       },
       report_failure());
   emit state_changed();
+}
+
+void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output,
+                                   const Decisions& decisions) {
+  // A complete result is not given up for part of another.
+  const std::size_t finished = output_ ? 0 : keep_finished(input, *output);
+  if (finished == 0) {
+    emit message(Severity::Note, {},
+                 output_ ? tr("Cancelled. What was there before is kept.")
+                         : tr("Cancelled before there was anything that could be kept."));
+    // The run had stopped the solution of the last decisions.
+    if (output_ && incomplete()) start_solve(solving_for_, FirstAnswer::None);
+    return;
+  }
+  carry_over(input, decisions, *output);
+  take_run(input, output);
+  output_solved_ = nullptr;
+  start_solve(tr("cancelled calibration"), FirstAnswer::None);
+  emit message(
+      Severity::Warning, tr("Cancelled"),
+      tr("%1 of %2 pairs were aligned by then; they are kept, and solved.").arg(finished).arg(output->pairs.size()));
 }
 
 void Workbench::take_run(const PipelineInput& input, OutputPtr output) {

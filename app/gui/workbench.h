@@ -171,7 +171,11 @@ class Workbench : public QObject {
   /// What is shown before the whole solution: how X moved by a decision, or the ranking in another search range.
   enum class FirstAnswer { None, Moved, Ranking };
   void start_solve(const QString& step, FirstAnswer first);
+  void take_ranking(OutputPtr answer);
   void take_first_answer(OutputPtr answer, OutputPtr before);
+  void take_solution(OutputPtr solved, OutputPtr before, const Settings& settings);
+  void take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output,
+                          const Decisions& decisions);
   void load_clouds();
   void look_over_sessions();  ///< in the background
   void hash_input_files();

@@ -1,5 +1,6 @@
 // The user's decisions about pairs, and the new solutions they lead to.
 #include <algorithm>
+#include <optional>
 
 #include "algorithms/calibration/pair_judgement.h"
 #include "app/gui/edit_commands.h"
@@ -46,6 +47,41 @@ Settings solved_again_with(const Settings& of_pairs, const Settings& now) {
   settings.solve.apply_time_offset = of_pairs.solve.apply_time_offset;
   settings.solve.joint_clouds = of_pairs.solve.joint_clouds;
   return settings;
+}
+
+/// A solution from the pairs that are there, and what it is compared with.
+struct SolveTask {
+  PipelineInput input, input_before;
+  OutputPtr output, before;  ///< before: the last whole solution, or null
+  /// A solution from the pairs cannot be compared with one whose clouds were aligned together: what that last step
+  /// changed would pass for the effect of a decision. Then what was before is solved from its pairs as well.
+  bool unlike = false;
+};
+
+struct Answer {
+  std::shared_ptr<PipelineOutput> now;
+  OutputPtr before;
+};
+
+/// X, residuals and counts; nothing where they cannot be had at once.
+std::optional<Answer> answer_at_once(const SolveTask& task, const Engine& engine, Progress& progress) {
+  if (!task.before || !engine.solve_at_once) return {};
+  auto like = std::make_shared<PipelineOutput>(*task.before);
+  if (task.unlike && !engine.solve_at_once(task.input_before, *like, progress)) return {};
+  auto answer = std::make_shared<PipelineOutput>(*task.output);
+  if (!engine.solve_at_once(task.input, *answer, progress)) return {};
+  return Answer{answer, like};
+}
+
+/// Nothing where cancelled.
+std::optional<Answer> answer_in_full(const SolveTask& task, const Engine& engine, Progress& progress) {
+  Answer answer{std::make_shared<PipelineOutput>(*task.output), task.before};
+  if (!engine.solve_again(task.input, *answer.now, progress)) return {};
+  if (!task.unlike) return answer;
+  auto like = std::make_shared<PipelineOutput>(*task.before);
+  if (!engine.solve_again(task.input_before, *like, progress)) return {};
+  answer.before = like;
+  return answer;
 }
 
 }  // namespace
@@ -132,57 +168,50 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
   refining_ = false;
   jobs_.cancel(solve_job_);
   auto job = std::make_shared<int>(0);
-  // A solution from the pairs cannot be compared with one whose clouds were aligned together: what that last step
-  // changed would pass for the effect of a decision.
-  const bool unlike = output_solved_ && aligned_together(*output_solved_);
+  // What an earlier solution delivers after a later one was begun is dropped.
+  const auto if_last = [this, job](auto take) {
+    return [this, job, take] {
+      if (*job == solve_job_) take();
+    };
+  };
   solve_job_ = jobs_.start(
-      [this, job, unlike, first, input = input_of_next_solve(), input_before = run_input_, output = *output_,
-       before = output_solved_, engine = engine_](Progress& progress) mutable -> JobRunner::Deliver {
-        if (first == FirstAnswer::Moved && before && engine.solve_at_once) {
-          auto answer = std::make_shared<PipelineOutput>(output), like = std::make_shared<PipelineOutput>(*before);
-          const bool comparable = !unlike || engine.solve_at_once(input_before, *like, progress);
-          if (comparable && engine.solve_at_once(input, *answer, progress))
-            QMetaObject::invokeMethod(
-                this,
-                [this, job, answer, like] {
-                  if (*job == solve_job_) take_first_answer(answer, like);
-                },
-                Qt::QueuedConnection);
+      [this, if_last, first, engine = engine_,
+       task =
+           SolveTask{input_of_next_solve(), run_input_, output_, output_solved_,
+                     output_solved_ && aligned_together(*output_solved_)}](Progress& progress) -> JobRunner::Deliver {
+        const auto at_once = [this](auto deliver) { QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection); };
+        if (first == FirstAnswer::Moved)
+          if (const auto answer = answer_at_once(task, engine, progress))
+            at_once(if_last([this, answer = *answer] { take_first_answer(answer.now, answer.before); }));
+        if (first == FirstAnswer::Ranking && is_usable(task.output->result)) {
+          auto ranked = std::make_shared<PipelineOutput>(*task.output);
+          rank_again(task.input, *ranked);
+          at_once(if_last([this, ranked] { take_ranking(ranked); }));
         }
-        if (first == FirstAnswer::Ranking && is_usable(output.result)) {
-          auto answer = std::make_shared<PipelineOutput>(output);
-          rank_again(input, *answer);
-          QMetaObject::invokeMethod(
-              this,
-              [this, job, answer] {
-                if (*job != solve_job_) return;
-                output_ = answer;
-                emit output_changed();
-              },
-              Qt::QueuedConnection);
-        }
-        auto solved = std::make_shared<PipelineOutput>(std::move(output));
-        engine.solve_again(input, *solved, progress);
-        if (unlike) {
-          auto like = std::make_shared<PipelineOutput>(*before);
-          engine.solve_again(input_before, *like, progress);
-          before = like;
-        }
-        return [this, job, solved, before, settings = input.settings] {
-          if (*job != solve_job_ || solved->result.status == Status::Cancelled)
-            return;  // a later decision is on its way
-          output_before_ = before;
-          moved_by_ = solving_for_;
-          output_ = output_solved_ = solved;
-          run_input_.settings = settings;
-          exported_ = checked_ = false;
-          emit output_changed();
-          mark_edited();
-        };
+        const auto answer = answer_in_full(task, engine, progress);
+        if (!answer) return [] {};
+        return if_last([this, answer = *answer, settings = task.input.settings] {
+          take_solution(answer.now, answer.before, settings);
+        });
       },
       report_failure());
   *job = solve_job_;
   emit state_changed();
+}
+
+void Workbench::take_ranking(OutputPtr answer) {
+  output_ = std::move(answer);
+  emit output_changed();
+}
+
+void Workbench::take_solution(OutputPtr solved, OutputPtr before, const Settings& settings) {
+  output_before_ = std::move(before);
+  moved_by_ = solving_for_;
+  output_ = output_solved_ = std::move(solved);
+  run_input_.settings = settings;
+  exported_ = checked_ = false;
+  emit output_changed();
+  mark_edited();
 }
 
 void Workbench::take_first_answer(OutputPtr answer, OutputPtr before) {

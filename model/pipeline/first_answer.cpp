@@ -6,6 +6,7 @@
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/search/candidates.h"
+#include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/result_file.h"
 
@@ -31,6 +32,7 @@ RigidTransform with_kept(const RigidTransform& solved, const RigidTransform& kep
 void describe(const RigidTransform& x, PipelineOutput& output) {
   CalibrationResult& result = output.result;
   result.ins_from_lidar = x;
+  forget_sharpness(output);
   std::erase_if(result.candidates, [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
   result.pairs_accepted = result.pairs_rejected = 0;
   double rotation2 = 0.0, translation2 = 0.0;

@@ -10,8 +10,6 @@
 namespace remount {
 namespace {
 
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-
 std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar) {
   const SixParameters six = six_from_rigid(ins_from_lidar);
   return {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
@@ -29,7 +27,6 @@ PipelineOutput output_of_session(const PipelineOutput& output, std::size_t sessi
   alone.initial_ins_from_lidar = output.initial_ins_from_lidar;
   alone.nominal_known = output.nominal_known;
   alone.initial_known = output.initial_known;
-  alone.clock_bias = output.clock_bias;
   const TimeOffset& clock = output.result.time_offset;
   if (clock.applied && session < output.result.session_time_offset_s.size()) {
     alone.result.time_offset = clock;
@@ -80,31 +77,7 @@ ResidualRms score(const CalibrationResult& solved, const SessionAlone& session, 
   return residual_rms(pairs, rigid_from_six({six[0], six[1], six[2], six[3], six[4], six[5]}));
 }
 
-SessionDifference difference_of(const std::vector<SessionAlone>& sessions, std::size_t a, std::size_t b) {
-  SessionDifference out{static_cast<int>(a), static_cast<int>(b), {}, {}};
-  const CalibrationResult &first = sessions[a].result, &second = sessions[b].result;
-  const std::array<double, 6> x_a = parameters_of(first.ins_from_lidar), x_b = parameters_of(second.ins_from_lidar);
-  for (std::size_t i = 0; i < x_a.size(); ++i) {
-    out.difference[i] = out.sigma[i] = kUnknown;
-    const std::optional<double> sigma_a = first.sigma(i), sigma_b = second.sigma(i);
-    if (!is_usable(first) || !is_usable(second) || !sigma_a || !sigma_b) continue;
-    if (!std::isfinite(*sigma_a) || !std::isfinite(*sigma_b)) continue;
-    out.difference[i] = i < 3 ? x_a[i] - x_b[i] : wrap_angle_rad(x_a[i] - x_b[i]);
-    out.sigma[i] = std::hypot(*sigma_a, *sigma_b);
-  }
-  return out;
-}
-
 }  // namespace
-
-std::optional<LargestDifference> largest_difference(const SessionDifference& difference) {
-  std::optional<LargestDifference> largest;
-  for (std::size_t i = 0; i < difference.sigma.size(); ++i) {
-    const double sigmas = std::abs(difference.difference[i]) / difference.sigma[i];
-    if (std::isfinite(sigmas) && (!largest || sigmas > largest->sigmas)) largest = LargestDifference{i, sigmas};
-  }
-  return largest;
-}
 
 HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output, Progress& progress) {
   HoldOut out;
@@ -115,8 +88,7 @@ HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output,
     progress.report("solving every session alone", s, count);
     PipelineOutput alone = output_of_session(output, s);
     const std::vector<MotionPair> accepted_by_all = accepted_motions(alone.pairs);
-    solve_again(input_of_session(input, s), alone, progress);
-    if (progress.cancelled()) return {};
+    if (!solve_again(input_of_session(input, s), alone, progress)) return {};
     SessionAlone session{std::move(alone.result), 0, {}, {}};
     session.result.candidates.clear();
     pairs.push_back(is_usable(session.result) ? accepted_motions(alone.pairs) : accepted_by_all);
@@ -132,7 +104,9 @@ HoldOut check_hold_out(const PipelineInput& input, const PipelineOutput& output,
       held.residual = score(out.sessions[a].result, out.sessions[b], pairs[b]);
       for (std::size_t i = 0; i < held.lent.size(); ++i) held.lent[i] = !out.sessions[a].result.observed[i];
       out.scores.push_back(held);
-      if (a < b) out.differences.push_back(difference_of(out.sessions, a, b));
+      if (a < b)
+        out.differences.push_back(
+            {difference_of(out.sessions[a].result, out.sessions[b].result), static_cast<int>(a), static_cast<int>(b)});
     }
   return out;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "algorithms/calibration/agreement.h"
 #include "model/pipeline.h"
 
 namespace remount {
@@ -31,11 +32,9 @@ struct HeldOutScore {
   std::array<bool, 6> lent{};
 };
 
-/// X of session a minus X of session b; NaN for a component that either does not observe. Order of kParameterNames.
-struct SessionDifference {
+/// X of session a against X of session b.
+struct SessionDifference : ResultDifference {
   int a = 0, b = 0;
-  std::array<double, 6> difference{};  ///< m, rad
-  std::array<double, 6> sigma{};       ///< of the difference: both together
 };
 
 struct HoldOut {
@@ -43,16 +42,6 @@ struct HoldOut {
   std::vector<HeldOutScore> scores;            ///< every session under the X of every other one
   std::vector<SessionDifference> differences;  ///< every two sessions once
 };
-
-/// The component in which two sessions differ by the most sigma, and by how many.
-struct LargestDifference {
-  std::size_t parameter = 0;
-  double sigmas = 0.0;
-};
-/// Nothing where no component is observed by both.
-std::optional<LargestDifference> largest_difference(const SessionDifference& difference);
-/// More is no chance: of six components one differs by this much in a few of a thousand comparisons.
-inline constexpr double kSessionsDiffer_sigma = 3.5;
 
 /// Solves each session again from its registered pairs: the user's decisions hold, the program's are taken anew, for it
 /// took them with the help of the other sessions. What was measured by hand is left out: given to all, it is no

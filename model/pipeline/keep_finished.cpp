@@ -12,7 +12,16 @@ constexpr const char* kNotReached = "not aligned: the calibration was cancelled"
 bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
 
 // A registration that was interrupted, or never begun.
-bool not_reached(const Pair& pair) { return !pair.registration.attempted || pair.registration.failure == "cancelled"; }
+bool not_reached(const Pair& pair) {
+  return !pair.registration.attempted || pair.registration.failure == kRegistrationCancelled;
+}
+
+// What a whole calibration would have done besides.
+std::string missing_steps(const PipelineInput& input, const PipelineOutput& output) {
+  std::string steps = "aligning all clouds, sharpness of the map";
+  if (input.settings.measured.ins_height_sigma_m > 0.0 && !output.ground) steps += ", the given height of the INS";
+  return steps;
+}
 
 }  // namespace
 
@@ -35,8 +44,8 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
   output.findings.push_back({Severity::Warning, "cancelled", "calibration",
                              "was cancelled when " + std::to_string(finished) + " of " +
                                  std::to_string(output.pairs.size()) +
-                                 " pairs were aligned: the result is from these, without the last steps (aligning all "
-                                 "clouds, sharpness of the map). Calibrate again for the rest."});
+                                 " pairs were aligned: the result is from these, without the last steps (" +
+                                 missing_steps(input, output) + "). Calibrate again for the rest."});
   return finished;
 }
 

@@ -208,9 +208,10 @@ void use_ground(const StageContext& context, const ScanStore& scans, PipelineOut
 }
 
 // Objects, registration, solution and joint alignment of sessions with scans. Scans are compensated for motion through
-// the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace.
+// the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace; `first_pass` is
+// what there was before that.
 void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details,
-                     Progress& progress) {
+                     std::optional<PipelineOutput>& first_pass, Progress& progress) {
   RigidTransform x = output.initial_ins_from_lidar;
   std::vector<KeyframeObjects> objects;
   std::vector<bool>& uses_sweep = output.session_uses_sweep;
@@ -239,13 +240,16 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     if (!solved(output.result)) return;
     if (pass == 0 && compensate && any_distortion(input, uses_sweep) && moved_much(x, output.result.ins_from_lidar)) {
       x = output.result.ins_from_lidar;
+      first_pass = output;
       reconsider(output.pairs);
       continue;
     }
     if (input.settings.solve.joint_clouds)
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
-    if (input.settings.run.map_check && solved(output.result))
-      output.sharpness = check_sharpness(context, scans, output.result, input.nominal_ins_from_lidar, progress);
+    if (!input.settings.run.map_check)
+      output.map_check = MapCheck::SwitchedOff;
+    else if (solved(output.result))
+      take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
     return;
   }
 }
@@ -308,8 +312,12 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
       output.initial_ins_from_lidar = *coarse.ins_from_lidar;
       output.initial_known = true;
     }
-    calibrate_scans(input, motion, output, details, progress);
+    std::optional<PipelineOutput> first_pass;
+    calibrate_scans(input, motion, output, details, first_pass, progress);
+    // Half of the pairs of each pass do not go together.
+    if (progress.cancelled() && first_pass) output = std::move(*first_pass);
   } else {
+    output.map_check = MapCheck::NoScans;
     if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
     use_odometry(motion, output.keyframes, output.pairs);
     output.result = solve_with_clock(input, motion, output, details, progress);
@@ -329,7 +337,7 @@ void compensate_as_solved(const PipelineInput& input, const PipelineOutput& outp
   scans.compensate_motion(output.compensation_ins_from_lidar, uses_sweep);
 }
 
-void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
+bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
   DriveMotion motion = motion_as_solved(input, output);
   PipelineOutput solved = output;  // a cancelled call leaves the output as it was
   solved.result = solve_pairwise(solver_input(input, motion, solved), solved.pairs, progress);
@@ -340,14 +348,25 @@ void solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
     PairwiseDetails unused;
     solved.result = solve_with_clock(input, motion, solved, unused, progress);
   }
-  if (solved.result.status == Status::Cancelled) return;
+  if (progress.cancelled() || solved.result.status == Status::Cancelled) return false;
   blame_attitude(solved.findings, solved.result);
   drop_clock_of_failed(solved);
-  solved.sharpness.clear();  // it was the former X's, and so was what it said
-  std::erase_if(solved.findings,
-                [](const Finding& finding) { return finding.code == kMapLessSharp || finding.code == kClockOffset; });
+  forget_sharpness(solved);
+  std::erase_if(solved.findings, [](const Finding& finding) { return finding.code == kClockOffset; });
   report_clock(solved.result, solved.findings);
   output = std::move(solved);
+  return true;
+}
+
+void check_map(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
+  if (!input.settings.run.map_check || !is_usable(output.result) || !any_scans(input)) return;
+  const DriveMotion motion = motion_as_solved(input, output);
+  const StageContext context{motion, input.settings, output.keyframes, output.initial_ins_from_lidar, input.threads};
+  ScanStore scans(motion, input.settings.registration, 0);
+  compensate_as_solved(input, output, scans);
+  forget_sharpness(output);
+  take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
+  report_sharpness(output.sharpness, output.findings);
 }
 
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair_index) {

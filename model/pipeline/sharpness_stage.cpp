@@ -97,14 +97,27 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
   return named;
 }
 
+void take_sharpness(const StageContext& context, const ScanStore& scans,
+                    const std::optional<RigidTransform>& nominal_ins_from_lidar, PipelineOutput& output,
+                    Progress& progress) {
+  output.sharpness = check_sharpness(context, scans, output.result, nominal_ins_from_lidar, progress);
+  if (!output.sharpness.empty())
+    output.map_check = MapCheck::Made;
+  else
+    output.map_check = progress.cancelled() ? MapCheck::NotReached : MapCheck::NoOverlap;
+}
+
+void forget_sharpness(PipelineOutput& output) {
+  output.sharpness.clear();
+  if (output.map_check == MapCheck::Made) output.map_check = MapCheck::Moved;
+  std::erase_if(output.findings, [](const Finding& finding) { return finding.code == kMapLessSharp; });
+}
+
 void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<Finding>& findings) {
   if (sharpness.size() < 2 || sharpness[1].source != "nominal") return;
-  constexpr double kBlunter = 1.05;     // less is chance: neighbourhoods are few and INS noise blurs both
-  constexpr std::size_t kFewest = 200;  // fewer are one wall, or chance
-  if (sharpness[0].sharpness.points < kFewest) return;
+  if (compared(sharpness[0].sharpness, sharpness[1].sharpness) != SharperUnder::Second) return;
   const double result_m = sharpness[0].sharpness.plane_thickness_m,
                nominal_m = sharpness[1].sharpness.plane_thickness_m;
-  if (!(result_m > kBlunter * nominal_m)) return;
   char text[240];
   std::snprintf(
       text, sizeof text,

@@ -15,11 +15,18 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
                                             const std::optional<RigidTransform>& nominal_ins_from_lidar,
                                             Progress& progress);
 
+/// check_sharpness of the output's X, into `sharpness` and `map_check`.
+void take_sharpness(const StageContext& context, const ScanStore& scans,
+                    const std::optional<RigidTransform>& nominal_ins_from_lidar, PipelineOutput& output,
+                    Progress& progress);
+
+/// For an X that has moved: the map check was the former X's, and so was what it said.
+void forget_sharpness(PipelineOutput& output);
+
 /// Code of the finding that report_sharpness makes.
 inline constexpr const char* kMapLessSharp = "map-less-sharp";
 
-/// A finding where the map is clearly sharper under the nominal than under the result, over at least 200
-/// neighbourhoods.
+/// A finding where the map is clearly sharper under the nominal than under the result.
 void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<Finding>& findings);
 
 }  // namespace remount

@@ -205,10 +205,7 @@ Engine two_step_engine(const std::atomic<bool>& complete) {
   const auto whole = engine.solve_again;
   engine.solve_again = [&complete, whole](const PipelineInput& input, PipelineOutput& output, Progress& progress) {
     while (!complete && !progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    if (progress.cancelled())
-      output.result.status = Status::Cancelled;
-    else
-      whole(input, output, progress);
+    return !progress.cancelled() && whole(input, output, progress);
   };
   engine.solve_at_once = [](const PipelineInput&, PipelineOutput& output, const Progress&) {
     output.result.ins_from_lidar.translation().x() += 0.5;

@@ -77,7 +77,7 @@ QStringList difference_heads() {
 
 bool differ(const SessionDifference& difference) {
   const auto largest = largest_difference(difference);
-  return largest && largest->sigmas > kSessionsDiffer_sigma;
+  return largest && largest->sigmas > kDiffer_sigma;
 }
 
 Verdict verdict_of(const SessionDifference& difference) {
@@ -88,10 +88,11 @@ Verdict verdict_of(const SessionDifference& difference) {
 QString in_words(const SessionDifference& difference) {
   const auto largest = largest_difference(difference);
   if (!largest) return HoldOutView::tr("nothing is observed by both");
-  return (differ(difference) ? HoldOutView::tr("differ by %1 sigma in %2")
-                             : HoldOutView::tr("agree (at most %1 sigma, in %2)"))
-      .arg(largest->sigmas, 0, 'f', 1)
-      .arg(parameter_name(largest->parameter));
+  const QString sigmas = QString::number(largest->sigmas, 'f', 1), name = parameter_name(largest->parameter);
+  if (differ(difference)) return HoldOutView::tr("differ by %1 sigma in %2").arg(sigmas, name);
+  const auto both = std::count_if(difference.sigma.begin(), difference.sigma.end(),
+                                  [](double sigma) { return std::isfinite(sigma); });
+  return HoldOutView::tr("agree in %1 of 6 parameters (at most %2 sigma, in %3)").arg(both).arg(sigmas, name);
 }
 
 TableCell difference_cell(const HoldOut& found, const SessionDifference& difference, std::size_t i,
@@ -100,7 +101,7 @@ TableCell difference_cell(const HoldOut& found, const SessionDifference& differe
     const double sigmas = std::abs(difference.difference[i]) / difference.sigma[i];
     return {difference_text(i, difference.difference[i], difference.sigma[i]),
             HoldOutView::tr("%1 times the sigma of both together").arg(sigmas, 0, 'f', 1),
-            sigmas > kSessionsDiffer_sigma ? Verdict::Bad : Verdict::Neutral};
+            sigmas > kDiffer_sigma ? Verdict::Bad : Verdict::Neutral};
   }
   QStringList reasons;
   for (const int session : {difference.a, difference.b}) {

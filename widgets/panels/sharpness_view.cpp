@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "algorithms/quality/map_sharpness.h"
 #include "widgets/model_text.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/verdict_table.h"
@@ -75,7 +76,6 @@ void SharpnessView::show_message(const QString& text) {
 }
 
 void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness) {
-  constexpr double kClearly = 1.05;  // less is chance: neighbourhoods are few, and INS noise blurs both
   const NamedSharpness *result = sharpness_of(sharpness, "result"), *nominal = sharpness_of(sharpness, "nominal");
   if (result && nominal) {
     const double after_mm = 1e3 * result->sharpness.plane_thickness_m,
@@ -83,12 +83,20 @@ void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness)
     const QString figures = tr("surfaces are %1 mm thick under the result, %2 mm under the nominal")
                                 .arg(after_mm, 0, 'f', 1)
                                 .arg(before_mm, 0, 'f', 1);
-    if (before_mm > kClearly * after_mm)
-      verdict_->show_verdict(Verdict::Good, tr("The map became sharper: %1.").arg(figures));
-    else if (after_mm > kClearly * before_mm)
-      verdict_->show_verdict(Verdict::Bad, tr("The map became blunter: %1.").arg(figures));
-    else
-      verdict_->show_verdict(Verdict::Neutral, tr("No clear difference: %1.").arg(figures));
+    switch (compared(result->sharpness, nominal->sharpness)) {
+      case SharperUnder::First:
+        verdict_->show_verdict(Verdict::Good, tr("The map became sharper: %1.").arg(figures));
+        break;
+      case SharperUnder::Second:
+        verdict_->show_verdict(Verdict::Bad, tr("The map became blunter: %1.").arg(figures));
+        break;
+      case SharperUnder::Neither:
+        verdict_->show_verdict(Verdict::Neutral, tr("No clear difference: %1.").arg(figures));
+        break;
+      case SharperUnder::TooFewPlaces:
+        verdict_->show_verdict(Verdict::Neutral, tr("Too few places to tell: %1.").arg(figures));
+        break;
+    }
   } else {
     verdict_->show_verdict(Verdict::Neutral,
                            tr("No nominal mounting was given: there is nothing before to compare with."));

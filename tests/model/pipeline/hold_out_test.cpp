@@ -124,7 +124,7 @@ TEST(hold_out, noise_alone_makes_no_disagreement) {
   std::printf("two drives differ by %.2f sigma in %s; held out %.1f mm, own %.1f mm, common %.1f mm\n", largest->sigmas,
               kParameterNames[largest->parameter].data(), 1e3 * found.scores[0].residual.translation_m,
               1e3 * found.sessions[1].own.translation_m, 1e3 * found.sessions[1].common.translation_m);
-  EXPECT_LT(largest->sigmas, kSessionsDiffer_sigma);
+  EXPECT_LT(largest->sigmas, kDiffer_sigma);
   for (const HeldOutScore& score : found.scores) {
     const SessionAlone& scored = found.sessions[static_cast<std::size_t>(score.scored_on)];
     EXPECT_LT(score.residual.translation_m, 1.5 * scored.own.translation_m);
@@ -143,7 +143,7 @@ TEST(hold_out, a_lidar_that_was_turned_between_the_sessions_is_seen) {
   const auto largest = largest_difference(found.differences[0]);
   ASSERT_TRUE(largest);
   EXPECT_EQ(largest->parameter, kYaw);
-  EXPECT_GT(largest->sigmas, kSessionsDiffer_sigma);
+  EXPECT_GT(largest->sigmas, kDiffer_sigma);
   EXPECT_NEAR(found.differences[0].difference[kYaw], -0.01, 0.002);
   for (const HeldOutScore& score : found.scores)
     EXPECT_GT(score.residual.translation_m,

@@ -226,6 +226,7 @@ Engine sample_engine(int stages) {
     fill_result(output);
     output.result.candidates.clear();
     add_candidates(output);
+    return true;
   };
   engine.load_pair_clouds = [](const PipelineInput& input, const PipelineOutput& output, int pair) {
     const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));

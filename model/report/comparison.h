@@ -1,0 +1,27 @@
+// Results of several methods, drives or days on one vehicle, side by side.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "algorithms/calibration/agreement.h"
+#include "model/result_file.h"
+
+namespace remount {
+
+struct NamedResult {
+  std::string name;  ///< "trajectory", or the file's name
+  ResultFile file;
+};
+
+struct ComparedResults {
+  std::size_t a = 0, b = 0;     ///< places in the list
+  ResultDifference difference;  ///< a minus b
+  bool contradict = false;      ///< by more than both claim
+  std::string words;            ///< what to make of it, one sentence
+};
+
+/// Every two results once, in order. Those in different frames or INS axes are not compared, and say so; all NaN then.
+std::vector<ComparedResults> compare_results(const std::vector<NamedResult>& results);
+
+}  // namespace remount
