@@ -37,6 +37,18 @@ std::vector<std::int64_t> ins_stamps(const Session& session) {
   return stamps;
 }
 
+template <class Sample>
+StreamReport report_samples(const std::vector<Sample>& samples) {
+  std::vector<std::int64_t> stamps;
+  for (const Sample& sample : samples) stamps.push_back(sample.stamp_ns);
+  return report_stream(stamps);
+}
+
+/// Whether the drive tells its motion without an INS: methods other than the pairwise one live on that.
+bool moves_without_ins(const SessionReport& report) {
+  return report.gnss.count >= 2 || (report.imu.count >= 2 && report.wheels.count >= 2);
+}
+
 /// Travelled distance, good to a fraction of a percent: for a person's judgement, not for calibration.
 void measure_motion(const Session& session, SessionReport& report) {
   const auto turned = [&](const Eigen::Matrix3d& first, const Eigen::Matrix3d& other) {
@@ -74,11 +86,18 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
   const auto problem = [&](const char* code, const std::string& text) {
     report.findings.push_back({Severity::Problem, code, session.name, text});
   };
-  if (report.lidar.count == 0)
+  if (report.lidar.count == 0 && report.ins.count == 0 && moves_without_ins(report))
+    report.findings.push_back({Severity::Note, "no-lidar", session.name,
+                               "neither scans nor LiDAR poses: only methods that need none can be run"});
+  else if (report.lidar.count == 0)
     problem("no-lidar", "neither scans nor LiDAR poses: calibration compares the motion of the INS with the LiDAR's");
   else if (report.lidar.count < 2)
     problem("too-few-scans", "fewer than two scans: nothing to compare");
-  if (report.ins.count < 2) problem("no-ins", "no INS motion: calibration needs positions and attitudes over time");
+  if (report.ins.count < 2 && moves_without_ins(report))
+    report.findings.push_back({Severity::Note, "no-ins", session.name,
+                               "no INS motion: only methods that live on the other sensors can be run"});
+  else if (report.ins.count < 2)
+    problem("no-ins", "no INS motion: calibration needs positions and attitudes over time");
   if (session.scans && report.points.empty())
     problem("no-readable-scan", "none of the scans that were tried can be read");
   if (report.lidar.count >= 2 && report.ins.count >= 2 && report.lidar_covered < 2) {
@@ -93,8 +112,9 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
   }
   const bool problems = std::any_of(report.findings.begin(), report.findings.end(),
                                     [](const Finding& finding) { return finding.severity == Severity::Problem; });
-  report.usable = !problems && report.lidar_covered >= 2;
-  if (!report.usable) return;
+  const bool by_ins = report.ins.count >= 2;
+  report.usable = !problems && (by_ins ? report.lidar_covered >= 2 : moves_without_ins(report));
+  if (!report.usable || !by_ins) return;
   report.outlook = motion_outlook(session, {}, progress);
   if (report.outlook.judged && parameter_list(report.outlook, true).empty()) {
     problem("no-motion", "the vehicle hardly moves while the LiDAR records: nothing can be determined");
@@ -165,6 +185,10 @@ SessionReport report_session(const Session& session, Progress& progress) {
   const std::vector<std::int64_t> lidar = lidar_stamps(session), ins = ins_stamps(session);
   report.lidar = report_stream(lidar);
   report.ins = report_stream(ins);
+  report.imu = report_samples(session.imu);
+  report.gnss = report_samples(session.gnss);
+  report.wheels = report_samples(session.wheels);
+  report.barometer = report_samples(session.barometer);
   const double longest_step_s = report.ins.rate_hz > 0.0 ? std::max(0.25, 5.0 / report.ins.rate_hz) : 0.0;
   for (const std::int64_t stamp : lidar) {
     const auto after = std::lower_bound(ins.begin(), ins.end(), stamp);
@@ -183,6 +207,11 @@ std::string describe(const Session& session, const SessionReport& report) {
   std::string text = session.path.string() + "\n  format: " + session.format + "\n";
   text += stream_line(session.scans ? "scans" : "LiDAR poses", report.lidar);
   text += stream_line(session.ins.empty() ? "INS poses" : "INS samples", report.ins);
+  for (const auto& [name, stream] : {std::pair{"IMU", &report.imu},
+                                     {"GNSS", &report.gnss},
+                                     {"wheels", &report.wheels},
+                                     {"barometer", &report.barometer}})
+    if (stream->count > 0) text += stream_line(name, *stream);
   text += "  scans within the INS data: " + std::to_string(report.lidar_covered) + " of " +
           std::to_string(report.lidar.count) + "\n";
   text += "  motion: " + number(report.travelled_m, 1) + " m travelled, turned by up to " +

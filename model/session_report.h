@@ -26,12 +26,13 @@ StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns);
 struct SessionReport {
   StreamReport lidar;  ///< scans, or poses of an odometry
   StreamReport ins;
+  StreamReport imu, gnss, wheels, barometer;
   std::size_t lidar_covered = 0;    ///< how many of the lidar's stamps lie within the INS data
   double travelled_m = 0.0;         ///< of the INS
   double turned_deg = 0.0;          ///< largest angle between the first attitude and any other
   std::vector<std::size_t> points;  ///< of the scans that were read as a sample (first, middle, last)
   std::vector<Finding> findings;    ///< those of the session, and what this report adds
-  bool usable = false;              ///< enough for a calibration to be tried
+  bool usable = false;              ///< enough for a calibration to be tried, by whatever method
   MotionOutlook outlook;            ///< what of X the motion can tell
 };
 

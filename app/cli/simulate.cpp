@@ -10,13 +10,14 @@ namespace {
 
 struct SimulateArguments {
   SimulationOptions options;
-  std::string folder, format = "native", mounting;
+  std::string folder, format = "native", mounting, imu_mounting;
   bool sense_given = false;  ///< of the LiDAR's turn
 };
 
 int simulate(const SimulateArguments& arguments, Console& console) {
   SimulationOptions options = arguments.options;
   if (!arguments.mounting.empty()) options.ins_from_lidar = parse_six(arguments.mounting);
+  if (!arguments.imu_mounting.empty()) options.imu.ins_from_imu = parse_six(arguments.imu_mounting);
   if (arguments.format == "kitti-raw" && !arguments.sense_given) options.clockwise = false;
   const SimulatedDrive drive = simulate_drive(options);
   write_drive(drive, arguments.folder, arguments.format, console.options().threads, console.progress());
@@ -32,8 +33,8 @@ int simulate(const SimulateArguments& arguments, Console& console) {
 
 void add_simulate(CLI::App& app, Console& console, Run& run) {
   const auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* verb =
-      app.add_subcommand("simulate", "Write a drive with known truth: a ray-cast world, a LiDAR and an INS");
+  CLI::App* verb = app.add_subcommand(
+      "simulate", "Write a drive with known truth: a ray-cast world, LiDAR, INS, IMU, GNSS, wheels and barometer");
   SimulationOptions::visit(arguments->options, OptionAdder{*verb});
   verb->add_option("out", arguments->folder, "Folder to write; must not exist, or be empty")
       ->type_name("OUT")
@@ -43,6 +44,8 @@ void add_simulate(CLI::App& app, Console& console, Run& run) {
       ->check(CLI::IsMember({"native", "kitti-raw"}))
       ->capture_default_str();
   verb->add_option("--ins-from-lidar", arguments->mounting, "True mounting x,y,z,yaw,pitch,roll (m, degrees)")
+      ->type_name("SIX");
+  verb->add_option("--ins-from-imu", arguments->imu_mounting, "True mounting of the IMU x,y,z,yaw,pitch,roll")
       ->type_name("SIX");
   verb->callback([arguments, verb, &console, &run] {
     arguments->sense_given = verb->get_option("--clockwise")->count() > 0;

@@ -1,5 +1,6 @@
 #include "model/io/native_session_reader.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -9,6 +10,7 @@
 #include "model/io/parse_document.h"
 #include "model/io/pose_file.h"
 #include "model/io/pose_pairing.h"
+#include "model/io/sensor_tables.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
 
@@ -271,9 +273,30 @@ RigidTransform read_nominal(const DocumentView& node) {
                          angle("pitch_deg"), angle("roll_deg")});
 }
 
-void require_one_of(const DocumentView& root, const char* first, const char* second) {
-  if (root.has(first) == root.has(second))
-    root.fail(std::string("expected either '") + first + "' or '" + second + "'");
+constexpr std::array<std::string_view, 4> kSensors{"imu", "gnss", "wheels", "barometer"};
+
+void read_sensors(const DocumentView& root, const fs::path& folder, Session& session) {
+  const auto read = [&](std::string_view key, auto& samples, auto&& read_table) {
+    const auto node = find(root, key);
+    if (!node) return;
+    node->allow_only({"file"});
+    session.files.push_back(folder / node->at("file").string());
+    samples = read_table(session.files.back(), session.findings);
+  };
+  read("imu", session.imu, read_imu_table);
+  read("gnss", session.gnss, read_gnss_table);
+  read("wheels", session.wheels, read_wheel_table);
+  read("barometer", session.barometer, read_barometer_table);
+}
+
+/// A stream that can be given in two ways is given in one; where the drive has other sensors it may be missing.
+void require_streams(const DocumentView& root) {
+  const bool sensors = std::any_of(kSensors.begin(), kSensors.end(), [&](auto key) { return root.has(key); });
+  for (const auto& [first, second] : {std::pair{"scans", "lidar_poses"}, {"ins", "ins_poses"}}) {
+    const int given = root.has(first) + root.has(second);
+    if (given != 1 && !(given == 0 && sensors))
+      root.fail(std::string("expected either '") + first + "' or '" + second + "'");
+  }
 }
 
 }  // namespace
@@ -301,9 +324,9 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   const DocumentView& format = root.at("format");
   if (format.string() != kFormat)
     format.fail("is '" + format.string().substr(0, 60) + "', expected " + std::string(kFormat));
-  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks"});
-  require_one_of(root, "scans", "lidar_poses");
-  require_one_of(root, "ins", "ins_poses");
+  root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks",
+                   "imu", "gnss", "wheels", "barometer"});
+  require_streams(root);
   Session session;
   session.name = root.at("name").string();
   session.path = path;
@@ -312,21 +335,22 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   progress.report("reading INS", 0, 2);
   if (const auto ins = find(root, "ins")) {
     read_ins(*ins, folder, session);
-  } else {
-    session.world_from_ins = read_poses(root.at("ins_poses"), folder, session);
+  } else if (const auto poses = find(root, "ins_poses")) {
+    session.world_from_ins = read_poses(*poses, folder, session);
     session.ins_axes.reset();
   }
+  read_sensors(root, folder, session);
   progress.report("listing scans", 1, 2);
   if (const auto scans = find(root, "scans"))
     read_scans(*scans, folder, session);
-  else
-    session.odometry_from_lidar = read_poses(root.at("lidar_poses"), folder, session);
+  else if (const auto poses = find(root, "lidar_poses"))
+    session.odometry_from_lidar = read_poses(*poses, folder, session);
   if (const auto noise = find(root, "ins_noise")) read_noise(*noise, session);
   if (const auto nominal = find(root, "nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
   ClockUse clocks = ClockUse::Shared;
   if (const auto node = find(root, "clocks"))
     clocks = choice<ClockUse>(*node, {{"shared", ClockUse::Shared}, {"unsynchronised", ClockUse::Unsynchronised}});
-  if (clocks == ClockUse::Unsynchronised && session.scans)
+  if (clocks == ClockUse::Unsynchronised && session.odometry_from_lidar.empty())
     root.at("clocks").fail("clocks can be aligned only where lidar_poses are given");
   if (!session.scans) align_lidar_clock(session, clocks);
   return session;

@@ -8,6 +8,7 @@
 #include "model/io/ins_table.h"
 #include "model/io/number_text.h"
 #include "model/io/output_file.h"
+#include "model/io/sensor_tables.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
 
@@ -17,11 +18,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+bool has_ins(const Session& session) { return !session.ins.empty() || !session.world_from_ins.empty(); }
+bool has_lidar(const Session& session) { return session.scans || !session.odometry_from_lidar.empty(); }
+bool has_sensors(const Session& session) {
+  return !session.imu.empty() || !session.gnss.empty() || !session.wheels.empty() || !session.barometer.empty();
+}
+
 void check_writable(const Session& session) {
-  if (session.ins.empty() && session.world_from_ins.empty())
-    throw Error(ErrorCode::Contract, session.name, "has no INS motion to write");
-  if (!session.scans && session.odometry_from_lidar.empty())
-    throw Error(ErrorCode::Contract, session.name, "has neither scans nor LiDAR poses to write");
+  if (has_sensors(session)) return;
+  if (!has_ins(session)) throw Error(ErrorCode::Contract, session.name, "has no INS motion to write");
+  if (!has_lidar(session)) throw Error(ErrorCode::Contract, session.name, "has neither scans nor LiDAR poses to write");
 }
 
 AttitudeConvention convention_of(const Session& session) {
@@ -88,6 +94,7 @@ std::string quoted(const std::string& name) {
 }
 
 std::string ins_section(const Session& session) {
+  if (!has_ins(session)) return "";
   if (session.ins.empty()) return "ins_poses:\n  file: ins_poses.txt\n  format: tum\n";
   std::string text =
       "ins:\n  file: ins.csv\n  columns:\n    time: {name: time_ns, unit: ns, scale: unix}\n"
@@ -103,6 +110,7 @@ std::string ins_section(const Session& session) {
 }
 
 std::string scans_section(const Session& session) {
+  if (!has_lidar(session)) return "";
   if (!session.scans) return "lidar_poses:\n  file: lidar_poses.txt\n  format: tum\n";
   std::string text = "scans:\n  directory: scans\n  type: pcd\n  stamps: scan_stamps.csv\n  timing: ";
   if (session.scan_timing == ScanTiming::Instant) return text + "instant\n";
@@ -132,6 +140,21 @@ std::string optional_sections(const Session& session) {
               ", roll_deg: " + exact_text(radians_to_degrees(six.roll_rad)) + "}\n";
   }
   return (noise.empty() ? "" : "ins_noise:\n" + noise) + nominal;
+}
+
+/// Writes the files of the other sensors and returns what the manifest says of them.
+std::string write_sensors(const Session& session, const fs::path& folder) {
+  std::string sections;
+  const auto write = [&](const std::string& key, const auto& samples, auto&& table) {
+    if (samples.empty()) return;
+    write_file(folder / (key + ".csv"), table(samples));
+    sections += key + ":\n  file: " + key + ".csv\n";
+  };
+  write("imu", session.imu, imu_table);
+  write("gnss", session.gnss, gnss_table);
+  write("wheels", session.wheels, wheel_table);
+  write("barometer", session.barometer, barometer_table);
+  return sections;
 }
 
 /// Loads and writes scan after scan; `write(scan, cloud)` stores one. False where cancelled.
@@ -186,16 +209,18 @@ void write_native_session(const Session& session, const fs::path& folder, int th
     };
     if (!write_scans(*session.scans, threads, progress, write)) return;
     write_file(folder / "scan_stamps.csv", stamps);
-  } else {
+  } else if (has_lidar(session)) {
     write_file(folder / "lidar_poses.txt", tum_poses(session.odometry_from_lidar));
   }
-  if (session.ins.empty())
-    write_file(folder / "ins_poses.txt", tum_poses(session.world_from_ins));
-  else
+  if (!session.ins.empty())
     write_file(folder / "ins.csv", ins_csv(session));
+  else if (has_ins(session))
+    write_file(folder / "ins_poses.txt", tum_poses(session.world_from_ins));
+  const std::string sensors = write_sensors(session, folder);
   // Last: a folder without its manifest is not taken for a session.
   write_file(folder / "session.yaml", "format: remount-session/1\nname: " + quoted(session.name) + "\n" +
-                                          scans_section(session) + ins_section(session) + optional_sections(session));
+                                          scans_section(session) + ins_section(session) + sensors +
+                                          optional_sections(session));
 }
 
 void write_kitti_raw_session(const Session& session, const fs::path& folder, int threads, Progress& progress) {

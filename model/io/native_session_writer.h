@@ -9,15 +9,16 @@
 namespace remount {
 
 /// Writes session.yaml, scans/*.pcd (binary, with intensity, ring and time where the scans have them) or
-/// lidar_poses.txt, and ins.csv or ins_poses.txt. Reads back to the same stamps, to 1e-12 degrees and 1e-9 m; points to
-/// float. Scans are loaded one by one on `threads` workers (0: one per core); the bytes do not depend on their number.
-/// The folder is made. Throws Error(Contract) where the session has no INS or no LiDAR motion, Error(Io) where writing
-/// fails; returns early where `progress` is cancelled, without session.yaml.
+/// lidar_poses.txt, ins.csv or ins_poses.txt, and a table of each other sensor. Reads back to the same stamps, to 1e-12
+/// degrees and 1e-9 m; points to float. Scans are loaded one by one on `threads` workers (0: one per core); the bytes
+/// do not depend on their number. The folder is made. Throws Error(Contract) where the session has no INS or no LiDAR
+/// motion and no other sensor either, Error(Io) where writing fails; returns early where `progress` is cancelled,
+/// without session.yaml.
 void write_native_session(const Session& session, const std::filesystem::path& folder, int threads, Progress& progress);
 
 /// Writes `<folder>/<date>/<date>_drive_0001_sync` where INS and scans have equal stamps, `_extract` with the INS's own
 /// stamps otherwise. Needs geodetic INS samples and scans: throws Error(Contract) else. KITTI has no place for rings,
-/// per-point times and INS noise other than the position's.
+/// per-point times, INS noise other than the position's, and the other sensors.
 void write_kitti_raw_session(const Session& session, const std::filesystem::path& folder, int threads,
                              Progress& progress);
 

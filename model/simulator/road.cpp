@@ -100,7 +100,7 @@ Ground scenario_ground(ScenarioKind scenario, int seed) {
 }
 
 RigidTransform road_from_vehicle(const Road& road, const Ground& ground, double along_m) {
-  constexpr double kWheelbase_m = 2.7, kHalfTrack_m = 0.8;
+  constexpr double kWheelbase_m = 2.7, kHalfTrack_m = 0.5 * kTrack_m;
   const Vector2d rear = road.point_in_road(along_m);
   const double yaw = road.yaw_rad(along_m);
   const Vector2d forward(std::cos(yaw), std::sin(yaw)), left(-forward.y(), forward.x());

@@ -5,7 +5,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/simulator/ground.h"
-#include "model/simulator/simulator.h"
+#include "model/simulator/simulation_options.h"
 
 namespace remount {
 
@@ -39,6 +39,9 @@ Ground scenario_ground(ScenarioKind scenario, int seed);
 /// Vehicle frame: middle of the rear axle on the ground, x forward, y left, z up. Its attitude follows the ground under
 /// its four wheels.
 RigidTransform road_from_vehicle(const Road& road, const Ground& ground, double along_m);
+
+/// Between the middles of the wheels of an axle.
+inline constexpr double kTrack_m = 1.6;
 
 /// Where the INS is fitted.
 inline RigidTransform vehicle_from_ins() { return make_rigid(Eigen::Matrix3d::Identity(), {0.4, 0.0, 0.8}); }

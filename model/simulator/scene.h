@@ -3,13 +3,15 @@
 
 #include "model/simulator/road.h"
 #include "model/simulator/scenery.h"
-#include "model/simulator/simulator.h"
+#include "model/simulator/simulation_options.h"
 #include "model/simulator/world.h"
 
 namespace remount {
 
 /// Time 0 of the drive on the INS clock, Unix time.
 inline constexpr std::int64_t kDriveStart_ns = 1'700'000'000'000'000'000;
+/// INS and the other sensors report from this long before the first scan to this long after the last.
+inline constexpr double kMargin_s = 0.5;
 
 /// World, road and traffic of one set of options. Immutable; safe to use from several threads. The road frame has its
 /// origin and first direction at the start of the drive; the ENU frame about the start is turned by the heading.
@@ -22,6 +24,7 @@ class Scene {
   const SimulationOptions& options() const { return options_; }
   const World& world() const { return world_; }
   const Traffic& traffic() const { return traffic_; }
+  RigidTransform road_from_vehicle(double time_s) const;
   RigidTransform road_from_ins(double time_s) const;
   RigidTransform enu_from_road() const { return enu_from_road_; }
   RigidTransform enu_from_ins(double time_s) const { return enu_from_road_ * road_from_ins(time_s); }

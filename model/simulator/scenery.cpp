@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "model/simulator/random_stream.h"
+#include "model/simulator/speed_profile.h"
 
 namespace remount {
 
@@ -192,9 +193,11 @@ World build_world(const Road& road, const Ground& ground, double length_m, int s
   return World(ground, std::move(boxes), std::move(cylinders));
 }
 
-Traffic::Traffic(const Road& road, const Ground& ground, int cars, double own_speed_mps, double duration_s, int seed)
+Traffic::Traffic(const Road& road, const Ground& ground, const SimulationOptions& options)
     : road_(road), ground_(ground) {
-  RandomStream random(static_cast<std::uint64_t>(seed), 4);
+  RandomStream random(static_cast<std::uint64_t>(options.seed), 4);
+  const int cars = options.moving_objects;
+  const double own_speed_mps = options.speed_mps;
   // One ahead in the own lane; a closed road crosses itself, so that it could be in the way there.
   const bool one_ahead = cars > 1 && !road.closed();
   if (one_ahead) cars_.push_back({random.uniform(15.0, 18.0), own_speed_mps, 0.0, 4.0});
@@ -203,9 +206,9 @@ Traffic::Traffic(const Road& road, const Ground& ground, int cars, double own_sp
   for (int i = 0; i < oncoming; ++i) {
     Car car{0.0, -their_speed_mps, kOtherLane_m, 0.0};
     for (int attempt = 0; attempt < 20; ++attempt) {
-      const double meeting_s = duration_s * (i + random.uniform(0.35, 0.65)) / oncoming;
+      const double meeting_s = options.duration_s * (i + random.uniform(0.35, 0.65)) / oncoming;
       car.start_m = (own_speed_mps + their_speed_mps) * meeting_s;
-      if (!road.closed() || !meets_at_crossing(car, own_speed_mps, duration_s)) {
+      if (!road.closed() || !meets_at_crossing(car, options)) {
         cars_.push_back(car);
         break;
       }
@@ -213,11 +216,11 @@ Traffic::Traffic(const Road& road, const Ground& ground, int cars, double own_sp
   }
 }
 
-bool Traffic::meets_at_crossing(const Car& car, double own_speed_mps, double duration_s) const {
+bool Traffic::meets_at_crossing(const Car& car, const SimulationOptions& options) const {
   constexpr double kStep_s = 0.05;
-  for (double t = -0.5; t < duration_s + 0.5; t += kStep_s) {
+  for (double t = -0.5; t < options.duration_s + 0.5; t += kStep_s) {
     const Vector2d theirs = road_.point_in_road(along_m(car, t), car.left_m);
-    const Vector2d own = road_.point_in_road(own_speed_mps * t + 1.0);
+    const Vector2d own = road_.point_in_road(along_road_m(options, t) + 1.0);
     if ((theirs - own).norm() < kOtherLane_m - 0.1) return true;
   }
   return false;

@@ -18,7 +18,7 @@ std::vector<Box> car_boxes(const Eigen::Vector2d& centre, double yaw_rad, double
 /// Cars that move along the road: oncoming ones in the other lane, one ahead.
 class Traffic {
  public:
-  Traffic(const Road& road, const Ground& ground, int cars, double own_speed_mps, double duration_s, int seed);
+  Traffic(const Road& road, const Ground& ground, const SimulationOptions& options);
 
   /// Boxes of the cars within reach_m of `from` at a time of the drive.
   std::vector<Box> boxes_at(double time_s, const Eigen::Vector2d& from, double reach_m) const;
@@ -34,7 +34,7 @@ class Traffic {
   };
   double along_m(const Car& car, double time_s) const;
   /// Whether the car comes closer to the own vehicle than cars in two lanes do.
-  bool meets_at_crossing(const Car& car, double own_speed_mps, double duration_s) const;
+  bool meets_at_crossing(const Car& car, const SimulationOptions& options) const;
 
   const Road& road_;
   const Ground& ground_;

@@ -1,6 +1,7 @@
 #include "model/simulator/simulator.h"
 
 #include <memory>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "model/simulator/ins_model.h"
@@ -11,14 +12,17 @@ namespace remount {
 namespace {
 
 constexpr double kLongestDrive_m = 200'000.0;
-constexpr double kMostSamples = 2e7;
+constexpr double kMostSamples = 2e7;  ///< of one sensor
 
 void check(const SimulationOptions& options) {
   std::vector<std::string> problems = option_problems(options);
   if (options.duration_s * options.speed_mps > kLongestDrive_m) problems.push_back("the drive is longer than 200 km");
-  if (options.duration_s * options.ins_rate_hz > kMostSamples)
-    problems.push_back("the drive has more than 20 million INS samples");
+  for (const auto& [rate_hz, sensor] :
+       {std::pair{options.ins_rate_hz, "INS"}, {options.imu.rate_hz, "IMU"}, {options.wheels.rate_hz, "wheel"}})
+    if (options.duration_s * rate_hz > kMostSamples)
+      problems.push_back(std::string("the drive has more than 20 million ") + sensor + " samples");
   if (!options.ins_from_lidar.matrix().allFinite()) problems.push_back("ins_from_lidar is not finite");
+  if (!options.imu.ins_from_imu.matrix().allFinite()) problems.push_back("ins_from_imu is not finite");
   if (problems.empty()) return;
   std::string text;
   for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
@@ -28,6 +32,22 @@ void check(const SimulationOptions& options) {
 std::string scenario_name(ScenarioKind scenario) {
   constexpr const char* names[] = {"street", "flat", "straight", "figure-eight", "parking-ramp"};
   return names[static_cast<int>(scenario)];
+}
+
+void add_sensors(const Scene& scene, SimulatedDrive& drive) {
+  SimulatedImu imu = simulate_imu(scene);
+  SimulatedGnss gnss = simulate_gnss(scene);
+  const SimulationOptions& options = scene.options();
+  drive.sensors = {vehicle_from_ins(), options.imu.ins_from_imu, options.gnss.antenna_in_ins_m, kTrack_m, {}, {}, {}};
+  if (!imu.errors.empty()) {
+    drive.sensors.imu_at_start = imu.errors.front();
+    drive.sensors.imu_at_end = imu.errors.back();
+  }
+  drive.sensors.gnss_outlier_stamps_ns = std::move(gnss.outlier_stamps_ns);
+  drive.session.imu = std::move(imu.samples);
+  drive.session.gnss = std::move(gnss.fixes);
+  drive.session.wheels = simulate_wheels(scene);
+  drive.session.barometer = simulate_barometer(scene);
 }
 
 }  // namespace
@@ -45,6 +65,7 @@ SimulatedDrive simulate_drive(const SimulationOptions& options) {
   session.name = "simulated-" + scenario_name(options.scenario) + "-" + std::to_string(options.seed);
   session.format = "simulated";
   session.ins = simulate_ins(*scene);
+  add_sensors(*scene, drive);
   session.scans = std::make_shared<const SimulatedScanSource>(scene);
   session.scan_timing = !options.motion_distortion ? ScanTiming::Instant
                         : options.per_point_time   ? ScanTiming::PerPoint

@@ -1,95 +1,34 @@
-// Drives with known truth: a ray-cast world, a spinning LiDAR and an INS on one vehicle.
+// Drives with known truth: a ray-cast world, a spinning LiDAR and the other sensors of one vehicle.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
-#include "algorithms/core/options.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/session.h"
+#include "model/simulator/sensor_models.h"
+#include "model/simulator/simulation_options.h"
 
 namespace remount {
 
-enum class ScenarioKind { Street, Flat, Straight, FigureEight, ParkingRamp };
-
-struct SimulationOptions {
-  ScenarioKind scenario = ScenarioKind::Street;
-  double duration_s = 12.0;
-  double speed_mps = 6.0;
-  double scan_rate_hz = 10.0;
-  int beams = 64;
-  int azimuth_steps = 1000;
-  double range_noise_m = 0.015;
-  double max_range_m = 80.0;
-  double dropout = 0.02;
-  bool motion_distortion = true;
-  bool per_point_time = true;
-  bool clockwise = true;
-  int moving_objects = 3;
-  double ins_rate_hz = 100.0;
-  double ins_position_noise_m = 0.005;
-  double ins_attitude_noise_deg = 0.02;
-  double ins_attitude_bias_deg = 0.0;
-  double ins_position_drift_m = 0.0;
-  double ins_attitude_drift_deg = 0.0;
-  double lidar_clock_offset_s = 0.0;
-  double latitude_deg = 48.78;
-  double longitude_deg = 9.18;
-  double height_m = 250.0;
-  double heading_deg = 30.0;
-  int seed = 1;
-  RigidTransform ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 0.03, -0.02, 0.015});
-
-  template <class Self, class Visitor>
-  static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"scenario", "", "The road that is driven."}, self.scenario,
-                   {"street", "flat", "straight", "figure-eight", "parking-ramp"});
-    visitor({"duration_s", "s", "Length of the drive.", 0.5, 100000.0}, self.duration_s);
-    visitor({"speed_mps", "m/s", "Speed along the road.", 0.1, 60.0}, self.speed_mps);
-    visitor({"scan_rate_hz", "Hz", "Turns of the LiDAR per second.", 0.1, 100.0}, self.scan_rate_hz);
-    visitor({"beams", "", "Beams of the LiDAR.", 1, 256}, self.beams);
-    visitor({"azimuth_steps", "", "Firings in one turn.", 16, 10000}, self.azimuth_steps);
-    visitor({"range_noise_m", "m", "1-sigma of the measured range.", 0.0, 1.0}, self.range_noise_m);
-    visitor({"max_range_m", "m", "Longest measured range.", 1.0, 500.0}, self.max_range_m);
-    visitor({"dropout", "", "Share of returns that are lost.", 0.0, 0.99}, self.dropout);
-    visitor({"motion_distortion", "", "Points are measured while the vehicle moves; off: each scan at one time."},
-            self.motion_distortion);
-    visitor({"per_point_time", "", "Write the time of every point."}, self.per_point_time);
-    visitor({"clockwise", "", "The LiDAR turns clockwise seen from above; KITTI's turns the other way."},
-            self.clockwise);
-    visitor({"moving_objects", "", "Cars that move through the scene.", 0, 100}, self.moving_objects);
-    visitor({"ins_rate_hz", "Hz", "Samples of the INS per second.", 1.0, 1000.0}, self.ins_rate_hz);
-    visitor({"ins_position_noise_m", "m", "1-sigma of each position sample.", 0.0, 10.0}, self.ins_position_noise_m);
-    visitor({"ins_attitude_noise_deg", "deg", "1-sigma of each attitude sample, each axis.", 0.0, 10.0},
-            self.ins_attitude_noise_deg);
-    visitor(
-        {"ins_attitude_bias_deg", "deg", "1-sigma of an attitude error constant over the drive, each axis.", 0.0, 10.0},
-        self.ins_attitude_bias_deg);
-    visitor(
-        {"ins_position_drift_m", "m/sqrt(s)",
-         "Position error that walks randomly, growing with the root of time since the start, each axis.", 0.0, 10.0},
-        self.ins_position_drift_m);
-    visitor(
-        {"ins_attitude_drift_deg", "deg/sqrt(s)",
-         "Attitude error that walks randomly, growing with the root of time since the start, each axis.", 0.0, 10.0},
-        self.ins_attitude_drift_deg);
-    visitor({"lidar_clock_offset_s", "s", "t_ins = t_lidar + this: the lidar's stamps are early by it.", -10.0, 10.0},
-            self.lidar_clock_offset_s);
-    visitor({"latitude_deg", "deg", "Start of the drive.", -79.0, 83.0}, self.latitude_deg);
-    visitor({"longitude_deg", "deg", "Start of the drive.", -180.0, 180.0}, self.longitude_deg);
-    visitor({"height_m", "m", "Start of the drive, above the ellipsoid.", -500.0, 9000.0}, self.height_m);
-    visitor({"heading_deg", "deg", "First direction of travel, from east counter-clockwise.", -360.0, 360.0},
-            self.heading_deg);
-    visitor({"seed", "", "Seed of every random number.", 0, 2147483647}, self.seed);
-  }
+/// Where the sensors are, and their errors. Vehicle frame: middle of the rear axle on the ground, x forward, y left,
+/// z up.
+struct SensorTruth {
+  RigidTransform vehicle_from_ins = RigidTransform::Identity();
+  RigidTransform ins_from_imu = RigidTransform::Identity();
+  Eigen::Vector3d antenna_in_ins_m = Eigen::Vector3d::Zero();
+  double track_m = 0.0;  ///< between the rear wheels
+  ImuErrors imu_at_start, imu_at_end;
+  std::vector<std::int64_t> gnss_outlier_stamps_ns;  ///< fixes that are grossly wrong
 };
 
 /// A simulated drive. The session's scans are ray-cast when they are loaded, so a long drive needs no memory.
 struct SimulatedDrive {
-  Session session;                        ///< as a reader would deliver it; declares its INS noise
-  RigidTransform ins_from_lidar;          ///< the truth
+  Session session;                ///< as a reader would deliver it; declares its INS noise
+  RigidTransform ins_from_lidar;  ///< the truth
+  SensorTruth sensors;
   std::vector<StampedPose> enu_from_ins;  ///< true poses at the scans' stamps, on the INS clock
 };
 

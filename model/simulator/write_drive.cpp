@@ -26,6 +26,30 @@ struct OptionWriter {
   }
 };
 
+DocumentNode numbers(const Eigen::Vector3d& v) { return DocumentNode::numbers({v.x(), v.y(), v.z()}); }
+
+void add_sensors(const SimulatedDrive& drive, DocumentNode& root) {
+  const SensorTruth& sensors = drive.sensors;
+  const Session& session = drive.session;
+  root.add("vehicle_from_ins", transform_document(sensors.vehicle_from_ins));
+  root.add("vehicle_from_lidar", transform_document(sensors.vehicle_from_ins * drive.ins_from_lidar));
+  if (!session.imu.empty()) {
+    root.add("ins_from_imu", transform_document(sensors.ins_from_imu));
+    DocumentNode& biases = root.add("imu_biases", DocumentNode::map());
+    for (const auto& [when, errors] : {std::pair{"start", sensors.imu_at_start}, {"end", sensors.imu_at_end}}) {
+      DocumentNode& node = biases.add(when, DocumentNode::map());
+      node.add("gyro_radps", numbers(errors.gyro_bias_radps));
+      node.add("accelerometer_mps2", numbers(errors.accelerometer_bias_mps2));
+    }
+  }
+  if (!session.gnss.empty()) {
+    root.add("antenna_in_ins_m", numbers(sensors.antenna_in_ins_m));
+    DocumentNode& outliers = root.add("gnss_outlier_stamps_ns", DocumentNode::sequence());
+    for (const std::int64_t stamp_ns : sensors.gnss_outlier_stamps_ns) outliers.add(DocumentNode::integer(stamp_ns));
+  }
+  if (!session.wheels.empty()) root.add("track_m", DocumentNode::number(sensors.track_m));
+}
+
 DocumentNode truth(const SimulatedDrive& drive) {
   DocumentNode root = DocumentNode::map();
   root.add("format", DocumentNode::string("remount-truth/1"));
@@ -39,6 +63,7 @@ DocumentNode truth(const SimulatedDrive& drive) {
   parameters.add("yaw_deg", DocumentNode::number(radians_to_degrees(six.yaw_rad)));
   parameters.add("pitch_deg", DocumentNode::number(radians_to_degrees(six.pitch_rad)));
   parameters.add("roll_deg", DocumentNode::number(radians_to_degrees(six.roll_rad)));
+  add_sensors(drive, root);
   if (const auto* source = dynamic_cast<const SimulatedScanSource*>(drive.session.scans.get())) {
     DocumentNode& options = root.add("simulation", DocumentNode::map());
     SimulationOptions::visit(source->scene().options(), OptionWriter{options});
