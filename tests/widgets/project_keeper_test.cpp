@@ -147,7 +147,7 @@ TEST(autosave, that_is_being_written_when_the_work_is_given_up_leaves_nothing) {
   EXPECT_TRUE(find_recoveries(folder.path()).empty());
 }
 
-TEST(autosave, needs_notes_that_only_one_window_holds) {
+TEST(autosave, says_so_where_its_folder_cannot_be_made) {
   const QTemporaryDir folder;
   std::ofstream(folder.filePath("recovery").toStdString()) << "a file where the folder should be";
   Workbench workbench(testing::sample_engine());

@@ -218,12 +218,70 @@ TEST(solving_again, leaves_the_output_as_it_was_when_cancelled) {
   std::stop_source stop;
   stop.request_stop();
   Progress cancelled(stop.get_token());
-  solve_again(input, output, cancelled);
+  EXPECT_FALSE(solve_again(input, output, cancelled)) << "nobody may take it for a solution";
   EXPECT_EQ(output.result.ins_from_lidar.matrix(), run.output.result.ins_from_lidar.matrix());
   Progress progress;
-  solve_again(input, output, progress);
+  EXPECT_TRUE(solve_again(input, output, progress));
   EXPECT_EQ(output.pairs[3].state, PairState::Rejected) << "a user's decision stays";
   EXPECT_LT(rotation_angle_between_rad(output.result.ins_from_lidar, run.drive.ins_from_lidar), 1e-3);
+}
+
+TEST(solving_again, leaves_no_map_check_of_the_former_x_and_it_can_be_made_again) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.beams = 16;
+  options.duration_s = 6.0;
+  const Calibrated run = calibrate(options);
+  ASSERT_EQ(run.output.map_check, MapCheck::Made);
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(run.drive.session));
+  PipelineOutput output = run.output;
+  output.pairs[3].state = PairState::Rejected;
+  output.pairs[3].decided_by = DecidedBy::User;
+  PipelineOutput at_once = output;
+  Progress progress;
+  ASSERT_TRUE(solve_at_once(input, at_once, progress));
+  EXPECT_TRUE(at_once.sharpness.empty()) << "X has moved";
+  EXPECT_EQ(at_once.map_check, MapCheck::Moved);
+  ASSERT_TRUE(solve_again(input, output, progress));
+  EXPECT_TRUE(output.sharpness.empty());
+  EXPECT_EQ(output.map_check, MapCheck::Moved);
+  check_map(input, output, progress);
+  ASSERT_EQ(output.map_check, MapCheck::Made);
+  EXPECT_NEAR(output.sharpness.front().sharpness.plane_thickness_m,
+              run.output.sharpness.front().sharpness.plane_thickness_m,
+              0.1 * run.output.sharpness.front().sharpness.plane_thickness_m);
+}
+
+TEST(the_pipeline, says_why_there_is_no_map_check) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.beams = 16;
+  options.duration_s = 4.0;
+  Settings settings;
+  settings.run.map_check = false;
+  EXPECT_EQ(calibrate(options, settings).output.map_check, MapCheck::SwitchedOff);
+}
+
+TEST(the_pipeline, cancelled_in_its_second_pass_keeps_the_pairs_of_the_first) {
+  SimulationOptions options = small(ScenarioKind::Street);
+  options.beams = 16;
+  options.duration_s = 5.0;
+  const SimulatedDrive drive = simulate_drive(options);
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  // So far off that the scans are compensated a second time through the X found.
+  input.nominal_ins_from_lidar = perturbed(drive.ins_from_lidar, (Vector6d() << 0.1, 0.1, 0, 0, 0, 0.03).finished());
+  std::stop_source stop;
+  int begun = 0;
+  Progress progress(stop.get_token(), [&](const ProgressUpdate& update) {
+    if (update.stage != "registering pairs") return;
+    begun += update.done == 1;
+    if (begun == 2 && update.done > update.total / 2) stop.request_stop();
+  });
+  const PipelineOutput output = run_pipeline(input, progress);
+  ASSERT_EQ(begun, 2) << "there was no second pass to cancel";
+  ASSERT_EQ(output.result.status, Status::Cancelled);
+  EXPECT_EQ(output.compensation_ins_from_lidar.matrix(), input.nominal_ins_from_lidar->matrix());
+  for (const Pair& pair : output.pairs) EXPECT_NE(pair.registration.failure, kRegistrationCancelled);
 }
 
 TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {

@@ -9,6 +9,7 @@
 #include "algorithms/cloud/deskew.h"
 #include "model/simulator/lidar_model.h"
 #include "model/simulator/random_stream.h"
+#include "model/simulator/simulator.h"
 
 namespace remount {
 namespace {

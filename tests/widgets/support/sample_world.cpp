@@ -149,6 +149,7 @@ Session sample_session(const std::string& name) {
 PipelineOutput sample_output(const PipelineInput& input, int pairs) {
   std::mt19937 random(7);
   PipelineOutput output;
+  output.map_check = MapCheck::NoOverlap;
   const auto& scans = *input.sessions.at(0)->scans;
   for (int i = 0; i < kScans; ++i)
     output.keyframes.push_back({0, i, scans.stamp_ns(static_cast<std::size_t>(i)), 1.0 * i});
