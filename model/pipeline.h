@@ -29,7 +29,7 @@ enum class MapCheck {
   NotReached,  ///< no usable result, or cancelled before
   Made,
   SwitchedOff,
-  NoScans,    ///< the sessions hold LiDAR poses
+  NoScans,    ///< the sessions hold LiDAR poses, or the method has no keyframes
   NoOverlap,  ///< no stretch of scans turns and overlaps
   Moved,      ///< it was made, and X has moved since
 };

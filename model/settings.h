@@ -1,11 +1,13 @@
 // Everything a user can set, in one value.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "algorithms/calibration/measured.h"
+#include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
@@ -17,13 +19,25 @@ namespace remount {
 
 enum class DeskewMode { Auto, On, Off };
 
+/// In the order of kMethodIds.
+enum class MethodChoice { Pairwise, Trajectory, VehicleFrame, FusionOdometry, Slew };
+/// As on the command line and in files; what each does: model/methods.
+inline constexpr std::array<std::string_view, 5> kMethodIds{kPairwise, "trajectory", "vehicle-frame", "fusion-odometry",
+                                                            "slew"};
+
 struct RunOptions {
+  MethodChoice method = MethodChoice::Pairwise;
   DeskewMode deskew = DeskewMode::Auto;
   int cache_mb = 1024;
   bool map_check = true;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
+    visitor.choice(
+        {"method", "",
+         "How the mounting is found. Pairwise: pairs of keyframes; the others serve vehicles where that alone "
+         "does not do."},
+        self.method, {kMethodIds.begin(), kMethodIds.end()});
     visitor.choice({"deskew", "", "Compensate motion within a scan: where the data call for it (auto), always, never."},
                    self.deskew, {"auto", "on", "off"});
     visitor({"cache_mb", "MB", "Memory for scans and what is prepared from them; independent of the length of a drive.",

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "algorithms/core/error.h"
@@ -17,7 +18,7 @@ struct CalibrateArguments {
   std::vector<std::string> sessions;
   SolveArguments solve;
   std::string project, save_project;
-  std::string method{kPairwise};
+  std::string method;  ///< empty: as the settings say
   bool no_hashes = false;
 };
 
@@ -34,6 +35,11 @@ std::optional<RigidTransform> declared_nominal(const std::vector<std::shared_ptr
   return declared;
 }
 
+MethodChoice method_named(const std::string& id) {
+  const auto found = std::find(kMethodIds.begin(), kMethodIds.end(), id);
+  return static_cast<MethodChoice>(found - kMethodIds.begin());
+}
+
 int calibrate(const CalibrateArguments& arguments, Console& console) {
   Project project;
   if (!arguments.project.empty()) project = load_project(arguments.project);
@@ -48,6 +54,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
 
   PipelineInput input;
   input.settings = arguments.solve.settings(project.settings);
+  if (!arguments.method.empty()) input.settings.run.method = method_named(arguments.method);
   input.threads = console.options().threads;
   const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console);
   for (const std::filesystem::path& path : project.sessions)
@@ -61,7 +68,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     if (!input.nominal_ins_from_lidar) input.nominal_ins_from_lidar = declared_nominal(input.sessions);
   }
 
-  PipelineOutput output = calibration_method(arguments.method).run(input, console.progress());
+  PipelineOutput output = remount::calibrate(input, console.progress());
   project.solution_pending = false;
   if (!console.cancelled() && apply_verdicts(project.verdicts, output) > 0) {
     project.solution_pending = !solve_again(input, output, console.progress());
@@ -95,7 +102,7 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
     methods.emplace_back(method.id);
     explained += (methods.size() > 1 ? "; " : " ") + std::string(method.id) + " needs " + std::string(method.needs);
   }
-  verb->add_option("--method", arguments->method, explained)->check(CLI::IsMember(methods))->capture_default_str();
+  verb->add_option("--method", arguments->method, explained)->check(CLI::IsMember(methods))->type_name("NAME");
   verb->add_option("--project", arguments->project,
                    "Take sessions, settings, nominal and verdicts on pairs from a project")
       ->type_name("FILE");

@@ -25,7 +25,7 @@ struct Engine {
   std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> check_map;
 };
 
-/// The model's own: open_session, run_pipeline, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
+/// The model's own: open_session, calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
 /// load_keyframe_scan, check_hold_out, check_map.
 Engine model_engine();
 

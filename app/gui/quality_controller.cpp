@@ -157,7 +157,7 @@ void QualityController::refresh_sharpness() {
 QString QualityController::why_no_sharpness(const PipelineOutput& output) const {
   switch (output.map_check) {
     case MapCheck::NoScans:
-      return tr("Not compared: the sessions hold LiDAR poses and no scans.");
+      return tr("Not compared: the sessions hold no scans, or the method has no keyframes.");
     case MapCheck::SwitchedOff:
       return tr("Not compared: the map check is switched off in the options (run).");
     case MapCheck::Moved:
@@ -175,12 +175,15 @@ QString QualityController::why_no_sharpness(const PipelineOutput& output) const 
 void QualityController::refresh_hold_out() {
   const OutputPtr output = workbench_.output();
   HoldOutView& view = *view_.hold_out();
-  if (!output || workbench_.input_of_output().sessions.size() < 2) {
+  if (!output || output->pairs.empty() || workbench_.input_of_output().sessions.size() < 2) {
     jobs_.cancel(hold_out_job_);
     hold_out_job_ = 0;
     hold_out_of_.reset();
-    return view.show_message(output ? tr("Needs a second session: X is solved on one and scored on the other.")
-                                    : tr("After a calibration of two or more sessions they are compared here."));
+    const bool pairs = output && (!output->pairs.empty() || output->method == kPairwise);
+    return view.show_message(output && !pairs
+                                 ? tr("The method has no pairs: compare its result with those of others instead.")
+                             : output ? tr("Needs a second session: X is solved on one and scored on the other.")
+                                      : tr("After a calibration of two or more sessions they are compared here."));
   }
   // A solution under way replaces the output soon.
   const bool settled = !workbench_.calibrating() && !workbench_.solving();

@@ -160,7 +160,8 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, cons
 }
 
 void Workbench::start_solve(const QString& step, FirstAnswer first) {
-  if (!output_ || calibrating()) return;
+  // What no pairs stand behind cannot be solved again from them.
+  if (!output_ || output_->pairs.empty() || calibrating()) return;
   if (!solving() || solving_for_.isEmpty())
     solving_for_ = step;
   else if (!solving_for_.endsWith(step))  // turning one knob is one edit

@@ -20,11 +20,14 @@ struct CalibrationMethod {
   PipelineOutput (*run)(const PipelineInput& input, Progress& progress);
 };
 
-/// The methods built in, pairwise first. Adding one: a file in this folder, a declaration in builtin.h and a line in
-/// calibration_methods.cpp.
+/// The methods built in, in the order of MethodChoice. Adding one: a file in this folder, a declaration in builtin.h, a
+/// line in calibration_methods.cpp, and its name in model/settings.h.
 const std::vector<CalibrationMethod>& calibration_methods();
 
 /// Throws Error(Contract) that names the methods where `id` is none of them.
 const CalibrationMethod& calibration_method(std::string_view id);
+
+/// The method that the settings choose. Throws as it does.
+PipelineOutput calibrate(const PipelineInput& input, Progress& progress);
 
 }  // namespace remount

@@ -19,4 +19,11 @@ const CalibrationMethod& calibration_method(std::string_view id) {
   throw Error(ErrorCode::Contract, "method " + std::string(id), "is not one of: " + known);
 }
 
+PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
+  const std::string_view id = kMethodIds.at(static_cast<std::size_t>(input.settings.run.method));
+  PipelineOutput output = calibration_method(id).run(input, progress);
+  if (id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
+  return output;
+}
+
 }  // namespace remount

@@ -170,7 +170,7 @@ TEST_F(cli, a_wrong_verb_is_answered_with_the_right_ones) {
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 1);
     for (const char* said : {arguments.empty() ? "no verb is given" : "there is no verb \"calibrat\"",
-                             "inspect, calibrate, solve, export, report, obstacles, simulate, settings"})
+                             "the verbs are inspect, calibrate, solve, export, ", "obstacles, simulate, settings."})
       EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
   }
 }
@@ -203,6 +203,22 @@ TEST_F(cli, calibrates_and_writes_the_same_bytes_for_any_number_of_threads) {
   EXPECT_LT(error.head<2>().norm(), 0.05) << error.transpose();
   ASSERT_FALSE(result.inputs.empty());
   EXPECT_EQ(result.inputs.front().sha256.size(), 64U);
+}
+
+TEST_F(cli, compares_results_and_ends_with_3_where_they_contradict_each_other) {
+  ASSERT_EQ(run("solve " + pairs_file("agree.csv", false) + " -o " + path("first.yaml")).code, 0);
+  ASSERT_EQ(run("solve " + path("agree.csv") + " -o " + path("second.yaml")).code, 0);
+  const Outcome agree = run("compare " + path("first.yaml") + " " + path("second.yaml"));
+  EXPECT_EQ(agree.code, 0) << agree.out << agree.err;
+  EXPECT_NE(agree.out.find("first and second agree within what they claim"), std::string::npos) << agree.out;
+  ResultFile moved = load_result(path("second.yaml"));
+  moved.result.ins_from_lidar.translation().x() += 5.0;
+  save_result(moved, path("moved.yaml"));
+  const Outcome contradict = run("compare " + path("first.yaml") + " " + path("moved.yaml"));
+  EXPECT_EQ(contradict.code, 3) << contradict.out << contradict.err;
+  EXPECT_NE(contradict.err.find("first and moved contradict each other: x differs by 5.0000 m"), std::string::npos)
+      << contradict.err;
+  EXPECT_EQ(run("compare " + path("first.yaml")).code, 1) << "one result has nothing to be compared with";
 }
 
 TEST_F(cli, a_report_is_one_page_and_replaces_only_its_like) {

@@ -192,7 +192,7 @@ HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
       constexpr double kNot = std::numeric_limits<double>::quiet_NaN();
       if (a < b)
         found.differences.push_back(
-            {a, b, {0.002, -0.004, kNot, yaw_sigmas * 2e-4, -1e-5, 0.0}, {0.004, 0.004, kNot, 2e-4, 2e-4, 2e-4}});
+            {{{0.002, -0.004, kNot, yaw_sigmas * 2e-4, -1e-5, 0.0}, {0.004, 0.004, kNot, 2e-4, 2e-4, 2e-4}}, a, b});
     }
   return found;
 }

@@ -1,0 +1,99 @@
+#include "app/gui/method_controller.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+
+#include "algorithms/core/error.h"
+#include "model/methods/calibration_method.h"
+#include "model/session_frames.h"
+#include "widgets/model_text.h"
+#include "widgets/panels/comparison_view.h"
+#include "widgets/panels/method_view.h"
+
+namespace remount {
+namespace {
+
+QString title_of(const std::string& id) {
+  for (const CalibrationMethod& method : calibration_methods())
+    if (method.id == id) return model_text(method.title);
+  return QString::fromStdString(id);
+}
+
+}  // namespace
+
+MethodController::MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view,
+                                   ComparisonView& comparison, QObject* parent)
+    : QObject(parent), workbench_(workbench), chooser_(chooser), view_(view), comparison_(comparison) {
+  for (const CalibrationMethod& method : calibration_methods()) {
+    chooser_.addItem(model_text(method.title));
+    chooser_.setItemData(chooser_.count() - 1, tr("Needs: %1").arg(model_text(method.needs)), Qt::ToolTipRole);
+  }
+  connect(&chooser_, &QComboBox::activated, this,
+          [this](int method) { workbench_.edit_option(QStringLiteral("run"), QStringLiteral("method"), method); });
+  connect(&comparison_, &ComparisonView::clear_requested, this, &MethodController::clear_files);
+  connect(&workbench_, &Workbench::settings_changed, this, &MethodController::show_choice);
+  connect(&workbench_, &Workbench::output_changed, this, &MethodController::show_output);
+  connect(&workbench_, &Workbench::sessions_changed, this, [this] {
+    of_methods_.clear();  // other sessions may be of another vehicle
+    show_comparison();
+  });
+  show_choice();
+  show_output();
+}
+
+void MethodController::show_choice() {
+  const int method = static_cast<int>(workbench_.settings().run.method);
+  chooser_.setCurrentIndex(method);
+  chooser_.setToolTip(chooser_.itemData(method, Qt::ToolTipRole).toString());
+}
+
+void MethodController::show_output() {
+  const OutputPtr output = workbench_.output();
+  if (!output) {
+    shown_.reset();
+    view_.show_message(tr("After a calibration the figures and plots of its method are shown here."));
+    return show_comparison();
+  }
+  if (output == shown_) return;
+  shown_ = output;
+  const QString title = tr("Method: %1").arg(title_of(output->method));
+  if (output->quantities.empty() && output->plots.empty())
+    view_.show_message(title + QStringLiteral(". ") + tr("Its figures are in the other panels."));
+  else
+    view_.show_method(title, output->quantities, output->plots);
+  if (is_usable(output->result)) {
+    NamedResult& named = of_methods_[output->method];
+    named.name = title_of(output->method).toStdString();
+    named.file = {};
+    named.file.method = output->method;
+    named.file.result = output->result;
+    named.file.ins_axes = common_axes(workbench_.input_of_output().sessions);
+  }
+  show_comparison();
+}
+
+void MethodController::show_comparison() {
+  std::vector<NamedResult> results;
+  for (const auto& [id, result] : of_methods_) results.push_back(result);
+  results.insert(results.end(), of_files_.begin(), of_files_.end());
+  comparison_.show_results(results);
+}
+
+void MethodController::add_files(const QStringList& paths) {
+  for (const QString& path : paths) {
+    try {
+      of_files_.push_back({QFileInfo(path).completeBaseName().toStdString(), load_result(path.toStdString())});
+    } catch (const Error& error) {
+      workbench_.say(Severity::Problem, QString::fromStdString(error.where()),
+                     QString::fromStdString(error.what_happened()));
+    }
+  }
+  show_comparison();
+}
+
+void MethodController::clear_files() {
+  of_files_.clear();
+  show_comparison();
+}
+
+}  // namespace remount

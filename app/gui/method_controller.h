@@ -1,0 +1,42 @@
+// Between the workbench and the methods: which is chosen, what the result's tells, and how results compare.
+#pragma once
+
+#include <QObject>
+#include <map>
+#include <vector>
+
+#include "app/gui/workbench.h"
+#include "model/report/comparison.h"
+
+class QComboBox;
+
+namespace remount {
+
+class ComparisonView;
+class MethodView;
+
+class MethodController : public QObject {
+  Q_OBJECT
+ public:
+  /// `chooser` is filled with the methods; it edits the settings as the options form does.
+  MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, ComparisonView& comparison,
+                   QObject* parent = nullptr);
+  /// Result files that are to stand beside the results of this window.
+  void add_files(const QStringList& paths);
+
+ private:
+  void show_choice();
+  void show_output();
+  void show_comparison();
+  void clear_files();
+
+  Workbench& workbench_;
+  QComboBox& chooser_;
+  MethodView& view_;
+  ComparisonView& comparison_;
+  std::map<std::string, NamedResult> of_methods_;  // the last usable result of each, of the sessions that are open
+  std::vector<NamedResult> of_files_;
+  OutputPtr shown_;
+};
+
+}  // namespace remount
