@@ -12,7 +12,7 @@
 namespace remount {
 
 /// One option for each member: "duration_s" becomes --duration-s, with its unit, range, default and meaning in the
-/// help. An enumeration becomes a required positional argument.
+/// help. The enumeration "scenario" becomes a required positional argument.
 struct OptionAdder {
   CLI::App& verb;
 
@@ -46,10 +46,14 @@ struct OptionAdder {
     const auto assign = [&value, known](const std::string& name) {
       value = static_cast<T>(std::find(known.begin(), known.end(), name) - known.begin());
     };
-    verb.add_option_function<std::string>(std::string(info.name), assign, help(info) + " One of " + list)
-        ->check(CLI::IsMember(known).description(""))
-        ->required()
-        ->type_name("SCENARIO");
+    const bool positional = info.name == "scenario";
+    CLI::Option* option = verb.add_option_function<std::string>(positional ? std::string(info.name) : flag(info),
+                                                                assign, help(info) + " One of " + list);
+    option->check(CLI::IsMember(known).description(""));
+    if (positional)
+      option->required()->type_name("SCENARIO");
+    else
+      option->type_name("NAME")->default_str(known[static_cast<std::size_t>(value)]);
   }
 };
 

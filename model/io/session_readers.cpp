@@ -6,6 +6,7 @@
 #include "model/io/opencalib_reader.h"
 #include "model/io/pose_session_reader.h"
 #include "model/io/session_reader.h"
+#include "model/io/smartloc_reader.h"
 
 namespace remount {
 
@@ -16,6 +17,7 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     list.push_back(std::make_unique<KittiRawReader>());
     list.push_back(std::make_unique<OpenCalibReader>());
     list.push_back(std::make_unique<NovatelReader>());
+    list.push_back(std::make_unique<SmartlocReader>());
     list.push_back(std::make_unique<PoseSessionReader>());
     return list;
   }();

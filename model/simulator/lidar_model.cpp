@@ -73,12 +73,14 @@ PointCloud SimulatedScanSource::load(std::size_t scan) const {
 
   RigidTransform road_from_lidar = scene_->road_from_ins(stamp_s) * options.ins_from_lidar;
   std::vector<BoxCaster> cars = moving_boxes(*scene_, stamp_s, road_from_lidar.translation());
+  std::vector<TiltedBox> arm = scene_->arm(stamp_s);
   for (int step = 0; step < options.azimuth_steps; ++step) {
     const double turn = (step + 0.5) / options.azimuth_steps - 0.5;            // of a whole turn, since the stamp
     const double azimuth_rad = (options.clockwise ? -2.0 : 2.0) * kPi * turn;  // ahead at the stamp
     if (options.motion_distortion) {
       road_from_lidar = scene_->road_from_ins(stamp_s + turn * period_s) * options.ins_from_lidar;
       cars = moving_boxes(*scene_, stamp_s + turn * period_s, road_from_lidar.translation());
+      arm = scene_->arm(stamp_s + turn * period_s);
     }
     for (std::size_t beam = 0; beam < elevations_rad_.size(); ++beam) {
       const double flat = std::cos(elevations_rad_[beam]);
@@ -88,6 +90,7 @@ PointCloud SimulatedScanSource::load(std::size_t scan) const {
       RayHit hit = scene_->world().cast(ray, options.max_range_m);
       if (!hit.found()) hit.distance_m = options.max_range_m;
       for (const BoxCaster& car : cars) car.cast(ray, 1.0 / ray.direction.z(), hit);
+      for (const TiltedBox& box : arm) cast_tilted_box(box, ray, hit);
       // Drawn for every firing, so that one object more or less does not change the noise of all others.
       const double noise_m = options.range_noise_m * random.normal();
       const bool lost = random.uniform() < options.dropout;

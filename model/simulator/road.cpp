@@ -32,6 +32,13 @@ Swing swing_of(ScenarioKind scenario) {
       return {2.404825557695773, 120.0};
     case ScenarioKind::ParkingRamp:
       return {1.4, 50.0};
+    case ScenarioKind::Hill:
+      return {0.9, 150.0};
+    case ScenarioKind::Tunnel:  // bends of a kilometre's radius
+      return {0.3, 2000.0};
+    case ScenarioKind::Highway:
+    case ScenarioKind::SlewYard:
+      return {0.0, 100.0};
   }
   return {0.0, 100.0};
 }
@@ -83,7 +90,15 @@ Ground scenario_ground(ScenarioKind scenario, int seed) {
   switch (scenario) {
     case ScenarioKind::Flat:
     case ScenarioKind::Straight:
+    case ScenarioKind::Tunnel:
+    case ScenarioKind::SlewYard:
       return Ground({});
+    case ScenarioKind::Hill:  // slopes of nine in a hundred
+      waves = {{1, 0, 1.30, 0.0}, {0, 1, 1.30, 0.0}, {2, 1, 0.22, 0.0}};
+      break;
+    case ScenarioKind::Highway:
+      waves = {{1, 0, 0.12, 0.0}, {2, 1, 0.04, 0.0}};
+      break;
     case ScenarioKind::Street:  // wavelengths 41, 25, 18 and 12 m
       waves = {{3, 1, 0.18, 0.0}, {-2, 5, 0.10, 0.0}, {6, 4, 0.07, 0.0}, {9, -6, 0.03, 0.0}};
       break;

@@ -43,7 +43,11 @@ RigidTransform road_from_vehicle(const Road& road, const Ground& ground, double 
 /// Between the middles of the wheels of an axle.
 inline constexpr double kTrack_m = 1.6;
 
-/// Where the INS is fitted.
-inline RigidTransform vehicle_from_ins() { return make_rigid(Eigen::Matrix3d::Identity(), {0.4, 0.0, 0.8}); }
+/// Where the INS is fitted: on the floor of a car, beside the cab on the upper body of an excavator.
+inline RigidTransform vehicle_from_ins(ScenarioKind scenario = ScenarioKind::Street) {
+  const bool excavator = scenario == ScenarioKind::SlewYard;
+  return make_rigid(Eigen::Matrix3d::Identity(),
+                    excavator ? Eigen::Vector3d(-0.3, -1.0, 2.2) : Eigen::Vector3d(0.4, 0.0, 0.8));
+}
 
 }  // namespace remount

@@ -3,21 +3,38 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/simulator/scenario_world.h"
+#include "model/simulator/slew_yard.h"
 #include "model/simulator/speed_profile.h"
 
 namespace remount {
+
+namespace {
+/// Of the road frame about its y axis: the yard's slope falls ahead.
+double slope_rad(const SimulationOptions& options) {
+  return options.scenario == ScenarioKind::SlewYard ? degrees_to_radians(options.slew_yard.slope_deg) : 0.0;
+}
+}  // namespace
 
 Scene::Scene(const SimulationOptions& options)
     : options_(options),
       road_(options.scenario, options.speed_mps),
       ground_(scenario_ground(options.scenario, options.seed)),
-      world_(build_world(road_, ground_, options.speed_mps * options.duration_s, options.seed)),
+      world_(build_scenario_world(road_, ground_, options)),
       traffic_(road_, ground_, options),
-      enu_from_road_(make_rigid(rotation_from_yaw_pitch_roll({degrees_to_radians(options.heading_deg), 0.0, 0.0}),
-                                Eigen::Vector3d::Zero())) {}
+      enu_from_road_(
+          make_rigid(rotation_from_yaw_pitch_roll({degrees_to_radians(options.heading_deg), slope_rad(options), 0.0}),
+                     Eigen::Vector3d::Zero())) {}
 
 RigidTransform Scene::road_from_vehicle(double time_s) const {
+  if (options_.scenario == ScenarioKind::SlewYard)
+    return road_from_upper_body(options_.slew_yard, options_.duration_s, time_s);
   return remount::road_from_vehicle(road_, ground_, along_road_m(options_, time_s));
+}
+
+std::vector<TiltedBox> Scene::arm(double time_s) const {
+  if (options_.scenario != ScenarioKind::SlewYard) return {};
+  return arm_boxes(options_.slew_yard, options_.duration_s, time_s);
 }
 
 RigidTransform Scene::road_from_ins(double time_s) const { return road_from_vehicle(time_s) * vehicle_from_ins(); }

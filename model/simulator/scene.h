@@ -14,7 +14,8 @@ inline constexpr std::int64_t kDriveStart_ns = 1'700'000'000'000'000'000;
 inline constexpr double kMargin_s = 0.5;
 
 /// World, road and traffic of one set of options. Immutable; safe to use from several threads. The road frame has its
-/// origin and first direction at the start of the drive; the ENU frame about the start is turned by the heading.
+/// origin and first direction at the start of the drive; the ENU frame about the start is turned by the heading, and
+/// tilted by the slope of a yard.
 class Scene {
  public:
   explicit Scene(const SimulationOptions& options);
@@ -24,8 +25,11 @@ class Scene {
   const SimulationOptions& options() const { return options_; }
   const World& world() const { return world_; }
   const Traffic& traffic() const { return traffic_; }
+  RigidTransform vehicle_from_ins() const { return remount::vehicle_from_ins(options_.scenario); }
   RigidTransform road_from_vehicle(double time_s) const;
   RigidTransform road_from_ins(double time_s) const;
+  /// What moves with the vehicle and is seen by its LiDAR, road frame: the arm of an excavator.
+  std::vector<TiltedBox> arm(double time_s) const;
   RigidTransform enu_from_road() const { return enu_from_road_; }
   RigidTransform enu_from_ins(double time_s) const { return enu_from_road_ * road_from_ins(time_s); }
 

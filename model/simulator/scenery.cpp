@@ -196,7 +196,7 @@ World build_world(const Road& road, const Ground& ground, double length_m, int s
 Traffic::Traffic(const Road& road, const Ground& ground, const SimulationOptions& options)
     : road_(road), ground_(ground) {
   RandomStream random(static_cast<std::uint64_t>(options.seed), 4);
-  const int cars = options.moving_objects;
+  const int cars = options.scenario == ScenarioKind::SlewYard ? 0 : options.moving_objects;
   const double own_speed_mps = options.speed_mps;
   // One ahead in the own lane; a closed road crosses itself, so that it could be in the way there.
   const bool one_ahead = cars > 1 && !road.closed();

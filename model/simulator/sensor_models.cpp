@@ -60,7 +60,7 @@ Vector3d outlier_m(RandomStream& random, double size_m) {
 SimulatedImu simulate_imu(const Scene& scene) {
   const SimulationOptions& options = scene.options();
   const std::vector<double> times = sample_times_s(options, options.imu.rate_hz);
-  const RigidTransform vehicle_from_imu = vehicle_from_ins() * options.imu.ins_from_imu;
+  const RigidTransform vehicle_from_imu = scene.vehicle_from_ins() * options.imu.ins_from_imu;
   const LocalEarth earth(options);
   RandomStream random = stream(options, kImuNoise);
   SimulatedImu imu{{}, imu_biases(options, times.size())};
@@ -112,6 +112,7 @@ std::vector<WheelSample> simulate_wheels(const Scene& scene) {
   const SimulatedWheelOptions& wheels = options.wheels;
   RandomStream random = stream(options, kWheelNoise);
   std::vector<WheelSample> samples;
+  if (options.scenario == ScenarioKind::SlewYard) return samples;
   for (const double time_s : sample_times_s(options, wheels.rate_hz)) {
     const BodyMotion motion = body_motion(scene, RigidTransform::Identity(), time_s);
     const Vector3d velocity_in_vehicle = motion.road_from_body.linear().transpose() * motion.velocity_in_road_mps;

@@ -32,7 +32,7 @@ struct SimulatedGnss {
 SimulatedImu simulate_imu(const Scene& scene);
 /// The stated covariance is that of the noise, and at least a square millimetre: no receiver claims to be exact.
 SimulatedGnss simulate_gnss(const Scene& scene);
-/// Speed of the vehicle's body over the rear wheels, along its x axis.
+/// Speed of the vehicle's body over the rear wheels, along its x axis; an excavator has none.
 std::vector<WheelSample> simulate_wheels(const Scene& scene);
 /// Height above the ellipsoid of where the INS is, with the errors of the options.
 std::vector<BarometerSample> simulate_barometer(const Scene& scene);

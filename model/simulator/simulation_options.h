@@ -3,11 +3,12 @@
 
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "model/simulator/scenario_options.h"
 #include "model/simulator/sensor_options.h"
 
 namespace remount {
 
-enum class ScenarioKind { Street, Flat, Straight, FigureEight, ParkingRamp };
+enum class ScenarioKind { Street, Flat, Straight, FigureEight, ParkingRamp, Hill, Highway, Tunnel, SlewYard };
 
 struct SimulationOptions {
   ScenarioKind scenario = ScenarioKind::Street;
@@ -37,6 +38,7 @@ struct SimulationOptions {
   double height_m = 250.0;
   double heading_deg = 30.0;
   int seed = 1;
+  SlewYardOptions slew_yard;
   InsTroubleOptions ins_trouble;
   SimulatedImuOptions imu;
   SimulatedGnssOptions gnss;
@@ -46,8 +48,9 @@ struct SimulationOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor.choice({"scenario", "", "The road that is driven."}, self.scenario,
-                   {"street", "flat", "straight", "figure-eight", "parking-ramp"});
+    visitor.choice(
+        {"scenario", "", "The road that is driven."}, self.scenario,
+        {"street", "flat", "straight", "figure-eight", "parking-ramp", "hill", "highway", "tunnel", "slew-yard"});
     visitor({"duration_s", "s", "Length of the drive.", 0.5, 100000.0}, self.duration_s);
     visitor({"speed_mps", "m/s", "Speed along the road.", 0.1, 60.0}, self.speed_mps);
     visitor({"scan_rate_hz", "Hz", "Turns of the LiDAR per second.", 0.1, 100.0}, self.scan_rate_hz);
@@ -90,6 +93,7 @@ struct SimulationOptions {
     visitor({"heading_deg", "deg", "First direction of travel, from east counter-clockwise.", -360.0, 360.0},
             self.heading_deg);
     visitor({"seed", "", "Seed of every random number.", 0, 2147483647}, self.seed);
+    SlewYardOptions::visit(self.slew_yard, visitor);
     InsTroubleOptions::visit(self.ins_trouble, visitor);
     SimulatedImuOptions::visit(self.imu, visitor);
     SimulatedGnssOptions::visit(self.gnss, visitor);

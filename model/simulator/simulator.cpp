@@ -30,7 +30,8 @@ void check(const SimulationOptions& options) {
 }
 
 std::string scenario_name(ScenarioKind scenario) {
-  constexpr const char* names[] = {"street", "flat", "straight", "figure-eight", "parking-ramp"};
+  constexpr const char* names[] = {"street", "flat",    "straight", "figure-eight", "parking-ramp",
+                                   "hill",   "highway", "tunnel",   "slew-yard"};
   return names[static_cast<int>(scenario)];
 }
 
@@ -38,7 +39,8 @@ void add_sensors(const Scene& scene, SimulatedDrive& drive) {
   SimulatedImu imu = simulate_imu(scene);
   SimulatedGnss gnss = simulate_gnss(scene);
   const SimulationOptions& options = scene.options();
-  drive.sensors = {vehicle_from_ins(), options.imu.ins_from_imu, options.gnss.antenna_in_ins_m, kTrack_m, {}, {}, {}};
+  drive.sensors = {
+      scene.vehicle_from_ins(), options.imu.ins_from_imu, options.gnss.antenna_in_ins_m, kTrack_m, {}, {}, {}};
   if (!imu.errors.empty()) {
     drive.sensors.imu_at_start = imu.errors.front();
     drive.sensors.imu_at_end = imu.errors.back();

@@ -14,7 +14,7 @@
 namespace remount {
 
 /// Where the sensors are, and their errors. Vehicle frame: middle of the rear axle on the ground, x forward, y left,
-/// z up.
+/// z up; of an excavator its upper body's frame, see slew_yard.h.
 struct SensorTruth {
   RigidTransform vehicle_from_ins = RigidTransform::Identity();
   RigidTransform ins_from_imu = RigidTransform::Identity();

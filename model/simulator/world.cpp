@@ -57,6 +57,20 @@ void BoxCaster::cast(const Ray& ray, double inverse_dz, RayHit& hit) const {
   if (enter <= leave && enter > 0.0 && enter < hit.distance_m) hit = {enter, albedo_};
 }
 
+void cast_tilted_box(const TiltedBox& box, const Ray& ray, RayHit& hit) {
+  const Eigen::Matrix3d box_from_world = box.world_from_box.linear().transpose();
+  const Eigen::Vector3d origin = box_from_world * (ray.origin - box.world_from_box.translation());
+  const Eigen::Vector3d direction = box_from_world * ray.direction;
+  double enter = -Ground::kNoHit, leave = Ground::kNoHit;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double inverse = 1.0 / away_from_zero(direction[axis]);
+    const double a = (-box.half[axis] - origin[axis]) * inverse, b = (box.half[axis] - origin[axis]) * inverse;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  }
+  if (enter <= leave && enter > 0.0 && enter < hit.distance_m) hit = {enter, box.albedo};
+}
+
 World::World(Ground ground, std::vector<Box> boxes, std::vector<Cylinder> cylinders)
     : ground_(std::move(ground)), boxes_(std::move(boxes)), cylinders_(std::move(cylinders)) {
   casters_.reserve(boxes_.size());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "algorithms/geometry/rigid_transform.h"
 #include "model/simulator/ground.h"
 
 namespace remount {
@@ -27,6 +28,13 @@ struct Cylinder {
   float albedo = 0.5f;
 };
 
+/// A box in any attitude. World frame, metres.
+struct TiltedBox {
+  RigidTransform world_from_box = RigidTransform::Identity();
+  Eigen::Vector3d half = Eigen::Vector3d::Ones();
+  float albedo = 0.5f;
+};
+
 struct RayHit {
   double distance_m = Ground::kNoHit;
   float albedo = 0.0f;
@@ -44,6 +52,9 @@ class BoxCaster {
   double x_, y_, cosine_, sine_, half_x_, half_y_, bottom_, top_;
   float albedo_;
 };
+
+/// Shortens `hit` where the ray enters the box before it.
+void cast_tilted_box(const TiltedBox& box, const Ray& ray, RayHit& hit);
 
 class World {
  public:

@@ -65,7 +65,7 @@ TEST(sensor_models, a_standing_imu_reads_gravity_and_no_turning) {
 Vector3d integration_error(const SimulationOptions& options) {
   const Scene scene(options);
   const std::vector<ImuSample> imu = simulate_imu(scene).samples;
-  const RigidTransform vehicle_from_imu = vehicle_from_ins() * options.imu.ins_from_imu;
+  const RigidTransform vehicle_from_imu = scene.vehicle_from_ins() * options.imu.ins_from_imu;
   const auto truth = [&](std::int64_t stamp_ns) { return body_motion(scene, vehicle_from_imu, time_s(stamp_ns)); };
   const Eigen::Matrix3d enu_from_road = scene.enu_from_road().linear();
   BodyMotion now = truth(imu.front().stamp_ns);
@@ -89,7 +89,8 @@ Vector3d integration_error(const SimulationOptions& options) {
 
 TEST(sensor_models, integrating_a_perfect_imu_returns_to_the_truth) {
   for (const ScenarioKind scenario :
-       {ScenarioKind::Street, ScenarioKind::Straight, ScenarioKind::FigureEight, ScenarioKind::ParkingRamp}) {
+       {ScenarioKind::Street, ScenarioKind::Straight, ScenarioKind::FigureEight, ScenarioKind::ParkingRamp,
+        ScenarioKind::Hill, ScenarioKind::Tunnel, ScenarioKind::SlewYard}) {
     SimulationOptions options = exact_options(scenario);
     options.standstill_s = scenario == ScenarioKind::Street ? 2.0 : 0.0;
     options.speed_swing = scenario == ScenarioKind::Straight ? 0.5 : 0.0;

@@ -1,0 +1,133 @@
+#include "model/io/smartloc_reader.h"
+
+#include <GeographicLib/Geocentric.hpp>
+#include <limits>
+#include <optional>
+
+#include "algorithms/geometry/rotation.h"
+#include "model/io/input_file.h"
+#include "model/io/stream_tools.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr std::string_view kInput = "_Input.txt", kTruth = "_GT.txt";
+constexpr double kTruthSigma_m = 0.1;
+
+/// Calls `take(tokens, line number)` for every line that starts with `keyword`. What it throws is collected.
+template <class Take>
+void for_lines(const fs::path& path, std::string_view keyword, BadItems& bad, Take&& take) {
+  const std::string text = read_regular_file(path);
+  LineReader lines(text);
+  std::string_view line;
+  std::vector<std::string_view> tokens;
+  while (lines.next(line)) {
+    if (!line.starts_with(keyword)) continue;
+    split_blanks(line, tokens);
+    if (tokens[0] != keyword) continue;
+    try {
+      take(tokens, lines.line_number());
+    } catch (const Error& error) {
+      bad.add(error);
+    }
+  }
+}
+
+std::int64_t stamp_ns(const std::vector<std::string_view>& tokens, const fs::path& path, std::size_t line) {
+  const auto stamp = tokens.size() > 1 ? parse_seconds_ns(tokens[1]) : std::nullopt;
+  if (!stamp) throw Error(ErrorCode::Format, at_line(path, line), "expected a time in seconds after the keyword");
+  return *stamp;
+}
+
+Vector3d vector(const std::vector<std::string_view>& tokens, std::size_t first, std::string_view what,
+                const fs::path& path, std::size_t line) {
+  if (tokens.size() < first + 3)
+    throw Error(ErrorCode::Format, at_line(path, line),
+                "has " + std::to_string(tokens.size()) + " columns, expected at least " + std::to_string(first + 3));
+  Vector3d v;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    v[static_cast<Eigen::Index>(axis)] = require_number(tokens[first + axis], what, path, line);
+  return v;
+}
+
+void read_odometry(const fs::path& path, Session& session) {
+  BadItems bad;
+  for_lines(path, "odom3", bad, [&](const std::vector<std::string_view>& tokens, std::size_t line) {
+    const std::int64_t stamp = stamp_ns(tokens, path, line);
+    const double speed_mps = vector(tokens, 2, "velocity", path, line).x();
+    const Vector3d rate = vector(tokens, 5, "turn rate", path, line);
+    session.wheels.push_back({stamp, speed_mps, speed_mps});
+    session.imu.push_back({stamp, rate, Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())});
+  });
+  if (session.wheels.empty())
+    throw Error(ErrorCode::Format, path.string(),
+                "holds no usable odom3 line." + (bad.count() ? " First problem: " + bad.first() : ""));
+  bad.report(session.findings, "bad-odometry", path.string(), "lines");
+  keep_ascending(session.wheels, "wheels", path.string(), session.findings);
+  std::vector<Finding> told_already;
+  keep_ascending(session.imu, "imu", path.string(), told_already);
+  session.files.push_back(path);
+}
+
+void read_truth(const fs::path& path, Session& session) {
+  BadItems bad;
+  const GeographicLib::Geocentric earth = GeographicLib::Geocentric::WGS84();
+  for_lines(path, "point3", bad, [&](const std::vector<std::string_view>& tokens, std::size_t line) {
+    const std::int64_t stamp = stamp_ns(tokens, path, line);
+    const Vector3d point_in_earth = vector(tokens, 2, "position", path, line);
+    double latitude_deg = 0.0, longitude_deg = 0.0, height_m = 0.0;
+    earth.Reverse(point_in_earth.x(), point_in_earth.y(), point_in_earth.z(), latitude_deg, longitude_deg, height_m);
+    const GnssFix fix{stamp, degrees_to_radians(latitude_deg), degrees_to_radians(longitude_deg), height_m,
+                      kTruthSigma_m * kTruthSigma_m * Eigen::Matrix3d::Identity()};
+    if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
+      throw Error(ErrorCode::Format, at_line(path, line), "the position is not near the Earth's surface");
+    session.gnss.push_back(fix);
+  });
+  if (session.gnss.empty())
+    throw Error(ErrorCode::Format, path.string(),
+                "holds no usable point3 line." + (bad.count() ? " First problem: " + bad.first() : ""));
+  bad.report(session.findings, "bad-truth", path.string(), "lines");
+  keep_ascending(session.gnss, "gnss", path.string(), session.findings);
+  session.files.push_back(path);
+}
+
+}  // namespace
+
+int SmartlocReader::probe(const fs::path& path) const {
+  if (!path.filename().string().ends_with(kInput) || !is_file(path)) return 0;
+  try {
+    const std::string head = read_file_head(path, 4096);
+    return head.starts_with("odom3 ") || head.starts_with("pseudorange3 ") ? 95 : 0;
+  } catch (const Error&) {
+    return 0;
+  }
+}
+
+Session SmartlocReader::open(const fs::path& path, Progress& progress) const {
+  Session session;
+  const std::string file = path.filename().string();
+  session.name = file.ends_with(kInput) ? file.substr(0, file.size() - kInput.size()) : file;
+  session.path = path;
+  session.format = id();
+  progress.report("reading odometry", 0, 2);
+  read_odometry(path, session);
+  session.findings.push_back(make_finding(Severity::Note, "one-speed", path.string(),
+                                          "There is one speed of the vehicle and none of its wheels: both wheels have "
+                                          "it, and their difference tells nothing about turning."));
+  progress.report("reading ground truth", 1, 2);
+  const fs::path truth = path.parent_path() / (session.name + std::string(kTruth));
+  if (is_file(truth)) {
+    read_truth(truth, session);
+    session.findings.push_back(make_finding(Severity::Note, "truth-as-gnss", truth.string(),
+                                            "The positions are the data set's ground truth, not a receiver's; their "
+                                            "covariance is not stated, a sigma of 0.1 m is assumed."));
+  }
+  return session;
+}
+
+}  // namespace remount
