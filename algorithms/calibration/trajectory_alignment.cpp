@@ -108,7 +108,7 @@ bool TrajectoryAligner::enough() const {
   return std::any_of(problem_.sessions.begin(), problem_.sessions.end(), says_something);
 }
 
-bool TrajectoryAligner::due() const { return data_s() - updated_s_ >= options_.update_s - 1e-6; }
+bool TrajectoryAligner::due(double after_s) const { return data_s() - updated_s_ >= after_s - 1e-6; }
 
 // New poses follow the odometry from the last one that is solved.
 void TrajectoryAligner::extend_state() {
@@ -175,27 +175,28 @@ TrajectorySnapshot TrajectoryAligner::update(const Progress& progress) {
   return now;
 }
 
-TrajectoryOutcome TrajectoryAligner::finish(const Progress& progress) const {
+TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                  const SolveOptions& judged_by, const Progress& progress) {
   TrajectoryOutcome outcome;
-  if (!enough()) {
+  if (std::none_of(problem.sessions.begin(), problem.sessions.end(), says_something)) {
     outcome.answer = without_numbers(
         Status::TooFewPairs, "Too little data: at least " + std::to_string(kFewestEpochs) +
                                  " poses of the LiDAR with INS poses or GNSS fixes over a few metres are needed.");
     return outcome;
   }
-  const TrajectoryProblem usable = usable_part(problem_);
-  outcome.solution = start_trajectory(usable, options_, progress);
-  TrajectoryPrior prior = weak_trajectory_prior(usable, options_, outcome.solution.state.ins_from_lidar);
-  outcome.solution = solve_trajectory(usable, options_, outcome.solution, prior, {}, progress);
+  const TrajectoryProblem usable = usable_part(problem);
+  outcome.solution = start_trajectory(usable, options, progress);
+  TrajectoryPrior prior = weak_trajectory_prior(usable, options, outcome.solution.state.ins_from_lidar);
+  outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, {}, progress);
   const TrajectoryPrior weak = prior;
-  outcome.answer = describe_trajectory(usable, options_, judged_by_, outcome.solution, weak, true);
+  outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, weak, true);
   if (!outcome.answer.hold.isZero(0.0) && outcome.solution.converged) {
     // What the drive does not show stays where it was: a second solution holds it there.
     prior.information += outcome.answer.hold;
     TrajectoryApproach near;
     near.graduated = near.estimate_noise = false;
-    outcome.solution = solve_trajectory(usable, options_, outcome.solution, prior, near, progress);
-    outcome.answer = describe_trajectory(usable, options_, judged_by_, outcome.solution, weak, true);
+    outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, near, progress);
+    outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, weak, true);
   }
   if (progress.cancelled()) {
     outcome.answer = without_numbers(Status::Cancelled, "Cancelled.");
@@ -207,9 +208,19 @@ TrajectoryOutcome TrajectoryAligner::finish(const Progress& progress) const {
         "Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?");
     return outcome;
   }
-  count_outliers(usable, options_, outcome);
-  for (auto one = history_.rbegin(); one != history_.rend() && one->converged; ++one)
-    outcome.converged_after_s = one->time_s;
+  count_outliers(usable, options, outcome);
+  return outcome;
+}
+
+double converged_after_s(const std::vector<TrajectorySnapshot>& history) {
+  double since_s = std::numeric_limits<double>::quiet_NaN();
+  for (auto one = history.rbegin(); one != history.rend() && one->converged; ++one) since_s = one->time_s;
+  return since_s;
+}
+
+TrajectoryOutcome TrajectoryAligner::finish(const Progress& progress) const {
+  TrajectoryOutcome outcome = solve_alignment(problem_, options_, judged_by_, progress);
+  outcome.converged_after_s = remount::converged_after_s(history_);
   return outcome;
 }
 

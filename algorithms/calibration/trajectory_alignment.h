@@ -29,6 +29,13 @@ struct TrajectoryOutcome {
   std::size_t outliers = 0, measurements = 0;  ///< INS poses and fixes: without weight, and all
 };
 
+/// All data at once. result.status says what went wrong where something did: TooFewPairs, NotConverged, Cancelled.
+TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                  const SolveOptions& judged_by, const Progress& progress);
+
+/// The time of the first of the last answers that are all converged; NaN where the last one is not.
+double converged_after_s(const std::vector<TrajectorySnapshot>& history);
+
 /// Takes epochs as they arrive. Each answer is a full solution of all data so far, warm from the one before: time per
 /// answer grows with the length of the drive, by some ten microseconds an epoch. `finish` starts anew, so that the end
 /// of a stream and a batch of the same data are the same. Not thread-safe.
@@ -42,12 +49,12 @@ class TrajectoryAligner {
   /// Epochs of a session come in the order of their times, sessions one after the other or at once. Throws
   /// Error(Contract) for a time that does not ascend or a session that is not there.
   void push(std::size_t session, TrajectoryEpoch epoch);
-  /// Whether update_s of data have arrived since the last update.
-  bool due() const;
+  /// Whether update_s of data, or `after_s`, have arrived since the last update.
+  bool due() const { return due(options_.update_s); }
+  bool due(double after_s) const;
   /// Solves with what is there. Unchanged where cancelled.
   TrajectorySnapshot update(const Progress& progress);
-  /// The final solution, from all data afresh. result.status says what went wrong where something did: TooFewPairs,
-  /// NotConverged, Cancelled.
+  /// The final solution, from all data afresh: solve_alignment.
   TrajectoryOutcome finish(const Progress& progress) const;
 
   const TrajectoryProblem& problem() const { return problem_; }

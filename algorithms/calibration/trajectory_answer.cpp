@@ -321,7 +321,9 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
 TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                       const RigidTransform& start_ins_from_lidar) {
   TrajectoryPrior prior;
-  prior.ins_from_lidar = problem.nominal_ins_from_lidar.value_or(start_ins_from_lidar);
+  // A start knows nothing of a translation that the drive does not show; LiDAR and INS are on one vehicle.
+  prior.ins_from_lidar =
+      problem.nominal_ins_from_lidar.value_or(make_rigid(start_ins_from_lidar.linear(), Eigen::Vector3d::Zero()));
   prior.information.topLeftCorner<6, 6>() = weak_prior(problem.nominal_ins_from_lidar.has_value());
   prior.information.bottomRightCorner<3, 3>() =
       Eigen::Matrix3d::Identity() / (options.antenna_reach_m * options.antenna_reach_m);

@@ -22,8 +22,8 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
                                      const SolveOptions& judged_by, const TrajectorySolution& solution,
                                      const TrajectoryPrior& prior, bool thorough);
 
-/// What is expected of X and the antenna before any data: the nominal (or `start`) within metres and a tenth of a
-/// radian, the antenna within its reach of the LiDAR.
+/// What is expected of X and the antenna before any data: the nominal (or the INS itself, turned as in `start`) within
+/// metres and a tenth of a radian, the antenna within its reach of the LiDAR.
 TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                       const RigidTransform& start_ins_from_lidar);
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/registration/prepared_cloud.h"
 
 namespace remount {
