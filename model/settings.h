@@ -9,8 +9,10 @@
 #include "algorithms/calibration/measured.h"
 #include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/solve_options.h"
+#include "algorithms/calibration/trajectory_options.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/odometry/lidar_odometry_options.h"
 #include "algorithms/registration/registration_options.h"
 #include "algorithms/trajectory/keyframes.h"
 #include "algorithms/trajectory/pairing.h"
@@ -58,6 +60,8 @@ struct Settings {
   SearchRange range;
   SolveOptions solve;
   MeasuredOptions measured;
+  LidarOdometryOptions lidar_odometry;
+  TrajectoryOptions trajectory;
 
   /// visitor(section name, option struct) for each section; the names are the sections of a configuration file.
   template <class Self, class Visitor>
@@ -70,6 +74,8 @@ struct Settings {
     visitor("range", self.range);
     visitor("solve", self.solve);
     visitor("measured", self.measured);
+    visitor("lidar_odometry", self.lidar_odometry);
+    visitor("trajectory", self.trajectory);
   }
 
   /// Every problem, prefixed by its section ("range.x_min_m ..."); includes settings that contradict each other: a

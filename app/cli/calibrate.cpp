@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include "algorithms/core/error.h"
@@ -8,6 +9,7 @@
 #include "model/io/atomic_save.h"
 #include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
+#include "model/methods/trajectory_method.h"
 #include "model/project.h"
 #include "model/session_frames.h"
 
@@ -20,6 +22,8 @@ struct CalibrateArguments {
   std::string project, save_project;
   std::string method;  ///< empty: as the settings say
   bool no_hashes = false;
+  bool follow = false;
+  double settled_s = 5.0;
 };
 
 /// What the sessions declare themselves, where they agree; a contradiction is for the user to decide.
@@ -40,7 +44,63 @@ MethodChoice method_named(const std::string& id) {
   return static_cast<MethodChoice>(found - kMethodIds.begin());
 }
 
+/// One answer on the way, on a line: "12.0 s: x 0.912 +-0.020, y -0.250 +-0.021, yaw 1.71 +-0.05; z, pitch not
+/// observed".
+std::string line_of(const TrajectorySnapshot& snapshot) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%.1f s: ", snapshot.time_s);
+  std::string line = text;
+  if (!snapshot.known) return line + "too little data yet";
+  const SixParameters six = six_from_rigid(snapshot.ins_from_lidar);
+  const double values[] = {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+  std::string seen, open;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::string name(kParameterNames[i]);
+    const double unit = i < 3 ? 1.0 : 180.0 / kPi;
+    std::snprintf(text, sizeof text, "%s %.4f +-%.4f %s", name.c_str(), unit * values[i], unit * snapshot.sigma[i],
+                  i < 3 ? "m" : "deg");
+    if (snapshot.observed[i])
+      seen += (seen.empty() ? "" : ", ") + std::string(text);
+    else if (!snapshot.of_antenna || i < 3)
+      open += (open.empty() ? "" : ", ") + name;
+  }
+  line += (snapshot.of_antenna ? "antenna: " : "") + seen;
+  if (!open.empty()) line += (seen.empty() ? "not observed: " : "; not observed: ") + open;
+  return line + (snapshot.converged ? "; converged" : "");
+}
+
+/// Follows a session that grows, and ends as `calibrate` does.
+int follow(const CalibrateArguments& arguments, Console& console) {
+  if (arguments.method != "trajectory")
+    throw Error(ErrorCode::Contract, "--follow", "goes with --method trajectory alone");
+  if (arguments.sessions.size() != 1 || !arguments.project.empty() || !arguments.save_project.empty())
+    throw Error(ErrorCode::Contract, "--follow", "takes one session and no project");
+  arguments.solve.check_output();
+  PipelineInput input;
+  input.settings = arguments.solve.settings({});
+  input.settings.run.method = MethodChoice::Trajectory;
+  input.threads = console.options().threads;
+  if (const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console)) {
+    std::vector<std::string> doubts;
+    input.nominal_ins_from_lidar = in_axes_of(*nominal, std::nullopt, doubts);
+  }
+  FollowOptions options;
+  options.settled_s = arguments.settled_s;
+  options.declared_nominal = arguments.solve.nominal.empty();
+  Progress finishing;  // Ctrl-C ends the following; its result is still worked out
+  FollowedSession followed = follow_trajectory(
+      arguments.sessions.front(), input, options,
+      [&](const TrajectorySnapshot& snapshot) { console.print(line_of(snapshot)); }, console.progress(), finishing);
+  input.sessions = {followed.session};
+  input.nominal_ins_from_lidar = followed.nominal_ins_from_lidar;
+  std::vector<InputFile> inputs;
+  if (!arguments.no_hashes) inputs = hash_inputs(input.sessions, input.threads, finishing);
+  console.report(followed.output.findings);
+  return finish(make_result_file(input, followed.output, std::move(inputs)), arguments.solve.output, console);
+}
+
 int calibrate(const CalibrateArguments& arguments, Console& console) {
+  if (arguments.follow) return follow(arguments, console);
   Project project;
   if (!arguments.project.empty()) project = load_project(arguments.project);
   for (const std::string& path : arguments.sessions) project.sessions.emplace_back(path);
@@ -103,6 +163,13 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
     explained += (methods.size() > 1 ? "; " : " ") + std::string(method.id) + " needs " + std::string(method.needs);
   }
   verb->add_option("--method", arguments->method, explained)->check(CLI::IsMember(methods))->type_name("NAME");
+  verb->add_flag("--follow", arguments->follow,
+                 "With --method trajectory: read the session while it is written, print X with its sigma every second "
+                 "of data, and solve when it no longer grows or at Ctrl-C");
+  verb->add_option("--settled", arguments->settled_s, "Seconds without growth after which --follow ends")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str()
+      ->type_name("SECONDS");
   verb->add_option("--project", arguments->project,
                    "Take sessions, settings, nominal and verdicts on pairs from a project")
       ->type_name("FILE");

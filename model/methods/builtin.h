@@ -3,4 +3,9 @@
 
 #include "model/methods/calibration_method.h"
 
-namespace remount {}  // namespace remount
+namespace remount {
+
+/// Alignment of the LiDAR's trajectory with INS poses or GNSS positions (methods 2).
+PipelineOutput run_trajectory_method(const PipelineInput& input, Progress& progress);
+
+}  // namespace remount

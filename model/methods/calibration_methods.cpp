@@ -6,6 +6,8 @@ namespace remount {
 const std::vector<CalibrationMethod>& calibration_methods() {
   static const std::vector<CalibrationMethod> methods{
       {kPairwise, "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", run_pipeline},
+      {"trajectory", "Trajectory alignment", "scans or LiDAR poses, and an INS or GNSS fixes", "trajectory",
+       run_trajectory_method},
   };
   return methods;
 }

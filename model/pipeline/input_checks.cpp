@@ -118,6 +118,10 @@ void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions)
                   "holds the motion of an INS, but neither scans nor LiDAR poses; name a folder or a session.yaml that "
                   "has both");
   }
+  check_companions(sessions);
+}
+
+void check_companions(const std::vector<std::shared_ptr<const Session>>& sessions) {
   for (std::size_t i = 0; i < sessions.size(); ++i)
     for (std::size_t k = 0; k < i; ++k) check_same_axes(*sessions[k], *sessions[i]);
   for (std::size_t i = 0; i < sessions.size(); ++i)

@@ -19,6 +19,9 @@ namespace remount {
 /// another, and the first of two that have equally many; of LiDAR poses most of those that share stamps must be equal.
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions);
 
+/// What check_sessions says of sessions beside each other: their axes, and that none is given twice.
+void check_companions(const std::vector<std::shared_ptr<const Session>>& sessions);
+
 /// Why the LiDAR's stamps of a session all lie outside its INS data; for a session where none lies within.
 std::string why_not_covered(const DriveMotion& motion, int session);
 

@@ -1,0 +1,253 @@
+#include "algorithms/calibration/trajectory_alignment.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/calibration/trajectory_start.h"
+#include "algorithms/core/error.h"
+
+namespace remount {
+namespace {
+
+constexpr std::size_t kFewestEpochs = 8;
+constexpr double kLeastTravel_m = 3.0;
+
+TrajectoryAnswer without_numbers(Status status, const std::string& message) {
+  TrajectoryAnswer answer;
+  answer.result.status = status;
+  answer.result.message = message;
+  return answer;
+}
+
+double travelled_m(const TrajectorySession& session) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < session.epochs.size(); ++i)
+    sum +=
+        (session.epochs[i].odometry_from_lidar.translation() - session.epochs[i - 1].odometry_from_lidar.translation())
+            .norm();
+  return sum;
+}
+
+bool says_something(const TrajectorySession& session) {
+  const auto seen = std::count_if(session.epochs.begin(), session.epochs.end(),
+                                  [](const TrajectoryEpoch& epoch) { return epoch.ins || epoch.antenna; });
+  return static_cast<std::size_t>(seen) >= kFewestEpochs && travelled_m(session) > kLeastTravel_m;
+}
+
+// Sessions that say nothing take part with no epoch, so that their indices stay.
+TrajectoryProblem usable_part(const TrajectoryProblem& problem) {
+  TrajectoryProblem out = problem;
+  for (TrajectorySession& session : out.sessions)
+    if (!says_something(session)) session.epochs.clear();
+  return out;
+}
+
+void count_outliers(const TrajectoryProblem& problem, const TrajectoryOptions& options, TrajectoryOutcome& outcome) {
+  const WeightedTerms weighted = weighted_terms(problem, options, outcome.solution.state, outcome.solution.noise);
+  for (std::size_t s = 0; s < weighted.terms.size(); ++s)
+    for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
+      if (weighted.terms[s][k].is_step()) continue;
+      ++outcome.measurements;
+      outcome.outliers += weighted.weights[s][k] < 0.5 ? 1 : 0;
+    }
+}
+
+TrajectorySnapshot snapshot_of(const CalibrationResult& result, double time_s) {
+  TrajectorySnapshot out;
+  out.time_s = time_s;
+  out.known = result.status == Status::Ok || result.status == Status::Degenerate;
+  out.of_antenna = result.reference_frame == "antenna";
+  out.ins_from_lidar = result.ins_from_lidar;
+  out.observed = result.observed;
+  for (std::size_t i = 0; i < 6; ++i) out.sigma[i] = result.sigma(i).value_or(std::numeric_limits<double>::quiet_NaN());
+  return out;
+}
+
+std::array<double, 6> as_array(const SixParameters& six) {
+  return {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+}
+
+}  // namespace
+
+TrajectoryAligner::TrajectoryAligner(TrajectoryOptions options, SolveOptions judged_by,
+                                     std::optional<RigidTransform> nominal_ins_from_lidar, bool estimate_clock)
+    : options_(options), judged_by_(judged_by) {
+  problem_.nominal_ins_from_lidar = nominal_ins_from_lidar;
+  problem_.estimate_clock = estimate_clock;
+}
+
+std::size_t TrajectoryAligner::add_session(TrajectorySession session) {
+  problem_.sessions.push_back(std::move(session));
+  started_ = false;
+  return problem_.sessions.size() - 1;
+}
+
+void TrajectoryAligner::push(std::size_t session, TrajectoryEpoch epoch) {
+  if (session >= problem_.sessions.size())
+    throw Error(ErrorCode::Contract, "session " + std::to_string(session), "was not added to the alignment");
+  std::vector<TrajectoryEpoch>& epochs = problem_.sessions[session].epochs;
+  if (!epochs.empty() && !(epoch.time_s > epochs.back().time_s))
+    throw Error(ErrorCode::Contract, "session " + std::to_string(session), "epochs must ascend in time");
+  epochs.push_back(std::move(epoch));
+}
+
+double TrajectoryAligner::data_s() const {
+  double sum = 0.0;
+  for (const TrajectorySession& session : problem_.sessions)
+    if (!session.epochs.empty()) sum += session.epochs.back().time_s - session.epochs.front().time_s;
+  return sum;
+}
+
+std::size_t TrajectoryAligner::epochs() const {
+  std::size_t sum = 0;
+  for (const TrajectorySession& session : problem_.sessions) sum += session.epochs.size();
+  return sum;
+}
+
+bool TrajectoryAligner::enough() const {
+  return std::any_of(problem_.sessions.begin(), problem_.sessions.end(), says_something);
+}
+
+bool TrajectoryAligner::due(double after_s) const { return data_s() - updated_s_ >= after_s - 1e-6; }
+
+// New poses follow the odometry from the last one that is solved.
+void TrajectoryAligner::extend_state() {
+  TrajectoryState& state = solution_.state;
+  for (std::size_t s = 0; s < problem_.sessions.size(); ++s) {
+    const std::vector<TrajectoryEpoch>& epochs = problem_.sessions[s].epochs;
+    std::vector<RigidTransform>& poses = state.enu_from_lidar[s];
+    for (std::size_t i = poses.size(); i < epochs.size(); ++i)
+      poses.push_back(poses.back() * epochs[i - 1].odometry_from_lidar.inverse() * epochs[i].odometry_from_lidar);
+  }
+}
+
+bool TrajectoryAligner::stayed(const TrajectorySnapshot& now) const {
+  constexpr double kWatched_s = 10.0;
+  const std::array<double, 6> values = as_array(six_from_rigid(now.ins_from_lidar));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double limit = i < 3 ? options_.converged_translation_m : degrees_to_radians(options_.converged_rotation_deg);
+    if (now.observed[i] && !(now.sigma[i] < limit)) return false;
+  }
+  if (std::none_of(now.observed.begin(), now.observed.end(), [](bool seen) { return seen; })) return false;
+  for (auto before = history_.rbegin(); before != history_.rend(); ++before) {
+    if (!before->known || before->observed != now.observed) return false;
+    const std::array<double, 6> then = as_array(six_from_rigid(before->ins_from_lidar));
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (!now.observed[i]) continue;
+      const double moved = i < 3 ? values[i] - then[i] : wrap_angle_rad(values[i] - then[i]);
+      const double limit =
+          i < 3 ? options_.converged_translation_m : degrees_to_radians(options_.converged_rotation_deg);
+      if (std::abs(moved) > limit) return false;
+    }
+    if (now.time_s - before->time_s >= kWatched_s) return true;
+  }
+  return false;
+}
+
+TrajectorySnapshot TrajectoryAligner::update(const Progress& progress) {
+  updated_s_ = data_s();
+  TrajectorySnapshot now;
+  now.time_s = updated_s_;
+  if (enough()) {
+    constexpr double kAnew = 1.5, kNoise = 1.15;
+    const std::size_t count = epochs();
+    const TrajectoryProblem usable = usable_part(problem_);
+    const bool all = std::all_of(problem_.sessions.begin(), problem_.sessions.end(), says_something);
+    TrajectoryApproach approach;
+    if (!started_ || !all || static_cast<double>(count) > kAnew * static_cast<double>(epochs_at_start_)) {
+      solution_ = start_trajectory(usable, options_, progress);
+      prior_ = weak_trajectory_prior(usable, options_, solution_.state.ins_from_lidar);
+      epochs_at_start_ = epochs_at_noise_ = count;
+      started_ = true;
+    } else {
+      extend_state();
+      approach.graduated = false;
+      approach.estimate_noise = static_cast<double>(count) > kNoise * static_cast<double>(epochs_at_noise_);
+      if (approach.estimate_noise) epochs_at_noise_ = count;
+      approach.most_iterations = 4;
+    }
+    solution_ = solve_trajectory(usable, options_, solution_, prior_, approach, progress);
+    now = snapshot_of(describe_trajectory(usable, options_, judged_by_, solution_, prior_, false).result, updated_s_);
+    now.converged = now.known && stayed(now);
+    if (!all) started_ = false;
+  }
+  if (!progress.cancelled()) history_.push_back(now);
+  return now;
+}
+
+TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                  const SolveOptions& judged_by, const Progress& progress) {
+  TrajectoryOutcome outcome;
+  if (std::none_of(problem.sessions.begin(), problem.sessions.end(), says_something)) {
+    outcome.answer = without_numbers(
+        Status::TooFewPairs, "Too little data: at least " + std::to_string(kFewestEpochs) +
+                                 " poses of the LiDAR with INS poses or GNSS fixes over a few metres are needed.");
+    return outcome;
+  }
+  const TrajectoryProblem usable = usable_part(problem);
+  outcome.solution = start_trajectory(usable, options, progress);
+  TrajectoryPrior prior = weak_trajectory_prior(usable, options, outcome.solution.state.ins_from_lidar);
+  outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, {}, progress);
+  const TrajectoryPrior weak = prior;
+  outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, weak, true);
+  if (!outcome.answer.hold.isZero(0.0) && outcome.solution.converged) {
+    // What the drive does not show stays where it was: a second solution holds it there.
+    prior.information += outcome.answer.hold;
+    TrajectoryApproach near;
+    near.graduated = near.estimate_noise = false;
+    outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, near, progress);
+    outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, weak, true);
+  }
+  if (progress.cancelled()) {
+    outcome.answer = without_numbers(Status::Cancelled, "Cancelled.");
+    return outcome;
+  }
+  if (!outcome.solution.converged) {
+    outcome.answer = without_numbers(Status::NotConverged, "The trajectories could not be aligned.");
+    outcome.answer.result.advice.emplace_back(
+        "Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?");
+    return outcome;
+  }
+  count_outliers(usable, options, outcome);
+  return outcome;
+}
+
+double converged_after_s(const std::vector<TrajectorySnapshot>& history) {
+  double since_s = std::numeric_limits<double>::quiet_NaN();
+  for (auto one = history.rbegin(); one != history.rend() && one->converged; ++one) since_s = one->time_s;
+  return since_s;
+}
+
+TrajectoryOutcome TrajectoryAligner::finish(const Progress& progress) const {
+  TrajectoryOutcome outcome = solve_alignment(problem_, options_, judged_by_, progress);
+  outcome.converged_after_s = remount::converged_after_s(history_);
+  return outcome;
+}
+
+TrajectoryOutcome align_trajectories(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                     const SolveOptions& judged_by, std::size_t most_snapshots,
+                                     std::vector<TrajectorySnapshot>& history, Progress& progress) {
+  TrajectoryAligner aligner(options, judged_by, problem.nominal_ins_from_lidar, problem.estimate_clock);
+  std::size_t total = 0, done = 0;
+  for (const TrajectorySession& session : problem.sessions) total += session.epochs.size();
+  const std::size_t step = most_snapshots > 0 ? std::max<std::size_t>(1, total / most_snapshots) : 0;
+  std::size_t last = 0;
+  for (const TrajectorySession& session : problem.sessions) {
+    TrajectorySession empty = session;
+    empty.epochs.clear();
+    const std::size_t index = aligner.add_session(std::move(empty));
+    for (const TrajectoryEpoch& epoch : session.epochs) {
+      aligner.push(index, epoch);
+      ++done;
+      if (step == 0 || progress.cancelled() || done - last < step || !aligner.due()) continue;
+      last = done;
+      progress.report("aligning trajectories", done, total);
+      aligner.update(progress);
+    }
+  }
+  history = aligner.history();
+  progress.report("aligning trajectories", total, total);
+  return aligner.finish(progress);
+}
+
+}  // namespace remount

@@ -1,0 +1,87 @@
+// Alignment of the LiDAR's trajectory with that of the INS or the GNSS antenna, while data arrive or all at once.
+// (methods 2; source: seeds/002, with the mathematics completed there)
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "algorithms/calibration/trajectory_answer.h"
+#include "algorithms/core/progress.h"
+
+namespace remount {
+
+/// The answer after some of the data.
+struct TrajectorySnapshot {
+  double time_s = 0.0;  ///< of data, all sessions together
+  bool known = false;   ///< false: too little data for any answer
+  bool of_antenna = false;
+  RigidTransform ins_from_lidar = RigidTransform::Identity();  ///< antenna_from_lidar where `of_antenna`
+  std::array<bool, 6> observed{};                              ///< order of kParameterNames
+  std::array<double, 6> sigma{};                               ///< m, rad; NaN where not observed
+  bool converged = false;  ///< what is observed has the sigma that is asked for, and has stayed within it
+};
+
+/// What is left at the end.
+struct TrajectoryOutcome {
+  TrajectoryAnswer answer;
+  TrajectorySolution solution;
+  double converged_after_s = std::numeric_limits<double>::quiet_NaN();  ///< first snapshot since which it stayed so
+  std::size_t outliers = 0, measurements = 0;  ///< INS poses and fixes: without weight, and all
+};
+
+/// All data at once. result.status says what went wrong where something did: TooFewPairs, NotConverged, Cancelled.
+TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                  const SolveOptions& judged_by, const Progress& progress);
+
+/// The time of the first of the last answers that are all converged; NaN where the last one is not.
+double converged_after_s(const std::vector<TrajectorySnapshot>& history);
+
+/// Takes epochs as they arrive. Each answer is a full solution of all data so far, warm from the one before: time per
+/// answer grows with the length of the drive, by some ten microseconds an epoch. `finish` starts anew, so that the end
+/// of a stream and a batch of the same data are the same. Not thread-safe.
+class TrajectoryAligner {
+ public:
+  TrajectoryAligner(TrajectoryOptions options, SolveOptions judged_by,
+                    std::optional<RigidTransform> nominal_ins_from_lidar, bool estimate_clock);
+
+  /// The next session; epochs given are kept. Returns its index.
+  std::size_t add_session(TrajectorySession session);
+  /// Epochs of a session come in the order of their times, sessions one after the other or at once. Throws
+  /// Error(Contract) for a time that does not ascend or a session that is not there.
+  void push(std::size_t session, TrajectoryEpoch epoch);
+  /// Whether update_s of data, or `after_s`, have arrived since the last update.
+  bool due() const { return due(options_.update_s); }
+  bool due(double after_s) const;
+  /// Solves with what is there. Unchanged where cancelled.
+  TrajectorySnapshot update(const Progress& progress);
+  /// The final solution, from all data afresh: solve_alignment.
+  TrajectoryOutcome finish(const Progress& progress) const;
+
+  const TrajectoryProblem& problem() const { return problem_; }
+  const std::vector<TrajectorySnapshot>& history() const { return history_; }
+
+ private:
+  double data_s() const;
+  std::size_t epochs() const;
+  bool enough() const;
+  void extend_state();
+  bool stayed(const TrajectorySnapshot& now) const;
+
+  TrajectoryOptions options_;
+  SolveOptions judged_by_;
+  TrajectoryProblem problem_;
+  TrajectorySolution solution_;
+  TrajectoryPrior prior_;
+  bool started_ = false;
+  std::size_t epochs_at_start_ = 0, epochs_at_noise_ = 0;
+  double updated_s_ = 0.0;
+  std::vector<TrajectorySnapshot> history_;
+};
+
+/// All sessions at once: pushes them as a stream with at most `most_snapshots` answers on the way for the plot, and
+/// finishes. Cancellable.
+TrajectoryOutcome align_trajectories(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                     const SolveOptions& judged_by, std::size_t most_snapshots,
+                                     std::vector<TrajectorySnapshot>& history, Progress& progress);
+
+}  // namespace remount

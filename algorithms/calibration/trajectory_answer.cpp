@@ -1,0 +1,333 @@
+#include "algorithms/calibration/trajectory_answer.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/trajectory_spread.h"
+#include "algorithms/calibration/uncertainty.h"
+
+namespace remount {
+namespace {
+
+// What the description of one solution is made from.
+struct Evidence {
+  const TrajectoryProblem& problem;
+  const TrajectoryOptions& options;
+  const SolveOptions& judged_by;
+  const TrajectorySolution& solution;
+  const TrajectoryPrior& prior;
+  WeightedTerms weighted;
+  TrajectoryEquations equations;
+  SharedMatrix information, spurious;
+};
+
+MotionSummary motion_of(const TrajectoryProblem& problem) {
+  std::vector<Pair> turns;
+  for (const TrajectorySession& session : problem.sessions)
+    for (const TrajectoryEpoch& epoch : session.epochs) {
+      Pair turn;
+      turn.state = PairState::Accepted;
+      turn.ins_b_from_ins_a = session.epochs.front().odometry_from_lidar.inverse() * epoch.odometry_from_lidar;
+      turns.push_back(turn);
+    }
+  return summarise_motion(turns);
+}
+
+// What drives do to X that no residual shows: each drive its own.
+Matrix6d unseen(const TrajectoryProblem& problem) {
+  Matrix6d sum = Matrix6d::Zero();
+  double count = 0.0;
+  for (const TrajectorySession& session : problem.sessions) {
+    if (session.epochs.empty()) continue;
+    sum += session.unseen;
+    count += 1.0;
+  }
+  return count > 0.0 ? Matrix6d(sum / (count * count)) : sum;
+}
+
+// Blocks of the options' length, shorter where a short drive would have fewer than twenty.
+double block_length_s(const Evidence& evidence) {
+  double total_s = 0.0;
+  for (const TrajectorySession& session : evidence.problem.sessions)
+    if (!session.epochs.empty()) total_s += session.epochs.back().time_s - session.epochs.front().time_s;
+  return std::clamp(total_s / 20.0, 1e-3, std::max(1e-3, evidence.judged_by.bootstrap_block_s));
+}
+
+// Sigmas as large as blocks of time scatter, where that is more.
+Matrix6d widened(const Matrix6d& covariance, const Matrix6d& scatter) {
+  const Vector6d factors = scatter.diagonal().cwiseQuotient(covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
+  return factors.asDiagonal() * covariance * factors.asDiagonal();
+}
+
+SharedMatrix block_scatter(const Evidence& evidence) {
+  return scatter_of_blocks(evidence.problem, evidence.solution, evidence.weighted, evidence.equations,
+                           evidence.prior.information, block_length_s(evidence));
+}
+
+// Along directions that are not observed, X stays where the prior has it.
+Matrix6d held(const std::vector<ObservabilityDirection>& directions, const SolveOptions& options) {
+  constexpr double kHeld = 1e6;
+  const Vector6d inverse_limits = observation_limits(options).cwiseInverse();
+  Matrix6d sum = Matrix6d::Zero();
+  for (const ObservabilityDirection& direction : directions) {
+    if (direction.observed) continue;
+    const Vector6d row = inverse_limits.cwiseProduct(direction.direction);
+    sum += kHeld * row * row.transpose();
+  }
+  return sum;
+}
+
+void set_bootstrap(const Matrix6d& parameters, CalibrationResult& result) {
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    result.bootstrap_sigma[at] = result.observed[at] && parameters(i, i) > 0.0
+                                     ? std::sqrt(parameters(i, i))
+                                     : std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answer) {
+  CalibrationResult& result = answer.result;
+  result.ins_from_lidar = evidence.solution.state.ins_from_lidar;
+  const MotionSummary motion = motion_of(evidence.problem);
+  const Matrix6d apparent = information_of_x(evidence.information, evidence.prior.information);
+  const Matrix6d spurious = evidence.spurious.topLeftCorner<6, 6>();
+  result.directions = observed_directions(apparent, {apparent, spurious}, motion, evidence.judged_by);
+  answer.hold.topLeftCorner<6, 6>() = held(result.directions, evidence.judged_by);
+  Matrix6d information = trusted_information(result.directions, evidence.judged_by);
+  if (thorough) {
+    constexpr double kBelieved = 0.5;  // 1-sigma of the logarithm of the noise, before sessions are compared
+    const SessionScatter scatter =
+        session_scatter(trajectory_session_answers(evidence.problem, evidence.solution, evidence.weighted,
+                                                   evidence.equations, evidence.prior.information),
+                        evidence.judged_by);
+    result.session_disagreement = scatter.ratio;
+    const double wider = widening(scatter, kBelieved);
+    information /= wider * wider;
+  }
+  const Matrix6d prior = weak_prior(evidence.problem.nominal_ins_from_lidar.has_value());
+  Matrix6d covariance = (information + prior).inverse();
+  Matrix6d scatter = Matrix6d::Zero();
+  if (thorough) {
+    scatter = block_scatter(evidence).topLeftCorner<6, 6>();
+    covariance = widened(covariance, scatter);
+  }
+  judge_parameters(covariance + unseen(evidence.problem), motion, evidence.judged_by, result);
+  set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);
+}
+
+// The antenna's lever arm as six-dimensional information: nothing about axes.
+Matrix6d as_translation(const Eigen::Matrix3d& information) {
+  Matrix6d out = Matrix6d::Zero();
+  out.topLeftCorner<3, 3>() = information;
+  return out;
+}
+
+struct JudgedAntenna {
+  std::vector<ObservabilityDirection> directions;
+  Eigen::Matrix3d covariance;
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+};
+
+JudgedAntenna judge_antenna(const Evidence& evidence, bool thorough) {
+  JudgedAntenna out;
+  const Matrix6d apparent = as_translation(information_of_antenna(evidence.information, evidence.prior.information));
+  const Matrix6d spurious = as_translation(evidence.spurious.bottomRightCorner<3, 3>());
+  out.directions = observed_directions(apparent, {apparent, spurious}, motion_of(evidence.problem), evidence.judged_by);
+  const Eigen::Matrix3d trusted = trusted_information(out.directions, evidence.judged_by).topLeftCorner<3, 3>();
+  const double reach = evidence.options.antenna_reach_m;
+  out.covariance = (trusted + Eigen::Matrix3d::Identity() / (reach * reach)).inverse();
+  if (thorough) {
+    out.scatter = block_scatter(evidence).bottomRightCorner<3, 3>();
+    const Eigen::Vector3d factors =
+        out.scatter.diagonal().cwiseQuotient(out.covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
+    out.covariance = (factors.asDiagonal() * out.covariance * factors.asDiagonal()).eval();
+  }
+  out.covariance += unseen(evidence.problem).topLeftCorner<3, 3>();
+  return out;
+}
+
+void add_lever_arm(const Evidence& evidence, const JudgedAntenna& judged, TrajectoryAnswer& answer) {
+  const char* const names[] = {"lever arm x", "lever arm y", "lever arm z"};
+  for (int i = 0; i < 3; ++i) {
+    NamedQuantity quantity;
+    quantity.name = names[i];
+    quantity.value = evidence.solution.state.antenna_in_lidar[i];
+    quantity.unit = "m";
+    const double sigma = std::sqrt(judged.covariance(i, i));
+    quantity.observed = sigma < evidence.judged_by.max_translation_sigma_m;
+    if (quantity.observed) quantity.sigma = sigma;
+    answer.quantities.push_back(quantity);
+  }
+}
+
+// Positions alone: X is where the LiDAR is from the antenna, in the LiDAR's own axes.
+void describe_antenna(const Evidence& evidence, const JudgedAntenna& judged, TrajectoryAnswer& answer) {
+  constexpr double kNoAxes_rad2 = 1e4;
+  CalibrationResult& result = answer.result;
+  const MotionSummary motion = motion_of(evidence.problem);
+  result.reference_frame = "antenna";
+  result.ins_from_lidar = make_rigid(Eigen::Matrix3d::Identity(), -evidence.solution.state.antenna_in_lidar);
+  result.directions = judged.directions;
+  Matrix6d covariance = kNoAxes_rad2 * Matrix6d::Identity();
+  covariance.topLeftCorner<3, 3>() = judged.covariance;
+  judge_parameters(covariance, motion, evidence.judged_by, result);
+  result.advice.clear();
+  Matrix6d scatter = Matrix6d::Zero();
+  scatter.topLeftCorner<3, 3>() = judged.scatter;
+  set_bootstrap(scatter, result);
+  for (ObservabilityDirection& direction : result.directions)
+    if (direction.direction.tail<3>().norm() > 0.5)
+      direction.words = "rotation: not observable, the positions of an antenna have no axes";
+  if (!result.observed[0] || !result.observed[1])
+    result.advice.emplace_back("The lever arm's x and y need turns: drive a figure of eight.");
+  if (!result.observed[2])
+    result.advice.emplace_back(
+        "The lever arm's z needs pitch or roll: drive over a ramp or a bumpy road, or measure it by tape.");
+  result.advice.emplace_back(
+      "GNSS positions show where the antenna is from the LiDAR and nothing about attitude: for all six parameters "
+      "record an INS with attitude or a GNSS with two antennas.");
+}
+
+// Heading of the first session's odometry frame in ENU, from the covariance of its first pose.
+void add_odometry_heading(const Evidence& evidence, TrajectoryAnswer& answer) {
+  const TrajectorySession& session = evidence.problem.sessions.front();
+  if (session.epochs.empty()) return;
+  const RigidTransform& first = evidence.solution.state.enu_from_lidar.front().front();
+  Eigen::Matrix3d covariance;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<ChainVector> sides;
+    for (const TrajectorySession& one : evidence.problem.sessions) sides.emplace_back(one.epochs.size());
+    sides.front().poses.front()[3 + axis] = 1.0;
+    covariance.col(axis) =
+        evidence.equations.solve(std::move(sides), SharedVector::Zero()).front().poses.front().tail<3>();
+  }
+  const Eigen::Matrix3d rotation = first.linear() * session.epochs.front().odometry_from_lidar.linear().transpose();
+  const YawPitchRoll angles = yaw_pitch_roll_from_rotation(rotation);
+  const Eigen::Matrix3d by_turn = yaw_pitch_roll_jacobian(angles) * first.linear();
+  const Eigen::Vector3d sigma = (by_turn * covariance * by_turn.transpose()).diagonal().cwiseSqrt();
+  const double values[] = {angles.yaw_rad, angles.pitch_rad, angles.roll_rad};
+  const char* const names[] = {"odometry yaw", "odometry pitch", "odometry roll"};
+  for (int i = 0; i < 3; ++i) {
+    NamedQuantity quantity{names[i], values[i], std::numeric_limits<double>::quiet_NaN(), "rad", false};
+    quantity.observed = sigma[i] < degrees_to_radians(evidence.judged_by.max_rotation_sigma_deg);
+    if (quantity.observed) quantity.sigma = sigma[i];
+    answer.quantities.push_back(quantity);
+  }
+}
+
+// Scales and clocks of the sessions, each with its sigma.
+void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
+  CalibrationResult& result = answer.result;
+  const TrajectoryProblem& problem = evidence.problem;
+  double offsets = 0.0, variances = 0.0;
+  for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
+    const auto variance = [&](int at) {
+      std::vector<ChainVector> sides;
+      for (const TrajectorySession& session : problem.sessions) sides.emplace_back(session.epochs.size());
+      sides[s].border[at] = 1.0;
+      return evidence.equations.solve(std::move(sides), SharedVector::Zero())[s].border[at];
+    };
+    if (evidence.options.odometry_scale_percent > 0.0)
+      answer.quantities.push_back({"odometry scale" + (s > 0 ? " " + std::to_string(s + 1) : std::string()),
+                                   1.0 + evidence.solution.state.scale[s], std::sqrt(variance(kScaleAt)), "", true});
+    if (!problem.estimate_clock) continue;
+    result.session_time_offset_s.push_back(evidence.solution.state.clock_s[s]);
+    offsets += evidence.solution.state.clock_s[s];
+    variances += variance(kClockAt);
+  }
+  if (!problem.estimate_clock || problem.sessions.empty()) return;
+  const double count = static_cast<double>(problem.sessions.size());
+  result.time_offset = {offsets / count, std::sqrt(variances) / count, true};
+}
+
+void set_status(bool with_ins, TrajectoryAnswer& answer) {
+  CalibrationResult& result = answer.result;
+  std::string missing;
+  int observed = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    observed += result.observed[i] ? 1 : 0;
+    if (!result.observed[i] && (with_ins || i < 3))
+      missing += (missing.empty() ? "" : ", ") + std::string(kParameterNames[i]);
+  }
+  result.status = observed == 6 ? Status::Ok : Status::Degenerate;
+  if (observed == 0)
+    result.message = "Nothing is observed: the motion of this drive does not determine any component of X.";
+  else if (with_ins)
+    result.message = missing.empty() ? "Solved; all six parameters are observed."
+                                     : "Solved, but not everything is observed: " + missing + ".";
+  else
+    result.message = "Solved for the lever arm of the antenna" +
+                     (missing.empty() ? std::string() : ", of which is not observed: " + missing) +
+                     "; positions alone do not show the LiDAR's attitude.";
+}
+
+void set_residuals(const Evidence& evidence, CalibrationResult& result) {
+  double squares[2] = {0.0, 0.0}, weights[2] = {0.0, 0.0};
+  for (std::size_t s = 0; s < evidence.weighted.terms.size(); ++s)
+    for (std::size_t k = 0; k < evidence.weighted.terms[s].size(); ++k) {
+      const TrajectoryTerm& term = evidence.weighted.terms[s][k];
+      const TrajectoryEpoch& epoch = evidence.problem.sessions[s].epochs[term.epoch];
+      const double weight = evidence.weighted.weights[s][k];
+      double sigma = 0.0;
+      if (term.kind == TermKind::InsPosition) sigma = epoch.ins->position_sigma_m;
+      if (term.kind == TermKind::InsAttitude) sigma = epoch.ins->attitude_sigma_rad;
+      if (term.kind == TermKind::Antenna) sigma = std::sqrt(epoch.antenna->covariance_enu_m2.trace() / 3.0);
+      if (sigma == 0.0) continue;
+      const int kind = term.kind == TermKind::InsAttitude ? 1 : 0;
+      squares[kind] += weight * sigma * sigma * term.residual.squaredNorm();
+      weights[kind] += weight;
+    }
+  if (weights[0] > 0.0) result.translation_rms_m = std::sqrt(squares[0] / weights[0]);
+  if (weights[1] > 0.0) result.rotation_rms_rad = std::sqrt(squares[1] / weights[1]);
+}
+
+}  // namespace
+
+TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                     const SolveOptions& judged_by, const TrajectorySolution& solution,
+                                     const TrajectoryPrior& prior, bool thorough) {
+  TrajectoryAnswer answer;
+  WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise);
+  TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
+  if (!equations.solvable()) {
+    answer.result.status = Status::NotConverged;
+    answer.result.message = "The trajectory could not be aligned: its equations have no solution.";
+    return answer;
+  }
+  SharedMatrix information = equations.information();
+  SharedMatrix spurious =
+      spurious_trajectory_information(problem, options, solution, weighted, equations, prior.information);
+  const Evidence evidence{problem,     options, judged_by, solution, prior, std::move(weighted), std::move(equations),
+                          information, spurious};
+  const bool with_ins = has_ins(problem), with_antenna = has_antenna(problem);
+  if (with_ins) describe_x(evidence, thorough, answer);
+  if (with_antenna) {
+    const JudgedAntenna judged = judge_antenna(evidence, thorough);
+    add_lever_arm(evidence, judged, answer);
+    if (!with_ins) describe_antenna(evidence, judged, answer);
+    const Matrix6d hold = held(judged.directions, judged_by);
+    answer.hold.bottomRightCorner<3, 3>() = hold.topLeftCorner<3, 3>();
+  }
+  set_status(with_ins, answer);
+  if (!with_ins) add_odometry_heading(evidence, answer);
+  add_own_unknowns(evidence, answer);
+  set_residuals(evidence, answer.result);
+  return answer;
+}
+
+TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                      const RigidTransform& start_ins_from_lidar) {
+  TrajectoryPrior prior;
+  // A start knows nothing of a translation that the drive does not show; LiDAR and INS are on one vehicle.
+  prior.ins_from_lidar =
+      problem.nominal_ins_from_lidar.value_or(make_rigid(start_ins_from_lidar.linear(), Eigen::Vector3d::Zero()));
+  prior.information.topLeftCorner<6, 6>() = weak_prior(problem.nominal_ins_from_lidar.has_value());
+  prior.information.bottomRightCorner<3, 3>() =
+      Eigen::Matrix3d::Identity() / (options.antenna_reach_m * options.antenna_reach_m);
+  return prior;
+}
+
+}  // namespace remount

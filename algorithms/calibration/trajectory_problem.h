@@ -1,0 +1,76 @@
+// Trajectory alignment: what is given and what is sought.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "algorithms/calibration/trajectory_options.h"
+#include "algorithms/geometry/rigid_transform.h"
+
+namespace remount {
+
+/// A pose of the INS. Attitude errors are about the axes of the INS.
+struct InsObservation {
+  RigidTransform enu_from_ins = RigidTransform::Identity();
+  Vector6d body_velocity = Vector6d::Zero();  ///< INS axes, [m/s; rad/s]: what an offset of the clocks does
+  double position_sigma_m = 0.01;             ///< each axis, independent from sample to sample
+  double attitude_sigma_rad = 5e-4;           ///< likewise
+};
+
+/// A position of the GNSS antenna.
+struct AntennaObservation {
+  Eigen::Vector3d position_enu_m = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d covariance_enu_m2 = Eigen::Matrix3d::Identity();
+};
+
+/// One pose of the LiDAR, and what was observed at its time.
+struct TrajectoryEpoch {
+  double time_s = 0.0;  ///< since the start of its session; ascending
+  RigidTransform odometry_from_lidar = RigidTransform::Identity();
+  Vector6d lidar_velocity = Vector6d::Zero();  ///< LiDAR axes, [m/s; rad/s]
+  /// Covariance of the motion since the epoch before, in the axes of the LiDAR at this epoch.
+  Eigen::Matrix3d step_translation_m2 = 1e-4 * Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d step_rotation_rad2 = 1e-6 * Eigen::Matrix3d::Identity();
+  std::optional<InsObservation> ins;
+  std::optional<AntennaObservation> antenna;
+};
+
+/// One drive: an odometry frame and a local level frame (ENU) of its own.
+struct TrajectorySession {
+  std::vector<TrajectoryEpoch> epochs;
+  /// Covariance of what this drive does to X under `perturbed` that no residual shows: constant attitude errors of the
+  /// INS, surroundings that shift every scan alike.
+  Matrix6d unseen = Matrix6d::Zero();
+  /// Of INS attitudes whose log states no errors: turns this small follow braking and steering and show no lever arm.
+  double doubtful_attitude_rad = 0.0;
+};
+
+struct TrajectoryProblem {
+  std::vector<TrajectorySession> sessions;
+  std::optional<RigidTransform> nominal_ins_from_lidar;
+  bool estimate_clock = false;  ///< t_ins = t_lidar + offset, one for each session
+};
+
+/// Everything that is sought. `clock_s` also holds for GNSS fixes.
+struct TrajectoryState {
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  Eigen::Vector3d antenna_in_lidar = Eigen::Vector3d::Zero();
+  std::vector<std::vector<RigidTransform>> enu_from_lidar;  ///< of each session's epochs
+  std::vector<double> scale;    ///< of each session: the odometry's distances are 1 + scale times too long
+  std::vector<double> clock_s;  ///< of each session
+};
+
+inline bool has_ins(const TrajectoryProblem& problem) {
+  for (const TrajectorySession& session : problem.sessions)
+    for (const TrajectoryEpoch& epoch : session.epochs)
+      if (epoch.ins) return true;
+  return false;
+}
+inline bool has_antenna(const TrajectoryProblem& problem) {
+  for (const TrajectorySession& session : problem.sessions)
+    for (const TrajectoryEpoch& epoch : session.epochs)
+      if (epoch.antenna) return true;
+  return false;
+}
+
+}  // namespace remount

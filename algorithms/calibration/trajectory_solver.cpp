@@ -1,0 +1,255 @@
+#include "algorithms/calibration/trajectory_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remount {
+namespace {
+
+// The cost of a squared residual u: u itself within the threshold, beyond it bounded by twice the threshold. Its
+// derivative is the weight, which good measurements have whole.
+struct Kernel {
+  double limit2;
+  double weight(double u) const { return u <= limit2 ? 1.0 : (limit2 / u) * (limit2 / u); }
+  double cost(double u) const { return u <= limit2 ? u : 2.0 * limit2 - limit2 * limit2 / u; }
+};
+
+// A chain must hold together where a step is an outlier too.
+constexpr double kLeastStepWeight = 1e-6;
+
+double squared(const TrajectoryTerm& term, const TrajectoryNoise& noise) {
+  const double factor = noise.of(term.kind);
+  return term.residual.squaredNorm() / (factor * factor);
+}
+
+double total_cost(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryState& state,
+                  const TrajectoryNoise& noise, const TrajectoryPrior& prior, const Eigen::Vector2d& own_prior,
+                  double widened) {
+  const Kernel kernel{options.outlier_threshold * options.outlier_threshold * widened};
+  const SharedVector away = prior.distance(state);
+  double cost = away.dot(prior.information * away);
+  for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
+    for (const TrajectoryTerm& term : trajectory_terms(problem.sessions[s], s, state))
+      cost += kernel.cost(squared(term, noise));
+    cost += own_prior[0] * state.scale[s] * state.scale[s] + own_prior[1] * state.clock_s[s] * state.clock_s[s];
+  }
+  return cost;
+}
+
+TrajectoryState moved(const TrajectoryState& state, const std::vector<ChainVector>& steps, double share) {
+  TrajectoryState out = state;
+  if (steps.empty()) return out;
+  const BorderVector shared = share * steps.front().border;
+  out.ins_from_lidar = perturbed(state.ins_from_lidar, shared.head<6>());
+  out.antenna_in_lidar += shared.segment<3>(kAntennaAt);
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    out.scale[s] += share * steps[s].border[kScaleAt];
+    out.clock_s[s] += share * steps[s].border[kClockAt];
+    for (std::size_t i = 0; i < steps[s].poses.size(); ++i)
+      out.enu_from_lidar[s][i] = moved_in_lidar(state.enu_from_lidar[s][i], share * steps[s].poses[i]);
+  }
+  return out;
+}
+
+struct StepSize {
+  double shared = 0.0, poses = 0.0;
+};
+StepSize size_of(const std::vector<ChainVector>& steps) {
+  StepSize size;
+  for (const ChainVector& one : steps) {
+    size.shared = std::max(size.shared, one.border.cwiseAbs().maxCoeff());
+    for (const Vector6d& pose : one.poses) size.poses = std::max(size.poses, pose.cwiseAbs().maxCoeff());
+  }
+  return size;
+}
+
+std::vector<ChainVector> gauss_newton_step(const TrajectoryProblem& problem, const WeightedTerms& weighted,
+                                           const TrajectoryNoise& noise, const TrajectoryPrior& prior,
+                                           const TrajectoryEquations& equations, const TrajectoryState& state) {
+  std::vector<ChainVector> sides;
+  for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
+    sides.emplace_back(problem.sessions[s].epochs.size());
+    for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
+      const TrajectoryTerm& term = weighted.terms[s][k];
+      const double factor = noise.of(term.kind);
+      TrajectoryChain::add_transposed(term, -weighted.weights[s][k] / (factor * factor) * term.residual, sides[s]);
+    }
+    sides[s].border[kScaleAt] -= equations.own_prior()[0] * state.scale[s];
+    sides[s].border[kClockAt] -= equations.own_prior()[1] * state.clock_s[s];
+  }
+  return equations.solve(std::move(sides), -prior.information * prior.distance(state));
+}
+
+// One step with as much of it as lowers the cost. Nothing where the equations cannot be solved.
+std::optional<StepSize> improve(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                const TrajectoryPrior& prior, double widened, TrajectorySolution& solution) {
+  const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise, widened);
+  const TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
+  if (!equations.solvable()) return std::nullopt;
+  const std::vector<ChainVector> steps =
+      gauss_newton_step(problem, weighted, solution.noise, prior, equations, solution.state);
+  const auto cost = [&](const TrajectoryState& state) {
+    return total_cost(problem, options, state, solution.noise, prior, equations.own_prior(), widened);
+  };
+  const double before = cost(solution.state);
+  StepSize size = size_of(steps);
+  if (!std::isfinite(size.shared + size.poses)) return std::nullopt;
+  double share = 1.0;
+  for (int halved = 0; halved < 6; ++halved, share *= 0.5) {
+    const TrajectoryState next = moved(solution.state, steps, share);
+    if (cost(next) > before * (1.0 + 1e-9)) continue;
+    solution.state = next;
+    return StepSize{share * size.shared, share * size.poses};
+  }
+  return StepSize{};  // no part of the step is downhill: as low as rounding allows
+}
+
+// Medians of squared residuals of three components, over what they are where errors are as stated.
+TrajectoryNoise at_least_as_stated(const TrajectoryProblem& problem, const TrajectoryState& state) {
+  constexpr double kMedian = 2.366, kMost = 30.0;
+  std::array<std::vector<double>, kTermKinds> squares;
+  for (std::size_t s = 0; s < problem.sessions.size(); ++s)
+    for (const TrajectoryTerm& term : trajectory_terms(problem.sessions[s], s, state))
+      squares[static_cast<std::size_t>(term.kind)].push_back(term.residual.squaredNorm());
+  TrajectoryNoise noise;
+  for (std::size_t kind = 0; kind < kTermKinds; ++kind) {
+    auto& values = squares[kind];
+    if (values.empty()) continue;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    noise.factor[kind] = std::clamp(std::sqrt(*middle / kMedian), 1.0, kMost);
+  }
+  return noise;
+}
+
+// Variance components (Foerstner 1979): squared residuals of each kind over their redundancy, which samples of errors
+// tell without any inverse. What is stated counts like a few measurements.
+double update_noise(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
+                    TrajectorySolution& solution) {
+  constexpr double kBelieved = 12.0, kLeast = 0.05, kMost = 100.0;
+  constexpr int kSamples = 2;
+  const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise);
+  const TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
+  if (!equations.solvable()) return 0.0;
+  std::array<double, kTermKinds> squares{}, redundancy{};
+  for (int sample = 0; sample < kSamples; ++sample) {
+    const ErrorSample errors =
+        sample_errors(weighted, solution.noise, equations, problem, static_cast<std::uint64_t>(sample));
+    for (std::size_t s = 0; s < weighted.terms.size(); ++s)
+      for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
+        const TrajectoryTerm& term = weighted.terms[s][k];
+        if (weighted.weights[s][k] < 0.5) continue;
+        const auto kind = static_cast<std::size_t>(term.kind);
+        const double root = std::sqrt(weighted.weights[s][k]) / solution.noise.of(term.kind);
+        redundancy[kind] +=
+            (errors.errors[s][k] - root * TrajectoryChain::applied(term, errors.steps[s])).squaredNorm() / kSamples;
+        if (sample == 0) squares[kind] += weighted.weights[s][k] * term.residual.squaredNorm();
+      }
+  }
+  double change = 0.0;
+  for (std::size_t kind = 0; kind < kTermKinds; ++kind) {
+    const double before = solution.noise.factor[kind];
+    const double variance = (squares[kind] + kBelieved) / (redundancy[kind] + kBelieved);
+    solution.noise.factor[kind] = std::clamp(std::sqrt(variance), kLeast, kMost);
+    change = std::max(change, std::abs(std::log(solution.noise.factor[kind] / before)));
+  }
+  return change;
+}
+
+// How wide the kernel must be for most residuals of the start to count.
+double starting_width(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                      const TrajectorySolution& start) {
+  constexpr double kMost = 1e8, kShare = 0.9;
+  std::vector<double> squares;
+  for (std::size_t s = 0; s < problem.sessions.size(); ++s)
+    for (const TrajectoryTerm& term : trajectory_terms(problem.sessions[s], s, start.state))
+      squares.push_back(squared(term, start.noise));
+  if (squares.empty()) return 1.0;
+  const auto at = squares.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(squares.size() - 1));
+  std::nth_element(squares.begin(), at, squares.end());
+  return std::clamp(*at / (options.outlier_threshold * options.outlier_threshold), 1.0, kMost);
+}
+
+bool converge(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
+              double widened, int most, const Progress& progress, TrajectorySolution& solution) {
+  constexpr double kShared = 1e-7, kPoses = 1e-5;
+  for (int i = 0; i < most && !progress.cancelled(); ++i) {
+    const std::optional<StepSize> size = improve(problem, options, prior, widened, solution);
+    ++solution.iterations;
+    if (!size) return false;
+    if (size->shared < kShared && size->poses < kPoses) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+WeightedTerms weighted_terms(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                             const TrajectoryState& state, const TrajectoryNoise& noise, double widened) {
+  const Kernel kernel{options.outlier_threshold * options.outlier_threshold * widened};
+  WeightedTerms out;
+  for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
+    out.terms.push_back(trajectory_terms(problem.sessions[s], s, state));
+    std::vector<double>& weights = out.weights.emplace_back();
+    for (const TrajectoryTerm& term : out.terms.back()) {
+      const double weight = kernel.weight(squared(term, noise));
+      weights.push_back(term.is_step() ? std::max(kLeastStepWeight, weight) : weight);
+    }
+  }
+  return out;
+}
+
+ErrorSample sample_errors(const WeightedTerms& weighted, const TrajectoryNoise& noise,
+                          const TrajectoryEquations& equations, const TrajectoryProblem& problem, std::uint64_t seed) {
+  // SplitMix64 (Steele, Lea, Flood 2014): the same on every platform.
+  std::uint64_t stream = (seed + 1) * 0x9e3779b97f4a7c15ULL;
+  const auto sign = [&stream] {
+    std::uint64_t z = (stream += 0x9e3779b97f4a7c15ULL);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return ((z ^ (z >> 31)) & 1U) != 0 ? 1.0 : -1.0;
+  };
+  ErrorSample out;
+  std::vector<ChainVector> sides;
+  for (std::size_t s = 0; s < weighted.terms.size(); ++s) {
+    sides.emplace_back(problem.sessions[s].epochs.size());
+    out.errors.emplace_back();
+    for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
+      const double x = sign(), y = sign(), z = sign();
+      out.errors[s].emplace_back(x, y, z);
+      const double root = std::sqrt(weighted.weights[s][k]) / noise.of(weighted.terms[s][k].kind);
+      TrajectoryChain::add_transposed(weighted.terms[s][k], root * out.errors[s][k], sides[s]);
+    }
+  }
+  out.steps = equations.solve(std::move(sides), SharedVector::Zero());
+  return out;
+}
+
+TrajectorySolution solve_trajectory(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                    const TrajectorySolution& start, const TrajectoryPrior& prior,
+                                    const TrajectoryApproach& approach, const Progress& progress) {
+  TrajectorySolution solution = start;
+  solution.converged = false;
+  solution.iterations = 0;
+  const int most = approach.most_iterations;
+  if (approach.graduated) {
+    constexpr int kEach = 2;
+    solution.noise = TrajectoryNoise{};
+    for (double width = starting_width(problem, options, solution); width > 1.0 && !progress.cancelled();
+         width *= 0.25) {
+      converge(problem, options, prior, width, kEach, progress, solution);
+      solution.noise = at_least_as_stated(problem, solution.state);
+    }
+  }
+  solution.converged = converge(problem, options, prior, 1.0, most, progress, solution);
+  constexpr int kRounds = 12;
+  constexpr double kSettled = 0.02;
+  for (int round = 0; approach.estimate_noise && round < kRounds && !progress.cancelled(); ++round) {
+    const double change = update_noise(problem, options, prior, solution);
+    solution.converged = converge(problem, options, prior, 1.0, most, progress, solution);
+    if (change < kSettled) break;
+  }
+  return solution;
+}
+
+}  // namespace remount

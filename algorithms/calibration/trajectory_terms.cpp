@@ -1,0 +1,131 @@
+#include "algorithms/calibration/trajectory_terms.h"
+
+#include <Eigen/Cholesky>
+
+namespace remount {
+namespace {
+
+// Turns residuals with this covariance into residuals of unit variance.
+Eigen::Matrix3d whitening(const Eigen::Matrix3d& covariance) {
+  const Eigen::LLT<Eigen::Matrix3d> root(covariance);
+  return root.matrixL().solve(Eigen::Matrix3d::Identity());
+}
+
+void whiten(const Eigen::Matrix3d& by, TrajectoryTerm& term) {
+  term.residual = by * term.residual;
+  term.by_pose = by * term.by_pose;
+  term.by_before = by * term.by_before;
+  term.by_border = by * term.by_border;
+}
+
+// Log(R Exp(d)) = Log(R) + J d to first order.
+Eigen::Matrix3d right_jacobian_inverse(const Eigen::Vector3d& phi_rad) { return so3_left_jacobian_inverse(-phi_rad); }
+
+struct Place {
+  const RigidTransform& enu_from_lidar;
+  const RigidTransform& x;
+  double clock_s;
+};
+
+TrajectoryTerm ins_position(const InsObservation& ins, const Place& at) {
+  const Eigen::Matrix3d enu_from_ins = at.enu_from_lidar.linear() * at.x.linear().transpose();
+  const Eigen::Vector3d velocity = ins.body_velocity.head<3>();
+  TrajectoryTerm term;
+  term.kind = TermKind::InsPosition;
+  term.residual = at.enu_from_lidar.translation() - enu_from_ins * (at.x.translation() + velocity * at.clock_s) -
+                  ins.enu_from_ins.translation();
+  // A turn of the pose by R_X omega - phi takes the lever arm along.
+  const Eigen::Matrix3d by_turn = enu_from_ins * skew(at.x.translation() + velocity * at.clock_s);
+  term.by_pose.leftCols<3>() = at.enu_from_lidar.linear();
+  term.by_pose.rightCols<3>() = by_turn * at.x.linear();
+  term.by_border.block<3, 3>(0, 0) = -enu_from_ins;
+  term.by_border.block<3, 3>(0, 3) = -by_turn;
+  term.by_border.col(kClockAt) = -enu_from_ins * velocity;
+  whiten(Eigen::Matrix3d::Identity() / ins.position_sigma_m, term);
+  return term;
+}
+
+TrajectoryTerm ins_attitude(const InsObservation& ins, const Place& at) {
+  const Eigen::Vector3d rate = ins.body_velocity.tail<3>();
+  const Eigen::Matrix3d delay = so3_exp(-rate * at.clock_s);
+  TrajectoryTerm term;
+  term.kind = TermKind::InsAttitude;
+  term.residual =
+      so3_log(ins.enu_from_ins.linear().transpose() * at.enu_from_lidar.linear() * at.x.linear().transpose() * delay);
+  const Eigen::Matrix3d by_turn = right_jacobian_inverse(term.residual) * delay.transpose();
+  term.by_pose.rightCols<3>() = by_turn * at.x.linear();
+  term.by_border.block<3, 3>(0, 3) = -by_turn;
+  term.by_border.col(kClockAt) = -right_jacobian_inverse(term.residual) * rate;
+  whiten(Eigen::Matrix3d::Identity() / ins.attitude_sigma_rad, term);
+  return term;
+}
+
+TrajectoryTerm antenna_position(const TrajectoryEpoch& epoch, const TrajectoryState& state, const Place& at) {
+  const Eigen::Matrix3d& rotation = at.enu_from_lidar.linear();
+  const Eigen::Vector3d velocity =
+      epoch.lidar_velocity.head<3>() + epoch.lidar_velocity.tail<3>().cross(state.antenna_in_lidar);
+  const Eigen::Vector3d seen = state.antenna_in_lidar - velocity * at.clock_s;
+  TrajectoryTerm term;
+  term.kind = TermKind::Antenna;
+  term.residual = at.enu_from_lidar * seen - epoch.antenna->position_enu_m;
+  term.by_pose.leftCols<3>() = rotation;
+  term.by_pose.rightCols<3>() = -rotation * skew(seen);
+  term.by_border.block<3, 3>(0, kAntennaAt) =
+      rotation * (Eigen::Matrix3d::Identity() - at.clock_s * skew(epoch.lidar_velocity.tail<3>()));
+  term.by_border.col(kClockAt) = -rotation * velocity;
+  whiten(whitening(epoch.antenna->covariance_enu_m2), term);
+  return term;
+}
+
+void add_step(const TrajectorySession& session, std::size_t i, const std::vector<RigidTransform>& poses, double scale,
+              std::vector<TrajectoryTerm>& out) {
+  const TrajectoryEpoch& epoch = session.epochs[i];
+  const RigidTransform odometry = session.epochs[i - 1].odometry_from_lidar.inverse() * epoch.odometry_from_lidar;
+  const RigidTransform step = poses[i - 1].inverse() * poses[i];
+  const Eigen::Matrix3d back = odometry.linear().transpose();
+
+  TrajectoryTerm translation;
+  translation.kind = TermKind::StepTranslation;
+  translation.epoch = i;
+  translation.residual = back * ((1.0 + scale) * step.translation() - odometry.translation());
+  translation.by_pose.leftCols<3>() = (1.0 + scale) * back * step.linear();
+  translation.by_before.leftCols<3>() = -(1.0 + scale) * back;
+  translation.by_before.rightCols<3>() = (1.0 + scale) * back * skew(step.translation());
+  translation.by_border.col(kScaleAt) = back * step.translation();
+  whiten(whitening(epoch.step_translation_m2), translation);
+  out.push_back(translation);
+
+  TrajectoryTerm rotation;
+  rotation.kind = TermKind::StepRotation;
+  rotation.epoch = i;
+  rotation.residual = so3_log(back * step.linear());
+  const Eigen::Matrix3d by_turn = right_jacobian_inverse(rotation.residual);
+  rotation.by_pose.rightCols<3>() = by_turn;
+  rotation.by_before.rightCols<3>() = -by_turn * step.linear().transpose();
+  whiten(whitening(epoch.step_rotation_rad2), rotation);
+  out.push_back(rotation);
+}
+
+}  // namespace
+
+std::vector<TrajectoryTerm> trajectory_terms(const TrajectorySession& session, std::size_t index,
+                                             const TrajectoryState& state) {
+  const std::vector<RigidTransform>& poses = state.enu_from_lidar[index];
+  std::vector<TrajectoryTerm> terms;
+  terms.reserve(4 * session.epochs.size());
+  for (std::size_t i = 0; i < session.epochs.size(); ++i) {
+    const TrajectoryEpoch& epoch = session.epochs[i];
+    if (i > 0) add_step(session, i, poses, state.scale[index], terms);
+    const Place at{poses[i], state.ins_from_lidar, state.clock_s[index]};
+    const std::size_t first = terms.size();
+    if (epoch.ins) {
+      terms.push_back(ins_position(*epoch.ins, at));
+      terms.push_back(ins_attitude(*epoch.ins, at));
+    }
+    if (epoch.antenna) terms.push_back(antenna_position(epoch, state, at));
+    for (std::size_t k = first; k < terms.size(); ++k) terms[k].epoch = i;
+  }
+  return terms;
+}
+
+}  // namespace remount

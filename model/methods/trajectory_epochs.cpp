@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/calibration/noise_prior.h"
+#include "algorithms/calibration/uncertainty.h"
+#include "algorithms/geometry/local_level.h"
+#include "algorithms/trajectory/motion_track.h"
+#include "model/methods/trajectory_feed.h"
+
+namespace remount {
+namespace {
+
+// INS and GNSS of one session in one metric frame.
+struct Positions {
+  MotionTrack enu_from_ins;
+  std::vector<AntennaObservation> fixes;
+  std::vector<std::int64_t> fix_stamps_ns;
+};
+
+Positions positions_of(const Session& session) {
+  Positions out;
+  std::optional<LocalLevel> level;
+  if (!session.ins.empty())
+    level.emplace(session.ins.front().latitude_rad, session.ins.front().longitude_rad, session.ins.front().height_m);
+  else if (!session.gnss.empty())
+    level.emplace(session.gnss.front().latitude_rad, session.gnss.front().longitude_rad, session.gnss.front().height_m);
+  std::vector<StampedPose> poses = session.world_from_ins;
+  for (const InsSample& sample : session.ins)
+    if (sample.quality != InsQuality::Invalid) poses.push_back({sample.stamp_ns, level->enu_from_ins(sample)});
+  out.enu_from_ins = MotionTrack(poses);
+  // Poses in somebody's world have no place on the globe that fixes could be brought to.
+  if (!session.world_from_ins.empty()) return out;
+  for (const GnssFix& fix : session.gnss) {
+    // No fix is exact, whatever its receiver states.
+    constexpr double kLeast_m2 = 1e-6;
+    out.fixes.push_back(
+        {level->position_enu_m(fix), level->covariance_enu_m2(fix) + kLeast_m2 * Eigen::Matrix3d::Identity()});
+    out.fix_stamps_ns.push_back(fix.stamp_ns);
+  }
+  return out;
+}
+
+// Stamps of the epochs: LiDAR poses thinned where there is an INS, and all fixes. Those of fixes carry their index.
+struct EpochStamp {
+  std::int64_t stamp_ns = 0;
+  std::optional<std::size_t> fix;
+};
+
+std::vector<EpochStamp> epoch_stamps(const std::vector<OdometryPose>& poses, const Positions& positions,
+                                     double interval_s, double clock_s, std::int64_t until_ns) {
+  std::vector<EpochStamp> stamps;
+  const auto shift_ns = static_cast<std::int64_t>(std::llround(clock_s * 1e9));
+  const auto interval_ns = static_cast<std::int64_t>(std::llround(interval_s * 1e9)) - 1'000'000;
+  if (!positions.enu_from_ins.empty())
+    for (const OdometryPose& pose : poses)
+      if (pose.stamp_ns <= until_ns && (stamps.empty() || pose.stamp_ns - stamps.back().stamp_ns >= interval_ns))
+        stamps.push_back({pose.stamp_ns, std::nullopt});
+  for (std::size_t k = 0; k < positions.fixes.size(); ++k) {
+    const std::int64_t stamp_ns = positions.fix_stamps_ns[k] - shift_ns;
+    if (!poses.empty() && stamp_ns >= poses.front().stamp_ns && stamp_ns <= poses.back().stamp_ns &&
+        stamp_ns <= until_ns)
+      stamps.push_back({stamp_ns, k});
+  }
+  // A fix at the very stamp of a pose comes first, and stands for both.
+  std::stable_sort(stamps.begin(), stamps.end(), [](const EpochStamp& a, const EpochStamp& b) {
+    return std::pair(a.stamp_ns, !a.fix) < std::pair(b.stamp_ns, !b.fix);
+  });
+  constexpr std::int64_t kSame_ns = 1'000'000;
+  std::vector<EpochStamp> apart;
+  for (const EpochStamp& stamp : stamps)
+    if (apart.empty() || stamp.stamp_ns - apart.back().stamp_ns >= kSame_ns)
+      apart.push_back(stamp);
+    else if (stamp.fix && !apart.back().fix)
+      apart.back() = stamp;
+  return apart;
+}
+
+struct InsNoise {
+  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad;
+  bool declared;
+};
+
+// As in pairwise calibration: what a log declares, else what the options assume. Data that declare their white noise
+// and no drift have none.
+InsNoise ins_noise(const Session& session, const MotionTrack& track, const SolveOptions& assumed) {
+  const bool declared =
+      std::isfinite(session.ins_position_white_sigma_m) && std::isfinite(session.ins_attitude_white_sigma_rad);
+  constexpr double kLeast_m = 1e-4, kLeast_rad = 1e-6;
+  InsNoise out{};
+  out.declared = std::isfinite(session.ins_attitude_white_sigma_rad);
+  out.position_m = std::max(kLeast_m, track.position_noise_factor() *
+                                          known_or(session.ins_position_white_sigma_m, assumed.ins_position_sigma_m));
+  out.attitude_rad = std::max(
+      kLeast_rad, track.attitude_noise_factor() * known_or(session.ins_attitude_white_sigma_rad,
+                                                           degrees_to_radians(assumed.ins_attitude_sigma_deg)));
+  out.position_drift = known_or(session.ins_position_drift, declared ? 0.0 : assumed.ins_position_drift_m);
+  out.attitude_drift =
+      known_or(session.ins_attitude_drift, declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
+  out.bias_rad = known_or(session.ins_attitude_bias_sigma_rad, degrees_to_radians(assumed.ins_attitude_bias_sigma_deg));
+  return out;
+}
+
+const OdometryPose& nearest_pose(const std::vector<OdometryPose>& poses, std::int64_t stamp_ns) {
+  const auto after =
+      std::lower_bound(poses.begin(), poses.end(), stamp_ns,
+                       [](const OdometryPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
+  if (after == poses.end()) return poses.back();
+  if (after == poses.begin()) return poses.front();
+  return stamp_ns - (after - 1)->stamp_ns < after->stamp_ns - stamp_ns ? *(after - 1) : *after;
+}
+
+// Of the motion between two epochs: the errors of both poses, what grows with the distance, and the walk of the INS,
+// which no step can tell from that of the odometry.
+void set_step(const Matrix6d& before, const Matrix6d& here, double distance_m, double time_s, const InsNoise& ins,
+              const TrajectoryOptions& options, TrajectoryEpoch& epoch) {
+  const double drift = 0.01 * options.odometry_drift_percent * distance_m;
+  const double turn = degrees_to_radians(options.odometry_drift_deg) * distance_m;
+  epoch.step_translation_m2 = (before + here).topLeftCorner<3, 3>();
+  epoch.step_translation_m2.diagonal().array() += drift * drift + ins.position_drift * ins.position_drift * time_s;
+  epoch.step_rotation_rad2 = (before + here).bottomRightCorner<3, 3>();
+  epoch.step_rotation_rad2.diagonal().array() += turn * turn + ins.attitude_drift * ins.attitude_drift * time_s;
+}
+
+}  // namespace
+
+TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
+                                     double clock_s, std::int64_t until_ns) {
+  TrajectorySession out;
+  const Positions positions = positions_of(session);
+  const InsNoise noise = ins_noise(session, positions.enu_from_ins, settings.solve);
+  constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
+  out.doubtful_attitude_rad = noise.declared ? 0.0 : kUndeclaredAttitude_rad;
+  out.unseen = registration_limits();
+  out.unseen.diagonal().tail<3>().array() += noise.bias_rad * noise.bias_rad;
+  if (odometry.poses.empty()) return out;
+  std::vector<StampedPose> poses;
+  for (const OdometryPose& pose : odometry.poses) poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
+  const MotionTrack track(poses);
+  const auto shift_ns = static_cast<std::int64_t>(std::llround(clock_s * 1e9));
+  for (const EpochStamp& stamp :
+       epoch_stamps(odometry.poses, positions, settings.trajectory.state_interval_s, clock_s, until_ns)) {
+    const std::optional<RigidTransform> lidar = track.at(stamp.stamp_ns);
+    if (!lidar) continue;
+    TrajectoryEpoch epoch;
+    epoch.time_s = static_cast<double>(stamp.stamp_ns - odometry.poses.front().stamp_ns) * 1e-9;
+    epoch.odometry_from_lidar = *lidar;
+    epoch.lidar_velocity = track.body_velocity(stamp.stamp_ns).value_or(Vector6d::Zero());
+    if (stamp.fix) epoch.antenna = positions.fixes[*stamp.fix];
+    const std::optional<Passage> passage = positions.enu_from_ins.around(stamp.stamp_ns + shift_ns);
+    if (passage)
+      epoch.ins = InsObservation{
+          passage->pose(), positions.enu_from_ins.body_velocity(stamp.stamp_ns + shift_ns).value_or(Vector6d::Zero()),
+          noise.position_m, noise.attitude_rad};
+    if (!epoch.ins && !epoch.antenna) continue;
+    if (!out.epochs.empty()) {
+      const TrajectoryEpoch& before = out.epochs.back();
+      const auto before_ns =
+          odometry.poses.front().stamp_ns + static_cast<std::int64_t>(std::llround(before.time_s * 1e9));
+      const double distance_m =
+          (epoch.odometry_from_lidar.translation() - before.odometry_from_lidar.translation()).norm();
+      set_step(nearest_pose(odometry.poses, before_ns).covariance,
+               nearest_pose(odometry.poses, stamp.stamp_ns).covariance, distance_m, epoch.time_s - before.time_s, noise,
+               settings.trajectory, epoch);
+    }
+    out.epochs.push_back(std::move(epoch));
+  }
+  return out;
+}
+
+}  // namespace remount

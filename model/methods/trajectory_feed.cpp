@@ -1,0 +1,178 @@
+#include "model/methods/trajectory_feed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "algorithms/cloud/deskew.h"
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+
+namespace remount {
+namespace {
+
+constexpr std::int64_t kAll = std::numeric_limits<std::int64_t>::max();
+
+std::string named(const Session& session) { return session.path.empty() ? session.name : session.path.string(); }
+
+// Times of a scan's points where its motion is to be compensated; empty otherwise.
+std::vector<float> point_times(const Session& session, const PointCloud& cloud, DeskewMode mode) {
+  if (mode == DeskewMode::Off) return {};
+  if (session.scan_timing == ScanTiming::PerPoint && cloud.time_from_stamp_s.size() == cloud.size())
+    return cloud.time_from_stamp_s;
+  const bool sweep = session.scan_timing == ScanTiming::SweepAzimuth &&
+                     (session.sweep.certain || mode == DeskewMode::On) && !cloud.points.empty();
+  if (!sweep) return {};
+  return sweep_times(cloud, session.sweep.period_s, session.sweep.stamp_azimuth_rad, session.sweep.clockwise);
+}
+
+// Somebody's poses state no errors: those of the options.
+std::vector<OdometryPose> given_poses(const std::vector<StampedPose>& odometry_from_lidar, std::size_t count,
+                                      const TrajectoryOptions& options) {
+  const double translation = options.odometry_translation_sigma_m;
+  const double rotation = degrees_to_radians(options.odometry_rotation_sigma_deg);
+  std::vector<OdometryPose> poses;
+  for (std::size_t i = 0; i < count; ++i) {
+    OdometryPose pose;
+    pose.stamp_ns = odometry_from_lidar[i].stamp_ns;
+    pose.odometry_from_lidar = odometry_from_lidar[i].pose;
+    // A step has the errors of two poses.
+    pose.covariance.diagonal() << Eigen::Vector3d::Constant(0.5 * translation * translation),
+        Eigen::Vector3d::Constant(0.5 * rotation * rotation);
+    poses.push_back(pose);
+  }
+  return poses;
+}
+
+// How far every stream reaches: the INS a little less, for its poses are smoothed over what follows.
+std::int64_t reach_ns(const Session& session, const std::vector<OdometryPose>& poses) {
+  constexpr std::int64_t kSmoothed_ns = 300'000'000;
+  std::int64_t until = poses.empty() ? 0 : poses.back().stamp_ns;
+  if (session.ins.size() > 1) until = std::min(until, (session.ins.end() - 2)->stamp_ns - kSmoothed_ns);
+  if (session.world_from_ins.size() > 1)
+    until = std::min(until, (session.world_from_ins.end() - 2)->stamp_ns - kSmoothed_ns);
+  if (session.gnss.size() > 1) until = std::min(until, (session.gnss.end() - 2)->stamp_ns);
+  return until;
+}
+
+}  // namespace
+
+TrajectoryFeed::TrajectoryFeed(const Settings& settings, std::optional<RigidTransform> nominal_ins_from_lidar,
+                               int threads)
+    : settings_(settings),
+      nominal_(nominal_ins_from_lidar),
+      threads_(threads),
+      aligner_(settings.trajectory, settings.solve, nominal_ins_from_lidar, settings.solve.apply_time_offset) {}
+
+void TrajectoryFeed::begin(const Session& session) {
+  if (!(session.scans && session.scans->size() > 0) && session.odometry_from_lidar.empty())
+    throw Error(ErrorCode::Unsupported, named(session), "the session has neither scans nor LiDAR poses");
+  if (session.ins.empty() && session.world_from_ins.empty() && session.gnss.empty())
+    throw Error(ErrorCode::Unsupported, named(session),
+                "the session has neither an INS nor GNSS fixes to align the trajectory of the LiDAR with");
+  odometry_.emplace_back();
+  running_ = std::make_unique<LidarOdometry>(settings_.lidar_odometry, settings_.registration);
+  TrajectorySession empty = trajectory_session(session, {}, settings_, 0.0, kAll);
+  aligner_.add_session(std::move(empty));
+}
+
+void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after,
+                                  Progress& progress) {
+  SessionOdometry& odometry = odometry_.back();
+  const std::size_t at_once = 4 * static_cast<std::size_t>(worker_count(threads_));
+  while (odometry.scans_used < scans && !progress.cancelled()) {
+    const std::size_t first = odometry.scans_used, count = std::min(at_once, scans - first);
+    std::vector<PointCloud> clouds(count);
+    std::vector<std::string> failures(count);
+    parallel_for(count, threads_, [&](std::size_t i) {
+      try {
+        clouds[i] = session.scans->load(first + i);
+      } catch (const Error& error) {
+        failures[i] = error.what();
+      }
+    });
+    for (std::size_t i = 0; i < count && !progress.cancelled(); ++i) {
+      progress.report("LiDAR odometry", first + i, session.scans->size());
+      ++odometry.scans_used;
+      if (!failures[i].empty()) {
+        if (odometry.unreadable++ == 0) odometry.first_unreadable = failures[i];
+        continue;
+      }
+      const OdometryPose pose = running_->push(clouds[i], point_times(session, clouds[i], settings_.run.deskew),
+                                               session.scans->stamp_ns(first + i), progress);
+      if (!pose.aligned && odometry.unaligned++ == 0)
+        odometry.first_unaligned = session.scans->name(first + i) + ": " + pose.problem;
+      odometry.undetermined += pose.undetermined.empty() ? 0 : 1;
+      odometry.poses.push_back(pose);
+    }
+    after();
+  }
+}
+
+void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, double least_update_s, const Tell& tell,
+                                 Progress& progress) {
+  const TrajectorySession now = trajectory_session(session, odometry_.back(), settings_, 0.0, until_ns);
+  const std::size_t index = odometry_.size() - 1;
+  const std::vector<TrajectoryEpoch>& had = aligner_.problem().sessions[index].epochs;
+  for (const TrajectoryEpoch& epoch : now.epochs) {
+    if (progress.cancelled()) return;
+    if (!had.empty() && epoch.time_s <= had.back().time_s + 1e-4) continue;
+    aligner_.push(index, epoch);
+    if (!aligner_.due(std::max(least_update_s, settings_.trajectory.update_s))) continue;
+    const TrajectorySnapshot snapshot = aligner_.update(progress);
+    if (tell) tell(snapshot);
+  }
+}
+
+void TrajectoryFeed::offer(const Session& session, bool complete, double least_update_s, const Tell& tell,
+                           Progress& progress) {
+  SessionOdometry& odometry = odometry_.back();
+  const auto push = [&] {
+    push_epochs(session,
+                complete && odometry.scans_used == (session.scans ? session.scans->size() : 0)
+                    ? kAll
+                    : reach_ns(session, odometry.poses),
+                least_update_s, tell, progress);
+  };
+  const std::size_t held_back = complete ? 0 : 1;
+  if (session.scans) {
+    const std::size_t ready = session.scans->size() - std::min(held_back, session.scans->size());
+    run_odometry(session, ready, complete && !tell ? std::function<void()>([] {}) : push, progress);
+  } else {
+    const std::size_t given = session.odometry_from_lidar.size();
+    odometry.poses = given_poses(session.odometry_from_lidar, given - std::min(held_back, given), settings_.trajectory);
+  }
+  push();
+}
+
+TrajectoryOutcome TrajectoryFeed::finish(const std::vector<std::shared_ptr<const Session>>& sessions,
+                                         Progress& progress) {
+  constexpr int kMostRounds = 4;
+  constexpr double kSettled_s = 5e-4;
+  TrajectoryOutcome outcome;
+  std::vector<double> clocks_s(sessions.size(), 0.0);
+  for (int round = 0; round < kMostRounds; ++round) {
+    problem_ = {};
+    problem_.nominal_ins_from_lidar = nominal_;
+    problem_.estimate_clock = settings_.solve.apply_time_offset;
+    for (std::size_t s = 0; s < sessions.size(); ++s)
+      problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, clocks_s[s], kAll));
+    outcome = solve_alignment(problem_, settings_.trajectory, settings_.solve, progress);
+    std::vector<double>& found_s = outcome.answer.result.session_time_offset_s;
+    if (found_s.size() != clocks_s.size()) break;
+    // Offsets were linearised about those before: once more from INS poses at the times that were found.
+    double change_s = 0.0, sum_s = 0.0;
+    for (std::size_t s = 0; s < clocks_s.size(); ++s) {
+      change_s = std::max(change_s, std::abs(found_s[s]));
+      clocks_s[s] += found_s[s];
+      found_s[s] = clocks_s[s];
+      sum_s += clocks_s[s];
+    }
+    outcome.answer.result.time_offset.offset_s = sum_s / static_cast<double>(clocks_s.size());
+    if (change_s < kSettled_s) break;
+  }
+  outcome.converged_after_s = converged_after_s(history());
+  return outcome;
+}
+
+}  // namespace remount

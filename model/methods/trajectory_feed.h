@@ -1,0 +1,69 @@
+// From sessions, complete or still growing, to what trajectory alignment takes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "algorithms/calibration/trajectory_alignment.h"
+#include "algorithms/odometry/lidar_odometry.h"
+#include "model/session.h"
+#include "model/settings.h"
+
+namespace remount {
+
+/// What was found out about the LiDAR's motion in one session.
+struct SessionOdometry {
+  std::vector<OdometryPose> poses;  ///< of the scans that could be read, or as the session gives them
+  std::size_t scans_used = 0;       ///< of the session's, readable or not
+  std::size_t unreadable = 0;       ///< scans
+  std::string first_unreadable;     ///< message
+  std::size_t unaligned = 0;        ///< scans that kept their prediction
+  std::string first_unaligned;      ///< message
+  std::size_t undetermined = 0;     ///< scans whose surroundings do not show every direction
+};
+
+/// The epochs of a session: poses of the LiDAR, thinned, with the INS poses at their times and the GNSS fixes at
+/// theirs, in a local level frame (ENU) about the first fix. Times count from the first pose.
+/// @param clock_s t_ins = t_lidar + this
+/// @param until_ns nothing later than this is used
+TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
+                                     double clock_s, std::int64_t until_ns);
+
+/// Runs the odometry over scans as they come, and the alignment as far as all streams reach. Answers on the way come
+/// from the stream, the end from all data.
+class TrajectoryFeed {
+ public:
+  using Tell = std::function<void(const TrajectorySnapshot&)>;
+
+  TrajectoryFeed(const Settings& settings, std::optional<RigidTransform> nominal_ins_from_lidar, int threads);
+
+  /// The next session. Throws Error(Unsupported) where it has no LiDAR, or neither an INS nor GNSS.
+  void begin(const Session& session);
+  /// The session begun last, with what it held before and perhaps more. Not `complete`: the last item of each stream
+  /// may be half written and waits. Each answer is told; a batch asks for fewer.
+  void offer(const Session& session, bool complete, double least_update_s, const Tell& tell, Progress& progress);
+  /// The final solution of the sessions, which are complete now, in the order in which they were begun.
+  TrajectoryOutcome finish(const std::vector<std::shared_ptr<const Session>>& sessions, Progress& progress);
+
+  const std::vector<TrajectorySnapshot>& history() const { return aligner_.history(); }
+  const std::vector<SessionOdometry>& odometry() const { return odometry_; }
+  /// What the final solution was made from.
+  const TrajectoryProblem& problem() const { return problem_; }
+
+ private:
+  void run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after, Progress& progress);
+  void push_epochs(const Session& session, std::int64_t until_ns, double least_update_s, const Tell& tell,
+                   Progress& progress);
+
+  Settings settings_;
+  std::optional<RigidTransform> nominal_;
+  int threads_;
+  TrajectoryAligner aligner_;
+  std::vector<SessionOdometry> odometry_;
+  std::unique_ptr<LidarOdometry> running_;  // of the session begun last
+  TrajectoryProblem problem_;
+};
+
+}  // namespace remount

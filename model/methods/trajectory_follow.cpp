@@ -1,0 +1,87 @@
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "algorithms/core/error.h"
+#include "model/io/session_reader.h"
+#include "model/methods/trajectory_method.h"
+
+namespace remount {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
+
+// Sleeps in small pieces, so that Ctrl-C is obeyed soon.
+void wait(double time_s, const Progress& progress) {
+  const Clock::time_point start = Clock::now();
+  while (!progress.cancelled() && seconds_since(start) < time_s)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
+std::size_t items_of(const Session& session) {
+  return session.ins.size() + session.world_from_ins.size() + session.odometry_from_lidar.size() + session.gnss.size() +
+         (session.scans ? session.scans->size() : 0);
+}
+
+// The session as far as it is written; nothing while it cannot be opened, with the reason.
+std::shared_ptr<const Session> opened(const std::filesystem::path& path, std::string& problem) {
+  try {
+    Progress quiet;
+    auto session = std::make_shared<const Session>(open_session(path, quiet));
+    problem.clear();
+    return session;
+  } catch (const Error& error) {
+    problem = error.what();
+    return nullptr;
+  }
+}
+
+bool can_begin(const Session& session) {
+  const bool lidar = (session.scans && session.scans->size() > 0) || !session.odometry_from_lidar.empty();
+  return lidar && !(session.ins.empty() && session.world_from_ins.empty() && session.gnss.empty());
+}
+
+}  // namespace
+
+FollowedSession follow_trajectory(const std::filesystem::path& path, const PipelineInput& input,
+                                  const FollowOptions& options, const TrajectoryFeed::Tell& tell, Progress& following,
+                                  Progress& finishing) {
+  require_valid(input.settings);
+  PipelineInput with_session = input;
+  std::optional<TrajectoryFeed> feed;
+  const auto begin = [&](const Session& session) {
+    if (options.declared_nominal && !with_session.nominal_ins_from_lidar)
+      with_session.nominal_ins_from_lidar = session.nominal_ins_from_lidar;
+    feed.emplace(input.settings, with_session.nominal_ins_from_lidar, input.threads);
+    feed->begin(session);
+  };
+  std::string problem = "was not opened";
+  std::size_t items = 0;
+  Clock::time_point grown = Clock::now();
+  while (!following.cancelled() && seconds_since(grown) < options.settled_s) {
+    const std::shared_ptr<const Session> now = opened(path, problem);
+    if (now && items_of(*now) > items) {
+      items = items_of(*now);
+      grown = Clock::now();
+      if (!feed && can_begin(*now)) begin(*now);
+      if (feed) feed->offer(*now, false, 0.0, tell, following);
+      // What was worked on meanwhile took time in which the session may have stood still or grown: look again first.
+      grown = std::max(grown, Clock::now());
+      continue;
+    }
+    wait(options.poll_s, following);
+  }
+  FollowedSession followed;
+  followed.session = opened(path, problem);
+  if (!followed.session) throw Error(ErrorCode::Io, path.string(), problem);
+  with_session.sessions = {followed.session};
+  if (!feed) begin(*followed.session);
+  feed->offer(*followed.session, true, 0.0, tell, finishing);
+  followed.output = trajectory_output(with_session, *feed, feed->finish(with_session.sessions, finishing));
+  followed.nominal_ins_from_lidar = with_session.nominal_ins_from_lidar;
+  return followed;
+}
+
+}  // namespace remount

@@ -1,0 +1,110 @@
+// The LiDAR odometry on a simulated street.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "algorithms/core/error.h"
+#include "algorithms/odometry/lidar_odometry.h"
+#include "model/simulator/simulator.h"
+
+namespace remount {
+namespace {
+
+SimulatedDrive street(double duration_s) {
+  SimulationOptions options;
+  options.duration_s = duration_s;
+  options.beams = 16;
+  options.azimuth_steps = 600;
+  return simulate_drive(options);
+}
+
+std::vector<OdometryPose> odometry_of(const SimulatedDrive& drive, bool compensated, const Progress& progress = {}) {
+  LidarOdometry odometry({}, {});
+  std::vector<OdometryPose> poses;
+  for (std::size_t i = 0; i < drive.session.scans->size(); ++i) {
+    const PointCloud cloud = drive.session.scans->load(i);
+    poses.push_back(odometry.push(cloud, compensated ? cloud.time_from_stamp_s : std::vector<float>{},
+                                  drive.session.scans->stamp_ns(i), progress));
+  }
+  return poses;
+}
+
+RigidTransform true_lidar(const SimulatedDrive& drive, std::size_t i) {
+  return drive.enu_from_ins[i].pose * drive.ins_from_lidar;
+}
+
+double drift_percent(const SimulatedDrive& drive, const std::vector<OdometryPose>& poses) {
+  double distance_m = 0.0;
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    distance_m += (true_lidar(drive, i).translation() - true_lidar(drive, i - 1).translation()).norm();
+  const RigidTransform moved = true_lidar(drive, 0).inverse() * true_lidar(drive, poses.size() - 1);
+  const double error_m = (poses.back().odometry_from_lidar.translation() - moved.translation()).norm();
+  std::printf("  %.3f m off after %.1f m: %.3f %%\n", error_m, distance_m, 100.0 * error_m / distance_m);
+  return 100.0 * error_m / distance_m;
+}
+
+TEST(lidar_odometry_drive, drifts_by_less_than_a_percent_of_the_distance) {
+  const SimulatedDrive drive = street(12.0);
+  const std::vector<OdometryPose> poses = odometry_of(drive, true);
+  ASSERT_EQ(poses.size(), drive.session.scans->size());
+  EXPECT_LT(drift_percent(drive, poses), 1.0);
+  std::size_t within = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    EXPECT_TRUE(poses[i].aligned) << poses[i].problem;
+    const RigidTransform step = true_lidar(drive, i - 1).inverse() * true_lidar(drive, i);
+    const RigidTransform found = poses[i - 1].odometry_from_lidar.inverse() * poses[i].odometry_from_lidar;
+    const Matrix6d covariance = poses[i - 1].covariance + poses[i].covariance;
+    Vector6d error;
+    error << found.translation() - step.translation(), so3_log(step.linear().transpose() * found.linear());
+    within += error.dot(covariance.ldlt().solve(error)) < 16.8 ? 1 : 0;  // 99 % of six degrees of freedom
+  }
+  std::printf("  %zu of %zu steps within 99 %% of their covariance\n", within, poses.size() - 1);
+  EXPECT_GT(static_cast<double>(within), 0.85 * static_cast<double>(poses.size() - 1));
+}
+
+TEST(lidar_odometry_drive, motion_within_the_scans_is_compensated_by_its_own_motion) {
+  const SimulatedDrive drive = street(5.0);
+  const std::vector<OdometryPose> with = odometry_of(drive, true), without = odometry_of(drive, false);
+  double residual = 0.0, residual_without = 0.0;
+  for (std::size_t i = 1; i < with.size(); ++i) {
+    residual += with[i].rmse_m;
+    residual_without += without[i].rmse_m;
+  }
+  std::printf("  mean residual %.4f m, without compensation %.4f m\n", residual / static_cast<double>(with.size() - 1),
+              residual_without / static_cast<double>(with.size() - 1));
+  EXPECT_LT(residual, residual_without);
+}
+
+TEST(lidar_odometry_drive, the_same_scans_give_the_same_poses) {
+  const SimulatedDrive drive = street(1.0);
+  const std::vector<OdometryPose> first = odometry_of(drive, true), second = odometry_of(drive, true);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    EXPECT_EQ(first[i].odometry_from_lidar.matrix(), second[i].odometry_from_lidar.matrix());
+}
+
+TEST(lidar_odometry_drive, empty_scans_keep_the_prediction_and_say_so) {
+  const SimulatedDrive drive = street(1.0);
+  LidarOdometry odometry({}, {});
+  const PointCloud first = drive.session.scans->load(0), second = drive.session.scans->load(1);
+  odometry.push(first, first.time_from_stamp_s, 100, {});
+  const OdometryPose lost = odometry.push(PointCloud{}, {}, 100'000'100, {}, rigid_from_six({0.6, 0, 0, 0, 0, 0}));
+  EXPECT_FALSE(lost.aligned);
+  EXPECT_FALSE(lost.problem.empty());
+  EXPECT_NEAR(lost.odometry_from_lidar.translation().x(), 0.6, 1e-9);
+  EXPECT_GT(lost.covariance(0, 0), 0.5);
+  EXPECT_THROW(odometry.push(second, {}, 5, {}), Error);
+}
+
+TEST(lidar_odometry_drive, cancelled_calls_return_the_prediction) {
+  const SimulatedDrive drive = street(1.0);
+  std::stop_source stop;
+  const Progress progress(stop.get_token());
+  LidarOdometry odometry({}, {});
+  const PointCloud first = drive.session.scans->load(0);
+  odometry.push(first, {}, 0, progress);
+  stop.request_stop();
+  EXPECT_FALSE(odometry.push(first, {}, 100'000'000, progress).aligned);
+}
+
+}  // namespace
+}  // namespace remount

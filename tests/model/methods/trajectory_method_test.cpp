@@ -1,0 +1,173 @@
+// Trajectory alignment of whole drives: simulated, with known truth, and recorded.
+#include "model/methods/trajectory_method.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "algorithms/core/error.h"
+#include "model/io/session_reader.h"
+#include "model/methods/calibration_method.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+const std::filesystem::path kData = std::filesystem::path(REMOUNT_SOURCE_DIR) / ".." / "shared" / "data";
+
+SimulationOptions street(double duration_s) {
+  SimulationOptions options;
+  options.duration_s = duration_s;
+  options.beams = 16;
+  options.azimuth_steps = 600;
+  options.ins_position_noise_m = 0.02;
+  options.ins_attitude_noise_deg = 0.05;
+  return options;
+}
+
+PipelineOutput run(const std::vector<Session>& sessions, const Settings& settings = {}) {
+  PipelineInput input;
+  for (const Session& session : sessions) input.sessions.push_back(std::make_shared<Session>(session));
+  input.settings = settings;
+  Progress progress;
+  return calibration_method("trajectory").run(input, progress);
+}
+
+/// The drive with the LiDAR's true motion as poses of an odometry whose distances are wrong by a share.
+Session with_poses(const SimulatedDrive& drive, double scale) {
+  Session session = drive.session;
+  session.scans.reset();
+  RigidTransform odometry = RigidTransform::Identity();
+  for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i) {
+    if (i > 0) {
+      RigidTransform step = (drive.enu_from_ins[i - 1].pose * drive.ins_from_lidar).inverse() *
+                            drive.enu_from_ins[i].pose * drive.ins_from_lidar;
+      step.translation() *= 1.0 + scale;
+      odometry = odometry * step;
+    }
+    session.odometry_from_lidar.push_back({drive.session.scans->stamp_ns(i), odometry});
+  }
+  return session;
+}
+
+RigidTransform antenna_from_lidar(const SimulatedDrive& drive) {
+  return make_rigid(Eigen::Matrix3d::Identity(), -(drive.ins_from_lidar.inverse() * drive.sensors.antenna_in_ins_m));
+}
+
+void expect_plots(const PipelineOutput& output, std::size_t maps) {
+  ASSERT_GE(output.plots.size(), 1 + maps);
+  for (const Plot& plot : output.plots)
+    for (const Curve& curve : plot.curves) {
+      EXPECT_EQ(curve.x.size(), curve.y.size()) << plot.title;
+      EXPECT_GT(curve.x.size(), 10u) << plot.title << ": " << curve.name;
+    }
+  EXPECT_TRUE(output.plots.back().equal_axes);
+}
+
+TEST(trajectory_method, a_simulated_street_is_solved_from_its_scans_within_sigma) {
+  const SimulatedDrive drive = simulate_drive(street(24.0));
+  const PipelineOutput output = run({drive.session});
+  EXPECT_EQ(output.method, "trajectory");
+  EXPECT_TRUE(output.result.status == Status::Ok || output.result.status == Status::Degenerate)
+      << output.result.message;
+  EXPECT_EQ(output.result.reference_frame, "ins");
+  const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
+  for (const std::size_t i : {0, 1, 3, 4, 5}) EXPECT_TRUE(output.result.observed[i]) << kParameterNames[i];
+  EXPECT_LT(error.rotation_deg, 0.1);
+  EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.1);
+  expect_within_sigma(output.result, drive.ins_from_lidar, 3.5);
+  expect_plots(output, 1);
+}
+
+TEST(trajectory_method, positions_alone_give_the_lever_arm_of_the_antenna) {
+  SimulationOptions options = street(90.0);
+  options.gnss.rate_hz = 5.0;
+  options.gnss.noise_m = 0.02;
+  options.gnss.vertical_noise_m = 0.03;
+  const SimulatedDrive drive = simulate_drive(options);
+  Session session = with_poses(drive, 0.0);
+  session.ins.clear();
+  const PipelineOutput output = run({session});
+  EXPECT_EQ(output.result.reference_frame, "antenna");
+  EXPECT_EQ(output.result.status, Status::Degenerate);
+  EXPECT_NE(output.result.message.find("lever arm"), std::string::npos) << output.result.message;
+  error_of(output.result, antenna_from_lidar(drive));
+  EXPECT_TRUE(output.result.observed[0] && output.result.observed[1]);
+  EXPECT_FALSE(output.result.observed[3] || output.result.observed[4] || output.result.observed[5]);
+  expect_within_sigma(output.result, antenna_from_lidar(drive), 3.5);
+  expect_plots(output, 1);
+}
+
+TEST(trajectory_method, one_percent_of_drift_and_a_fifth_of_wrong_fixes_are_survived) {
+  SimulationOptions options = street(120.0);
+  options.gnss.rate_hz = 5.0;
+  options.gnss.noise_m = 0.02;
+  options.gnss.vertical_noise_m = 0.03;
+  options.gnss.outlier_share = 0.2;
+  const SimulatedDrive drive = simulate_drive(options);
+  Session session = with_poses(drive, 0.01);
+  session.ins.clear();
+  const PipelineOutput output = run({session});
+  error_of(output.result, antenna_from_lidar(drive));
+  ASSERT_TRUE(output.result.observed[0] && output.result.observed[1]) << output.result.message;
+  expect_within_sigma(output.result, antenna_from_lidar(drive), 3.5);
+  bool told = false;
+  for (const Finding& finding : output.findings) told = told || finding.code == "trajectory-outliers";
+  EXPECT_TRUE(told);
+}
+
+TEST(trajectory_method, what_cannot_be_aligned_is_refused_or_said) {
+  const SimulatedDrive drive = simulate_drive(street(4.0));
+  Session blind = with_poses(drive, 0.0), lost = blind;
+  blind.odometry_from_lidar.clear();
+  EXPECT_THROW(run({blind}), Error);
+  lost.ins.clear();
+  EXPECT_THROW(run({lost}), Error);
+  EXPECT_THROW(run({}), Error);
+  Session apart = with_poses(drive, 0.0);
+  for (InsSample& sample : apart.ins) sample.stamp_ns += 3'600'000'000'000;
+  const PipelineOutput output = run({apart});
+  EXPECT_EQ(output.result.status, Status::TooFewPairs) << output.result.message;
+  bool told = false;
+  for (const Finding& finding : output.findings) told = told || finding.code == "trajectory-not-covered";
+  EXPECT_TRUE(told);
+}
+
+TEST(trajectory_method, cancelled_runs_say_so) {
+  const SimulatedDrive drive = simulate_drive(street(4.0));
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  std::stop_source stop;
+  stop.request_stop();
+  Progress progress(stop.get_token());
+  EXPECT_EQ(calibration_method("trajectory").run(input, progress).result.status, Status::Cancelled);
+}
+
+// As in tests/model/pipeline/real_drive_test.cpp.
+RigidTransform zxl19_reference() {
+  const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(degrees_to_radians(0.134), Eigen::Vector3d::UnitX()) *
+                                    Eigen::AngleAxisd(degrees_to_radians(0.619), Eigen::Vector3d::UnitY()) *
+                                    Eigen::AngleAxisd(degrees_to_radians(-90.443), Eigen::Vector3d::UnitZ()))
+                                       .toRotationMatrix();
+  return make_rigid(rotation, {-0.004, 0.379, 0.13});
+}
+
+TEST(trajectory_method, three_recorded_drives_agree_with_their_reference) {
+  if (!std::filesystem::exists(kData / "zxl19")) GTEST_SKIP() << "no recorded data at " << kData;
+  Progress progress;
+  std::vector<Session> sessions;
+  for (const char* bag : {"bag1", "bag2", "bag4"}) sessions.push_back(open_session(kData / "zxl19" / bag, progress));
+  Settings settings;
+  settings.solve.apply_time_offset = true;
+  const PipelineOutput output = run(sessions, settings);
+  const CalibrationError error = error_of(output.result, zxl19_reference());
+  EXPECT_LE(error.rotation_deg, 0.5);
+  EXPECT_LE(std::abs(error.x_m), 0.08);
+  EXPECT_LE(std::abs(error.y_m), 0.08);
+  expect_plots(output, 3);
+}
+
+}  // namespace
+}  // namespace remount
