@@ -9,6 +9,7 @@
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/odometry/fusion_options.h"
 #include "algorithms/registration/registration_options.h"
 #include "algorithms/trajectory/keyframes.h"
 #include "algorithms/trajectory/pairing.h"
@@ -44,6 +45,7 @@ struct Settings {
   SearchRange range;
   SolveOptions solve;
   MeasuredOptions measured;
+  FusionOptions fusion;
 
   /// visitor(section name, option struct) for each section; the names are the sections of a configuration file.
   template <class Self, class Visitor>
@@ -56,6 +58,7 @@ struct Settings {
     visitor("range", self.range);
     visitor("solve", self.solve);
     visitor("measured", self.measured);
+    visitor("fusion", self.fusion);
   }
 
   /// Every problem, prefixed by its section ("range.x_min_m ..."); includes settings that contradict each other: a

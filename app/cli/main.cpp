@@ -46,7 +46,7 @@ int run_main(int argc, char** argv) {
   app.fallthrough();
   add_common_options(app, console);
   Run run;
-  for (const auto add : {add_inspect, add_calibrate, add_solve, add_export, add_report, add_obstacles, add_simulate, add_settings})
+  for (const auto add : {add_inspect, add_calibrate, add_solve, add_export, add_report, add_obstacles, add_odometry, add_simulate, add_settings})
     add(app, console, run);
   try {
     app.parse(argc, argv);

@@ -3,4 +3,8 @@
 
 #include "model/methods/calibration_method.h"
 
-namespace remount {}  // namespace remount
+namespace remount {
+
+PipelineOutput run_fusion_method(const PipelineInput& input, Progress& progress);
+
+}  // namespace remount

@@ -6,6 +6,9 @@ namespace remount {
 const std::vector<CalibrationMethod>& calibration_methods() {
   static const std::vector<CalibrationMethod> methods{
       {"pairwise", "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", run_pipeline},
+      {"fusion-odometry", "Multi-sensor odometry",
+       "scans; wheel speeds, IMU and barometer where it has them; a nominal mounting for those; an INS with attitude",
+       "fusion", run_fusion_method},
   };
   return methods;
 }
