@@ -12,6 +12,7 @@
 #include "algorithms/calibration/trajectory_options.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/odometry/fusion_options.h"
 #include "algorithms/odometry/lidar_odometry_options.h"
 #include "algorithms/registration/registration_options.h"
 #include "algorithms/trajectory/keyframes.h"
@@ -62,6 +63,7 @@ struct Settings {
   MeasuredOptions measured;
   LidarOdometryOptions lidar_odometry;
   TrajectoryOptions trajectory;
+  FusionOptions fusion;
 
   /// visitor(section name, option struct) for each section; the names are the sections of a configuration file.
   template <class Self, class Visitor>
@@ -76,6 +78,7 @@ struct Settings {
     visitor("measured", self.measured);
     visitor("lidar_odometry", self.lidar_odometry);
     visitor("trajectory", self.trajectory);
+    visitor("fusion", self.fusion);
   }
 
   /// Every problem, prefixed by its section ("range.x_min_m ..."); includes settings that contradict each other: a

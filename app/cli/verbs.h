@@ -18,6 +18,7 @@ void add_export(CLI::App& app, Console& console, Run& run);
 void add_compare(CLI::App& app, Console& console, Run& run);
 void add_report(CLI::App& app, Console& console, Run& run);
 void add_obstacles(CLI::App& app, Console& console, Run& run);
+void add_odometry(CLI::App& app, Console& console, Run& run);
 void add_simulate(CLI::App& app, Console& console, Run& run);
 void add_settings(CLI::App& app, Console& console, Run& run);
 

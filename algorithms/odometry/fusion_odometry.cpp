@@ -1,0 +1,329 @@
+#include "algorithms/odometry/fusion_odometry.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/cloud/deskew.h"
+#include "algorithms/core/error.h"
+#include "algorithms/odometry/fusion_step_parts.h"
+
+namespace remount {
+namespace {
+
+constexpr int kMostIterations = 8;
+constexpr int kMostFirstIterations = 20;  // where nothing predicts the motion
+constexpr double kSettled_m = 1e-3, kSettled_rad = 1e-4;
+
+double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
+
+// How far neighbours are looked for, as a share of the setting, and what distances are taken for serious: where nothing
+// predicts the motion, first the few surfaces across it must be heard over the many along it.
+struct Search {
+  double widen, expected_m;
+  bool narrow;  // nothing more is to be expected of the next iteration than better numbers
+};
+
+Search search_at(int iteration, bool predicted) {
+  constexpr double kSerious_m = 0.06;
+  const double expected_m = predicted ? 0.2 * std::pow(0.5, iteration) : 2.0 * std::pow(0.75, iteration);
+  const double widen = predicted ? 1.0 : std::max(1.0, 3.0 - 0.25 * iteration);
+  return {widen, expected_m, widen <= 1.0 && expected_m <= kSerious_m};
+}
+
+}  // namespace
+
+struct FusionOdometry::Step {
+  std::int64_t from_ns = 0, stamp_ns = 0;
+  double duration_s = 0.0;
+  StepAnchor anchor;
+  std::optional<DeadReckonedPath> path;  // over the step
+  bool velocity_known = false;
+  ScanFeatures features;  // in the vehicle frame
+  FusionVector x = FusionVector::Zero();
+  FusionInformation information = FusionInformation::Zero();
+
+  bool predicted() const { return velocity_known || (path && path->has_speed); }
+};
+
+FusionOdometry::FusionOdometry(const FusionMounting& mounting, SensorStreams streams, const FusionOptions& options,
+                               int threads)
+    : mounting_(mounting),
+      options_(options),
+      imu_(streams.imu),
+      barometer_(std::move(streams.barometer)),
+      reckoning_(std::move(streams.imu), std::move(streams.wheels), mounting.vehicle_from_imu, options.track_width_m),
+      threads_(threads) {
+  std::string all;
+  for (const std::string& problem : option_problems(options)) all += (all.empty() ? "" : "; ") + problem;
+  if (!all.empty()) throw Error(ErrorCode::Contract, "multi-sensor odometry", all);
+  std::erase_if(imu_, [](const ImuSample& sample) { return !sample.specific_force_mps2.allFinite(); });
+}
+
+FusedScan FusionOdometry::add(const OdometryScan& scan) {
+  if (last_ && scan.stamp_ns <= last_->stamp_ns)
+    throw Error(ErrorCode::Contract, "multi-sensor odometry", "a scan is not later than the one before");
+  if (!last_) {
+    FusedScan result;
+    start(scan, result);
+    last_ = result;
+    return result;
+  }
+  return follow(scan);
+}
+
+void FusionOdometry::start(const OdometryScan& scan, FusedScan& result) {
+  constexpr double kNone = 1e-4;  // m, rad: by definition of the odometry frame
+  const double wide_rad = options_.barometer && !barometer_.empty() ? degrees_to_radians(3.0) : kNone;
+  result.stamp_ns = scan.stamp_ns;
+  result.usable = true;
+  Eigen::Matrix<double, 10, 1> sigma = Eigen::Matrix<double, 10, 1>::Constant(kNone);
+  sigma[3] = sigma[4] = wide_rad;
+  const auto level = options_.accelerometer ? level_at(scan.stamp_ns) : std::nullopt;
+  if (level) {
+    result.odometry_from_vehicle.linear() = rotation_from_yaw_pitch_roll({0.0, level->pitch_rad, level->roll_rad});
+    result.levelled = true;
+    sigma[3] = sigma[4] = level->sigma_rad;
+  }
+  sigma.segment<3>(6).setConstant(std::max(degrees_to_radians(options_.gyro_bias_sigma_dps), 1e-8));
+  sigma[9] = std::max(options_.wheel_scale_sigma, 1e-8);
+  covariance_ = sigma.cwiseAbs2().asDiagonal();
+  result.covariance = covariance_.topLeftCorner<6, 6>();
+  if (options_.barometer) height_offset_m_ = height_at(scan.stamp_ns);
+  result.height_measured = height_offset_m_.has_value();
+  ScanFeatures features = features_of(scan, std::nullopt);
+  result.line_features = static_cast<int>(features.lines.size());
+  result.plane_features = static_cast<int>(features.planes.size());
+  map_.add(std::move(features), result.odometry_from_vehicle, options_);
+  map_.rebuild(options_);
+  if (!scan.time_from_stamp_s.empty() && options_.deskew) first_scan_ = scan;
+}
+
+FusionOdometry::Step FusionOdometry::predict(std::int64_t stamp_ns, const std::optional<Vector6d>& velocity) const {
+  Step step;
+  step.from_ns = last_->stamp_ns;
+  step.stamp_ns = stamp_ns;
+  step.duration_s = seconds(stamp_ns - step.from_ns);
+  step.velocity_known = velocity.has_value();
+  step.anchor.before = last_->odometry_from_vehicle;
+  if (options_.ackermann) step.path = reckoning_.path(step.from_ns, stamp_ns, step.from_ns, drift_);
+  RigidTransform before_from_after = velocity ? moved_at(*velocity, step.duration_s) : RigidTransform::Identity();
+  if (step.path) {
+    const RigidTransform& end = step.path->start_from_vehicle.back();
+    if (step.path->has_rotation) before_from_after.linear() = end.linear();
+    if (step.path->has_speed) before_from_after.translation() = end.translation();
+  }
+  step.anchor.predicted = step.anchor.before * before_from_after;
+  return step;
+}
+
+ScanFeatures FusionOdometry::features_of(const OdometryScan& scan, const std::optional<Vector6d>& velocity) const {
+  const PointCloud* cloud = &scan.cloud_in_lidar;
+  PointCloud compensated;
+  if (options_.deskew && scan.time_from_stamp_s.size() == cloud->size() && !cloud->points.empty()) {
+    const auto [first, last] = std::minmax_element(scan.time_from_stamp_s.begin(), scan.time_from_stamp_s.end());
+    const auto at_ns = [&](float time_s) { return scan.stamp_ns + std::llround(static_cast<double>(time_s) * 1e9); };
+    std::optional<DeadReckonedPath> path;
+    if (options_.ackermann)
+      path = reckoning_.path(at_ns(std::min(*first, 0.0f)), at_ns(std::max(*last, 0.0f)), scan.stamp_ns, drift_);
+    if (path || velocity) {
+      const VehicleMotion motion(path, velocity);
+      const RigidTransform lidar_from_vehicle = mounting_.vehicle_from_lidar.inverse();
+      compensated = deskew(*cloud, scan.time_from_stamp_s, [&](double time_s) {
+        return RigidTransform(lidar_from_vehicle * motion.at_stamp_from_at(time_s) * mounting_.vehicle_from_lidar);
+      });
+      cloud = &compensated;
+    }
+  }
+  ScanFeatures features = extract_features(*cloud, options_);
+  const Eigen::Isometry3f vehicle_from_lidar = mounting_.vehicle_from_lidar.cast<float>();
+  for (Eigen::Vector3f& point : features.lines) point = vehicle_from_lidar * point;
+  for (Eigen::Vector3f& point : features.planes) point = vehicle_from_lidar * point;
+  return features;
+}
+
+FusedScan FusionOdometry::follow(const OdometryScan& scan) {
+  FusedScan result;
+  result.stamp_ns = scan.stamp_ns;
+  Step step = predict(scan.stamp_ns, velocity_);
+  step.features = features_of(scan, velocity_);
+  match_and_solve(step, result);
+  const bool blind_deskew = options_.deskew && !scan.time_from_stamp_s.empty() && !(step.path && step.path->has_speed);
+  const Vector6d velocity = velocity_between(step.anchor.before, moved_pose(step.anchor, step.x), step.duration_s);
+  if (blind_deskew && (!velocity_ || changed_too_much(*velocity_, velocity))) {
+    // Motion within the scan was compensated by a velocity that turned out wrong.
+    if (first_scan_) {
+      map_ = FeatureMap();
+      map_.add(features_of(*first_scan_, velocity), last_->odometry_from_vehicle, options_);
+      map_.rebuild(options_);
+    }
+    step = predict(scan.stamp_ns, velocity);
+    step.features = features_of(scan, velocity);
+    match_and_solve(step, result);
+  }
+  first_scan_.reset();
+  accept(step, result);
+  return result;
+}
+
+void FusionOdometry::match_and_solve(Step& step, FusedScan& result) const {
+  const int most = step.predicted() ? kMostIterations : kMostFirstIterations;
+  result.line_features = static_cast<int>(step.features.lines.size());
+  result.plane_features = static_cast<int>(step.features.planes.size());
+  for (int iteration = 0; iteration < most; ++iteration) {
+    std::vector<WeighedTerm> terms;
+    add_prior(step, terms);
+    add_motion(step, terms);
+    add_absolute(step, terms, result);
+    const bool features = add_features(step, iteration, terms, result);
+    const JointStep joint = solve_joint_step(terms, step.x);
+    if (!joint.usable) return;
+    const Vector6d change = joint.x.segment<6>(kMotion) - step.x.segment<6>(kMotion);
+    step.x = joint.x;
+    step.information = joint.information;
+    result.usable = features || result.dead_reckoned;
+    const bool settled = change.head<3>().norm() < kSettled_m && change.tail<3>().norm() < kSettled_rad;
+    if (!features || (settled && search_at(iteration, step.predicted()).narrow)) break;
+  }
+}
+
+void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms) const {
+  StateCovariance covariance = covariance_;
+  const double walk = degrees_to_radians(options_.gyro_bias_walk_dps);
+  covariance.diagonal().segment<3>(6).array() += walk * walk * step.duration_s;
+  const Eigen::MatrixXd root = root_information(covariance);
+  FusionJacobian rows = FusionJacobian::Zero(10, 16);
+  rows.leftCols<6>() = root.leftCols(6);
+  rows.rightCols<4>() = root.rightCols(4);
+  terms.push_back({std::make_unique<LinearTerm>(std::move(rows), FusionVector::Zero().eval()), false});
+  const auto standing =
+      options_.ackermann ? reckoning_.standstill_rate_radps(step.from_ns, step.stamp_ns) : std::nullopt;
+  if (!standing) return;
+  FusionJacobian rates = FusionJacobian::Zero(3, 16);
+  rates.block<3, 3>(0, kDrift).diagonal().setConstant(1.0 / degrees_to_radians(options_.gyro_sigma_dps));
+  FusionVector expected = FusionVector::Zero();
+  expected.segment<3>(kDrift) = *standing - drift_.gyro_bias_radps;
+  terms.push_back({std::make_unique<LinearTerm>(std::move(rates), expected), false});
+}
+
+void FusionOdometry::add_motion(const Step& step, std::vector<WeighedTerm>& terms) const {
+  const RigidTransform predicted = step.anchor.before.inverse() * step.anchor.predicted;
+  const MotionSigma sigma =
+      motion_sigma(options_, step.path, reckoning_.has_gyro(), step.velocity_known, step.duration_s, blind_s_);
+  const bool turned = step.path && step.path->has_rotation, travelled = step.path && step.path->has_speed;
+  terms.push_back({std::make_unique<TurnTerm>(step.anchor, predicted.linear(), step.duration_s, sigma.turn_rad,
+                                              turned && reckoning_.has_gyro()),
+                   false});
+  terms.push_back(
+      {std::make_unique<TravelTerm>(step.anchor, predicted.translation(), sigma.travel_m, travelled), travelled});
+}
+
+void FusionOdometry::add_absolute(const Step& step, std::vector<WeighedTerm>& terms, FusedScan& result) const {
+  result.dead_reckoned = step.path && step.path->has_speed && step.path->has_rotation;
+  const auto level = options_.accelerometer ? level_at(step.stamp_ns) : std::nullopt;
+  result.levelled = level.has_value();
+  if (level) terms.push_back({std::make_unique<LevelTerm>(step.anchor, *level), false});
+  const auto height_m = height_offset_m_ ? height_at(step.stamp_ns) : std::nullopt;
+  result.height_measured = height_m.has_value();
+  if (height_m)
+    terms.push_back(
+        {std::make_unique<HeightTerm>(step.anchor, *height_m - *height_offset_m_, options_.barometer_sigma_m), false});
+}
+
+bool FusionOdometry::add_features(const Step& step, int iteration, std::vector<WeighedTerm>& terms,
+                                  FusedScan& result) const {
+  if (!options_.lines && !options_.planes) return false;
+  const RigidTransform at = moved_pose(step.anchor, step.x);
+  const Search search = search_at(iteration, step.predicted());
+  FeatureMatches matches = map_.match(step.features, at, search.widen * options_.match_distance_m, options_, threads_);
+  result.line_matches = static_cast<int>(matches.lines.size());
+  result.plane_matches = static_cast<int>(matches.planes.size());
+  result.residual_m = rms_distance_m(matches);
+  HeardFeatures heard = heard_features(matches, at, search.expected_m, options_);
+  result.undetermined = heard.undetermined;
+  if (heard.none) return false;
+  if (!matches.lines.empty())
+    terms.push_back({std::make_unique<FeatureTerm>(FeatureTerm::Kind::Lines, step.anchor, std::move(matches.lines),
+                                                   std::move(heard.line_weights), heard.heard),
+                     false});
+  if (!matches.planes.empty())
+    terms.push_back({std::make_unique<FeatureTerm>(FeatureTerm::Kind::Planes, step.anchor, std::move(matches.planes),
+                                                   std::move(heard.plane_weights), heard.heard),
+                     false});
+  return true;
+}
+
+std::optional<LevelMeasurement> FusionOdometry::level_at(std::int64_t stamp_ns) const {
+  const auto gravity = gravity_in_vehicle(imu_, reckoning_, mounting_.vehicle_from_imu, drift_, velocity_, stamp_ns);
+  if (!gravity) return std::nullopt;
+  LevelMeasurement level = level_from_gravity(gravity->up_mps2);
+  level.sigma_rad = degrees_to_radians(options_.accelerometer_sigma_deg +
+                                       options_.accelerometer_discount_deg * gravity->taken_off_mps2);
+  return level;
+}
+
+std::optional<double> FusionOdometry::height_at(std::int64_t stamp_ns) const {
+  return mean_height_m(barometer_, stamp_ns);
+}
+
+bool FusionOdometry::enters_map(const RigidTransform& odometry_from_vehicle) const {
+  if (map_.empty()) return true;
+  const RigidTransform moved = map_.newest().inverse() * odometry_from_vehicle;
+  return moved.translation().norm() >= options_.map_step_m ||
+         so3_log(moved.linear()).norm() >= degrees_to_radians(options_.map_step_deg);
+}
+
+void FusionOdometry::accept(Step& step, FusedScan& result) {
+  result.odometry_from_vehicle = fused_pose(step.anchor, step.x);
+  velocity_ = velocity_between(step.anchor.before, moved_pose(step.anchor, step.x), step.duration_s);
+  result.speed_mps = velocity_->head<3>().norm();
+  if (const auto covariance = inverse_information(step.information)) {
+    Eigen::Matrix<double, 10, 16> now = Eigen::Matrix<double, 10, 16>::Zero();
+    now.topRows<6>() = fused_pose_jacobian(step.anchor, step.x);
+    now.bottomRightCorner<4, 4>().setIdentity();
+    covariance_ = now * *covariance * now.transpose();
+    result.step_covariance = covariance->block<6, 6>(kMotion, kMotion);
+  }
+  result.covariance = covariance_.topLeftCorner<6, 6>();
+  if (step.path && step.path->has_speed) {
+    const Eigen::Vector3d travel = (step.anchor.before.inverse() * step.anchor.predicted).translation();
+    const MotionSigma sigma =
+        motion_sigma(options_, step.path, reckoning_.has_gyro(), step.velocity_known, step.duration_s, blind_s_);
+    result.wheel_disagreement = disagreement(TravelTerm(step.anchor, travel, sigma.travel_m, true), step.x);
+  }
+  drift_.gyro_bias_radps += step.x.segment<3>(kDrift);
+  drift_.wheel_scale *= 1.0 + step.x[kDrift + 3];
+  blind_s_ = result.undetermined.empty() || result.dead_reckoned ? 0.0 : blind_s_ + step.duration_s;
+  map_.move(step.anchor.before.translation(), step.x.segment<6>(kCorrection));
+  if (result.usable && enters_map(result.odometry_from_vehicle))
+    map_.add(std::move(step.features), result.odometry_from_vehicle, options_);
+  map_.rebuild(options_);
+  last_ = result;
+}
+
+FusionOdometryResult solve_fusion_odometry(std::size_t scan_count, const std::function<OdometryScan(std::size_t)>& load,
+                                           const FusionMounting& mounting, const SensorStreams& streams,
+                                           const FusionOptions& options, int threads, Progress& progress) {
+  FusionOdometry odometry(mounting, streams, options, threads);
+  FusionOdometryResult result;
+  result.scans.reserve(scan_count);
+  for (std::size_t i = 0; i < scan_count && !result.cancelled; ++i) {
+    result.cancelled = progress.cancelled();
+    if (result.cancelled) break;
+    progress.report("odometry", i, scan_count);
+    result.scans.push_back(odometry.add(load(i)));
+  }
+  result.drift = odometry.drift();
+  result.drift_sigma = odometry.drift_sigma();
+  return result;
+}
+
+std::vector<StampedPose> odometry_from_lidar(const std::vector<FusedScan>& scans,
+                                             const RigidTransform& vehicle_from_lidar) {
+  std::vector<StampedPose> poses;
+  poses.reserve(scans.size());
+  for (const FusedScan& scan : scans) poses.push_back({scan.stamp_ns, scan.odometry_from_vehicle * vehicle_from_lidar});
+  return poses;
+}
+
+}  // namespace remount

@@ -1,0 +1,80 @@
+#include <cstdio>
+#include <memory>
+
+#include "algorithms/core/error.h"
+#include "app/cli/arguments.h"
+#include "app/cli/verbs.h"
+#include "model/io/atomic_save.h"
+#include "model/io/session_reader.h"
+#include "model/methods/fusion_run.h"
+#include "model/session_frames.h"
+#include "model/settings_file.h"
+
+namespace remount {
+namespace {
+
+struct OdometryArguments {
+  std::string session, nominal, config, output;
+  std::vector<std::string> assignments;
+};
+
+std::optional<RigidTransform> nominal_of(const OdometryArguments& arguments, const Session& session, Console& console) {
+  if (arguments.nominal == "none") return std::nullopt;
+  if (arguments.nominal.empty()) return session.nominal_ins_from_lidar;
+  std::vector<std::string> doubts;
+  const RigidTransform nominal = in_axes_of(parse_nominal(arguments.nominal, doubts), session.ins_axes, doubts);
+  for (const std::string& doubt : doubts) console.complain("warning: " + arguments.nominal + ": " + doubt);
+  return nominal;
+}
+
+std::string summary(const FusionRun& run) {
+  double driven_m = 0.0;
+  const std::vector<FusedScan>& scans = run.odometry.scans;
+  for (std::size_t i = 1; i < scans.size(); ++i)
+    driven_m +=
+        (scans[i].odometry_from_vehicle.translation() - scans[i - 1].odometry_from_vehicle.translation()).norm();
+  char text[160];
+  std::snprintf(text, sizeof text, "%zu poses over %.1f m", scans.size(), driven_m);
+  return text;
+}
+
+int odometry(const OdometryArguments& arguments, Console& console) {
+  Settings settings = arguments.config.empty() ? Settings{} : load_settings(arguments.config);
+  for (const std::string& assignment : arguments.assignments) apply_setting(settings, assignment);
+  require_valid(settings);
+  check_replaces_its_like(arguments.output, "# t x y z qx qy qz qw");
+  check_can_save(arguments.output);
+  const Session session = open_session(arguments.session, console.progress());
+  const FusionRun run = run_fusion_odometry(session, nominal_of(arguments, session, console), settings,
+                                            console.options().threads, console.progress());
+  console.report(run.findings);
+  if (run.odometry.cancelled) {
+    console.complain("cancelled after " + summary(run) + "; nothing is written");
+    return kNoResult;
+  }
+  save_atomically(arguments.output, tum_text(run.odometry_from_lidar));
+  console.print(arguments.output + ": " + summary(run));
+  return kSolved;
+}
+
+}  // namespace
+
+void add_odometry(CLI::App& app, Console& console, Run& run) {
+  const auto arguments = std::make_shared<OdometryArguments>();
+  CLI::App* verb =
+      app.add_subcommand("odometry", "Write the LiDAR's poses, found from scans, wheels, IMU and barometer together");
+  verb->add_option("session", arguments->session, "Session folder or log")->type_name("SESSION")->required();
+  verb->add_option("-o,--output", arguments->output, "Pose file to write (TUM: t x y z qx qy qz qw)")
+      ->type_name("FILE")
+      ->required();
+  verb->add_option("--nominal", arguments->nominal,
+                   "Where the LiDAR sits: x,y,z,yaw,pitch,roll (m, degrees), a file, or none; default: as the session "
+                   "declares it")
+      ->type_name("SIX|FILE");
+  verb->add_option("--config", arguments->config, "Settings (YAML)")->type_name("FILE");
+  verb->add_option("--set", arguments->assignments, "A setting, as in fusion.barometer=false")->type_name("S.N=V");
+  verb->callback(
+      [arguments, &console, &run] { run = [arguments, &console] { return odometry(*arguments, console); }; });
+}
+
+}  // namespace remount
