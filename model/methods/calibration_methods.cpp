@@ -6,9 +6,9 @@ namespace remount {
 const std::vector<CalibrationMethod>& calibration_methods() {
   static const std::vector<CalibrationMethod> methods{
       {kPairwise, "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", run_pipeline},
-      {kMethodIds[1], "Trajectory alignment", "scans or LiDAR poses, and an INS or GNSS fixes", "trajectory",
+      {"trajectory", "Trajectory alignment", "scans or LiDAR poses, and an INS or GNSS fixes", "trajectory",
        run_trajectory_method},
-      {kMethodIds[3], "Multi-sensor odometry",
+      {"fusion-odometry", "Multi-sensor odometry",
        "scans; wheel speeds, IMU and barometer where it has them; a nominal mounting for those; an INS with attitude",
        "fusion", run_fusion_method},
   };

@@ -1,0 +1,39 @@
+#include "model/methods/calibration_method.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/core/error.h"
+
+namespace remount {
+namespace {
+
+TEST(calibration_methods, are_listed_as_the_settings_choose_them) {
+  const std::vector<CalibrationMethod>& methods = calibration_methods();
+  ASSERT_EQ(methods.size(), kMethodIds.size());
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    EXPECT_EQ(methods[i].id, kMethodIds[i]);
+    EXPECT_FALSE(methods[i].title.empty() || methods[i].needs.empty()) << methods[i].id;
+    EXPECT_EQ(&calibration_method(kMethodIds[i]), &methods[i]);
+  }
+}
+
+TEST(calibration_methods, have_sections_that_the_settings_know) {
+  std::vector<std::string_view> sections;
+  const Settings settings;
+  Settings::visit_sections(settings, [&](std::string_view name, const auto&) { sections.push_back(name); });
+  for (const CalibrationMethod& method : calibration_methods())
+    if (!method.settings_section.empty())
+      EXPECT_EQ(std::count(sections.begin(), sections.end(), method.settings_section), 1) << method.id;
+}
+
+TEST(calibration_methods, that_are_unknown_are_answered_with_the_known_ones) {
+  try {
+    calibration_method("guess");
+    FAIL() << "no method is called so";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("pairwise"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace remount
