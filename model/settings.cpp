@@ -42,6 +42,8 @@ std::vector<std::string> Settings::check() const {
   not_above("objects.min_points", objects.min_points, "objects.max_points", objects.max_points);
   not_above("registration.min_range_m", registration.min_range_m, "registration.max_range_m", registration.max_range_m);
   not_above("registration.min_range_m", registration.min_range_m, "objects.max_range_m", objects.max_range_m);
+  if (vehicle_frame.scale == ScaleMode::Estimated && vehicle_frame.estimate_wheel_scale)
+    problems.push_back("vehicle_frame.scale and vehicle_frame.estimate_wheel_scale: one of the two must be known");
   return problems;
 }
 

@@ -8,8 +8,10 @@
 
 #include "algorithms/calibration/measured.h"
 #include "algorithms/calibration/method_details.h"
+#include "algorithms/calibration/slew.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/trajectory_options.h"
+#include "algorithms/calibration/vehicle_frame.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/odometry/fusion_options.h"
@@ -64,6 +66,8 @@ struct Settings {
   LidarOdometryOptions lidar_odometry;
   TrajectoryOptions trajectory;
   FusionOptions fusion;
+  VehicleFrameOptions vehicle_frame;
+  SlewOptions slew;
 
   /// visitor(section name, option struct) for each section; the names are the sections of a configuration file.
   template <class Self, class Visitor>
@@ -79,6 +83,8 @@ struct Settings {
     visitor("lidar_odometry", self.lidar_odometry);
     visitor("trajectory", self.trajectory);
     visitor("fusion", self.fusion);
+    visitor("vehicle_frame", self.vehicle_frame);
+    visitor("slew", self.slew);
   }
 
   /// Every problem, prefixed by its section ("range.x_min_m ..."); includes settings that contradict each other: a

@@ -8,9 +8,12 @@ const std::vector<CalibrationMethod>& calibration_methods() {
       {kPairwise, "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", run_pipeline},
       {"trajectory", "Trajectory alignment", "scans or LiDAR poses, and an INS or GNSS fixes", "trajectory",
        run_trajectory_method},
+      {"vehicle-frame", "Vehicle frame", "wheel speeds, an IMU or INS, and scans or poses of the sensor",
+       "vehicle_frame", run_vehicle_frame},
       {"fusion-odometry", "Multi-sensor odometry",
        "scans; wheel speeds, IMU and barometer where it has them; a nominal mounting for those; an INS with attitude",
        "fusion", run_fusion_method},
+      {"slew", "Slewing machine", "three recordings of a LiDAR: ground, swept arm, full turn", "slew", run_slew},
   };
   return methods;
 }

@@ -1,0 +1,260 @@
+#include "algorithms/calibration/antenna_fit.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace remount {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+Matrix2d turned(double angle_rad) { return Eigen::Rotation2Dd(angle_rad).toRotationMatrix(); }
+
+// One position with the motion since the start of its window, and how that changes with the bias of the yaw rate.
+struct Point {
+  std::size_t window = 0;
+  double time_s = 0.0, turn_rad = 0.0;  // since the start of the window
+  Vector2d way_m = Vector2d::Zero(), way_by_bias = Vector2d::Zero();
+  Vector2d position_m = Vector2d::Zero();
+};
+
+struct Motion {
+  double turn_rad = 0.0;
+  Vector2d way_m = Vector2d::Zero();
+  void advance(const std::vector<MotionStep>& steps, const Eigen::Vector3d& z_in_imu, double bias_radps) {
+    for (const MotionStep& step : steps) {
+      const Eigen::Vector3d turn(0.0, 0.0, z_in_imu.dot(step.turn_in_imu_rad) - bias_radps * step.duration_s);
+      way_m += turned(turn_rad) * (so3_left_jacobian(turn).col(0) * step.travel_m).head<2>();
+      turn_rad += turn.z();
+    }
+  }
+};
+
+// Points of the drive under a bias; a new window after `window_s` and after each gap of the signals.
+std::vector<Point> points_of(const WheelImuSignals& signals, const std::vector<StampedPosition>& positions,
+                             const Eigen::Vector3d& z_in_imu, double window_s, double bias_radps, double& distance_m) {
+  constexpr double kStep_radps = 1e-5;
+  std::vector<Point> points;
+  Motion motion, up;
+  double time_s = 0.0;
+  distance_m = 0.0;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto steps = i > 0 ? signals.steps(positions[i - 1].stamp_ns, positions[i].stamp_ns)
+                             : std::optional<std::vector<MotionStep>>();
+    if (steps) {
+      motion.advance(*steps, z_in_imu, bias_radps);
+      up.advance(*steps, z_in_imu, bias_radps + kStep_radps);
+      for (const MotionStep& step : *steps) time_s += step.duration_s, distance_m += std::abs(step.travel_m);
+    }
+    const bool covered = positions[i].stamp_ns >= signals.begin_ns() && positions[i].stamp_ns <= signals.end_ns();
+    if (!covered) continue;
+    if (!steps || points.empty() || time_s > window_s) {
+      motion = up = {};
+      time_s = 0.0;
+    }
+    Point point;
+    point.window = points.empty() ? 0 : points.back().window + (time_s == 0.0 ? 1 : 0);
+    point.time_s = time_s;
+    point.turn_rad = motion.turn_rad;
+    point.way_m = motion.way_m;
+    point.way_by_bias = (up.way_m - motion.way_m) / kStep_radps;
+    point.position_m = positions[i].position_m.head<2>();
+    points.push_back(point);
+  }
+  return points;
+}
+
+struct Placement {
+  Vector2d place_m = Vector2d::Zero();
+  double heading_rad = 0.0;
+};
+
+// Where a window lies, by its ways alone.
+Placement place(const std::vector<Point>& points, std::size_t first, std::size_t last) {
+  Vector2d ways = Vector2d::Zero(), positions = Vector2d::Zero();
+  for (std::size_t i = first; i < last; ++i) ways += points[i].way_m, positions += points[i].position_m;
+  ways /= static_cast<double>(last - first);
+  positions /= static_cast<double>(last - first);
+  double across = 0.0, along = 0.0;
+  for (std::size_t i = first; i < last; ++i) {
+    const Vector2d from = points[i].way_m - ways, to = points[i].position_m - positions;
+    across += from.x() * to.y() - from.y() * to.x();
+    along += from.dot(to);
+  }
+  const double heading_rad = std::atan2(across, along);
+  return {positions - turned(heading_rad) * ways, heading_rad};
+}
+
+constexpr Eigen::Index kCommon = 4;  // lever arm twice, bias, log of the wheel scale; then three a window
+
+struct State {
+  Vector2d lever_m = Vector2d::Zero();
+  double bias_change_radps = 0.0, log_scale = 0.0;
+  std::vector<Placement> windows;
+};
+
+using Row = Eigen::Matrix<double, 2, Eigen::Dynamic>;
+
+Vector2d residual_of(const Point& point, const State& state, Row& jacobian) {
+  const Placement& window = state.windows[point.window];
+  const double scale = std::exp(state.log_scale);
+  const double turn_rad = point.turn_rad - state.bias_change_radps * point.time_s;
+  const Vector2d way_m = scale * (point.way_m + state.bias_change_radps * point.way_by_bias);
+  const Matrix2d world_from_window = turned(window.heading_rad), window_from_vehicle = turned(turn_rad);
+  const Vector2d in_window = way_m + window_from_vehicle * state.lever_m;
+  Matrix2d quarter;
+  quarter << 0.0, -1.0, 1.0, 0.0;
+  jacobian.setZero();
+  jacobian.leftCols<2>() = world_from_window * window_from_vehicle;
+  jacobian.col(2) =
+      world_from_window * (scale * point.way_by_bias - point.time_s * quarter * window_from_vehicle * state.lever_m);
+  jacobian.col(3) = world_from_window * way_m;
+  const Eigen::Index at = kCommon + 3 * static_cast<Eigen::Index>(point.window);
+  jacobian.middleCols<2>(at).setIdentity();
+  jacobian.col(at + 2) = quarter * world_from_window * in_window;
+  return window.place_m + world_from_window * in_window - point.position_m;
+}
+
+// How many positions in a row have one error in common: one over the share that is independent.
+double lasting(const std::vector<Vector2d>& residuals) {
+  double power = 0.0, factor = 1.0;
+  for (const Vector2d& r : residuals) power += r.squaredNorm();
+  const std::size_t most = residuals.size() / 4;
+  for (std::size_t lag = 1; lag < most && power > 0.0; ++lag) {
+    double sum = 0.0;
+    for (std::size_t i = lag; i < residuals.size(); ++i) sum += residuals[i].dot(residuals[i - lag]);
+    const double correlation = sum / power;
+    if (correlation < 0.05) break;
+    factor += 2.0 * correlation;
+  }
+  return factor;
+}
+
+double median_norm(const std::vector<Vector2d>& residuals) {
+  std::vector<double> norms;
+  for (const Vector2d& r : residuals) norms.push_back(r.norm());
+  std::nth_element(norms.begin(), norms.begin() + static_cast<std::ptrdiff_t>(norms.size() / 2), norms.end());
+  return norms[norms.size() / 2];
+}
+
+// One round of Gauss-Newton; the covariance is for independent errors of unit size.
+double improve(const std::vector<Point>& points, State& state, Eigen::MatrixXd& covariance,
+               std::vector<Vector2d>& residuals) {
+  const Eigen::Index unknowns = kCommon + 3 * static_cast<Eigen::Index>(state.windows.size());
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknowns);
+  Row jacobian(2, unknowns);
+  residuals.clear();
+  for (const Point& point : points) residuals.push_back(residual_of(point, state, jacobian));
+  const double limit = std::max(1e-9, 2.0 * median_norm(residuals));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    residual_of(points[i], state, jacobian);
+    const double weight = std::min(1.0, limit / std::max(1e-300, residuals[i].norm()));
+    normal += weight * jacobian.transpose() * jacobian;
+    gradient += weight * jacobian.transpose() * residuals[i];
+  }
+  // A lever arm of more than 5 m is no car's: without turns it stays near the axle.
+  normal(0, 0) += 1e-4;
+  normal(1, 1) += 1e-4;
+  // The last window may hold a single position: its heading is then anything, and stays as it is.
+  for (Eigen::Index at = kCommon + 2; at < unknowns; at += 3) normal(at, at) += 1e-6;
+  const Eigen::VectorXd scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd inverse =
+      (scale.asDiagonal() * normal * scale.asDiagonal()).ldlt().solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
+  covariance = scale.asDiagonal() * inverse * scale.asDiagonal();
+  const Eigen::VectorXd step = -covariance * gradient;
+  state.lever_m += step.head<2>();
+  state.bias_change_radps += step[2];
+  state.log_scale += step[3];
+  for (std::size_t w = 0; w < state.windows.size(); ++w) {
+    const Eigen::Index at = kCommon + 3 * static_cast<Eigen::Index>(w);
+    state.windows[w].place_m += step.segment<2>(at);
+    state.windows[w].heading_rad += step[at + 2];
+  }
+  return step.head<kCommon>().norm();
+}
+
+// The whole drive from its start, whose heading comes from its first `kStart_s`.
+std::vector<StampedPosition> integrate_all(const WheelImuSignals& signals,
+                                           const std::vector<StampedPosition>& positions,
+                                           const Eigen::Vector3d& z_in_imu, double bias_radps, double scale,
+                                           const Vector2d& lever_m, double& end_error_m) {
+  constexpr double kStart_s = 20.0;
+  double distance_m = 0.0;
+  std::vector<Point> points = points_of(signals, positions, z_in_imu, 1e12, bias_radps, distance_m);
+  std::vector<StampedPosition> integrated;
+  if (points.size() < 3) return integrated;
+  std::size_t start = 0;
+  for (Point& point : points) {
+    point.way_m = scale * point.way_m + turned(point.turn_rad) * lever_m;
+    if (point.window == 0 && point.time_s < kStart_s) ++start;
+  }
+  const Placement window = place(points, 0, std::max<std::size_t>(start, 3));
+  std::size_t at = 0;
+  for (const StampedPosition& position : positions) {
+    if (position.stamp_ns < signals.begin_ns() || position.stamp_ns > signals.end_ns()) continue;
+    const Point& point = points[at++];
+    if (point.window > 0) break;
+    const Vector2d place_m = window.place_m + turned(window.heading_rad) * point.way_m;
+    integrated.push_back({position.stamp_ns, {place_m.x(), place_m.y(), position.position_m.z()}});
+    end_error_m = (place_m - point.position_m).norm();
+  }
+  return integrated;
+}
+
+}  // namespace
+
+AntennaFit fit_antenna(const WheelImuSignals& signals, const std::vector<StampedPosition>& positions,
+                       const Eigen::Matrix3d& vehicle_from_imu, double window_s, Progress& progress) {
+  AntennaFit fit;
+  const Eigen::Vector3d z_in_imu = vehicle_from_imu.row(2).transpose();
+  constexpr int kRounds = 30;
+  constexpr std::size_t kFewest = 30;
+  State state;
+  Eigen::MatrixXd covariance;
+  std::vector<Vector2d> residuals;
+  double bias_radps = 0.0;
+  for (int round = 0; round < kRounds; ++round) {
+    if (progress.cancelled()) {
+      fit.why = "cancelled";
+      return fit;
+    }
+    const std::vector<Point> points = points_of(signals, positions, z_in_imu, window_s, bias_radps, fit.distance_m);
+    fit.positions = points.size();
+    if (points.size() < kFewest) {
+      fit.why = "only " + std::to_string(points.size()) + " positions lie within the wheel speeds and yaw rates";
+      return fit;
+    }
+    if (state.windows.empty())
+      for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+        while (last < points.size() && points[last].window == points[first].window) ++last;
+        state.windows.push_back(place(points, first, last));
+      }
+    const double step = improve(points, state, covariance, residuals);
+    bias_radps += state.bias_change_radps;
+    state.bias_change_radps = 0.0;
+    if (round > 2 && step < 1e-7) break;
+  }
+  double sum = 0.0;
+  for (const Vector2d& r : residuals) sum += r.squaredNorm();
+  const double unknowns = static_cast<double>(kCommon) + 3.0 * static_cast<double>(state.windows.size());
+  const double variance = sum / std::max(1.0, 2.0 * static_cast<double>(residuals.size()) - unknowns);
+  covariance *= variance * lasting(residuals);
+  fit.found = covariance.allFinite();
+  fit.antenna_in_vehicle_m = state.lever_m;
+  fit.covariance_m2 = covariance.topLeftCorner<2, 2>();
+  fit.yaw_rate_bias_radps = bias_radps;
+  fit.yaw_rate_bias_sigma_radps = std::sqrt(covariance(2, 2));
+  fit.wheel_scale = std::exp(state.log_scale);
+  fit.wheel_scale_sigma = fit.wheel_scale * std::sqrt(covariance(3, 3));
+  fit.rms_m = std::sqrt(sum / static_cast<double>(residuals.size()));
+  fit.windows = static_cast<int>(state.windows.size());
+  fit.integrated =
+      integrate_all(signals, positions, z_in_imu, bias_radps, fit.wheel_scale, state.lever_m, fit.end_error_m);
+  fit.integrated_raw = integrate_all(signals, positions, z_in_imu, 0.0, 1.0, Vector2d::Zero(), fit.end_error_raw_m);
+  return fit;
+}
+
+}  // namespace remount

@@ -1,0 +1,324 @@
+#include "algorithms/calibration/slew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "algorithms/calibration/observability.h"
+#include "algorithms/core/error.h"
+
+namespace remount {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kMostLean_rad = degrees_to_radians(30.0);  // of the rough up direction
+
+std::string text_of(const char* pattern, auto... values) {
+  char text[400];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+void require_valid(const SlewOptions& options) {
+  std::string all;
+  for (const std::string& problem : option_problems(options)) all += (all.empty() ? "" : "; ") + problem;
+  if (!all.empty()) throw Error(ErrorCode::Contract, "slew options", all);
+}
+
+void refuse(Status status, std::string message, std::string advice, SlewResult& result) {
+  result.calibration.status = status;
+  result.calibration.message = std::move(message);
+  result.calibration.advice.push_back(std::move(advice));
+  claim_nothing("the recordings were refused", result.calibration);
+}
+
+/// What the frame is made of.
+struct Pieces {
+  Vector3d up, across;                    // normals of the first plane and of the arm's
+  Vector3d centre_m;                      // of the slew circle
+  Vector3d arm_m;                         // somewhere on the arm: says which way is forward
+  std::optional<Vector3d> ground_normal;  // where the origin lies on the ground
+  Vector3d ground_m = Vector3d::Zero();
+};
+
+// Axes n1, n2, n1 x n2: the first plane is kept, the arm's is made square to it.
+RigidTransform frame_of(const Pieces& pieces) {
+  Vector3d y = (pieces.across - pieces.across.dot(pieces.up) * pieces.up).normalized();
+  Vector3d x = y.cross(pieces.up);
+  if (x.dot(pieces.arm_m - pieces.centre_m) < 0.0) {
+    x = -x;
+    y = -y;
+  }
+  Matrix3d machine_from_lidar;
+  machine_from_lidar << x.transpose(), y.transpose(), pieces.up.transpose();
+  Vector3d origin_m = pieces.centre_m;
+  if (pieces.ground_normal) {
+    const Vector3d& normal = *pieces.ground_normal;
+    origin_m -= normal.dot(pieces.centre_m - pieces.ground_m) / normal.dot(pieces.up) * pieces.up;
+  }
+  return make_rigid(machine_from_lidar, -machine_from_lidar * origin_m);
+}
+
+// Covariance of the frame under `perturbed`: three errors of each piece at a time, carried through `frame_of`.
+Matrix6d propagate(const Pieces& pieces,
+                   const std::vector<std::pair<std::function<void(Pieces&, const Vector3d&)>, Matrix3d>>& errors) {
+  constexpr double kStep = 1e-6;
+  const RigidTransform frame = frame_of(pieces);
+  Matrix6d covariance = Matrix6d::Zero();
+  for (const auto& [apply, spread] : errors) {
+    Eigen::Matrix<double, 6, 3> jacobian;
+    for (int k = 0; k < 3; ++k) {
+      Pieces up = pieces, down = pieces;
+      apply(up, kStep * Vector3d::Unit(k));
+      apply(down, -kStep * Vector3d::Unit(k));
+      jacobian.col(k) = (difference(frame, frame_of(up)) - difference(frame, frame_of(down))) / (2.0 * kStep);
+    }
+    covariance += jacobian * spread * jacobian.transpose();
+  }
+  return covariance;
+}
+
+bool fit_ground_plane(const SlewData& data, const SlewOptions& options, const Progress& progress, SlewResult& result) {
+  PlaneFitOptions fit;
+  fit.inlier_m = options.plane_inlier_m;
+  fit.near_normal = data.up_in_lidar;
+  fit.most_lean_rad = kMostLean_rad;
+  result.ground = fit_plane(data.ground_points, fit, 1.0, progress);
+  constexpr double kLeastExtent_m = 0.5;
+  if (result.ground.found && result.ground.short_extent_m < kLeastExtent_m) {
+    result.ground.found = false;
+    result.ground.why = "the ground that is seen is a strip: its tilt is a guess";
+  }
+  return result.ground.found;
+}
+
+bool arm_is_missing(const SlewData& data, const Vector3d& up, const SlewOptions& options, const Progress& progress,
+                    SlewResult& result) {
+  PlaneFitOptions fit;
+  fit.inlier_m = options.plane_inlier_m;
+  fit.square_to = up;
+  fit.most_lean_rad = degrees_to_radians(15.0);
+  fit.trials = 1500;
+  result.arm = fit_plane(data.arm_points, fit, 1.0, progress);
+  constexpr std::size_t kFewest = 50;
+  constexpr double kLeastLong_m = 0.5, kLeastShort_m = 0.2;
+  std::string why = result.arm.why;
+  if (result.arm.found && result.arm.inliers < kFewest)
+    why = text_of("only %zu moving points lie in one upright plane", result.arm.inliers);
+  else if (result.arm.found && (result.arm.long_extent_m < kLeastLong_m || result.arm.short_extent_m < kLeastShort_m))
+    why = text_of("what moved spans only %.2f by %.2f m (root mean square)", result.arm.long_extent_m,
+                  result.arm.short_extent_m);
+  if (why.empty()) return false;
+  result.arm.found = false;
+  refuse(Status::Degenerate, "The plane of the arm is missing: " + why + ". Without it the machine's yaw is unknown.",
+         "Record the arm while it is swept up and down over its whole range with the slew angle held, in view of the "
+         "LiDAR.",
+         result);
+  return true;
+}
+
+bool turn_is_unusable(const SlewOptions& options, SlewResult& result) {
+  const CircleFit& circle = result.circle;
+  const std::string advice = "Record one full turn of the machine at an even, slow rate, and stay clear of it.";
+  if (!circle.found) {
+    refuse(Status::TooFewPairs, "The turn gives no circle: " + circle.why + ".", advice, result);
+    return true;
+  }
+  const double arc_deg = radians_to_degrees(circle.arc_rad);
+  if (arc_deg < options.min_arc_deg) {
+    refuse(
+        Status::Degenerate,
+        text_of("The turn covers an arc of %.0f deg and at least %.0f deg are needed: centre and plane of a short arc "
+                "hang on its noise.",
+                arc_deg, options.min_arc_deg),
+        advice, result);
+    return true;
+  }
+  const double residual_m = std::hypot(circle.in_plane_rms_m, circle.off_plane_rms_m);
+  if (circle.radius_m < 10.0 * residual_m && circle.radius_m < 0.5) {
+    refuse(
+        Status::Degenerate,
+        text_of("The LiDAR runs on a circle of %.3f m radius with residuals of %.3f m: it sits too near the slew axis "
+                "for its circle to have a plane.",
+                circle.radius_m, residual_m),
+        "Mount the LiDAR farther from the slew axis, or use a registration with smaller errors (finer voxels).",
+        result);
+    return true;
+  }
+  return false;
+}
+
+// Whether ground and turn contradict each other; with the ground as first plane that is a refusal.
+bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
+  const Vector3d axis =
+      result.circle.axis.dot(result.ground.normal) < 0.0 ? Vector3d(-result.circle.axis) : result.circle.axis;
+  const Vector3d lean = result.ground.normal.cross(axis);
+  result.ground_to_turn_rad = std::atan2(lean.norm(), result.ground.normal.dot(axis));
+  const Matrix3d spread = result.ground.normal_covariance_rad2 + result.circle.axis_covariance_rad2;
+  result.ground_to_turn_sigma_rad = std::sqrt(std::max(0.0, 0.5 * spread.trace()));
+  if (options.first_plane != FirstPlane::Ground) return false;
+  const double limit_rad =
+      std::max(degrees_to_radians(options.max_plane_angle_deg), 3.5 * result.ground_to_turn_sigma_rad);
+  if (result.ground_to_turn_rad <= limit_rad) return false;
+  refuse(
+      Status::Inconsistent,
+      text_of("The ground is tilted by %.2f deg (sigma %.2f) against the plane in which the LiDAR turned, and %.2f deg "
+              "are allowed: it is not square to the slew axis.",
+              radians_to_degrees(result.ground_to_turn_rad), radians_to_degrees(result.ground_to_turn_sigma_rad),
+              options.max_plane_angle_deg),
+      "Repeat on level, even ground, or take the plane of the turn (slew.first_plane = turn).", result);
+  return true;
+}
+
+bool arm_leans(const Vector3d& up, const SlewOptions& options, SlewResult& result) {
+  result.arm_square_error_rad = std::asin(std::clamp(result.arm.normal.dot(up), -1.0, 1.0));
+  if (std::abs(result.arm_square_error_rad) <= degrees_to_radians(options.max_square_error_deg)) return false;
+  refuse(Status::Inconsistent,
+         text_of("The plane of the arm leans by %.2f deg from square to the first plane, and %.2f deg are allowed: the "
+                 "slew angle moved, or what moved is not the arm.",
+                 radians_to_degrees(std::abs(result.arm_square_error_rad)), options.max_square_error_deg),
+         "Record the arm again with the slew angle held, and nobody moving near the machine.", result);
+  return true;
+}
+
+void fill_calibration(const Pieces& pieces, const Matrix6d& covariance, const SolveOptions& solve,
+                      const std::optional<RigidTransform>& nominal, CalibrationResult& result) {
+  result.ins_from_lidar = frame_of(pieces);
+  result.covariance = parameter_covariance(result.ins_from_lidar, covariance);
+  const Vector6d limits = observation_limits(solve);
+  SixParameters six = six_from_rigid(result.ins_from_lidar);
+  const SixParameters kept = nominal ? six_from_rigid(*nominal) : SixParameters{};
+  double* const values[] = {&six.x_m, &six.y_m, &six.z_m, &six.yaw_rad, &six.pitch_rad, &six.roll_rad};
+  const double fallback[] = {kept.x_m, kept.y_m, kept.z_m, kept.yaw_rad, kept.pitch_rad, kept.roll_rad};
+  bool all = true;
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    result.observed[at] = result.covariance(i, i) < limits[i] * limits[i];
+    if (result.observed[at]) continue;
+    all = false;
+    *values[i] = fallback[i];
+    result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+    result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+    result.advice.push_back(std::string(kParameterNames[at]) +
+                            " is not known well enough: record longer, and move the LiDAR away from the slew axis.");
+  }
+  if (!all) result.ins_from_lidar = rigid_from_six(six);
+  result.status = all ? Status::Ok : Status::Degenerate;
+}
+
+void name_quantities(const Pieces& pieces, SlewResult& result) {
+  const CircleFit& circle = result.circle;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  auto& list = result.quantities;
+  constexpr std::array<const char*, 3> kCentre{"slew centre x", "slew centre y", "slew centre z"};
+  for (int k = 0; k < 3; ++k)
+    list.push_back({kCentre[static_cast<std::size_t>(k)], pieces.centre_m[k],
+                    std::sqrt(circle.centre_covariance_m2(k, k)), "m", true});
+  list.push_back({"slew radius", circle.radius_m, circle.radius_sigma_m, "m", true});
+  list.push_back({"arc", circle.arc_rad, kNone, "rad", true});
+  list.push_back({"circle residual", circle.in_plane_rms_m, kNone, "m", true});
+  list.push_back({"turn plane residual", circle.off_plane_rms_m, kNone, "m", true});
+  if (result.ground.found) {
+    list.push_back({"ground residual", result.ground.rms_m, kNone, "m", true});
+    list.push_back(
+        {"angle between ground and turn", result.ground_to_turn_rad, result.ground_to_turn_sigma_rad, "rad", true});
+  }
+  list.push_back({"arm residual", result.arm.rms_m, kNone, "m", true});
+  list.push_back({"angle between arm and first plane", 0.5 * kPi - result.arm_square_error_rad, kNone, "rad", true});
+}
+
+void draw(const SlewData& data, SlewResult& result) {
+  const RigidTransform& machine_from_lidar = result.calibration.ins_from_lidar;
+  Curve poses{"LiDAR", {}, {}, {}, true}, circle{"fitted circle", {}, {}, {}, false},
+      centre{"slew axis", {}, {}, {}, true};
+  Curve off{"from the circle", {}, {}, {}, true}, high{"from its plane", {}, {}, {}, true};
+  const Vector3d middle = machine_from_lidar * result.circle.centre_m;
+  for (const RigidTransform& pose : data.first_from_lidar) {
+    const Vector3d at = machine_from_lidar * pose.translation();
+    poses.x.push_back(at.x());
+    poses.y.push_back(at.y());
+    const Vector3d out = pose.translation() - result.circle.centre_m;
+    const double along = out.dot(result.circle.axis);
+    const double angle = std::atan2(at.y() - middle.y(), at.x() - middle.x());
+    off.x.push_back(radians_to_degrees(angle));
+    high.x.push_back(radians_to_degrees(angle));
+    off.y.push_back(1e3 * ((out - along * result.circle.axis).norm() - result.circle.radius_m));
+    high.y.push_back(1e3 * along);
+  }
+  for (int i = 0; i <= 180; ++i) {
+    const double angle = 2.0 * kPi * i / 180.0;
+    circle.x.push_back(middle.x() + result.circle.radius_m * std::cos(angle));
+    circle.y.push_back(middle.y() + result.circle.radius_m * std::sin(angle));
+  }
+  centre.x = {middle.x()};
+  centre.y = {middle.y()};
+  result.plots.push_back({"Turn of the LiDAR about the slew axis", "x (m)", "y (m)", true, {poses, circle, centre}});
+  result.plots.push_back({"Distance from the fitted circle", "slew angle (deg)", "mm", false, {off, high}});
+}
+
+}  // namespace
+
+SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>& nominal_machine_from_lidar,
+                      const SlewOptions& options, const SolveOptions& solve, Progress& progress) {
+  require_valid(options);
+  SlewResult result;
+  CalibrationResult& calibration = result.calibration;
+  calibration.reference_frame = "machine";
+  calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  if (nominal_machine_from_lidar) calibration.ins_from_lidar = *nominal_machine_from_lidar;
+  progress.report("fitting planes and circle", 0, 0);
+  std::vector<Vector3d> positions;
+  for (const RigidTransform& pose : data.first_from_lidar) positions.push_back(pose.translation());
+  result.circle = fit_circle(positions);
+  const bool needs_ground = options.first_plane == FirstPlane::Ground || options.origin == MachineOrigin::Ground;
+  const bool ground = fit_ground_plane(data, options, progress, result);
+  const auto cancelled = [&] {
+    if (progress.cancelled()) refuse(Status::Cancelled, "Cancelled.", "Start again.", result);
+    return progress.cancelled();
+  };
+  if (cancelled() || turn_is_unusable(options, result)) return result;
+  if (needs_ground && !ground) {
+    refuse(Status::Degenerate, "The plane of the ground is missing: " + result.ground.why + ".",
+           "Record the ground around the machine, or take the plane of the turn (slew.first_plane = turn).", result);
+    return result;
+  }
+  if (ground && ground_is_tilted(options, result)) return result;
+  const Vector3d up_hint = ground ? result.ground.normal : data.up_in_lidar;
+  if (result.circle.axis.dot(up_hint) < 0.0) result.circle.axis = -result.circle.axis;
+  const bool by_ground = options.first_plane == FirstPlane::Ground;
+  Pieces pieces;
+  pieces.up = by_ground ? result.ground.normal : result.circle.axis;
+  if (arm_is_missing(data, pieces.up, options, progress, result) || arm_leans(pieces.up, options, result) ||
+      cancelled())
+    return result;
+  pieces.across = result.arm.normal;
+  pieces.centre_m = result.circle.centre_m;
+  pieces.arm_m = result.arm.centre_m;
+  if (options.origin == MachineOrigin::Ground) {
+    pieces.ground_normal = result.ground.normal;
+    pieces.ground_m = result.ground.centre_m;
+  }
+  const Matrix3d make = std::pow(degrees_to_radians(options.surface_sigma_deg), 2) * Matrix3d::Identity();
+  const Matrix3d up_spread =
+      by_ground ? Matrix3d(result.ground.normal_covariance_rad2 + make) : result.circle.axis_covariance_rad2;
+  const Matrix6d covariance = propagate(
+      pieces, {{[](Pieces& p, const Vector3d& phi) { p.up = so3_exp(phi) * p.up; }, up_spread},
+               {[](Pieces& p, const Vector3d& phi) { p.across = so3_exp(phi) * p.across; },
+                result.arm.normal_covariance_rad2 + make},
+               {[](Pieces& p, const Vector3d& step) { p.centre_m += step; }, result.circle.centre_covariance_m2},
+               {[](Pieces& p, const Vector3d& step) { p.ground_m += step; },
+                std::pow(result.ground.offset_sigma_m, 2) * Matrix3d::Identity()}});
+  fill_calibration(pieces, covariance, solve, nominal_machine_from_lidar, calibration);
+  calibration.message =
+      text_of("Machine from LiDAR by %s, the arm's plane and a turn of %.0f deg.",
+              by_ground ? "the ground" : "the plane of the turn", radians_to_degrees(result.circle.arc_rad));
+  calibration.translation_rms_m = std::hypot(result.circle.in_plane_rms_m, result.circle.off_plane_rms_m);
+  name_quantities(pieces, result);
+  draw(data, result);
+  return result;
+}
+
+}  // namespace remount

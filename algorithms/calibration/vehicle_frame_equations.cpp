@@ -1,0 +1,319 @@
+#include "algorithms/calibration/vehicle_frame_equations.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace remount {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int kUnknowns = VehicleFrameState::kUnknowns;
+constexpr double kOutlierSigma = 3.0;
+constexpr double kLeastSigma = 1e-9;  // exact data: no division by zero
+
+// Turn and travel map of the interval under another bias, to first order.
+WheelPreintegration with_bias(const IntegratedInterval& interval, const Vector3d& bias_radps) {
+  WheelPreintegration sum = interval.nominal;
+  const Vector3d change = bias_radps - interval.bias_radps;
+  Vector3d turn = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    turn += change[k] * interval.turn_by_bias[static_cast<std::size_t>(k)];
+    sum.travel_map_m += change[k] * interval.map_by_bias[static_cast<std::size_t>(k)];
+  }
+  sum.imu_start_from_imu_end = so3_exp(turn) * sum.imu_start_from_imu_end;
+  sum.turn_in_imu_rad -= change * sum.duration_s;
+  return sum;
+}
+
+using KindWeights = std::array<double, kResidualKinds>;
+
+struct Linearised {
+  IntervalResidual residual;
+  IntervalJacobian jacobian;
+};
+
+std::vector<Linearised> linearise(const std::vector<IntegratedInterval>& intervals, const VehicleFrameState& state) {
+  std::vector<Linearised> rows(intervals.size());
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+    rows[i] = {residual_of(intervals[i], state), jacobian_of(intervals[i], state)};
+  return rows;
+}
+
+bool has_rows(const VehicleFrameProblem& problem, std::size_t interval, int kind) {
+  return problem.used[static_cast<std::size_t>(kind)] &&
+         (kind != kReferenceTurn || (*problem.intervals)[interval].reference_begin_from_end);
+}
+
+double norm_of(const IntervalResidual& residual, int kind) {
+  int first = 0;
+  for (int k = 0; k < kind; ++k) first += kResidualRows[static_cast<std::size_t>(k)];
+  return residual.segment(first, kResidualRows[static_cast<std::size_t>(kind)]).norm();
+}
+
+// Sigma of one row: the median of the norms at first, then the mean square of what is no outlier. How a vehicle leans
+// on its road is no error with outliers: all of it counts.
+std::array<double, kResidualKinds> estimate_sigma(const VehicleFrameProblem& problem,
+                                                  const std::vector<IntervalResidual>& residuals, double unknowns) {
+  constexpr std::array<double, 4> kMedianOfNorm{0.0, 0.6745, 1.1774, 1.5382};
+  std::array<double, kResidualKinds> sigma{};
+  for (int kind = 0; kind < kResidualKinds; ++kind) {
+    std::vector<double> norms;
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+      if (has_rows(problem, i, kind)) norms.push_back(norm_of(residuals[i], kind));
+    const auto at = static_cast<std::size_t>(kind);
+    sigma[at] = kLeastSigma;
+    if (norms.empty()) continue;
+    const int rows = kResidualRows[at];
+    std::vector<double> sorted = norms;
+    std::sort(sorted.begin(), sorted.end());
+    const double rough = sorted[sorted.size() / 2] / kMedianOfNorm[static_cast<std::size_t>(rows)];
+    const double limit = kind == kLevel ? sorted.back() : 4.0 * std::sqrt(static_cast<double>(rows)) * rough;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const double norm : norms)
+      if (norm <= limit) sum += norm * norm, ++count;
+    const double degrees = std::max(1.0, rows * static_cast<double>(count) - unknowns);
+    sigma[at] = std::max(kLeastSigma, std::sqrt(sum / degrees));
+  }
+  return sigma;
+}
+
+// How the vehicle leans from interval to interval is linked, and so is how it turns: what the level rows say of the IMU
+// counts for as many intervals as are independent.
+double lasting_of_level(const std::vector<Linearised>& rows) {
+  const auto score = [&](std::size_t i) {
+    const auto& jacobian = rows[i].jacobian;
+    return Eigen::Vector2d(jacobian(10, 12) * rows[i].residual[10], jacobian(11, 11) * rows[i].residual[11]);
+  };
+  double power = 0.0, factor = 1.0;
+  for (std::size_t i = 0; i < rows.size(); ++i) power += score(i).squaredNorm();
+  for (std::size_t lag = 1; lag < rows.size() / 4 && power > 0.0; ++lag) {
+    double sum = 0.0;
+    for (std::size_t i = lag; i < rows.size(); ++i) sum += score(i).dot(score(i - lag));
+    if (sum < 0.05 * power) break;
+    factor += 2.0 * sum / power;
+  }
+  return factor;
+}
+
+double robust_weight(double norm, int rows, double sigma) {
+  const double limit = kOutlierSigma * std::sqrt(static_cast<double>(rows)) * sigma;
+  return norm <= limit ? 1.0 : limit * limit / (norm * norm);
+}
+
+struct Normal {
+  StateMatrix hessian = StateMatrix::Zero();
+  StateVector gradient = StateVector::Zero();
+  std::vector<StateVector> scores;  // of each interval, for errors that last
+  int outliers = 0;
+};
+
+Normal normal_equations(const VehicleFrameProblem& problem, const std::vector<Linearised>& rows,
+                        const std::array<double, kResidualKinds>& sigma, const VehicleFrameState& state) {
+  Normal normal;
+  normal.scores.assign(rows.size(), StateVector::Zero());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    double least = 1.0;
+    for (int kind = 0, first = 0; kind < kResidualKinds; first += kResidualRows[static_cast<std::size_t>(kind++)]) {
+      if (!has_rows(problem, i, kind)) continue;
+      const auto at = static_cast<std::size_t>(kind);
+      const int count = kResidualRows[at];
+      const double robust = kind == kLevel ? 1.0 : robust_weight(norm_of(rows[i].residual, kind), count, sigma[at]);
+      const double weight = robust / (sigma[at] * sigma[at]);
+      const auto jacobian = rows[i].jacobian.middleRows(first, count);
+      const StateVector score = weight * jacobian.transpose() * rows[i].residual.segment(first, count);
+      normal.hessian += weight * jacobian.transpose() * jacobian;
+      normal.gradient += score;
+      normal.scores[i] += score;
+      least = std::min(least, robust);
+    }
+    if (least < 0.5) ++normal.outliers;
+  }
+  const StateVector from_prior = difference(problem.prior, state);
+  for (int k = 0; k < kUnknowns; ++k) {
+    if (problem.free[static_cast<std::size_t>(k)]) {
+      const double weight = 1.0 / (problem.prior_sigma[k] * problem.prior_sigma[k]);
+      normal.hessian(k, k) += weight;
+      normal.gradient[k] += weight * from_prior[k];
+      continue;
+    }
+    normal.hessian.row(k).setZero();
+    normal.hessian.col(k).setZero();
+    normal.gradient[k] = 0.0;
+    for (StateVector& score : normal.scores) score[k] = 0.0;
+  }
+  return normal;
+}
+
+StateMatrix inverse_of_free(const VehicleFrameProblem& problem, const StateMatrix& hessian) {
+  std::vector<int> free;
+  for (int k = 0; k < kUnknowns; ++k)
+    if (problem.free[static_cast<std::size_t>(k)]) free.push_back(k);
+  const auto n = static_cast<Eigen::Index>(free.size());
+  // Scaled to a unit diagonal: unknowns are metres, radians and rates.
+  const StateVector scale = hessian.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd reduced = (scale.asDiagonal() * hessian * scale.asDiagonal()).eval()(free, free);
+  const Eigen::MatrixXd inverse = reduced.ldlt().solve(Eigen::MatrixXd::Identity(n, n));
+  StateMatrix out = StateMatrix::Zero();
+  out(free, free) = inverse;
+  return scale.asDiagonal() * out * scale.asDiagonal();
+}
+
+// Errors of wheels and odometry last longer than an interval. Sums of scores over some seconds scatter more then than
+// independent ones would; each unknown is widened by what its own sums say, and never narrowed.
+StateMatrix widened_by_lasting_errors(const StateMatrix& covariance, const std::vector<StateVector>& scores) {
+  constexpr std::size_t kBlock = 8, kFewestBlocks = 12;
+  const std::size_t blocks = scores.size() / kBlock;
+  if (blocks < kFewestBlocks) return covariance;
+  StateMatrix lasting = StateMatrix::Zero(), independent = StateMatrix::Zero();
+  for (std::size_t b = 0; b < blocks; ++b) {
+    StateVector sum = StateVector::Zero();
+    for (std::size_t i = b * kBlock; i < (b + 1) * kBlock; ++i) {
+      sum += scores[i];
+      independent += scores[i] * scores[i].transpose();
+    }
+    lasting += sum * sum.transpose();
+  }
+  const StateMatrix wide = covariance * lasting * covariance, narrow = covariance * independent * covariance;
+  // The ratio of two variances from so many blocks scatters by itself: only what exceeds chance counts.
+  const double chance = 1.0 + 1.7 * std::sqrt(2.0 / static_cast<double>(blocks));
+  StateVector factor = StateVector::Ones();
+  for (int k = 0; k < kUnknowns; ++k)
+    if (narrow(k, k) > 0.0 && wide(k, k) > chance * narrow(k, k)) factor[k] = std::sqrt(wide(k, k) / narrow(k, k));
+  return factor.asDiagonal() * covariance * factor.asDiagonal();
+}
+
+void describe_lever_arm(const VehicleFrameProblem& problem, const std::vector<IntegratedInterval>& intervals,
+                        VehicleFrameSolution& solution) {
+  const double weight = 1.0 / (solution.sigma[kWay] * solution.sigma[kWay]);
+  for (const IntegratedInterval& interval : intervals) {
+    const Matrix3d turned =
+        with_bias(interval, solution.state.gyro_bias_radps).start_from_end(solution.state.vehicle_from_imu).linear() -
+        Matrix3d::Identity();
+    solution.way_information += weight * turned.transpose() * turned;
+  }
+  const double noise_rad = problem.used[kTurn] ? solution.sigma[kTurn] : 0.0;
+  solution.spurious_information =
+      2.0 * noise_rad * noise_rad * weight * static_cast<double>(intervals.size()) * Matrix3d::Identity();
+}
+
+}  // namespace
+
+VehicleFrameState moved(const VehicleFrameState& state, const StateVector& delta) {
+  VehicleFrameState out = state;
+  out.vehicle_from_sensor = perturbed(state.vehicle_from_sensor, delta.head<6>());
+  out.log_scale += delta[6];
+  out.log_wheel_scale += delta[7];
+  out.gyro_bias_radps += delta.segment<3>(8);
+  out.vehicle_from_imu = so3_exp(delta.segment<3>(11)) * state.vehicle_from_imu;
+  out.track_m += delta[14];
+  out.vehicle_from_reference = so3_exp(delta.segment<3>(15)) * state.vehicle_from_reference;
+  return out;
+}
+
+StateVector difference(const VehicleFrameState& from, const VehicleFrameState& to) {
+  StateVector delta;
+  delta << difference(from.vehicle_from_sensor, to.vehicle_from_sensor), to.log_scale - from.log_scale,
+      to.log_wheel_scale - from.log_wheel_scale, to.gyro_bias_radps - from.gyro_bias_radps,
+      so3_log(to.vehicle_from_imu * from.vehicle_from_imu.transpose()), to.track_m - from.track_m,
+      so3_log(to.vehicle_from_reference * from.vehicle_from_reference.transpose());
+  return delta;
+}
+
+IntegratedInterval integrated(const VehicleInterval& interval, const Vector3d& bias_radps) {
+  constexpr double kStep_radps = 1e-5;
+  IntegratedInterval out;
+  out.interval = &interval;
+  out.bias_radps = bias_radps;
+  out.nominal = preintegrate(interval.steps, bias_radps);
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d step = kStep_radps * Vector3d::Unit(k);
+    const WheelPreintegration up = preintegrate(interval.steps, bias_radps + step);
+    const WheelPreintegration down = preintegrate(interval.steps, bias_radps - step);
+    const auto at = static_cast<std::size_t>(k);
+    out.turn_by_bias[at] =
+        so3_log(up.imu_start_from_imu_end * down.imu_start_from_imu_end.transpose()) / (2.0 * kStep_radps);
+    out.map_by_bias[at] = (up.travel_map_m - down.travel_map_m) / (2.0 * kStep_radps);
+  }
+  return out;
+}
+
+IntervalResidual residual_of(const IntegratedInterval& interval, const VehicleFrameState& state) {
+  const WheelPreintegration sum = with_bias(interval, state.gyro_bias_radps);
+  const double wheel_scale = std::exp(state.log_wheel_scale);
+  const RigidTransform p = sum.start_from_end(state.vehicle_from_imu, wheel_scale);
+  const RigidTransform& q = interval.interval->sensor_begin_from_sensor_end;
+  const Matrix3d& rotation = state.vehicle_from_sensor.linear();
+  const Vector3d lever_m = state.vehicle_from_sensor.translation();
+  IntervalResidual residual = IntervalResidual::Zero();
+  residual.segment<3>(0) = p * lever_m - rotation * (std::exp(state.log_scale) * q.translation()) - lever_m;
+  residual.segment<3>(3) = so3_log(p.linear() * (rotation * q.linear() * rotation.transpose()).transpose());
+  const Vector3d turn_rad = state.vehicle_from_imu * sum.turn_in_imu_rad;
+  residual[6] = wheel_scale * sum.wheel_difference_m - state.track_m * turn_rad.z();
+  if (interval.interval->reference_begin_from_end) {
+    const Matrix3d& s = state.vehicle_from_reference;
+    residual.segment<3>(7) =
+        so3_log(p.linear() * (s * *interval.interval->reference_begin_from_end * s.transpose()).transpose());
+  }
+  residual.segment<2>(10) = turn_rad.head<2>();
+  return residual;
+}
+
+IntervalJacobian jacobian_of(const IntegratedInterval& interval, const VehicleFrameState& state) {
+  constexpr double kStep = 1e-5;
+  IntervalJacobian jacobian;
+  for (int k = 0; k < kUnknowns; ++k) {
+    const StateVector step = kStep * StateVector::Unit(k);
+    jacobian.col(k) =
+        (residual_of(interval, moved(state, step)) - residual_of(interval, moved(state, -step))) / (2.0 * kStep);
+  }
+  return jacobian;
+}
+
+VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const VehicleFrameState& start,
+                                   const Progress& progress) {
+  constexpr int kRounds = 60;
+  VehicleFrameSolution solution;
+  solution.state = start;
+  double unknowns_per_kind = 0.0;
+  for (const bool free : problem.free) unknowns_per_kind += free ? 1.0 / 3.0 : 0.0;
+  std::vector<IntegratedInterval> intervals;
+  Normal normal;
+  for (int round = 0; round < kRounds; ++round) {
+    if (progress.cancelled()) {
+      solution.cancelled = true;
+      return solution;
+    }
+    intervals.clear();
+    for (const VehicleInterval& interval : *problem.intervals)
+      intervals.push_back(integrated(interval, solution.state.gyro_bias_radps));
+    const std::vector<Linearised> rows = linearise(intervals, solution.state);
+    std::vector<IntervalResidual> residuals;
+    for (const Linearised& row : rows) residuals.push_back(row.residual);
+    solution.sigma = estimate_sigma(problem, residuals, unknowns_per_kind);
+    if (problem.used[kLevel]) solution.sigma[kLevel] *= std::sqrt(lasting_of_level(rows));
+    normal = normal_equations(problem, rows, solution.sigma, solution.state);
+    solution.covariance = inverse_of_free(problem, normal.hessian);
+    const StateVector step = -solution.covariance * normal.gradient;
+    if (!step.allFinite()) return solution;
+    // A step of a radian is no small one: it is cut, and the next round linearises anew.
+    const double turn = std::max(step.segment<3>(3).norm(), step.segment<3>(11).norm());
+    solution.state = moved(solution.state, turn > 0.3 ? StateVector(0.3 / turn * step) : step);
+    const StateVector sigma = solution.covariance.diagonal().cwiseMax(1e-24).cwiseSqrt();
+    // Directions that noise alone holds creep; a twentieth of their sigma is as good as any other point.
+    if (round > 2 && step.cwiseQuotient(sigma).cwiseAbs().maxCoeff() < (round < 15 ? 1e-2 : 5e-2)) {
+      solution.converged = true;
+      break;
+    }
+  }
+  solution.information = normal.hessian;
+  solution.outliers = normal.outliers;
+  solution.covariance = widened_by_lasting_errors(solution.covariance, normal.scores);
+  describe_lever_arm(problem, intervals, solution);
+  return solution;
+}
+
+}  // namespace remount

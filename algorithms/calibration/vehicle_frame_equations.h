@@ -1,0 +1,75 @@
+// Residuals of the vehicle-frame calibration and their least squares; used by vehicle_frame.cpp and its tests.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "algorithms/calibration/vehicle_frame.h"
+
+namespace remount {
+
+/// Everything that is estimated at once. The tangent has kUnknowns entries in the order of the members.
+struct VehicleFrameState {
+  static constexpr int kUnknowns = 18;
+  RigidTransform vehicle_from_sensor = RigidTransform::Identity();       // 0-5, `perturbed`
+  double log_scale = 0.0;                                                // 6, sensor
+  double log_wheel_scale = 0.0;                                          // 7
+  Eigen::Vector3d gyro_bias_radps = Eigen::Vector3d::Zero();             // 8-10, axes of the IMU
+  Eigen::Matrix3d vehicle_from_imu = Eigen::Matrix3d::Identity();        // 11-13, left
+  double track_m = 1.6;                                                  // 14, distance of the rear wheels
+  Eigen::Matrix3d vehicle_from_reference = Eigen::Matrix3d::Identity();  // 15-17, left
+};
+using StateVector = Eigen::Matrix<double, VehicleFrameState::kUnknowns, 1>;
+using StateMatrix = Eigen::Matrix<double, VehicleFrameState::kUnknowns, VehicleFrameState::kUnknowns>;
+
+VehicleFrameState moved(const VehicleFrameState& state, const StateVector& delta);
+/// The delta with moved(from, delta) == to.
+StateVector difference(const VehicleFrameState& from, const VehicleFrameState& to);
+
+/// One interval with its integration, linear in the bias of the rates about `bias_radps`.
+struct IntegratedInterval {
+  const VehicleInterval* interval = nullptr;
+  Eigen::Vector3d bias_radps = Eigen::Vector3d::Zero();
+  WheelPreintegration nominal;
+  std::array<Eigen::Vector3d, 3> turn_by_bias;  ///< of Log(imu_start_from_imu_end) to the left, for each axis
+  std::array<Eigen::Matrix3d, 3> map_by_bias;
+};
+IntegratedInterval integrated(const VehicleInterval& interval, const Eigen::Vector3d& bias_radps);
+
+/// Kinds of residuals, each with a noise of its own that is estimated from them.
+enum ResidualKind { kWay, kTurn, kWheelDifference, kReferenceTurn, kLevel, kResidualKinds };
+inline constexpr std::array<int, kResidualKinds> kResidualRows{3, 3, 1, 3, 2};
+inline constexpr int kAllRows = 12;
+using IntervalResidual = Eigen::Matrix<double, kAllRows, 1>;
+using IntervalJacobian = Eigen::Matrix<double, kAllRows, VehicleFrameState::kUnknowns>;
+
+/// P X = X Q in translation (m) and rotation (rad), wheel difference (m), turn against the reference (rad), and turn
+/// about axes other than the vehicle's z (rad), in this order.
+IntervalResidual residual_of(const IntegratedInterval& interval, const VehicleFrameState& state);
+/// By central differences: the closed forms of all blocks are smooth.
+IntervalJacobian jacobian_of(const IntegratedInterval& interval, const VehicleFrameState& state);
+
+struct VehicleFrameProblem {
+  const std::vector<VehicleInterval>* intervals = nullptr;
+  std::array<bool, kResidualKinds> used{};
+  std::array<bool, VehicleFrameState::kUnknowns> free{};
+  VehicleFrameState prior;
+  StateVector prior_sigma = StateVector::Ones();  ///< of the free unknowns
+};
+
+struct VehicleFrameSolution {
+  VehicleFrameState state;
+  bool converged = false, cancelled = false;
+  std::array<double, kResidualKinds> sigma{};     ///< of one row of each kind
+  StateMatrix information = StateMatrix::Zero();  ///< of all unknowns, prior included; held ones have a row of zeros
+  StateMatrix covariance = StateMatrix::Zero();   ///< held ones zero; widened where errors last longer than an interval
+  Eigen::Matrix3d way_information = Eigen::Matrix3d::Zero();       ///< of the lever arm, for `SpuriousInformation`
+  Eigen::Matrix3d spurious_information = Eigen::Matrix3d::Zero();  ///< the part that noise in turns alone makes
+  int outliers = 0;                                                ///< intervals of little weight
+};
+
+/// Robust Gauss-Newton with the noise of each kind estimated from its residuals.
+VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const VehicleFrameState& start,
+                                   const Progress& progress);
+
+}  // namespace remount

@@ -1,0 +1,162 @@
+#include "algorithms/calibration/vehicle_frame_start.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace remount {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kTurnNoise_rad = 1e-4;        // what an interval's turn is known to at best
+constexpr double kTrustedMounting_deg = 10.0;  // stated better than this the IMU's mounting is a start
+
+// The attitude nearest to `a_from_b` that takes one direction to another.
+Matrix3d turned_onto(const Matrix3d& a_from_b, const Vector3d& direction_in_b, const Vector3d& direction_in_a) {
+  return Eigen::Quaterniond::FromTwoVectors(a_from_b * direction_in_b, direction_in_a).toRotationMatrix() * a_from_b;
+}
+
+struct Turns {
+  std::vector<WheelPreintegration> imu;
+  Vector3d main_axis_in_imu = Vector3d::UnitZ();
+};
+
+Turns turns_of(const std::vector<VehicleInterval>& intervals) {
+  Turns turns;
+  Matrix3d scatter = Matrix3d::Zero();
+  for (const VehicleInterval& interval : intervals) {
+    turns.imu.push_back(preintegrate(interval.steps, Vector3d::Zero()));
+    const Vector3d& turn = turns.imu.back().turn_in_imu_rad;
+    scatter += turn * turn.transpose();
+  }
+  turns.main_axis_in_imu = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter).eigenvectors().col(2);
+  return turns;
+}
+
+// Turn of the vehicle as its wheels know it: about z, by the difference of their ways over the track width that fits.
+std::vector<TurnPair> turns_by_wheels(const Turns& turns, double& track_m, Vector3d& axis_in_imu) {
+  double across = 0.0, along = 0.0;
+  for (const WheelPreintegration& imu : turns.imu) {
+    const double turn_rad = axis_in_imu.dot(imu.turn_in_imu_rad);
+    across += imu.wheel_difference_m * turn_rad;
+    along += turn_rad * turn_rad;
+  }
+  if (across < 0.0) axis_in_imu = -axis_in_imu;  // the IMU hangs upside down
+  track_m = along > 0.0 ? std::max(0.3, std::abs(across) / along) : 1.6;
+  std::vector<TurnPair> pairs;
+  for (const WheelPreintegration& imu : turns.imu)
+    pairs.push_back({so3_exp(imu.wheel_difference_m / track_m * Vector3d::UnitZ()), imu.imu_start_from_imu_end});
+  return pairs;
+}
+
+void start_imu(const std::vector<VehicleInterval>& intervals, const VehicleFrameStreams& streams, const Turns& turns,
+               const VehicleFrameOptions& options, VehicleFrameStart& start) {
+  VehicleFrameState& state = start.state;
+  state.vehicle_from_imu = stated_imu_mounting(options);
+  if (streams.one_axis) return;
+  Vector3d axis_in_imu = turns.main_axis_in_imu;
+  if (state.vehicle_from_imu.row(2).dot(axis_in_imu) < 0.0) axis_in_imu = -axis_in_imu;
+  std::vector<TurnPair> pairs;
+  if (streams.reference) {
+    for (std::size_t i = 0; i < intervals.size(); ++i)
+      if (intervals[i].reference_begin_from_end)
+        pairs.push_back({*intervals[i].reference_begin_from_end, turns.imu[i].imu_start_from_imu_end});
+  } else if (streams.wheels_differ) {
+    pairs = turns_by_wheels(turns, state.track_m, axis_in_imu);
+  }
+  if (!pairs.empty()) start.imu_to_reference = solve_rotation_equation(pairs, kTurnNoise_rad);
+  const bool solved = start.imu_to_reference && start.imu_to_reference->solved;
+  if (solved && start.imu_to_reference->rotation_about_main_axis_observed && streams.reference)
+    state.vehicle_from_imu = start.imu_to_reference->a_from_b;
+  else if (solved && streams.reference)
+    state.vehicle_from_imu = turned_onto(
+        state.vehicle_from_imu, start.imu_to_reference->a_from_b.transpose() * start.imu_to_reference->main_axis_in_a,
+        start.imu_to_reference->main_axis_in_a);
+  else if (options.imu_mounting_sigma_deg > kTrustedMounting_deg)
+    state.vehicle_from_imu = turned_onto(state.vehicle_from_imu, axis_in_imu, Vector3d::UnitZ());
+}
+
+// The track width that fits, for a start also where the wheels were not asked for turns.
+void start_track(const Turns& turns, VehicleFrameState& state) {
+  double across = 0.0, along = 0.0;
+  for (const WheelPreintegration& imu : turns.imu) {
+    const double turn_rad = state.vehicle_from_imu.row(2).dot(imu.turn_in_imu_rad);
+    across += imu.wheel_difference_m * turn_rad;
+    along += turn_rad * turn_rad;
+  }
+  if (along > 0.0) state.track_m = std::clamp(across / along, 0.5, 4.0);
+}
+
+Matrix3d pitch_and_roll_of(const Matrix3d& rotation) {
+  YawPitchRoll angles = yaw_pitch_roll_from_rotation(rotation);
+  angles.yaw_rad = 0.0;
+  return rotation_from_yaw_pitch_roll(angles);
+}
+
+}  // namespace
+
+Matrix3d stated_imu_mounting(const VehicleFrameOptions& options) {
+  return rotation_from_yaw_pitch_roll({degrees_to_radians(options.imu_yaw_deg),
+                                       degrees_to_radians(options.imu_pitch_deg),
+                                       degrees_to_radians(options.imu_roll_deg)});
+}
+
+VehicleFrameStreams streams_of(const std::vector<VehicleDrive>& drives, const std::vector<VehicleInterval>& intervals) {
+  VehicleFrameStreams streams;
+  streams.wheels_differ = std::all_of(drives.begin(), drives.end(),
+                                      [](const VehicleDrive& drive) { return drive.signals.wheels_differ(); });
+  streams.one_axis = std::all_of(drives.begin(), drives.end(),
+                                 [](const VehicleDrive& drive) { return drive.signals.rates_about_one_axis(); });
+  streams.reference = std::any_of(intervals.begin(), intervals.end(), [](const VehicleInterval& interval) {
+    return interval.reference_begin_from_end.has_value();
+  });
+  return streams;
+}
+
+VehicleFrameStart start_of(const std::vector<VehicleInterval>& intervals, const VehicleFrameStreams& streams,
+                           const std::optional<RigidTransform>& nominal_vehicle_from_sensor,
+                           const VehicleFrameOptions& options) {
+  VehicleFrameStart start;
+  VehicleFrameState& state = start.state;
+  const Turns turns = turns_of(intervals);
+  start_imu(intervals, streams, turns, options, start);
+  start_track(turns, state);
+  std::vector<TurnPair> sensor_imu, vehicle_sensor;
+  std::vector<RigidTransform> motions;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const Matrix3d& q = intervals[i].sensor_begin_from_sensor_end.linear();
+    motions.push_back(turns.imu[i].start_from_end(state.vehicle_from_imu));
+    sensor_imu.push_back({q, turns.imu[i].imu_start_from_imu_end});
+    vehicle_sensor.push_back({motions.back().linear(), q});
+  }
+  start.imu_to_sensor = solve_rotation_equation(sensor_imu, kTurnNoise_rad);
+  const RotationEquationResult levelling = solve_rotation_equation(vehicle_sensor, kTurnNoise_rad);
+  // Without turns nothing levels the sensor: it stays as the nominal has it.
+  const Matrix3d nominal =
+      nominal_vehicle_from_sensor ? nominal_vehicle_from_sensor->linear() : Matrix3d(Matrix3d::Identity());
+  const Matrix3d level_from_sensor = pitch_and_roll_of(levelling.solved ? levelling.a_from_b : nominal);
+  std::vector<PlanarMotion> planar;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const Vector3d way = level_from_sensor * intervals[i].sensor_begin_from_sensor_end.translation();
+    planar.push_back(
+        {yaw_pitch_roll_from_rotation(motions[i].linear()).yaw_rad, motions[i].translation().head<2>(), way.head<2>()});
+  }
+  start.planar = solve_planar_mounting(planar, options.scale == ScaleMode::Known);
+  const double height_m = nominal_vehicle_from_sensor ? nominal_vehicle_from_sensor->translation().z() : 0.0;
+  Vector3d lever_m(start.planar.x_m, start.planar.y_m, height_m);
+  if (!start.planar.position_observed && nominal_vehicle_from_sensor)
+    lever_m = nominal_vehicle_from_sensor->translation();
+  state.vehicle_from_sensor =
+      make_rigid(so3_exp(start.planar.yaw_rad * Vector3d::UnitZ()) * level_from_sensor, lever_m);
+  state.log_scale = std::log(std::max(start.planar.scale, 1e-12));
+  const bool imu_known =
+      options.imu_mounting_sigma_deg <= kTrustedMounting_deg ||
+      (streams.reference && start.imu_to_reference && start.imu_to_reference->rotation_about_main_axis_observed);
+  if (!imu_known && start.imu_to_sensor.rotation_about_main_axis_observed)
+    state.vehicle_from_imu = state.vehicle_from_sensor.linear() * start.imu_to_sensor.a_from_b;
+  return start;
+}
+
+}  // namespace remount

@@ -1,0 +1,159 @@
+#include "algorithms/geometry/plane_fit.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace remount {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+struct Plane {
+  Vector3d normal, centre;
+};
+
+bool allowed(const Vector3d& normal, const PlaneFitOptions& options) {
+  if (options.near_normal && std::abs(normal.dot(*options.near_normal)) < std::cos(options.most_lean_rad)) return false;
+  return !options.square_to || std::abs(normal.dot(*options.square_to)) <= std::sin(options.most_lean_rad);
+}
+
+// Truncated squares: among planes with as many points the thinner one wins.
+double cost_of(const Plane& plane, const std::vector<Vector3d>& points, std::size_t stride, double inlier_m) {
+  double cost = 0.0;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    const double off = plane.normal.dot(points[i] - plane.centre) / inlier_m;
+    cost += std::min(1.0, off * off);
+  }
+  return cost;
+}
+
+std::optional<Plane> best_of_trials(const std::vector<Vector3d>& points, const PlaneFitOptions& options,
+                                    const Progress& progress) {
+  constexpr std::size_t kMostScored = 4000;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / kMostScored);
+  std::mt19937_64 random(static_cast<std::uint64_t>(options.seed));
+  const auto pick = [&] { return points[static_cast<std::size_t>(random() % points.size())]; };
+  std::optional<Plane> best;
+  double least = 0.0;
+  for (int trial = 0; trial < options.trials && !progress.cancelled(); ++trial) {
+    const Vector3d a = pick(), b = pick(), c = pick();
+    const Vector3d across = (b - a).cross(c - a);
+    const double area = across.norm();
+    if (area < 1e-9) continue;
+    const Plane plane{across / area, a};
+    if (!allowed(plane.normal, options)) continue;
+    const double cost = cost_of(plane, points, stride, options.inlier_m);
+    if (best && cost >= least) continue;
+    best = plane;
+    least = cost;
+  }
+  return best;
+}
+
+struct Moments {
+  double weight = 0.0, weight2 = 0.0, stiffness = 0.0, squares = 0.0;
+  Vector3d mean = Vector3d::Zero();
+  Matrix3d scatter = Matrix3d::Zero();
+  std::size_t inliers = 0;
+};
+
+Moments moments_of(const Plane& plane, const std::vector<Vector3d>& points, double inlier_m) {
+  Moments sum;
+  const auto weight_of = [&](const Vector3d& point) {
+    const double share = plane.normal.dot(point - plane.centre) / inlier_m;
+    return std::abs(share) < 1.0 ? std::pow(1.0 - share * share, 2) : 0.0;
+  };
+  for (const Vector3d& point : points) {
+    const double weight = weight_of(point);
+    if (weight <= 0.0) continue;
+    sum.mean += weight * point;
+    sum.weight += weight;
+    ++sum.inliers;
+  }
+  if (sum.weight <= 0.0) return sum;
+  sum.mean /= sum.weight;
+  for (const Vector3d& point : points) {
+    const double weight = weight_of(point);
+    if (weight <= 0.0) continue;
+    sum.scatter += weight * (point - sum.mean) * (point - sum.mean).transpose();
+    const double off = plane.normal.dot(point - sum.mean);
+    sum.squares += off * off;
+    sum.weight2 += weight * weight * off * off;
+    const double share2 = off * off / (inlier_m * inlier_m);
+    sum.stiffness += (1.0 - share2) * (1.0 - 5.0 * share2);
+  }
+  return sum;
+}
+
+// Where the points are finer than the limit allows for, a plane next to this one (the stick beside the boom) would
+// tilt it: the limit follows the scatter.
+double limit_of(const Plane& plane, const std::vector<Vector3d>& points, double inlier_m) {
+  std::vector<double> off;
+  for (const Vector3d& point : points) {
+    const double distance = std::abs(plane.normal.dot(point - plane.centre));
+    if (distance < inlier_m) off.push_back(distance);
+  }
+  if (off.empty()) return inlier_m;
+  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+  std::nth_element(off.begin(), middle, off.end());
+  return std::clamp(3.5 * 1.4826 * *middle, 0.2 * inlier_m, inlier_m);
+}
+
+}  // namespace
+
+PlaneFit fit_plane(const std::vector<Vector3d>& points_m, const PlaneFitOptions& options, double correlated,
+                   const Progress& progress) {
+  PlaneFit fit;
+  constexpr std::size_t kFewest = 10;
+  if (points_m.size() < kFewest) {
+    fit.why = "only " + std::to_string(points_m.size()) + " points";
+    return fit;
+  }
+  const std::optional<Plane> start = best_of_trials(points_m, options, progress);
+  if (!start) {
+    fit.why = progress.cancelled() ? "cancelled" : "no plane of the expected direction";
+    return fit;
+  }
+  Plane plane = *start;
+  Moments sum;
+  Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
+  constexpr int kRounds = 20;
+  for (int round = 0; round < kRounds; ++round) {
+    sum = moments_of(plane, points_m, limit_of(plane, points_m, options.inlier_m));
+    if (sum.inliers < kFewest) {
+      fit.why = "only " + std::to_string(sum.inliers) + " points lie in one plane";
+      return fit;
+    }
+    eigen.compute(sum.scatter / sum.weight);
+    plane = {eigen.eigenvectors().col(0), sum.mean};
+  }
+  if (!allowed(plane.normal, options)) {
+    fit.why = "no plane of the expected direction";
+    return fit;
+  }
+  fit.found = true;
+  fit.normal = plane.normal.dot(plane.centre) > 0.0 ? Vector3d(-plane.normal) : plane.normal;
+  fit.centre_m = plane.centre;
+  fit.long_axis = eigen.eigenvectors().col(2);
+  fit.long_extent_m = std::sqrt(std::max(0.0, eigen.eigenvalues()[2]));
+  fit.short_extent_m = std::sqrt(std::max(0.0, eigen.eigenvalues()[1]));
+  fit.inliers = sum.inliers;
+  fit.rms_m = std::sqrt(sum.squares / static_cast<double>(sum.inliers));
+  // Of an estimate with a soft limit (Huber 1964): squared influence over squared stiffness, whose weights fall off
+  // faster than those of the fit itself.
+  const double stiffness = std::max(sum.stiffness, 0.1 * sum.weight);
+  const double variance = correlated * sum.weight2 / (stiffness * stiffness);
+  fit.offset_sigma_m = std::sqrt(variance);
+  for (int k = 1; k <= 2; ++k) {
+    const Vector3d axis = eigen.eigenvectors().col(k);
+    const Vector3d turned_about = fit.normal.cross(axis);
+    fit.normal_covariance_rad2 +=
+        turned_about * turned_about.transpose() * variance / std::max(eigen.eigenvalues()[k], 1e-12);
+  }
+  return fit;
+}
+
+}  // namespace remount

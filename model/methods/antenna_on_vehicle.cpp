@@ -1,0 +1,126 @@
+#include "model/methods/antenna_on_vehicle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/calibration/antenna_fit.h"
+#include "algorithms/calibration/observability.h"
+#include "algorithms/geometry/geodesy.h"
+
+namespace remount {
+namespace {
+
+constexpr double kWindow_s = 40.0;  // of a heading that may drift: a degree in a minute with a plain gyroscope
+
+std::vector<StampedPosition> positions_of(const Session& session) {
+  std::vector<StampedPosition> positions;
+  std::vector<InsSample> samples;
+  for (const GnssFix& fix : session.gnss) {
+    InsSample sample;
+    sample.stamp_ns = fix.stamp_ns;
+    sample.latitude_rad = fix.latitude_rad;
+    sample.longitude_rad = fix.longitude_rad;
+    sample.height_m = fix.height_m;
+    samples.push_back(sample);
+  }
+  if (!samples.empty())
+    for (const StampedPose& pose : local_from_ins(samples))
+      positions.push_back({pose.stamp_ns, pose.pose.translation()});
+  return positions;
+}
+
+void fill(const AntennaFit& fit, const PipelineInput& input, CalibrationResult& result) {
+  const SolveOptions& solve = input.settings.solve;
+  RigidTransform vehicle_from_antenna = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
+  bool any = false;
+  for (int i = 0; i < 2; ++i) {
+    const double variance = fit.covariance_m2(i, i);
+    const bool observed = variance < solve.max_translation_sigma_m * solve.max_translation_sigma_m;
+    result.observed[static_cast<std::size_t>(i)] = observed;
+    if (!observed) continue;
+    any = true;
+    vehicle_from_antenna.translation()[i] = fit.antenna_in_vehicle_m[i];
+    for (int k = 0; k < 2; ++k)
+      if (fit.covariance_m2(k, k) < solve.max_translation_sigma_m * solve.max_translation_sigma_m)
+        result.covariance(i, k) = fit.covariance_m2(i, k);
+  }
+  result.ins_from_lidar = vehicle_from_antenna;
+  result.status = Status::Degenerate;
+  const std::string place = result.observed[0] && result.observed[1] ? "x and y are"
+                            : result.observed[0]                     ? "x is"
+                            : any                                    ? "y is"
+                                                                     : "nothing is";
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "Positions of an antenna show no attitude; of its place %s observed. End error of wheels and yaw rate: "
+                "%.1f m in %.0f m (%.2f%%).",
+                place.c_str(), fit.end_error_m, fit.distance_m,
+                100.0 * fit.end_error_m / std::max(1.0, fit.distance_m));
+  result.message = text;
+  result.advice.push_back("Give poses of a sensor (odometry of a LiDAR or a camera) to calibrate all six parameters.");
+  if (!any) result.advice.push_back("x and y of the antenna need turns: drive tight turns in both directions.");
+}
+
+Curve curve(const char* name, const std::vector<StampedPosition>& positions, bool dots) {
+  Curve out{name, {}, {}, {}, dots};
+  for (const StampedPosition& position : positions) {
+    out.x.push_back(position.position_m.x());
+    out.y.push_back(position.position_m.y());
+  }
+  return out;
+}
+
+}  // namespace
+
+bool has_antenna_only(const Session& session) {
+  return session.odometry_from_lidar.empty() && !session.scans && session.gnss.size() > 1 &&
+         session.wheels.size() > 1 && session.imu.size() > 1;
+}
+
+PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress) {
+  const Session& session = *input.sessions.front();
+  PipelineOutput output;
+  output.method = "vehicle-frame";
+  output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
+  CalibrationResult& result = output.result;
+  result.reference_frame = "vehicle";
+  result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  for (const auto& each : input.sessions)
+    output.findings.insert(output.findings.end(), each->findings.begin(), each->findings.end());
+  if (input.sessions.size() > 1)
+    output.findings.push_back({Severity::Warning, "first-session-only", session.name,
+                               "Without poses of a sensor only the first session is used."});
+  progress.report("integrating wheels and yaw rate", 0, 0);
+  const std::vector<StampedPosition> positions = positions_of(session);
+  const VehicleFrameOptions& options = input.settings.vehicle_frame;
+  const Eigen::Matrix3d vehicle_from_imu =
+      rotation_from_yaw_pitch_roll({degrees_to_radians(options.imu_yaw_deg), degrees_to_radians(options.imu_pitch_deg),
+                                    degrees_to_radians(options.imu_roll_deg)});
+  const AntennaFit fit =
+      fit_antenna(WheelImuSignals(session.imu, session.wheels), positions, vehicle_from_imu, kWindow_s, progress);
+  output.session_uses_sweep.assign(input.sessions.size(), false);
+  if (!fit.found) {
+    result.status = progress.cancelled() ? Status::Cancelled : Status::TooFewPairs;
+    result.message = progress.cancelled() ? "Cancelled." : "The drive cannot be integrated: " + fit.why + ".";
+    return output;
+  }
+  fill(fit, input, result);
+  output.initial_ins_from_lidar = output.compensation_ins_from_lidar = result.ins_from_lidar;
+  output.quantities = {
+      {"yaw rate bias", fit.yaw_rate_bias_radps, fit.yaw_rate_bias_sigma_radps, "rad/s", true},
+      {"wheel scale", fit.wheel_scale, fit.wheel_scale_sigma, "", true},
+      {"distance", fit.distance_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
+      {"end error", fit.end_error_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
+      {"end error as measured", fit.end_error_raw_m, std::numeric_limits<double>::quiet_NaN(), "m", true}};
+  output.plots.push_back({"Trajectory by wheels and yaw rate",
+                          "x (m)",
+                          "y (m)",
+                          true,
+                          {curve("bias and scale taken out", fit.integrated, false),
+                           curve("as measured", fit.integrated_raw, false), curve("positions", positions, true)}});
+  thin(output.plots, 1000);
+  return output;
+}
+
+}  // namespace remount

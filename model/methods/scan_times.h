@@ -1,0 +1,14 @@
+// When the points of a scan were measured, as far as the session and the settings say.
+#pragma once
+
+#include <vector>
+
+#include "model/session.h"
+#include "model/settings.h"
+
+namespace remount {
+
+/// Times from the stamp, s, one for each point; empty where the scan is to be used as it is.
+std::vector<float> scan_times(const Session& session, const PointCloud& cloud, DeskewMode mode);
+
+}  // namespace remount

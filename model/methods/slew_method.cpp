@@ -1,0 +1,190 @@
+// The calibration of a slewing machine (seeds 004) from three recordings: ground, swept arm, full turn.
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "algorithms/calibration/slew_turn.h"
+#include "algorithms/cloud/deskew.h"
+#include "algorithms/core/error.h"
+#include "algorithms/trajectory/motion_track.h"
+#include "model/methods/builtin.h"
+#include "model/methods/scan_times.h"
+
+namespace remount {
+namespace {
+
+enum Role { kGround, kArm, kTurn, kRoles };
+constexpr const char* kRoleNames[] = {"ground", "arm", "turn"};
+using Recordings = std::array<const Session*, kRoles>;
+
+bool is_named(const Session& session, const char* word) {
+  std::string name = session.name;
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  return name.find(word) != std::string::npos;
+}
+
+// By the settings, else by name ("ground", "arm", "turn" in it), else by order: ground, arm, turn; or arm, turn.
+Recordings recordings_of(const PipelineInput& input) {
+  const SlewOptions& options = input.settings.slew;
+  const int chosen[] = {options.ground_session, options.arm_session, options.turn_session};
+  const auto count = static_cast<int>(input.sessions.size());
+  Recordings recordings{};
+  std::vector<const Session*> rest;
+  for (const auto& session : input.sessions) rest.push_back(session.get());
+  const auto take = [&](int role, const Session* session) {
+    recordings[static_cast<std::size_t>(role)] = session;
+    rest.erase(std::remove(rest.begin(), rest.end(), session), rest.end());
+  };
+  for (int role = 0; role < kRoles; ++role) {
+    if (chosen[role] == 0) continue;
+    if (chosen[role] > count)
+      throw Error(ErrorCode::Contract, std::string("slew.") + kRoleNames[role] + "_session",
+                  "is " + std::to_string(chosen[role]) + ", but there are " + std::to_string(count) + " sessions");
+    take(role, input.sessions[static_cast<std::size_t>(chosen[role] - 1)].get());
+  }
+  for (int role = 0; role < kRoles; ++role) {
+    if (recordings[static_cast<std::size_t>(role)]) continue;
+    std::vector<const Session*> named;
+    for (const Session* session : rest)
+      if (is_named(*session, kRoleNames[role])) named.push_back(session);
+    if (named.size() == 1) take(role, named.front());
+  }
+  for (int role = kRoles - 1; role >= 0 && !rest.empty(); --role)
+    if (!recordings[static_cast<std::size_t>(role)]) take(role, rest.back());
+  return recordings;
+}
+
+std::vector<PointCloud> load_some(const Session& session, std::size_t most, std::vector<Finding>& findings,
+                                  const Progress& progress) {
+  std::vector<PointCloud> clouds;
+  if (!session.scans) return clouds;
+  const std::size_t count = session.scans->size(), step = std::max<std::size_t>(1, (count + most - 1) / most);
+  for (std::size_t i = 0; i < count && !progress.cancelled(); i += step) {
+    try {
+      clouds.push_back(session.scans->load(i));
+    } catch (const Error& error) {
+      findings.push_back({Severity::Warning, "scan-unreadable", session.name, std::string(error.what()) + "."});
+    }
+  }
+  return clouds;
+}
+
+std::vector<Eigen::Vector3d> ground_points(const Session& session, const Settings& settings,
+                                           std::vector<Finding>& findings, Progress& progress) {
+  constexpr std::size_t kMostScans = 10, kMostPoints = 60'000;
+  progress.report("reading the ground", 0, 0);
+  std::vector<Eigen::Vector3d> points;
+  for (const PointCloud& cloud : load_some(session, kMostScans, findings, progress))
+    for (const Eigen::Vector3f& point : cloud.points)
+      if (point.norm() >= settings.registration.min_range_m && point.norm() <= settings.slew.ground_radius_m)
+        points.push_back(point.cast<double>());
+  if (points.size() <= kMostPoints) return points;
+  std::vector<Eigen::Vector3d> thinned;
+  for (std::size_t i = 0; i < kMostPoints; ++i) thinned.push_back(points[i * points.size() / kMostPoints]);
+  return thinned;
+}
+
+std::vector<Eigen::Vector3d> arm_points(const Session& session, const Settings& settings,
+                                        std::vector<Finding>& findings, Progress& progress) {
+  constexpr std::size_t kMostScans = 60;
+  progress.report("reading the arm", 0, 0);
+  return moving_points(load_some(session, kMostScans, findings, progress), settings.slew.arm_reach_m);
+}
+
+bool is_distorted(const Session& session, const Settings& settings) {
+  if (settings.run.deskew == DeskewMode::Off) return false;
+  return session.scan_timing == ScanTiming::PerPoint ||
+         (session.scan_timing == ScanTiming::SweepAzimuth &&
+          (session.sweep.certain || settings.run.deskew == DeskewMode::On));
+}
+
+PointCloud compensated(const Session& session, const PointCloud& cloud, const MotionTrack& first_from_lidar,
+                       std::int64_t stamp_ns, DeskewMode mode) {
+  const auto passage = first_from_lidar.around(stamp_ns);
+  const std::vector<float> times = scan_times(session, cloud, mode);
+  if (!passage || times.empty()) return cloud;
+  const RigidTransform stamp_from_first = passage->pose().inverse();
+  // At the ends of the turn the trajectory covers half a scan: the other half moves as that one does.
+  return deskew(cloud, times, [&](double time_s) -> RigidTransform {
+    if (const auto pose = passage->at(time_s)) return stamp_from_first * *pose;
+    if (const auto mirrored = passage->at(-time_s)) return (stamp_from_first * *mirrored).inverse();
+    return RigidTransform::Identity();
+  });
+}
+
+// Poses relative to the first scan: at first as if scans were taken at once, then with the motion in them taken out.
+std::vector<RigidTransform> turn_poses(const Session& session, const Settings& settings, std::vector<Finding>& findings,
+                                       Progress& progress) {
+  std::vector<RigidTransform> poses;
+  if (!session.scans) {
+    for (const StampedPose& pose : session.odometry_from_lidar)
+      poses.push_back(session.odometry_from_lidar.front().pose.inverse() * pose.pose);
+    return poses;
+  }
+  constexpr std::size_t kMostScans = 100;
+  const std::size_t count = session.scans->size(),
+                    step = std::max<std::size_t>(1, (count + kMostScans - 1) / kMostScans);
+  std::vector<std::int64_t> stamps_ns;
+  for (std::size_t i = 0; i < count; i += step) stamps_ns.push_back(session.scans->stamp_ns(i));
+  const LoadScan raw = [&](std::size_t i) { return session.scans->load(i * step); };
+  TurnTrajectory turn = turn_trajectory(stamps_ns, raw, settings.registration, {}, progress);
+  const int passes = is_distorted(session, settings) ? 2 : 0;
+  for (int pass = 0; pass < passes && !progress.cancelled(); ++pass) {
+    const MotionTrack track(turn.first_from_lidar);
+    const LoadScan undistorted = [&](std::size_t i) {
+      return compensated(session, raw(i), track, stamps_ns[i], settings.run.deskew);
+    };
+    turn = turn_trajectory(stamps_ns, undistorted, settings.registration, turn.first_from_lidar, progress);
+  }
+  if (turn.failed > 0)
+    findings.push_back({Severity::Warning, "turn-scans", session.name,
+                        std::to_string(turn.failed) + " of " + std::to_string(stamps_ns.size()) +
+                            " scans of the turn could not be aligned: " + turn.first_failure + "."});
+  for (const StampedPose& pose : turn.first_from_lidar) poses.push_back(pose.pose);
+  return poses;
+}
+
+}  // namespace
+
+PipelineOutput run_slew(const PipelineInput& input, Progress& progress) {
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
+  require_valid(input.settings);
+  const Recordings recordings = recordings_of(input);
+  if (!recordings[kTurn] || (!recordings[kTurn]->scans && recordings[kTurn]->odometry_from_lidar.empty()))
+    throw Error(ErrorCode::Unsupported, recordings[kTurn] ? recordings[kTurn]->name : "slew",
+                "there is no recording of the turn with scans or LiDAR poses");
+  PipelineOutput output;
+  output.method = "slew";
+  output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
+  for (const auto& session : input.sessions)
+    output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+  for (int role = 0; role < kRoles; ++role)
+    if (const Session* session = recordings[static_cast<std::size_t>(role)])
+      output.findings.push_back({Severity::Note, "recording", session->name,
+                                 std::string("Taken for the recording: ") + kRoleNames[role] + "."});
+
+  SlewData data;
+  if (input.nominal_ins_from_lidar)
+    data.up_in_lidar = input.nominal_ins_from_lidar->linear().transpose() * Eigen::Vector3d::UnitZ();
+  if (recordings[kGround])
+    data.ground_points = ground_points(*recordings[kGround], input.settings, output.findings, progress);
+  if (recordings[kArm]) data.arm_points = arm_points(*recordings[kArm], input.settings, output.findings, progress);
+  data.first_from_lidar = turn_poses(*recordings[kTurn], input.settings, output.findings, progress);
+  const SlewResult result =
+      solve_slew(data, input.nominal_ins_from_lidar, input.settings.slew, input.settings.solve, progress);
+  output.result = result.calibration;
+  output.quantities = result.quantities;
+  output.plots = result.plots;
+  thin(output.plots, 1000);
+  output.initial_ins_from_lidar =
+      input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.ins_from_lidar;
+  output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
+  output.session_uses_sweep.assign(input.sessions.size(), false);
+  if (result.ground.found && input.settings.slew.first_plane == FirstPlane::Turn &&
+      result.ground_to_turn_rad > degrees_to_radians(input.settings.slew.max_plane_angle_deg))
+    output.findings.push_back({Severity::Warning, "ground-tilted", "ground",
+                               "The ground is not square to the slew axis; the plane of the turn was used instead."});
+  return output;
+}
+
+}  // namespace remount

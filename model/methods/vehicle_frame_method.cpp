@@ -1,0 +1,206 @@
+// The vehicle-frame calibration of sessions (seeds 001): wheels and IMU integrated, the sensor's poses against them.
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "algorithms/odometry/lidar_odometry.h"
+#include "algorithms/trajectory/motion_track.h"
+#include "model/methods/antenna_on_vehicle.h"
+#include "model/methods/builtin.h"
+#include "model/methods/scan_times.h"
+#include "model/session_frames.h"
+
+namespace remount {
+namespace {
+
+using Eigen::Vector3d;
+
+// An INS is an IMU too: its turns from sample to sample, as rates in the middle of each step.
+std::vector<ImuSample> rates_of(const std::vector<StampedPose>& world_from_vehicle) {
+  std::vector<ImuSample> samples;
+  for (std::size_t i = 1; i < world_from_vehicle.size(); ++i) {
+    const StampedPose &before = world_from_vehicle[i - 1], &after = world_from_vehicle[i];
+    if (after.stamp_ns <= before.stamp_ns) continue;
+    ImuSample sample;
+    sample.stamp_ns = before.stamp_ns + (after.stamp_ns - before.stamp_ns) / 2;
+    sample.angular_rate_radps = so3_log(before.pose.linear().transpose() * after.pose.linear()) /
+                                (static_cast<double>(after.stamp_ns - before.stamp_ns) * 1e-9);
+    sample.specific_force_mps2.setConstant(std::numeric_limits<double>::quiet_NaN());
+    samples.push_back(sample);
+  }
+  return samples;
+}
+
+// Attitude of the vehicle as the INS knows it, its axes taken to x forward, y left, z up.
+std::vector<StampedPose> reference_of(const Session& session) {
+  std::vector<StampedPose> poses = metric_poses(session);
+  const RigidTransform level_from_ins = forward_left_up_from(session.ins_axes);
+  for (StampedPose& pose : poses) pose.pose = pose.pose * level_from_ins.inverse();
+  return poses;
+}
+
+// Poses of the sensor: given, or by the LiDAR odometry over the scans. Scans that it could not align are left out.
+std::vector<StampedPose> sensor_poses(const Session& session, const Settings& settings, std::vector<Finding>& findings,
+                                      Progress& progress) {
+  if (!session.scans) return session.odometry_from_lidar;
+  LidarOdometry odometry(settings.lidar_odometry, settings.registration);
+  std::vector<StampedPose> poses;
+  std::size_t failed = 0;
+  std::string first_failure;
+  for (std::size_t i = 0; i < session.scans->size() && !progress.cancelled(); ++i) {
+    progress.report("LiDAR odometry", i, session.scans->size());
+    std::string problem;
+    try {
+      const PointCloud cloud = session.scans->load(i);
+      const OdometryPose pose =
+          odometry.push(cloud, scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i), progress);
+      if (pose.aligned) poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
+      problem = pose.problem;
+    } catch (const Error& error) {
+      problem = error.what();
+    }
+    if (!problem.empty() && failed++ == 0) first_failure = session.scans->name(i) + ": " + problem;
+  }
+  if (failed > 0)
+    findings.push_back({Severity::Warning, "odometry-scans", session.name,
+                        std::to_string(failed) + " of " + std::to_string(session.scans->size()) +
+                            " scans could not be aligned: " + first_failure + "."});
+  return poses;
+}
+
+VehicleDrive drive_of(const Session& session, const Settings& settings, std::vector<Finding>& findings,
+                      Progress& progress) {
+  if (session.wheels.size() < 2)
+    throw Error(
+        ErrorCode::Unsupported, session.name,
+        "has no wheel speeds: the vehicle's frame is that of its wheels. Record them, or choose another method");
+  if (!session.scans && session.odometry_from_lidar.size() < 2)
+    throw Error(ErrorCode::Unsupported, session.name, "has neither scans nor poses of the sensor");
+  std::vector<StampedPose> reference;
+  if (!session.ins.empty() || !session.world_from_ins.empty()) reference = reference_of(session);
+  std::vector<ImuSample> imu = session.imu;
+  if (imu.size() < 2) {
+    if (reference.size() < 3)
+      throw Error(ErrorCode::Unsupported, session.name, "has neither an IMU nor an INS: nothing tells how it turns");
+    imu = rates_of(reference);
+    findings.push_back({Severity::Note, "imu-from-ins", session.name,
+                        "There is no IMU: turns are taken from the attitude of the INS."});
+  }
+  return {WheelImuSignals(imu, session.wheels), sensor_poses(session, settings, findings, progress),
+          std::move(reference)};
+}
+
+struct Integrated {
+  std::vector<double> way_m;
+  std::vector<RigidTransform> by[3];  // order of kIntegrations
+  std::vector<RigidTransform> by_sensor;
+};
+constexpr WheelIntegration kIntegrations[] = {WheelIntegration::ClosedForm, WheelIntegration::Euler,
+                                              WheelIntegration::Planar};
+constexpr const char* kNames[] = {"closed form", "Euler", "planar"};
+
+// The drive from pose to pose of the sensor, up to its first gap, by each integration and by the sensor itself.
+Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result) {
+  Integrated out;
+  const std::vector<StampedPose>& poses = drive.world_from_sensor;
+  const RigidTransform& x = result.calibration.ins_from_lidar;
+  RigidTransform start = RigidTransform::Identity(), first = RigidTransform::Identity();
+  std::size_t begin = poses.size();
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    const auto steps = drive.signals.steps(poses[i - 1].stamp_ns, poses[i].stamp_ns);
+    if (!steps && begin < i) break;
+    if (!steps) continue;
+    if (begin > i) {
+      begin = i - 1;
+      first = poses[begin].pose;
+      if (const auto level = MotionTrack(drive.reference_from_vehicle).at(poses[begin].stamp_ns))
+        start.linear() = level->linear();
+      out.way_m = {0.0};
+      out.by_sensor = {start};
+      for (std::vector<RigidTransform>& by : out.by) by = {start};
+    }
+    std::vector<MotionStep> scaled = *steps;
+    double way_m = out.way_m.back();
+    for (MotionStep& step : scaled) {
+      step.travel_m *= result.wheel_scale;
+      way_m += std::abs(step.travel_m);
+    }
+    for (std::size_t k = 0; k < 3; ++k)
+      out.by[k].push_back(
+          integrate_steps(scaled, out.by[k].back(), result.vehicle_from_imu, result.gyro_bias_radps, kIntegrations[k])
+              .back());
+    RigidTransform moved = first.inverse() * poses[i].pose;
+    moved.translation() *= result.scale;
+    out.by_sensor.push_back(start * x * moved * x.inverse());
+    out.way_m.push_back(way_m);
+  }
+  return out;
+}
+
+std::vector<Plot> plots_of(const Integrated& drive) {
+  Plot map{"Trajectory of the vehicle by three integrations", "x (m)", "y (m)", true, {}};
+  Plot height{"Height along the way", "way (m)", "z (m)", false, {}};
+  Plot distance{"Distance from the sensor's trajectory", "way (m)", "m", false, {}};
+  const auto add = [&](const char* name, const std::vector<RigidTransform>& poses, bool with_distance) {
+    Curve across{name, {}, {}, {}, false}, up = across, off = across;
+    for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
+      across.x.push_back(poses[i].translation().x());
+      across.y.push_back(poses[i].translation().y());
+      up.x.push_back(drive.way_m[i]);
+      up.y.push_back(poses[i].translation().z());
+      off.x.push_back(drive.way_m[i]);
+      off.y.push_back((poses[i].translation() - drive.by_sensor[i].translation()).norm());
+    }
+    map.curves.push_back(across);
+    height.curves.push_back(up);
+    if (with_distance) distance.curves.push_back(off);
+  };
+  for (std::size_t k = 0; k < 3; ++k) add(kNames[k], drive.by[k], true);
+  add("sensor, brought to the vehicle", drive.by_sensor, false);
+  std::vector<Plot> plots{map, height, distance};
+  thin(plots, 1000);
+  return plots;
+}
+
+void report(const VehicleFrameResult& result, std::vector<Finding>& findings) {
+  if (result.imu_to_reference)
+    findings.push_back({Severity::Note, "imu-to-vehicle", "IMU", result.imu_to_reference->words});
+  if (!result.imu_to_sensor.words.empty())
+    findings.push_back({Severity::Note, "imu-to-sensor", "IMU and sensor", result.imu_to_sensor.words});
+  if (result.calibration.status == Status::Degenerate && !result.calibration.observed[2])
+    findings.push_back({Severity::Warning, "height-unobserved", "vehicle frame",
+                        "The height of the sensor is not observed: the ground was too flat. Drive over ramps or "
+                        "slopes, or measure it."});
+}
+
+}  // namespace
+
+PipelineOutput run_vehicle_frame(const PipelineInput& input, Progress& progress) {
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
+  require_valid(input.settings);
+  if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
+  PipelineOutput output;
+  output.method = "vehicle-frame";
+  output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
+  std::vector<VehicleDrive> drives;
+  for (const auto& session : input.sessions) {
+    output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+    drives.push_back(drive_of(*session, input.settings, output.findings, progress));
+  }
+  const VehicleFrameResult result = solve_vehicle_frame(drives, input.nominal_ins_from_lidar,
+                                                        input.settings.vehicle_frame, input.settings.solve, progress);
+  output.result = result.calibration;
+  output.quantities = result.quantities;
+  output.initial_ins_from_lidar =
+      input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.ins_from_lidar;
+  output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
+  output.session_uses_sweep.assign(input.sessions.size(), false);
+  report(result, output.findings);
+  if (result.calibration.status == Status::Ok || result.calibration.status == Status::Degenerate) {
+    progress.report("comparing integrations", 0, 0);
+    output.plots = plots_of(integrate(drives.front(), result));
+  }
+  return output;
+}
+
+}  // namespace remount

@@ -1,0 +1,157 @@
+#include "algorithms/calibration/antenna_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/algorithms/support/wheel_drive.h"
+
+namespace remount {
+namespace {
+
+const Eigen::Vector2d kAntenna(1.2, -0.35);
+
+WheelDriveOptions flat_drive() {
+  WheelDriveOptions options;
+  options.slope_rad = options.bank_rad = 0.0;
+  options.vehicle_from_imu.setIdentity();
+  options.duration_s = 120.0;
+  return options;
+}
+
+std::vector<StampedPosition> positions_of(const WheelDrive& drive, double noise_m, int seed) {
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+  std::vector<StampedPosition> positions;
+  for (std::size_t i = 0; i < drive.world_from_vehicle.size(); i += 2) {
+    const StampedPose& pose = drive.world_from_vehicle[i];
+    positions.push_back(
+        {pose.stamp_ns, pose.pose * Eigen::Vector3d(kAntenna.x(), kAntenna.y(), 1.5) + random_vector(random, noise_m)});
+  }
+  return positions;
+}
+
+AntennaFit fit(const WheelDriveOptions& options, double noise_m, int seed, double window_s = 30.0) {
+  const WheelDrive drive = wheel_drive(options, seed);
+  Progress progress;
+  return fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, noise_m, seed + 1000),
+                     Eigen::Matrix3d::Identity(), window_s, progress);
+}
+
+TEST(antenna_fit, exact_signals_give_lever_arm_bias_and_wheel_scale) {
+  WheelDriveOptions options = flat_drive();
+  options.gyro_bias_radps = {0.0, 0.0, 0.004};
+  const AntennaFit found = fit(options, 0.0, 1);
+  ASSERT_TRUE(found.found) << found.why;
+  EXPECT_LT((found.antenna_in_vehicle_m - kAntenna).norm(), 0.002);
+  EXPECT_NEAR(found.yaw_rate_bias_radps, 0.004, 1e-5);
+  EXPECT_NEAR(found.wheel_scale, 1.0, 1e-4);
+  EXPECT_LT(found.end_error_m, 0.05);
+  EXPECT_GT(found.end_error_raw_m, found.end_error_m);
+  EXPECT_GE(found.windows, 4);
+}
+
+TEST(antenna_fit, errors_are_as_large_as_the_covariance_says) {
+  WheelDriveOptions options = flat_drive();
+  options.duration_s = 60.0;
+  options.rate_noise_radps = 1e-4;
+  double chi2 = 0.0;
+  constexpr int kSeeds = 60;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    const AntennaFit found = fit(options, 0.02, seed);
+    const Eigen::Vector2d error = found.antenna_in_vehicle_m - kAntenna;
+    chi2 += error.dot(found.covariance_m2.inverse() * error);
+  }
+  std::printf("  chi2 / n = %.2f\n", chi2 / (2.0 * kSeeds));
+  // 120 degrees of freedom: the 1% limits are 0.70 and 1.34 of it.
+  // What chance alone shows of errors that last makes the covariance a little larger.
+  EXPECT_GT(chi2 / (2.0 * kSeeds), 0.60);
+  EXPECT_LT(chi2 / (2.0 * kSeeds), 1.34);
+}
+
+TEST(antenna_fit, a_straight_drive_shows_no_lever_arm) {
+  WheelDriveOptions options = flat_drive();
+  options.turn_rad = 0.0;
+  const AntennaFit found = fit(options, 0.02, 3);
+  EXPECT_GT(found.covariance_m2.trace(), 1.0);
+}
+
+TEST(antenna_fit, too_little_data_and_cancelling_find_nothing) {
+  const WheelDrive drive = wheel_drive(flat_drive(), 1);
+  Progress progress;
+  const WheelImuSignals signals(drive.imu, drive.wheels);
+  EXPECT_FALSE(fit_antenna(signals, {}, Eigen::Matrix3d::Identity(), 30.0, progress).found);
+  EXPECT_FALSE(fit_antenna({{}, {}}, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, progress).found);
+  std::stop_source stop;
+  stop.request_stop();
+  Progress stopped(stop.get_token());
+  EXPECT_FALSE(fit_antenna(signals, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, stopped).found);
+}
+
+/// Wheel speed and yaw rate of a car in Berlin, and the positions of its antenna by a better receiver.
+struct RealDrive {
+  std::vector<ImuSample> imu;
+  std::vector<WheelSample> wheels;
+  std::vector<StampedPosition> truth;
+};
+
+RealDrive read_smartloc(const std::filesystem::path& folder) {
+  RealDrive drive;
+  std::string line, kind;
+  double t = 0.0, v[7] = {};
+  std::ifstream input(folder / "Berlin_Potsdamer_Platz_Input.txt");
+  while (std::getline(input, line)) {
+    std::istringstream words(line);
+    words >> kind >> t;
+    if (kind != "odom3") continue;
+    for (int k = 0; k < 6; ++k) words >> v[k];
+    const auto stamp_ns = static_cast<std::int64_t>(std::llround(t * 1e9));
+    ImuSample imu;
+    imu.stamp_ns = stamp_ns;
+    imu.angular_rate_radps = {0.0, 0.0, v[5]};
+    drive.imu.push_back(imu);
+    drive.wheels.push_back({stamp_ns, v[0], v[0]});
+  }
+  std::ifstream truth(folder / "Berlin_Potsdamer_Platz_GT.txt");
+  Eigen::Matrix3d enu_from_ecef;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  while (std::getline(truth, line)) {
+    std::istringstream words(line);
+    words >> kind >> t >> v[0] >> v[1] >> v[2];
+    const Eigen::Vector3d ecef(v[0], v[1], v[2]);
+    if (drive.truth.empty()) {
+      first = ecef;
+      // The normal of the sphere leans 0.2 deg from that of the ellipsoid: 0.2 m of height over the whole drive.
+      const Eigen::Vector3d up = ecef.normalized(), east = Eigen::Vector3d::UnitZ().cross(up).normalized();
+      enu_from_ecef << east.transpose(), up.cross(east).transpose(), up.transpose();
+    }
+    drive.truth.push_back(
+        {static_cast<std::int64_t>(std::llround(t * 1e9)), Eigen::Vector3d(enu_from_ecef * (ecef - first))});
+  }
+  return drive;
+}
+
+TEST(antenna_fit, a_real_drive_through_berlin_is_integrated_within_two_percent_of_its_way) {
+  const std::filesystem::path folder = std::filesystem::path(REMOUNT_SOURCE_DIR) / "../shared/data/smartloc";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
+  const RealDrive drive = read_smartloc(folder);
+  Progress progress;
+  const AntennaFit found =
+      fit_antenna(WheelImuSignals(drive.imu, drive.wheels), drive.truth, Eigen::Matrix3d::Identity(), 40.0, progress);
+  ASSERT_TRUE(found.found) << found.why;
+  std::printf(
+      "  %zu positions, %.0f m, %d windows, rms %.2f m; end error %.1f m (%.2f%%), as measured %.1f m (%.2f%%)\n"
+      "  antenna x %.2f +- %.2f, y %.2f +- %.2f m; yaw-rate bias %.5f +- %.5f rad/s; wheel scale %.4f +- %.4f\n",
+      found.positions, found.distance_m, found.windows, found.rms_m, found.end_error_m,
+      100.0 * found.end_error_m / found.distance_m, found.end_error_raw_m,
+      100.0 * found.end_error_raw_m / found.distance_m, found.antenna_in_vehicle_m.x(),
+      std::sqrt(found.covariance_m2(0, 0)), found.antenna_in_vehicle_m.y(), std::sqrt(found.covariance_m2(1, 1)),
+      found.yaw_rate_bias_radps, found.yaw_rate_bias_sigma_radps, found.wheel_scale, found.wheel_scale_sigma);
+  EXPECT_GT(found.distance_m, 1000.0);
+  EXPECT_LT(found.end_error_m / found.distance_m, 0.02);
+  EXPECT_LT(found.rms_m, 1.0);
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,176 @@
+#include "algorithms/calibration/slew.h"
+
+#include <gtest/gtest.h>
+
+#include "algorithms/core/error.h"
+#include "tests/algorithms/support/slew_yard.h"
+
+namespace remount {
+namespace {
+
+SlewResult solve(const YardTruth& yard, const SlewOptions& options = {}, int seed = 1) {
+  Progress progress;
+  return solve_slew(slew_yard(yard, seed), std::nullopt, options, SolveOptions{}, progress);
+}
+
+void expect_refused(const SlewResult& result, Status status, const char* reason) {
+  EXPECT_EQ(result.calibration.status, status) << to_string(result.calibration.status);
+  EXPECT_NE(result.calibration.message.find(reason), std::string::npos) << result.calibration.message;
+  EXPECT_FALSE(result.calibration.advice.empty());
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_FALSE(result.calibration.observed[i]);
+    EXPECT_FALSE(result.calibration.sigma(i));
+  }
+}
+
+double rotation_deg(const SlewResult& result, const YardTruth& yard) {
+  return radians_to_degrees(rotation_angle_between_rad(result.calibration.ins_from_lidar, yard.machine_from_lidar));
+}
+
+TEST(slew, exact_recordings_give_the_exact_mounting) {
+  for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
+    SlewOptions options;
+    options.first_plane = first;
+    const YardTruth yard;
+    const SlewResult result = solve(yard, options);
+    EXPECT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+    EXPECT_EQ(result.calibration.reference_frame, "machine");
+    EXPECT_LT(distance_of(result.calibration.ins_from_lidar, yard.machine_from_lidar), 2e-3);
+    EXPECT_FALSE(result.quantities.empty());
+    EXPECT_EQ(result.plots.size(), 2u);
+  }
+}
+
+TEST(slew, noisy_recordings_find_rotation_and_slew_centre) {
+  for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
+    SlewOptions options;
+    options.first_plane = first;
+    const YardTruth yard = noisy_yard();
+    const SlewResult result = solve(yard, options, 3);
+    const Eigen::Vector3d off = result.calibration.ins_from_lidar.translation() - yard.machine_from_lidar.translation();
+    std::printf("  rotation %.4f deg, centre %.4f m\n", rotation_deg(result, yard), off.norm());
+    EXPECT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+    EXPECT_LT(rotation_deg(result, yard), 0.05);
+    EXPECT_LT(off.norm(), 0.01);
+  }
+}
+
+TEST(slew, a_turn_the_other_way_and_another_mounting_are_the_same) {
+  YardTruth yard = noisy_yard();
+  yard.turn_rad = -yard.turn_rad;
+  yard.machine_from_lidar = make_rigid(rotation_from_yaw_pitch_roll({2.9, -0.1, 0.2}), {-0.8, 1.2, 0.0});
+  const SlewResult result = solve(yard);
+  EXPECT_LT(rotation_deg(result, yard), 0.05);
+  EXPECT_LT((result.calibration.ins_from_lidar.translation() - yard.machine_from_lidar.translation()).norm(), 0.01);
+}
+
+TEST(slew, the_origin_may_lie_on_the_ground) {
+  SlewOptions options;
+  options.origin = MachineOrigin::Ground;
+  const YardTruth yard = noisy_yard();
+  const SlewResult result = solve(yard, options);
+  EXPECT_NEAR(result.calibration.ins_from_lidar.translation().z(), yard.ground_m, 0.01);
+}
+
+TEST(slew, errors_are_as_large_as_the_covariance_says) {
+  for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
+    SlewOptions options;
+    options.first_plane = first;
+    options.surface_sigma_deg = 0.0;  // ground and arm of the yard are plane
+    options.plane_inlier_m = 0.1;
+    YardTruth yard = noisy_yard();
+    yard.points = 600;
+    double chi2 = 0.0;
+    constexpr int kSeeds = 60;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+      const SlewResult result = solve(yard, options, 100 + seed);
+      ASSERT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+      const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar),
+                          exact = six_from_rigid(yard.machine_from_lidar);
+      Vector6d error;
+      error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,
+          found.pitch_rad - exact.pitch_rad, found.roll_rad - exact.roll_rad;
+      chi2 += error.dot(result.calibration.covariance.inverse() * error);
+    }
+    std::printf("  chi2 / n = %.2f\n", chi2 / (6.0 * kSeeds));
+    // 360 degrees of freedom: the 1% limits are 0.82 and 1.20 of it.
+    EXPECT_GT(chi2 / (6.0 * kSeeds), 0.75);
+    EXPECT_LT(chi2 / (6.0 * kSeeds), 1.25);
+  }
+}
+
+TEST(slew, a_quarter_turn_is_refused) {
+  YardTruth yard = noisy_yard();
+  yard.turn_rad = 0.5 * kPi;
+  for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
+    SlewOptions options;
+    options.first_plane = first;
+    expect_refused(solve(yard, options), Status::Degenerate, "covers an arc of");
+  }
+}
+
+TEST(slew, a_missing_arm_is_refused) {
+  YardTruth yard = noisy_yard();
+  yard.arm = false;
+  expect_refused(solve(yard), Status::Degenerate, "plane of the arm is missing");
+  Progress progress;
+  SlewData data = slew_yard(yard);
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 2000; ++i) data.arm_points.push_back(random_vector(random, 3.0));  // no plane in it
+  const SlewResult scattered = solve_slew(data, std::nullopt, {}, {}, progress);
+  EXPECT_NE(scattered.calibration.status, Status::Ok) << scattered.arm.inliers << " " << scattered.arm.rms_m;
+}
+
+TEST(slew, a_ground_that_is_tilted_against_the_slew_axis_is_refused) {
+  YardTruth yard = noisy_yard();
+  yard.ground_tilt_rad = degrees_to_radians(2.0);
+  expect_refused(solve(yard), Status::Inconsistent, "The ground is tilted by");
+  SlewOptions options;
+  options.first_plane = FirstPlane::Turn;  // needs no ground
+  const SlewResult result = solve(yard, options);
+  EXPECT_EQ(result.calibration.status, Status::Ok);
+  EXPECT_LT(rotation_deg(result, yard), 0.05);
+  EXPECT_NEAR(radians_to_degrees(result.ground_to_turn_rad), 2.0, 0.2);
+}
+
+TEST(slew, missing_ground_is_refused_only_where_it_is_needed) {
+  SlewData data = slew_yard(noisy_yard());
+  data.ground_points.clear();
+  Progress progress;
+  expect_refused(solve_slew(data, std::nullopt, {}, {}, progress), Status::Degenerate, "ground is missing");
+  SlewOptions options;
+  options.first_plane = FirstPlane::Turn;
+  EXPECT_EQ(solve_slew(data, std::nullopt, options, {}, progress).calibration.status, Status::Ok);
+}
+
+TEST(slew, an_arm_that_is_not_square_to_the_ground_is_refused) {
+  YardTruth yard = noisy_yard();
+  yard.arm_lean_rad = degrees_to_radians(6.0);
+  expect_refused(solve(yard), Status::Inconsistent, "plane of the arm leans");
+}
+
+TEST(slew, a_lidar_on_the_slew_axis_is_refused) {
+  YardTruth yard = noisy_yard();
+  yard.machine_from_lidar.translation() = Eigen::Vector3d(0.01, 0.01, 0.0);
+  const SlewResult result = solve(yard);
+  EXPECT_NE(result.calibration.status, Status::Ok);
+  EXPECT_FALSE(result.calibration.observed[3]);
+}
+
+TEST(slew, cancelled_claims_nothing) {
+  std::stop_source stop;
+  stop.request_stop();
+  Progress progress(stop.get_token());
+  const SlewResult result = solve_slew(slew_yard(noisy_yard()), std::nullopt, {}, {}, progress);
+  EXPECT_EQ(result.calibration.status, Status::Cancelled);
+  for (const bool observed : result.calibration.observed) EXPECT_FALSE(observed);
+}
+
+TEST(slew, options_out_of_range_are_refused) {
+  SlewOptions options;
+  options.min_arc_deg = 500.0;
+  EXPECT_THROW(solve({}, options), Error);
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,123 @@
+// The method on simulated drives with known truth, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "algorithms/core/error.h"
+#include "model/methods/builtin.h"
+#include "model/simulator/road.h"
+#include "model/simulator/simulator.h"
+#include "tests/algorithms/support/random_motion.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+struct Drive {
+  std::shared_ptr<Session> session;
+  RigidTransform vehicle_from_lidar;
+};
+
+/// A drive whose LiDAR's poses come from an odometry with errors of `way_m` and `turn_rad` a step, in units of `scale`.
+Drive simulated(ScenarioKind scenario, double scale = 1.0, double way_m = 0.003, double turn_rad = 2e-4) {
+  SimulationOptions options;
+  options.scenario = scenario;
+  options.duration_s = 120.0;
+  options.speed_mps = 8.0;
+  SimulatedDrive drive = simulate_drive(options);
+  Drive out;
+  out.vehicle_from_lidar = vehicle_from_ins(scenario) * drive.ins_from_lidar;
+  out.session = std::make_shared<Session>(std::move(drive.session));
+  out.session->scans = nullptr;
+  std::mt19937_64 random(5);
+  RigidTransform odometry = RigidTransform::Identity();
+  for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i) {
+    const RigidTransform now = drive.enu_from_ins[i].pose * drive.ins_from_lidar;
+    if (i > 0) {
+      const RigidTransform before = drive.enu_from_ins[i - 1].pose * drive.ins_from_lidar;
+      RigidTransform step = perturbed(before.inverse() * now, random_step(random, way_m, turn_rad));
+      step.translation() /= scale;
+      odometry = odometry * step;
+    }
+    out.session->odometry_from_lidar.push_back({drive.enu_from_ins[i].stamp_ns, odometry});
+  }
+  return out;
+}
+
+PipelineOutput run(const Drive& drive, const Settings& settings = {}) {
+  PipelineInput input;
+  input.sessions = {drive.session};
+  input.settings = settings;
+  Progress progress;
+  return run_vehicle_frame(input, progress);
+}
+
+TEST(vehicle_frame_method, a_hilly_drive_determines_all_six_parameters) {
+  const Drive drive = simulated(ScenarioKind::Hill);
+  const PipelineOutput output = run(drive);
+  const CalibrationError error = error_of(output.result, drive.vehicle_from_lidar);
+  expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
+  EXPECT_EQ(output.result.status, Status::Ok) << output.result.message;
+  EXPECT_EQ(output.method, "vehicle-frame");
+  EXPECT_EQ(output.result.reference_frame, "vehicle");
+  EXPECT_LT(error.rotation_deg, 0.1);
+  EXPECT_LT(std::abs(error.x_m), 0.02);
+  EXPECT_LT(std::abs(error.y_m), 0.02);
+  EXPECT_LT(std::abs(error.z_m), 0.05);
+  ASSERT_EQ(output.plots.size(), 3u);
+  EXPECT_EQ(output.plots[0].curves.size(), 4u);
+  // The closed form stays with the sensor, planar integration does not.
+  const auto& off = output.plots[2].curves;
+  EXPECT_LT(off[0].y.back(), off[2].y.back());
+}
+
+TEST(vehicle_frame_method, flat_ground_leaves_the_height_open) {
+  const Drive drive = simulated(ScenarioKind::Flat);
+  const PipelineOutput output = run(drive);
+  const CalibrationError error = error_of(output.result, drive.vehicle_from_lidar);
+  expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
+  EXPECT_FALSE(output.result.observed[2]);
+  EXPECT_FALSE(output.result.sigma(2));
+  EXPECT_LT(std::abs(error.x_m), 0.02);
+  EXPECT_LT(std::abs(error.y_m), 0.02);
+  EXPECT_LT(error.rotation_deg, 0.1);
+}
+
+TEST(vehicle_frame_method, poses_without_scale_get_one) {
+  const Drive drive = simulated(ScenarioKind::Hill, 3.7);
+  Settings settings;
+  settings.vehicle_frame.scale = ScaleMode::Estimated;
+  const PipelineOutput output = run(drive, settings);
+  ASSERT_FALSE(output.quantities.empty());
+  EXPECT_EQ(output.quantities[0].name, "scale");
+  EXPECT_NEAR(output.quantities[0].value / 3.7, 1.0, 0.005);
+}
+
+TEST(vehicle_frame_method, without_an_imu_the_ins_stands_in) {
+  const Drive drive = simulated(ScenarioKind::Hill);
+  drive.session->imu.clear();
+  const PipelineOutput output = run(drive);
+  const CalibrationError error = error_of(output.result, drive.vehicle_from_lidar);
+  expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
+  EXPECT_LT(error.rotation_deg, 0.2);
+  drive.session->ins.clear();
+  EXPECT_THROW(run(drive), Error);
+}
+
+TEST(vehicle_frame_method, missing_streams_are_named) {
+  Drive drive = simulated(ScenarioKind::Flat);
+  drive.session->wheels.clear();
+  try {
+    run(drive);
+    FAIL() << "wheels were not missed";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ErrorCode::Unsupported);
+    EXPECT_NE(std::string(error.what()).find("wheel"), std::string::npos);
+  }
+  PipelineInput none;
+  Progress progress;
+  EXPECT_THROW(run_vehicle_frame(none, progress), Error);
+}
+
+}  // namespace
+}  // namespace remount
