@@ -2,12 +2,19 @@
 // tests/widgets/language_test.cpp.
 #include <QtGlobal>
 
+#include "widgets/file_phrases.h"
 #include "widgets/model_text.h"
 
 namespace remount {
+namespace {
+std::vector<const char*> with_phrases_of_files(std::vector<const char*> phrases) {
+  phrases.insert(phrases.end(), file_phrases().begin(), file_phrases().end());
+  return phrases;
+}
+}  // namespace
 
 const std::vector<const char*>& model_phrases() {
-  static const std::vector<const char*> phrases{
+  static const std::vector<const char*> phrases = with_phrases_of_files({
       // sentences
       QT_TRANSLATE_NOOP("remount::model", "observed"),
       QT_TRANSLATE_NOOP("remount::model", "not observed"),
@@ -296,7 +303,7 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Pitch sigma"),
       QT_TRANSLATE_NOOP("remount::model", "Roll sigma"),
       QT_TRANSLATE_NOOP("remount::model", "Sigma of the measured value; 0: not measured."),
-  };
+  });
   return phrases;
 }
 

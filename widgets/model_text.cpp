@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QHash>
 #include <QRegularExpression>
+#include <algorithm>
 #include <mutex>
 
 namespace remount {
@@ -14,6 +15,7 @@ constexpr qsizetype kMostRemembered = 4000;
 struct Pattern {
   QRegularExpression expression;
   QString translation;
+  qsizetype letters = 0;  // that have to be there
 };
 
 struct Patterns {
@@ -37,8 +39,11 @@ Patterns& patterns() {
     expression.replace(QRegularExpression(QStringLiteral("\\\\%(\\d)")), QStringLiteral("(?<a\\1>.+?)"));
     all.list.push_back({QRegularExpression(QStringLiteral("\\A") + expression + QStringLiteral("\\z"),
                                            QRegularExpression::DotMatchesEverythingOption),
-                        other});
+                        other, english.size()});
   }
+  // What says more is tried first: "%1 with %2" would take many a sentence apart.
+  std::stable_sort(all.list.begin(), all.list.end(),
+                   [](const Pattern& a, const Pattern& b) { return a.letters > b.letters; });
   return all;
 }
 

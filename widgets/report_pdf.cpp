@@ -53,24 +53,19 @@ void check_letters(const QString& text, const QFont& font) {
                       .toStdString());
 }
 
-}  // namespace
+constexpr double kScale = kDpi / kLayoutDpi;
+constexpr double kFooter = 24.0;
 
-QByteArray report_pdf(const Report& report, ReportStyle style, const QString& title) {
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  if (!buffer.open(QIODevice::WriteOnly)) return {};
-  QPdfWriter writer(&buffer);
+void set_up(QPdfWriter& writer, const QString& title, const std::string& version) {
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageMargins(QMarginsF(14, 14, 14, 16), QPageLayout::Millimeter);
   writer.setResolution(kDpi);
   writer.setTitle(title);
-  writer.setCreator(QStringLiteral("Remount ") + QString::fromStdString(report.file.version));
-  const double scale = kDpi / kLayoutDpi;
-  const QSizeF paper = QSizeF(writer.width(), writer.height()) / scale;
-  const double footer = 24.0;
-  QTextDocument document;
-  fit_to_paper(document, {paper.width(), paper.height() - footer});
-  const int width = static_cast<int>(paper.width());
+  writer.setCreator(QStringLiteral("Remount ") + QString::fromStdString(version));
+}
+
+/// The page as HTML, with charts and pictures as resources of the document.
+void fill(QTextDocument& document, const Report& report, ReportStyle style, int width) {
   style.chart = [&](const Drawing& drawing) {
     return image_tag(document, image_of(drawing, kChartScale), width).toStdString();
   };
@@ -83,30 +78,50 @@ QByteArray report_pdf(const Report& report, ReportStyle style, const QString& ti
   const qsizetype css = html.indexOf("<style>"), end = html.indexOf("</style>");
   html.remove(css, end + 8 - css);
   document.setHtml(html);
+}
+
+void paint_text(QPainter& painter, const QTextDocument& document, int page) {
+  const QRectF part(QPointF(0, page * document.pageSize().height()), document.pageSize());
+  painter.save();
+  painter.scale(kScale, kScale);
+  painter.translate(0, -part.top());
+  painter.setClipRect(part);
+  QAbstractTextDocumentLayout::PaintContext context;
+  context.clip = part;
+  context.palette.setColor(QPalette::Text, Qt::black);
+  document.documentLayout()->draw(&painter, context);
+  painter.restore();
+}
+
+void paint_footer(QPainter& painter, QFont font, const QSizeF& paper, const QString& text) {
+  painter.save();
+  painter.scale(kScale, kScale);
+  font.setPixelSize(10);
+  painter.setFont(font);
+  painter.drawText(QRectF(0, paper.height() - kFooter, paper.width(), kFooter), Qt::AlignRight | Qt::AlignBottom, text);
+  painter.restore();
+}
+
+}  // namespace
+
+QByteArray report_pdf(const Report& report, ReportStyle style, const QString& title) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  if (!buffer.open(QIODevice::WriteOnly)) return {};
+  QPdfWriter writer(&buffer);
+  set_up(writer, title, report.file.version);
+  const QSizeF paper = QSizeF(writer.width(), writer.height()) / kScale;
+  QTextDocument document;
+  fit_to_paper(document, {paper.width(), paper.height() - kFooter});
+  fill(document, report, std::move(style), static_cast<int>(paper.width()));
   check_letters(document.toPlainText(), document.defaultFont());
   QPainter painter(&writer);
   if (!painter.isActive()) return {};
   const int pages = document.pageCount();
   for (int page = 0; page < pages; ++page) {
     if (page > 0) writer.newPage();
-    painter.save();
-    painter.scale(scale, scale);
-    painter.translate(0, -page * document.pageSize().height());
-    const QRectF part(QPointF(0, page * document.pageSize().height()), document.pageSize());
-    painter.setClipRect(part);
-    QAbstractTextDocumentLayout::PaintContext context;
-    context.clip = part;
-    context.palette.setColor(QPalette::Text, Qt::black);
-    document.documentLayout()->draw(&painter, context);
-    painter.restore();
-    painter.save();
-    painter.scale(scale, scale);
-    QFont font = document.defaultFont();
-    font.setPixelSize(10);
-    painter.setFont(font);
-    painter.drawText(QRectF(0, paper.height() - footer, paper.width(), footer), Qt::AlignRight | Qt::AlignBottom,
-                     QStringLiteral("%1 / %2").arg(page + 1).arg(pages));
-    painter.restore();
+    paint_text(painter, document, page);
+    paint_footer(painter, document.defaultFont(), paper, QStringLiteral("%1 / %2").arg(page + 1).arg(pages));
   }
   painter.end();
   return bytes;

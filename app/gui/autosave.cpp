@@ -1,6 +1,6 @@
 #include "app/gui/autosave.h"
 
-#include "algorithms/core/error.h"
+#include "app/gui/error_words.h"
 
 namespace remount {
 namespace {
@@ -12,7 +12,7 @@ Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* pa
   try {
     notes_ = std::make_unique<RecoveryNotes>(data_folder);
   } catch (const Error& error) {
-    const JobFailure failure{QString::fromStdString(error.where()), QString::fromStdString(error.what_happened())};
+    const JobFailure failure = failure_of(error);
     QTimer::singleShot(0, this, [this, failure] { could_not(failure); });
     return;
   }
@@ -52,6 +52,7 @@ void Autosave::look() {
   if (finished_ || !notes_) return;
   if (!workbench_.unsaved()) {
     saved_revision_ = workbench_.revision();
+    in_notes_ = false;  // where the project was saved, its autosaves can be
     if (job_ == 0 && !notes_->empty()) notes_->clear();
     return;
   }
@@ -86,11 +87,10 @@ void Autosave::write() {
       [this](const JobFailure& failure) {
         job_ = 0;
         const bool beside_project = !in_notes_ && !workbench_.project_path().isEmpty();
-        in_notes_ = true;  // the project's folder may not be writable
-        if (beside_project)
-          write();
-        else
-          could_not(failure);
+        in_notes_ = true;  // the project's folder may not be writable, or its disk is gone
+        if (!beside_project) return could_not(failure);
+        emit moved(failure.where, failure.what, notes_->folder());
+        write();
       });
 }
 

@@ -27,6 +27,8 @@ class Autosave : public QObject {
  signals:
   void saved(const QString& path);
   void failed(const QString& where, const QString& what);  ///< once until it succeeds again
+  /// The project's folder cannot be written; work is kept in this folder of the user's until the project is saved.
+  void moved(const QString& where, const QString& what, const QString& folder);
 
  private:
   void take_over(const ProjectToOpen& request, bool whole);

@@ -2,9 +2,8 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
-#include <new>
 
-#include "algorithms/core/error.h"
+#include "app/gui/error_words.h"
 #ifdef Q_OS_LINUX
 #include <sys/resource.h>
 #include <unistd.h>
@@ -20,13 +19,8 @@ JobRunner::Deliver guarded(const JobRunner::Work& work, const JobRunner::Failed&
   JobFailure failure;
   try {
     return work(progress);
-  } catch (const Error& error) {
-    failure = {QString::fromStdString(error.where()), QString::fromStdString(error.what_happened())};
-  } catch (const std::bad_alloc&) {
-    failure = {{}, JobRunner::tr("There is not enough memory. Lower cache_mb in the options, or use fewer keyframes.")};
   } catch (const std::exception& error) {
-    failure = {{},
-               JobRunner::tr("Unexpected failure: %1. What was there is kept.").arg(QString::fromUtf8(error.what()))};
+    failure = failure_of(error);
   }
   return [failed, failure] { failed(failure); };
 }

@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
@@ -21,6 +22,7 @@
 #include "app/gui/project_keeper.h"
 #include "app/gui/remembering.h"
 #include "app/gui/report_maker.h"
+#include "app/gui/turn_queue.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
@@ -51,10 +53,11 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
       workbench_(workbench),
       session_model_(new SessionListModel(this)),
       pair_model_(new PairTableModel(this)),
-      candidate_model_(new CandidateTableModel(this)) {
+      candidate_model_(new CandidateTableModel(this)),
+      turns_(new TurnQueue(this)) {
   setWindowTitle(tr("Remount"));
   setAcceptDrops(true);
-  resize(1280, 900);
+  resize(QSize(1280, 900).boundedTo(screen()->availableSize()));  // or a small screen cuts the status strip off
   make_centre();
   make_docks();
   progress_ = new ProgressStrip(this);
@@ -67,6 +70,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
   make_review_menu();
   make_view_menu();
   make_help_menu();
+  restore_keys();
   connect_intents();
   connect_state();
   set_palettes();

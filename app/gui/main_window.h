@@ -41,6 +41,7 @@ class ReportMaker;
 class ResultPanel;
 class SessionListModel;
 class SessionsPanel;
+class TurnQueue;
 class WelcomePanel;
 
 class Autosave;
@@ -70,6 +71,7 @@ class MainWindow : public QMainWindow {
   void take_over(WindowHandover handover);
   /// Where the bundled sample session lies; empty where it is not installed.
   static QString sample_path();
+  void show_everything();                             ///< what else would follow in the next turns of the event loop
   QString help_page_of(const QWidget* widget) const;  ///< its name in resources/help, by the panel that holds it
 
  signals:
@@ -123,6 +125,10 @@ class MainWindow : public QMainWindow {
   void make_review_menu();
   QAction* add_review(QMenu& menu, const char* id, const QString& text, const char* key,
                       const std::function<void()>& act);
+  /// An action whose key the user may change, under the name by which it is remembered.
+  QAction* add_bound(QMenu& menu, const QString& id, const QString& text, const QKeySequence& key,
+                     const std::function<void()>& act);
+  void restore_keys();
   void make_reason_menu(QMenu& review);
   std::vector<int> pairs_to_decide() const;
   void decide(PairState state, const QString& reason = {});
@@ -139,6 +145,8 @@ class MainWindow : public QMainWindow {
   void connect_selection();
   void show_sessions();
   void show_output();
+  void show_errors();
+  void show_candidates();
   void show_state();
   void show_clouds(int pair, const CloudsPtr& clouds);
   void show_message(Severity severity, const QString& where, const QString& what);
@@ -180,12 +188,14 @@ class MainWindow : public QMainWindow {
               *log_dock_ = nullptr, *setup_dock_ = nullptr, *result_dock_ = nullptr, *quality_dock_ = nullptr;
   QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *make_report_ = nullptr, *obstacles_ = nullptr;
-  struct ReviewAction {
+  struct BoundAction {
     QString id;  // by which its key is remembered
     QAction* action;
     QKeySequence standard;
   };
-  std::vector<ReviewAction> review_actions_;
+  std::vector<BoundAction> bound_actions_;
+  std::vector<QAction*> review_actions_;  // that need a calibration
+  TurnQueue* turns_;                      // what follows when the output has changed
   QByteArray standard_layout_;
   AngleUnit angle_unit_ = AngleUnit::Degrees;
   CloudsPtr shown_clouds_;  // of the selected pair

@@ -11,7 +11,7 @@
 #include <QTabWidget>
 #include <QTableView>
 
-#include "algorithms/core/error.h"
+#include "app/gui/error_words.h"
 #include "app/gui/main_window.h"
 #include "app/gui/project_keeper.h"
 #include "app/gui/result_files.h"
@@ -86,20 +86,26 @@ void MainWindow::make_calibrate_menu() {
 
 void MainWindow::make_view_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
-  const std::array<std::pair<QString, StandardView>, 5> views{{{tr("&Fit"), StandardView::Fit},
-                                                               {tr("&Top"), StandardView::Top},
-                                                               {tr("F&ront"), StandardView::Front},
-                                                               {tr("&Left"), StandardView::Left},
-                                                               {tr("&Isometric"), StandardView::Isometric}}};
+  struct NamedView {
+    QString id, text;
+    StandardView view;
+  };
+  const std::array<NamedView, 5> views{{{"view-fit", tr("&Fit"), StandardView::Fit},
+                                        {"view-top", tr("&Top"), StandardView::Top},
+                                        {"view-front", tr("F&ront"), StandardView::Front},
+                                        {"view-left", tr("&Left"), StandardView::Left},
+                                        {"view-isometric", tr("&Isometric"), StandardView::Isometric}}};
   QList<QAction*> view_actions;
-  for (const auto& [text, view] : views)
-    view_actions << add_action(menu, text, QStringLiteral("Ctrl+%1").arg(view_actions.size() + 1),
-                               [this, view = view] { static_cast<SceneView*>(views_->currentWidget())->look(view); });
+  for (const NamedView& named : views)
+    view_actions << add_bound(
+        menu, named.id, named.text, QKeySequence(QStringLiteral("Ctrl+%1").arg(view_actions.size() + 1)),
+        [this, view = named.view] { static_cast<SceneView*>(views_->currentWidget())->look(view); });
   pair_view_->set_view_actions(view_actions);
   map_view_->set_view_actions(view_actions);
   menu.addSeparator();
-  add_action(menu, tr("The &pair"), tr("Ctrl+Shift+P"), [this] { views_->setCurrentWidget(pair_view_); });
-  add_action(menu, tr("The accumulated &map"), tr("Ctrl+M"), [this] { views_->setCurrentWidget(map_view_); });
+  add_bound(menu, "show-pair", tr("The &pair"), tr("Ctrl+Shift+P"), [this] { views_->setCurrentWidget(pair_view_); });
+  add_bound(menu, "show-map", tr("The accumulated &map"), tr("Ctrl+M"),
+            [this] { views_->setCurrentWidget(map_view_); });
   menu.addSeparator();
   for (QDockWidget* dock :
        {setup_dock_, drive_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, quality_dock_, log_dock_})
@@ -127,7 +133,9 @@ QString MainWindow::sample_path() {
 
 void MainWindow::open_sample() {
   if (sample_path().isEmpty())
-    show_message(Severity::Problem, {}, tr("The sample session is not installed."));
+    show_message(Severity::Problem, {},
+                 tr("The sample session is not installed. Install the package again, or open a recorded drive of yours "
+                    "(Ctrl+O)."));
   else
     workbench_.open({sample_path()});
 }
@@ -161,8 +169,8 @@ void MainWindow::ask_for_nominal() {
     workbench_.edit_nominal(nominal_from_file(path, workbench_, doubts));
     if (!doubts.isEmpty()) show_message(Severity::Warning, path, doubts.join('\n'));
   } catch (const Error& error) {
-    show_message(Severity::Problem, QString::fromStdString(error.where()),
-                 QString::fromStdString(error.what_happened()));
+    const JobFailure failure = failure_of(error);
+    show_message(Severity::Problem, failure.where, failure.what);
   }
 }
 
@@ -183,7 +191,8 @@ void MainWindow::show_options() {
 void MainWindow::show_export() {
   const OutputPtr output = workbench_.output();
   if (!output || !is_usable(output->result)) {
-    show_message(Severity::Warning, {}, tr("There is no result to export yet."));
+    show_message(Severity::Warning, {},
+                 tr("There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5)."));
     return;
   }
   auto* dialog = new ExportDialog(
@@ -192,7 +201,7 @@ void MainWindow::show_export() {
         try {
           return {export_text(workbench_, id), {}};
         } catch (const Error& error) {
-          return {{}, tr("Cannot be written in this format: %1").arg(QString::fromStdString(error.what_happened()))};
+          return {{}, tr("Cannot be written in this format: %1").arg(failure_of(error).what)};
         }
       },
       this);
@@ -206,8 +215,8 @@ void MainWindow::show_export() {
               workbench_.mark_exported();
               show_message(Severity::Note, path, tr("saved"));
             } catch (const Error& error) {
-              show_message(Severity::Problem, QString::fromStdString(error.where()),
-                           QString::fromStdString(error.what_happened()));
+              const JobFailure failure = failure_of(error);
+              show_message(Severity::Problem, failure.where, failure.what);
             }
           });
   dialog->open();

@@ -40,6 +40,9 @@ void MainWindow::show_project() {
 void MainWindow::keep_work_in(const QString& data_folder) { keeper_->keep_in(data_folder); }
 
 void MainWindow::ask_for_report() {
+  if (report_->busy())
+    return show_message(Severity::Warning, {},
+                        tr("A report is being written already. Wait until the status line says that it is saved."));
   const QString project = workbench_.project_path();
   const QString suggested = project.isEmpty()
                                 ? tr("report.html")

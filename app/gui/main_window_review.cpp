@@ -15,16 +15,21 @@
 
 namespace remount {
 namespace {
-const QString kKeys = QStringLiteral("keys"), kReason = QStringLiteral("reason-");
+const QString kKeys = QStringLiteral("keys"), kReason = QStringLiteral("reason-"), kView = QStringLiteral("view-");
 
 QString plain(QString text) { return text.remove('&').remove(QStringLiteral("…")); }
 }  // namespace
 
 QAction* MainWindow::add_review(QMenu& menu, const char* id, const QString& text, const char* key,
                                 const std::function<void()>& act) {
-  const QKeySequence standard{QLatin1String(key)};
-  review_actions_.push_back({QString::fromLatin1(id), add_action(menu, text, standard, act), standard});
-  return review_actions_.back().action;
+  review_actions_.push_back(add_bound(menu, QString::fromLatin1(id), text, QKeySequence(QLatin1String(key)), act));
+  return review_actions_.back();
+}
+
+QAction* MainWindow::add_bound(QMenu& menu, const QString& id, const QString& text, const QKeySequence& key,
+                               const std::function<void()>& act) {
+  bound_actions_.push_back({id, add_action(menu, text, key, act), key});
+  return bound_actions_.back().action;
 }
 
 void MainWindow::make_review_menu() {
@@ -45,6 +50,9 @@ void MainWindow::make_review_menu() {
   add_review(review, "blink", tr("&Blink"), "B", [this] { pair_view_->set_blinking(!pair_view_->blinking()); });
   review.addSeparator();
   add_action(review, tr("&Keys…"), {}, [this] { show_keys(); });
+}
+
+void MainWindow::restore_keys() {
   if (!remembers()) return;
   std::vector<KeyBinding> bindings = key_bindings();
   const QSettings settings;
@@ -107,14 +115,15 @@ void MainWindow::go(int step, bool undecided) {
 
 std::vector<KeyBinding> MainWindow::key_bindings() const {
   std::vector<KeyBinding> bindings;
-  for (const ReviewAction& review : review_actions_)
-    bindings.push_back({review.id,
-                        review.id.startsWith(kReason) ? tr("Reject: %1").arg(plain(review.action->text()))
-                                                      : plain(review.action->text()),
-                        review.action->shortcut(), review.standard});
+  for (const BoundAction& bound : bound_actions_) {
+    QString text = plain(bound.action->text());
+    if (bound.id.startsWith(kReason)) text = tr("Reject: %1").arg(text);
+    if (bound.id.startsWith(kView)) text = tr("3-D view: %1").arg(text);
+    bindings.push_back({bound.id, text, bound.action->shortcut(), bound.standard});
+  }
   for (const QAction* action : findChildren<QAction*>()) {
-    const bool listed = std::any_of(review_actions_.begin(), review_actions_.end(),
-                                    [&](const ReviewAction& review) { return review.action == action; });
+    const bool listed = std::any_of(bound_actions_.begin(), bound_actions_.end(),
+                                    [&](const BoundAction& bound) { return bound.action == action; });
     if (listed || action->shortcut().isEmpty()) continue;
     bindings.push_back({{}, plain(action->text()), action->shortcut(), action->shortcut()});
   }
@@ -123,8 +132,8 @@ std::vector<KeyBinding> MainWindow::key_bindings() const {
 
 void MainWindow::apply_keys(const std::vector<KeyBinding>& bindings) {
   for (const KeyBinding& binding : bindings)
-    for (const ReviewAction& review : review_actions_)
-      if (review.id == binding.id) review.action->setShortcut(binding.key);
+    for (const BoundAction& bound : bound_actions_)
+      if (bound.id == binding.id) bound.action->setShortcut(binding.key);
 }
 
 void MainWindow::show_keys() {

@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QPushButton>
+#include <QSettings>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QTableView>
@@ -8,13 +9,16 @@
 #include "app/gui/main_window.h"
 #include "app/gui/map_controller.h"
 #include "app/gui/quality_controller.h"
+#include "app/gui/remembering.h"
 #include "app/gui/report_maker.h"
 #include "app/gui/scene_controller.h"
 #include "app/gui/steps.h"
+#include "app/gui/turn_queue.h"
 #include "app/gui/wording.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
+#include "widgets/model_text.h"
 #include "widgets/pair_reasons.h"
 #include "widgets/panels/candidates_panel.h"
 #include "widgets/panels/drive_panel.h"
@@ -34,6 +38,9 @@
 #include "widgets/theme.h"
 
 namespace remount {
+namespace {
+const QString kScale = QStringLiteral("view/distance-scale-m");
+}  // namespace
 
 void MainWindow::connect_intents() {
   connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
@@ -84,7 +91,9 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::output_changed, this, &MainWindow::show_output);
   connect(&workbench_, &Workbench::state_changed, this, &MainWindow::show_state);
   connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
-  connect(&workbench_, &Workbench::logged, log_, &LogPanel::add);
+  connect(&workbench_, &Workbench::logged, this, [this](Severity severity, const QString& where, const QString& what) {
+    log_->add(severity, where, model_text(what));
+  });
   connect(&workbench_, &Workbench::job_progressed, progress_, &ProgressStrip::show_progress);
   connect_selection();
 }
@@ -92,6 +101,11 @@ void MainWindow::connect_state() {
 void MainWindow::make_controllers() {
   scenes_ = new SceneController(
       workbench_, *pair_view_, [this](int pair) { return pair_caption(pair); }, this);
+  if (const QVariant scale = remembers() ? QSettings().value(kScale) : QVariant(); scale.isValid())
+    pair_view_->set_scale(scale.toDouble());
+  connect(pair_view_, &PairView::scale_changed, this, [](double limit_m) {
+    if (remembers()) QSettings().setValue(kScale, limit_m);
+  });
   maps_ = new MapController(workbench_, *map_view_, this);
   checks_ = new QualityController(workbench_, *quality_, this);
   quality_->set_on_top(false);
@@ -141,23 +155,38 @@ void MainWindow::show_sessions() { session_model_->show_sessions(workbench_.sess
 
 void MainWindow::show_output() {
   const OutputPtr output = workbench_.output();
-  errors_->chart()->show_output(output);
+  // What the user asks and decides by is right at once; pictures and what lies behind follow in turns of their own, or
+  // filling and painting everything in one would stall the window.
   pair_model_->show_output(output, workbench_.session_names());
-  pairs_->show_output(output);
+  result_->show_output(output, workbench_.output_before(), workbench_.moved_by());
+  show_state();
+  turns_->start({[this] { pairs_->show_output(workbench_.output()); }, [this] { show_errors(); },
+                 [this] {
+                   pairs_->show_selected(workbench_.selected_pair());
+                   scenes_->refresh();
+                 },
+                 [this] {
+                   drive_->show_output(workbench_.output());
+                   drive_->show_selected(workbench_.selected_pair());
+                 },
+                 [this] { show_candidates(); }, [this] { maps_->refresh(); }, [this] { checks_->refresh(); }});
+  if (!output) turns_->finish();  // its pairs and sessions may be gone
+}
+
+void MainWindow::show_everything() { turns_->finish(); }
+
+void MainWindow::show_errors() {
+  errors_->chart()->show_output(workbench_.output());
   errors_->chart()->show_pairs(pairs_->filter()->pairs());
-  drive_->show_output(output);
-  pairs_->show_selected(workbench_.selected_pair());
-  drive_->show_selected(workbench_.selected_pair());
   errors_->chart()->show_selected(workbench_.selected_pair());
+}
+
+void MainWindow::show_candidates() {
+  const OutputPtr output = workbench_.output();
   candidate_model_->show_output(output);
   candidates_->show_output(output);
   range_->show_result(output && is_usable(output->result) ? std::optional(output->result.ins_from_lidar)
                                                           : std::nullopt);
-  result_->show_output(output, workbench_.output_before(), workbench_.moved_by());
-  scenes_->refresh();
-  maps_->refresh();
-  checks_->refresh();
-  show_state();
 }
 
 void MainWindow::show_state() {
@@ -193,7 +222,7 @@ void MainWindow::show_state() {
   export_->setEnabled(output && is_usable(output->result));
   make_report_->setEnabled(output != nullptr);
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
-  for (const ReviewAction& review : review_actions_) review.action->setEnabled(output != nullptr);
+  for (QAction* review : review_actions_) review->setEnabled(output != nullptr);
   result_->show_standing(standing_of(workbench_), standing_note(workbench_), next_text(workbench_));
 }
 
@@ -231,8 +260,9 @@ void MainWindow::show_clouds(int pair, const CloudsPtr& clouds) {
   progress_text(idle_text(workbench_));
 }
 
-void MainWindow::show_message(Severity severity, const QString& where, const QString& what) {
-  if (what.isEmpty()) return;
+void MainWindow::show_message(Severity severity, const QString& where, const QString& said) {
+  if (said.isEmpty()) return;
+  const QString what = model_text(said);  // findings come as the model says them
   log_->add(severity, where, what);
   if (severity != Severity::Note) {
     banner_->show_message(severity, where, what);

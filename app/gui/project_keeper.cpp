@@ -1,5 +1,6 @@
 #include "app/gui/project_keeper.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLocale>
@@ -30,8 +31,19 @@ void ProjectKeeper::put_autosave(std::unique_ptr<Autosave> autosave) {
   autosave_ = std::move(autosave);
   if (!autosave_) return;
   connect(autosave_.get(), &Autosave::failed, this, [this](const QString& where, const QString& what) {
-    workbench_.say(Severity::Warning, where, tr("Unsaved work cannot be kept safe automatically: %1").arg(what));
+    workbench_.say(
+        Severity::Warning, where,
+        tr("Unsaved work cannot be kept safe automatically: %1\nSave the project (Ctrl+S) where there is room.")
+            .arg(what));
   });
+  connect(autosave_.get(), &Autosave::moved, this,
+          [this](const QString& where, const QString& what, const QString& folder) {
+            workbench_.say(
+                Severity::Warning, where,
+                tr("The project's folder cannot be written: %1\nYour work is kept safe in %2 instead. Bring the "
+                   "disk back, or save the project elsewhere (File, Save project as).")
+                    .arg(what, QDir::toNativeSeparators(folder)));
+          });
 }
 
 std::unique_ptr<Autosave> ProjectKeeper::take_autosave() {

@@ -115,6 +115,7 @@ void QualityController::refresh_obstacles() {
   const ScanKey wanted{output, keyframe_at(*output, view.chosen_session(), view.chosen_keyframe())};
   if (wanted.keyframe < 0) return say(tr("No scan of this session was used."));
   const bool settled = !workbench_.calibrating() && !workbench_.solving();
+  if (!settled && !view.shows_scan()) view.show_message(tr("The scan is shown when the new solution is complete."));
   // One at a time: whoever steps through scans waits for one of them, not for all.
   if (wanted == scan_of_ || !settled || !view_.seen() || !view.isVisible() || jobs_.running(scan_job_)) return;
   if (workbench_.engine().load_keyframe_scan) start_scan(wanted);

@@ -6,6 +6,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "app/gui/edit_commands.h"
+#include "app/gui/error_words.h"
 #include "model/pipeline/keep_finished.h"
 #include "widgets/forms/option_access.h"
 
@@ -71,8 +72,8 @@ void Workbench::open(const QStringList& paths) {
           try {
             opened[i] = std::make_shared<const Session>(open(wanted[i], wanted.size() > 1 ? quiet : progress));
           } catch (const Error& error) {
-            failures[i] = {QString::fromStdString(error.where().empty() ? wanted[i].string() : error.where()),
-                           QString::fromStdString(error.what_happened())};
+            failures[i] = failure_of(error);
+            if (failures[i].where.isEmpty()) failures[i].where = QString::fromStdString(wanted[i].string());
           }
           if (wanted.size() > 1) progress.report("opening sessions", ++done, wanted.size());
         });

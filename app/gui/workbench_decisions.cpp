@@ -116,7 +116,8 @@ void Workbench::decide(const std::vector<int>& pairs, PairState state, const QSt
   std::vector<PairDecision> before, after;
   QStringList refused;
   for (int index : pairs) {
-    const Pair& pair = output_->pairs.at(static_cast<std::size_t>(index));
+    if (index < 0 || index >= std::ssize(output_->pairs)) continue;  // of a chart that shows the pairs before still
+    const Pair& pair = output_->pairs[static_cast<std::size_t>(index)];
     const PairDecision decision = user_decision(index, state, reason.trimmed().toStdString());
     if (pair.state == state && pair.decided_by == DecidedBy::User &&
         (reason.isEmpty() || pair.reason == decision.reason))

@@ -96,7 +96,7 @@ void Page::write_verdict() {
   html_ += "<h1>" + phrase("report", "Calibration of a LiDAR: report") + "</h1>\n<p class=\"weak\">";
   if (!report_.created.empty()) html_ += html_escaped(report_.created) + " · ";
   html_ += "Remount " + html_escaped(file_.version) + "</p>\n";
-  html_ += "<p><b>" + phrase("report", "Status") + ": " + html_escaped(to_string(result_.status)) + ".</b> " +
+  html_ += "<p><b>" + phrase("report", "Status") + ": " + sentence(std::string(to_string(result_.status))) + ".</b> " +
            sentence(result_.message) + "</p>\n";
   std::vector<std::string> advice;
   for (const std::string& line : result_.advice) advice.push_back(sentence(line));

@@ -665,10 +665,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>两份数据的 X 之差</translation>
     </message>
     <message>
-        <source>What P X = X Q leaves over the pairs of the session it is scored on, root mean square, in degrees and mm</source>
-        <translation>P X = X Q 在被检验数据的帧对上的残差均方根，单位度和毫米</translation>
-    </message>
-    <message>
         <source>Needs a second session.</source>
         <translation>需要第二份数据。</translation>
     </message>
@@ -715,6 +711,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>agree (at most %1 sigma, in %2)</source>
         <translation>一致（%2 最多相差 %1 倍标准差）</translation>
+    </message>
+    <message>
+        <source>What P X = X Q leaves over the pairs of the session it is scored on, root mean square, in degrees and mm. Where all clouds were aligned together as the last step, residuals are slightly too small.</source>
+        <translation>P X = X Q 在受检数据的帧对上的残差，均方根，单位度和毫米。若最后一步把所有点云一起配准，残差略微偏小。</translation>
     </message>
 </context>
 <context>
@@ -967,10 +967,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>关于 Remount(&amp;A)</translation>
     </message>
     <message>
-        <source>The sample session is not installed.</source>
-        <translation>没有安装示例数据。</translation>
-    </message>
-    <message>
         <source>Open the folder of a recorded drive</source>
         <translation>打开一次行驶记录的文件夹</translation>
     </message>
@@ -981,10 +977,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Nominal mounting from a result or an exported file</source>
         <translation>从结果或导出文件读取名义安装</translation>
-    </message>
-    <message>
-        <source>There is no result to export yet.</source>
-        <translation>还没有可导出的结果。</translation>
     </message>
     <message>
         <source>Cannot be written in this format: %1</source>
@@ -1219,6 +1211,22 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>
             <numerusform>已存在 %n 个文件。要替换吗？</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The sample session is not installed. Install the package again, or open a recorded drive of yours (Ctrl+O).</source>
+        <translation>示例数据未安装。请重新安装软件包，或打开您自己录制的数据（Ctrl+O）。</translation>
+    </message>
+    <message>
+        <source>There is no result to export yet. Open a session (Ctrl+O) and calibrate (F5).</source>
+        <translation>还没有可导出的结果。请打开数据（Ctrl+O）并标定（F5）。</translation>
+    </message>
+    <message>
+        <source>A report is being written already. Wait until the status line says that it is saved.</source>
+        <translation>正在写一份报告。请等到状态栏显示已保存。</translation>
+    </message>
+    <message>
+        <source>3-D view: %1</source>
+        <translation>三维视图：%1</translation>
     </message>
 </context>
 <context>
@@ -1985,10 +1993,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
 <context>
     <name>remount::ProjectKeeper</name>
     <message>
-        <source>Unsaved work cannot be kept safe automatically: %1</source>
-        <translation>无法自动保全未保存的工作：%1</translation>
-    </message>
-    <message>
         <source>Never saved as a project</source>
         <translation>从未保存为项目</translation>
     </message>
@@ -2027,6 +2031,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Forget these</source>
         <translation>忘记这些</translation>
+    </message>
+    <message>
+        <source>Unsaved work cannot be kept safe automatically: %1
+Save the project (Ctrl+S) where there is room.</source>
+        <translation>无法自动保护未保存的工作：%1
+请把项目保存到有空间的地方（Ctrl+S）。</translation>
+    </message>
+    <message>
+        <source>The project&apos;s folder cannot be written: %1
+Your work is kept safe in %2 instead. Bring the disk back, or save the project elsewhere (File, Save project as).</source>
+        <translation>无法写入项目所在的文件夹：%1
+您的工作改存于 %2。请重新连接磁盘，或把项目另存到别处（文件，项目另存为）。</translation>
     </message>
 </context>
 <context>
@@ -2090,6 +2106,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Reading the scan…</source>
         <translation>正在读取扫描…</translation>
+    </message>
+    <message>
+        <source>The scan is shown when the new solution is complete.</source>
+        <translation>新的解完成后将显示扫描。</translation>
     </message>
 </context>
 <context>
@@ -2453,6 +2473,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>… Being completed: %1</source>
         <translation>… 正在补全：%1</translation>
+    </message>
+    <message>
+        <source>Map sharpness: not measured since the last decision. Calibrate again (F5).</source>
+        <translation>地图清晰度：上次决定之后尚未测量。请重新标定（F5）。</translation>
     </message>
 </context>
 <context>
@@ -2912,6 +2936,21 @@ Calibrate again (F5).</source>
     <message>
         <source>undo: %1</source>
         <translation>撤销：%1</translation>
+    </message>
+</context>
+<context>
+    <name>remount::error_words</name>
+    <message>
+        <source>Is the disk connected, is there room on it, and may you read and write there?</source>
+        <translation>磁盘是否已连接、是否有空间、您是否有读写权限？</translation>
+    </message>
+    <message>
+        <source>Was the recording cut off, or the file edited? Copy it from its source again, or leave it out.</source>
+        <translation>记录是否中断过，文件是否被改动过？请从来源重新复制，或不使用它。</translation>
+    </message>
+    <message>
+        <source>F1 in the empty window lists what can be opened.</source>
+        <translation>在空窗口中按 F1 可查看能打开的内容。</translation>
     </message>
 </context>
 <context>
@@ -3838,6 +3877,286 @@ Calibrate again (F5).</source>
     <message>
         <source>was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last steps (aligning all clouds, sharpness of the map). Calibrate again for the rest.</source>
         <translation>在 %2 个帧对中有 %1 个完成配准时被取消：结果仅来自这些帧对，未执行最后的步骤（对齐全部点云、地图清晰度）。要处理其余帧对，请重新标定。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples are degraded and %3 invalid by the INS&apos;s own status.</source>
+        <translation>按 INS 自身的状态，%2 个样本中 %1 个降级，%3 个无效。</translation>
+    </message>
+    <message>
+        <source>%1 gaps, the longest %2 s; nothing is interpolated across them.</source>
+        <translation>%1 处间断，最长 %2 秒；间断处不做插值。</translation>
+    </message>
+    <message>
+        <source>The INS moves at up to %1 m/s: its position jumps, or its stamps are wrong.</source>
+        <translation>INS 速度高达 %1 m/s：位置有跳变，或时间戳有误。</translation>
+    </message>
+    <message>
+        <source>The vehicle turns by %1 degrees in all: the position of the LiDAR will not be observable from this drive alone. Drive a figure of eight.</source>
+        <translation>车辆总共只转了 %1 度：仅凭这段数据无法观测激光雷达的位置。请绕 8 字行驶。</translation>
+    </message>
+    <message>
+        <source>The vehicle tilts by %1 degrees only: the height of the LiDAR will hardly be observable. Drive over a ramp.</source>
+        <translation>车辆只倾斜了 %1 度：激光雷达的高度几乎不可观测。请驶过坡道。</translation>
+    </message>
+    <message>
+        <source>The INS repeats one solution for %1 s; was it still aligning, or did the log stall?</source>
+        <translation>INS 在 %1 秒内重复同一结果；是仍在对准，还是记录停顿了？</translation>
+    </message>
+    <message>
+        <source>The heading of the INS does not follow the direction of travel, but it would as %1: correct the convention of the attitude. No mounting can be right with this one.</source>
+        <translation>INS 的航向与行驶方向不一致，但若按 %1 理解则一致：请改正姿态的约定。按现在的约定，任何安装都不可能正确。</translation>
+    </message>
+    <message>
+        <source>The heading of the INS does not follow the direction of travel: check the convention of the attitude, and which column is yaw. A vehicle that moves sideways at will may look so too.</source>
+        <translation>INS 的航向与行驶方向不一致：请检查姿态的约定，以及哪一列是航向角。能任意横移的车辆也会这样。</translation>
+    </message>
+    <message>
+        <source>The z axis of the INS points down, where its axes are declared with z up: is it mounted so? Otherwise check the convention of the attitude (ENU or NED, roll by 180 degrees).</source>
+        <translation>INS 的 z 轴朝下，而其坐标系声明为 z 朝上：它确实这样安装吗？否则请检查姿态的约定（ENU 或 NED，横滚相差 180 度）。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans lie outside the INS data or in a gap of it and are not used.</source>
+        <translation>%2 帧扫描中有 %1 帧在 INS 数据之外或处于其间断处，未使用。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans lie outside the INS data or in a gap of it and are not used: %3</source>
+        <translation>%2 帧扫描中有 %1 帧在 INS 数据之外或处于其间断处，未使用：%3</translation>
+    </message>
+    <message>
+        <source>Too few scans show the ground near the vehicle; the height of the INS is not used.</source>
+        <translation>能看到车辆附近地面的扫描太少；不使用 INS 的高度。</translation>
+    </message>
+    <message>
+        <source>%1 The scan is skipped.</source>
+        <translation>%1 该帧扫描已跳过。</translation>
+    </message>
+    <message>
+        <source>The format does not say whether its scans are compensated for motion. Compensating them changes the registration residual by %1: scans are compensated.</source>
+        <translation>该格式未说明扫描是否已做运动补偿。补偿使配准残差变化 %1：对扫描做补偿。</translation>
+    </message>
+    <message>
+        <source>The format does not say whether its scans are compensated for motion. Compensating them changes the registration residual by %1: scans are used as they are.</source>
+        <translation>该格式未说明扫描是否已做运动补偿。补偿使配准残差变化 %1：扫描按原样使用。</translation>
+    </message>
+    <message>
+        <source>The lidar&apos;s stamps are early by %1 ms (sigma %2 ms) against the INS. X is biased by it while the vehicle turns: set solve.apply_time_offset to correct it.</source>
+        <translation>激光雷达的时间戳比 INS 早 %1 毫秒（标准差 %2 毫秒）。车辆转弯时 X 因此有偏：设置 solve.apply_time_offset 以改正。</translation>
+    </message>
+    <message>
+        <source>The lidar&apos;s stamps are late by %1 ms (sigma %2 ms) against the INS. X is biased by it while the vehicle turns: set solve.apply_time_offset to correct it.</source>
+        <translation>激光雷达的时间戳比 INS 晚 %1 毫秒（标准差 %2 毫秒）。车辆转弯时 X 因此有偏：设置 solve.apply_time_offset 以改正。</translation>
+    </message>
+    <message>
+        <source>Surfaces in the accumulated scans are %1 mm thick under the result and %2 mm under the nominal: the map contradicts the result. Look at the pairs and at the clock offset before using it.</source>
+        <translation>累积扫描中的表面，按结果厚 %1 毫米，按名义安装厚 %2 毫米：地图与结果矛盾。使用前请查看帧对和时钟偏差。</translation>
+    </message>
+    <message>
+        <source>The column &apos;time&apos; was rounded, as a spreadsheet does; GPS time is used, nothing is lost.</source>
+        <translation>“time” 列被舍入了（电子表格会这样）；改用 GPS 时间，没有损失。</translation>
+    </message>
+    <message>
+        <source>The column &apos;time&apos; (clock of the host, or of a replay) is %1 s off UTC by GPS; GPS time is used.</source>
+        <translation>“time” 列（主机或回放的时钟）与 GPS 给出的 UTC 相差 %1 秒；使用 GPS 时间。</translation>
+    </message>
+    <message>
+        <source>The LiDAR poses cannot be brought to INS time: %1. Their stamps stay as they are; record a drive with several turns.</source>
+        <translation>无法把激光雷达位姿换算到 INS 时间：%1。其时间戳保持原样；请录制含多次转弯的数据。</translation>
+    </message>
+    <message>
+        <source>The two clocks agree; by the rates of rotation, %1. Nothing was moved.</source>
+        <translation>两个时钟一致；按角速度，%1。未做移动。</translation>
+    </message>
+    <message>
+        <source>The LiDAR poses were moved to INS time by the rates of rotation: %1.</source>
+        <translation>已按角速度把激光雷达位姿移到 INS 时间：%1。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used and is left out. First: %2</source>
+        <translation>%1 无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used and are left out. First: %2</source>
+        <translation>%1 无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 samples lie more than 2 degrees of latitude or longitude from the rest and are left out.</source>
+        <translation>%1 个样本的经纬度与其余相差 2 度以上，已略去。</translation>
+    </message>
+    <message>
+        <source>%1 entries have no possible time (expected nanoseconds since 1970) and are left out.</source>
+        <translation>%1 条的时间不合理（应为自 1970 年起的纳秒数），已略去。</translation>
+    </message>
+    <message>
+        <source>%1 entries repeat the stamp before them; the first of each is used.</source>
+        <translation>%1 条与前一条时间戳相同；只用每组的第一条。</translation>
+    </message>
+    <message>
+        <source>%1 entries go back in time and are left out. Check the clock of the recorder.</source>
+        <translation>%1 条时间倒退，已略去。请检查记录设备的时钟。</translation>
+    </message>
+    <message>
+        <source>%1 files have no time stamp and are left out.</source>
+        <translation>%1 个文件没有时间戳，已略去。</translation>
+    </message>
+    <message>
+        <source>Scans and INS samples of one number are taken together; their own stamps differ by %1 ms (median).</source>
+        <translation>同一编号的扫描与 INS 样本配在一起；它们自身的时间戳相差 %1 毫秒（中位数）。</translation>
+    </message>
+    <message>
+        <source>A mounting is given beside the drive; it serves as the nominal.</source>
+        <translation>数据旁给出了一个安装；用作名义安装。</translation>
+    </message>
+    <message>
+        <source>There are scans and LiDAR poses; the scans are used.</source>
+        <translation>既有扫描也有激光雷达位姿；使用扫描。</translation>
+    </message>
+    <message>
+        <source>One pose file is half a session: put it into a folder with the poses of the other sensor.</source>
+        <translation>单个位姿文件只是半份数据：请把它与另一传感器的位姿放入同一文件夹。</translation>
+    </message>
+    <message>
+        <source>Rotations were off by up to %1 in an entry; the nearest rotation is used.</source>
+        <translation>旋转矩阵的元素误差最大达 %1；使用最接近的旋转。</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>不存在</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>是空的</translation>
+    </message>
+    <message>
+        <source>is empty (0 bytes), expected the log or manifest of a session</source>
+        <translation>是空的（0 字节），应为数据的日志或清单</translation>
+    </message>
+    <message>
+        <source>is no session that Remount knows. It looks for:%1</source>
+        <translation>不是 Remount 认识的数据。它寻找：%1</translation>
+    </message>
+    <message>
+        <source>lies outside the search range: %1. Correct it, or widen the search range.</source>
+        <translation>在搜索范围之外：%1。请改正它，或放宽搜索范围。</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>无法打开：%1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>无法读取：%1</translation>
+    </message>
+    <message>
+        <source>cannot be examined: %1</source>
+        <translation>无法检查：%1</translation>
+    </message>
+    <message>
+        <source>cannot be made: %1</source>
+        <translation>无法创建：%1</translation>
+    </message>
+    <message>
+        <source>cannot be saved: %1; nothing was replaced</source>
+        <translation>无法保存：%1；未替换任何内容</translation>
+    </message>
+    <message>
+        <source>cannot be saved, no temporary file can be made beside it: %1; nothing was replaced</source>
+        <translation>无法保存，不能在其旁边创建临时文件：%1；未替换任何内容</translation>
+    </message>
+    <message>
+        <source>cannot be saved, there is no folder %1</source>
+        <translation>无法保存，没有文件夹 %1</translation>
+    </message>
+    <message>
+        <source>cannot be saved, the link leads nowhere: %1</source>
+        <translation>无法保存，链接没有指向任何位置：%1</translation>
+    </message>
+    <message>
+        <source>exists and is not a regular file</source>
+        <translation>已存在，但不是普通文件</translation>
+    </message>
+    <message>
+        <source>is no PCD, PLY, KITTI .bin or .txt scan</source>
+        <translation>不是 PCD、PLY、KITTI .bin 或 .txt 扫描</translation>
+    </message>
+    <message>
+        <source>holds no points</source>
+        <translation>不含任何点</translation>
+    </message>
+    <message>
+        <source>holds no scan with a time stamp</source>
+        <translation>不含带时间戳的扫描</translation>
+    </message>
+    <message>
+        <source>holds no INSPVAX log</source>
+        <translation>不含 INSPVAX 记录</translation>
+    </message>
+    <message>
+        <source>is no pose file</source>
+        <translation>不是位姿文件</translation>
+    </message>
+    <message>
+        <source>latitude, longitude or height is not possible</source>
+        <translation>纬度、经度或高度不合理</translation>
+    </message>
+    <message>
+        <source>the checksum does not agree with the line</source>
+        <translation>校验和与该行不符</translation>
+    </message>
+    <message>
+        <source>the positions lie all over the Earth: is that one drive?</source>
+        <translation>位置遍布全球：这是一段数据吗？</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>没有这个文件或文件夹</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>没有权限</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>磁盘空间已满</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>读写错误</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>文件系统只读</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>是一个文件夹</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>良好</translation>
+    </message>
+    <message>
+        <source>degenerate</source>
+        <translation>部分不可观测</translation>
+    </message>
+    <message>
+        <source>too_few_pairs</source>
+        <translation>帧对太少</translation>
+    </message>
+    <message>
+        <source>not_converged</source>
+        <translation>未收敛</translation>
+    </message>
+    <message>
+        <source>out_of_range</source>
+        <translation>超出范围</translation>
+    </message>
+    <message>
+        <source>inconsistent</source>
+        <translation>互相矛盾</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,7 @@ ErrorBarChart::ErrorBarChart(QWidget* parent) : QWidget(parent) {
 void ErrorBarChart::show_output(std::shared_ptr<const PipelineOutput> output) {
   output_ = std::move(output);
   if (!output_) threshold_.reset();
+  find_values();
   show_pairs(pairs_);
 }
 
@@ -51,11 +52,20 @@ void ErrorBarChart::show_selected(int pair) {
 
 void ErrorBarChart::set_measure(PairMeasure measure) {
   measure_ = measure;
+  find_values();
   find_top();
   set_threshold(std::nullopt);  // a height of the other axis
 }
 
-std::optional<double> ErrorBarChart::value_of(int index) const { return measured(pair(index), measure_); }
+/// Once: each picture asks for the values of all pairs several times.
+void ErrorBarChart::find_values() {
+  values_.clear();
+  if (!output_) return;
+  values_.reserve(output_->pairs.size());
+  for (const Pair& pair : output_->pairs) values_.push_back(measured(pair, measure_));
+}
+
+std::optional<double> ErrorBarChart::value_of(int index) const { return values_[static_cast<std::size_t>(index)]; }
 
 QRect ErrorBarChart::plot_area() const {
   const QFontMetrics metrics = fontMetrics();

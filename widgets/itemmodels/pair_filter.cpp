@@ -2,11 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
+#include "widgets/itemmodels/reason_match.h"
+#include "widgets/itemmodels/text_ranks.h"
 #include "widgets/theme.h"
 
 namespace remount {
+namespace {
+
+/// A text in number, state, session or reason of pairs, of which all but the number are the same for many.
+class TextMatch {
+ public:
+  explicit TextMatch(const QString& text) : text_(text), reason_(text), number_(-1) {
+    bool whole = false;
+    const int number = text.toInt(&whole);
+    if (whole && QString::number(number) == text) number_ = number;
+  }
+  bool operator()(const PairTableModel& model, int index) {
+    const Pair& pair = *model.pair(index);
+    if (index == number_ || reason_(pair.reason)) return true;
+    const int state = 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
+    return once(states_, state, [&] { return state_text(pair); }) ||
+           once(sessions_, model.session_of(pair), [&] { return model.session_name(pair); });
+  }
+
+ private:
+  template <class Words>
+  bool once(std::map<int, bool>& known, int key, const Words& words) const {
+    const auto found = known.find(key);
+    if (found != known.end()) return found->second;
+    return known[key] = words().contains(text_, Qt::CaseInsensitive);
+  }
+
+  QString text_;
+  ReasonMatch reason_;
+  int number_;
+  std::map<int, bool> states_, sessions_;
+};
+
+}  // namespace
 
 void PairFilter::setSourceModel(QAbstractItemModel* model) {
   beginResetModel();
@@ -66,8 +102,10 @@ void PairFilter::update_shown() {
 std::vector<int> PairFilter::choose() const {
   std::vector<int> pairs;
   const int count = sourceModel() ? sourceModel()->rowCount() : 0;
+  pairs.reserve(static_cast<std::size_t>(count));
+  TextMatch text(criteria_.text);
   for (int pair = 0; pair < count; ++pair)
-    if (matches(pair)) pairs.push_back(pair);
+    if (matches(pair) && (criteria_.text.isEmpty() || text(*pairs_model(), pair))) pairs.push_back(pair);
   if (criteria_.group == PairGroup::Worst10) keep_worst(pairs);
   sort_pairs(pairs);
   return pairs;
@@ -95,11 +133,7 @@ bool PairFilter::matches(int index) const {
       if (is_aligned(pair)) return false;
       break;
   }
-  if (criteria_.text.isEmpty()) return true;
-  if (QString::fromStdString(pair.reason).contains(criteria_.text, Qt::CaseInsensitive)) return true;
-  if (QString::number(index) == criteria_.text) return true;
-  return state_text(pair).contains(criteria_.text, Qt::CaseInsensitive) ||
-         pairs_model()->session_name(pair).contains(criteria_.text, Qt::CaseInsensitive);
+  return true;
 }
 
 void PairFilter::keep_worst(std::vector<int>& pairs) const {
@@ -127,7 +161,11 @@ void PairFilter::sort_pairs(std::vector<int>& pairs) const {
   if (sort_column_ == PairTableModel::Reason) {
     std::vector<std::string_view> reasons(count);
     for (int pair : pairs) reasons[static_cast<std::size_t>(pair)] = pairs_model()->pair(pair)->reason;
-    by(reasons, [](std::string_view reason) { return reason.empty(); });
+    // Pairs without a reason, and those that are filtered away, come first of all: -1 for them.
+    std::vector<int> ranks = text_ranks(reasons);
+    for (std::size_t i = 0; i < count; ++i)
+      if (reasons[i].empty()) ranks[i] = -1;
+    by(ranks, [](int rank) { return rank < 0; });
   } else {
     std::vector<double> numbers(count);
     for (int pair : pairs) numbers[static_cast<std::size_t>(pair)] = pairs_model()->sort_number(pair, sort_column_);

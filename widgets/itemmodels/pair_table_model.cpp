@@ -115,8 +115,12 @@ double PairTableModel::time_in_session_s(int keyframe) const {
   return 1e-9 * static_cast<double>(chosen.stamp_ns - session_start_ns_.at(static_cast<std::size_t>(chosen.session)));
 }
 
+int PairTableModel::session_of(const Pair& pair) const {
+  return output_->keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
+}
+
 QString PairTableModel::session_name(const Pair& pair) const {
-  const int session = output_->keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
+  const int session = session_of(pair);
   return session_names_.value(session, QString::number(session));
 }
 
@@ -125,7 +129,7 @@ double PairTableModel::sort_number(int row, int column) const {
   const auto value = [&](PairMeasure measure) { return measured(pair, measure).value_or(std::nan("")); };
   switch (column) {
     case SessionName:
-      return output_->keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
+      return session_of(pair);
     case TimeA:
       return time_in_session_s(pair.keyframe_a);
     case TimeB:

@@ -41,6 +41,7 @@ class PairTableModel : public QAbstractTableModel {
   const Pair* pair(int row) const;
   /// The number of a cell, in the unit of the screen; NaN where it is not known, as where scans were never aligned.
   double sort_number(int row, int column) const;
+  int session_of(const Pair& pair) const;
   QString session_name(const Pair& pair) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;

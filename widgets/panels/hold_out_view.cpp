@@ -136,7 +136,8 @@ HoldOutView::HoldOutView(QWidget* parent)
       scores_(new FigureTable(tr("Residuals of each session under the X of another"), this)),
       differences_(new FigureTable(tr("Differences between the X of two sessions"), this)) {
   scores_->setToolTip(
-      tr("What P X = X Q leaves over the pairs of the session it is scored on, root mean square, in degrees and mm"));
+      tr("What P X = X Q leaves over the pairs of the session it is scored on, root mean square, in degrees and mm. "
+         "Where all clouds were aligned together as the last step, residuals are slightly too small."));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
   column->addWidget(verdict_);

@@ -30,50 +30,62 @@ QStringList key_conflicts(const std::vector<KeyBinding>& bindings) {
 KeysDialog::KeysDialog(const std::vector<KeyBinding>& bindings, QWidget* parent)
     : QDialog(parent), bindings_(bindings), conflicts_(new QLabel(this)) {
   setWindowTitle(tr("Keys"));
-  auto* rows = new QWidget(this);
-  auto* grid = new QGridLayout(rows);
-  int row = 0;
-  for (std::size_t i = 0; i < bindings_.size(); ++i) {
-    editors_.push_back(nullptr);
-    if (bindings_[i].id.isEmpty()) continue;
-    auto* editor = new QKeySequenceEdit(bindings_[i].key, this);
-    editor->setClearButtonEnabled(true);
-    editor->setAccessibleName(tr("Key of %1").arg(bindings_[i].text));
-    editor->setToolTip(
-        tr("Click and press the key. Standard: %1").arg(bindings_[i].standard.toString(QKeySequence::NativeText)));
-    auto* label = new QLabel(bindings_[i].text, this);
-    label->setBuddy(editor);
-    grid->addWidget(label, row, 0);
-    grid->addWidget(editor, row++, 1);
-    editors_.back() = editor;
-    connect(editor, &QKeySequenceEdit::keySequenceChanged, this, [this, i](const QKeySequence& key) {
-      bindings_[i].key = key;
-      check();
-    });
-  }
-  grid->setColumnStretch(0, 1);
-  grid->setRowStretch(row, 1);
   auto* scroll = new QScrollArea(this);
-  scroll->setWidget(rows);
+  scroll->setWidget(make_rows());
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   conflicts_->setWordWrap(true);
   auto* note = new QLabel(tr("Several pairs can be marked with Ctrl or Shift and decided together."), this);
   note->setWordWrap(true);
   note->setEnabled(false);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(scroll, 1);
+  column->addWidget(conflicts_);
+  column->addWidget(note);
+  column->addWidget(make_buttons());
+  resize(440, 520);
+  check();
+}
+
+QWidget* KeysDialog::make_rows() {
+  auto* rows = new QWidget(this);
+  auto* grid = new QGridLayout(rows);
+  int row = 0;
+  for (std::size_t i = 0; i < bindings_.size(); ++i) {
+    editors_.push_back(bindings_[i].id.isEmpty() ? nullptr : make_editor(i));
+    if (!editors_.back()) continue;
+    auto* label = new QLabel(bindings_[i].text, this);
+    label->setBuddy(editors_.back());
+    grid->addWidget(label, row, 0);
+    grid->addWidget(editors_.back(), row++, 1);
+  }
+  grid->setColumnStretch(0, 1);
+  grid->setRowStretch(row, 1);
+  return rows;
+}
+
+QKeySequenceEdit* KeysDialog::make_editor(std::size_t binding) {
+  const KeyBinding& bound = bindings_[binding];
+  auto* editor = new QKeySequenceEdit(bound.key, this);
+  editor->setClearButtonEnabled(true);
+  editor->setAccessibleName(tr("Key of %1").arg(bound.text));
+  editor->setToolTip(
+      tr("Click and press the key. Standard: %1").arg(bound.standard.toString(QKeySequence::NativeText)));
+  connect(editor, &QKeySequenceEdit::keySequenceChanged, this, [this, binding](const QKeySequence& key) {
+    bindings_[binding].key = key;
+    check();
+  });
+  return editor;
+}
+
+QWidget* KeysDialog::make_buttons() {
   auto* buttons =
       new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this);
   ok_ = buttons->button(QDialogButtonBox::Ok);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, &KeysDialog::reset);
-  auto* column = new QVBoxLayout(this);
-  column->addWidget(scroll, 1);
-  column->addWidget(conflicts_);
-  column->addWidget(note);
-  column->addWidget(buttons);
-  resize(440, 520);
-  check();
+  return buttons;
 }
 
 void KeysDialog::set_key(const QString& id, const QKeySequence& key) {

@@ -28,6 +28,9 @@ class KeysDialog : public QDialog {
   void set_key(const QString& id, const QKeySequence& key);  ///< as if it had been typed
 
  private:
+  QWidget* make_rows();
+  QKeySequenceEdit* make_editor(std::size_t binding);
+  QWidget* make_buttons();
   void reset();
   void check();
   std::vector<KeyBinding> bindings_;

@@ -12,10 +12,24 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/theme.h"
+
 namespace remount {
 namespace {
 constexpr int kMeasuredRows = 60;  // that a column's width follows: all of a hundred thousand would take seconds
+
+/// Of a pair that the user decided, pixels.
+int widest_state(const QFontMetrics& metrics) {
+  Pair pair;
+  pair.decided_by = DecidedBy::User;
+  int widest = 0;
+  for (const PairState state : {PairState::Accepted, PairState::Rejected}) {
+    pair.state = state;
+    widest = std::max(widest, metrics.horizontalAdvance(state_text(pair)));
+  }
+  return widest + 2 * metrics.averageCharWidth();
 }
+}  // namespace
 
 PairsPanel::PairsPanel(PairTableModel& model, QWidget* parent)
     : QWidget(parent),
@@ -134,6 +148,9 @@ void PairsPanel::show_output(std::shared_ptr<const PipelineOutput> output) {
   if (sized_) return;
   sized_ = true;
   for (int column = 0; column < PairTableModel::Reason; ++column) table_->resizeColumnToContents(column);
+  // Decisions make words longer than those that are there now.
+  table_->setColumnWidth(PairTableModel::State,
+                         std::max(table_->columnWidth(PairTableModel::State), widest_state(table_->fontMetrics())));
 }
 
 void PairsPanel::show_selected(int pair) {

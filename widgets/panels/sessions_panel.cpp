@@ -14,6 +14,7 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   tree_->setModel(&model_);
   tree_->setAccessibleName(tr("Open sessions and findings"));
   tree_->setHeaderHidden(true);
+  tree_->setMinimumHeight(6 * tree_->fontMetrics().lineSpacing());  // several drives, and what was found in one
   tree_->setItemDelegate(new WrappingDelegate(*tree_));
   auto* open = new QPushButton(tr("Open…"), this);
   open->setToolTip(tr("A folder or file with a recorded drive; several drives of one vehicle are calibrated together"));

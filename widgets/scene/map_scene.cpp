@@ -4,12 +4,14 @@
 
 #include "widgets/scene/cloud_actor.h"
 #include "widgets/scene/frame_budget.h"
+#include "widgets/scene/point_grid.h"
 
 namespace remount {
 
 struct MapSceneData {
   std::shared_ptr<const CloudGeometry> geometry;
   std::shared_ptr<const std::vector<SceneColor>> colors;
+  PointGrid grid;
   Framing framing;
   MapFacts facts;
 };
@@ -63,6 +65,7 @@ MapSceneDataPtr prepare_map_scene(const MapScans& scans, const RigidTransform& i
   for (std::size_t i = 0; i < cloud.size(); ++i)
     (*colors)[i] = DistanceScale::at((static_cast<double>(cloud.points[i].z()) - low_m) / span_m);
   data->colors = std::move(colors);
+  data->grid = PointGrid(cloud.points, progress);
   data->geometry = make_geometry(std::move(cloud));
   return progress.cancelled() ? nullptr : data;
 }
@@ -148,7 +151,7 @@ std::optional<Eigen::Vector3d> MapScene::pick(const PickRay& ray) const {
   const Parts& p = *parts_;
   if (!p.data) return std::nullopt;
   const std::vector<Eigen::Vector3f>& points = p.data->geometry->cloud->points;
-  const auto picked = nearest_to_ray(points, RigidTransform::Identity(), ray);
+  const auto picked = p.data->grid.nearest_to_ray(points, ray);
   if (!picked) return std::nullopt;
   return points[picked->index].cast<double>();
 }

@@ -31,4 +31,11 @@ std::optional<PickedPoint> nearest_to_ray(const std::vector<Eigen::Vector3f>& po
                                           const RigidTransform& view_from_cloud, const PickRay& ray,
                                           double reach_px = 12.0);
 
+/// The two halves of it, in the cloud's frame; angles as tangents. Of the points within `most` the smallest angle to
+/// the ray, and the one in front.
+std::optional<double> least_tangent_to_ray(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& origin,
+                                           const Eigen::Vector3d& direction, double most);
+std::optional<PickedPoint> first_within(const std::vector<Eigen::Vector3f>& points, const Eigen::Vector3d& origin,
+                                        const Eigen::Vector3d& direction, double most);
+
 }  // namespace remount
