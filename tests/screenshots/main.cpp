@@ -1,13 +1,14 @@
 // Pictures of the window at work on the bundled sample, for README: made by packaging/screenshots, never by hand.
 #include <QAction>
 #include <QApplication>
+#include <QCommandLineParser>
 #include <QDir>
 #include <QSignalSpy>
 #include <QTest>
-#include <cstdio>
 
 #include "app/gui/language.h"
 #include "app/gui/window_host.h"
+#include "tests/screenshots/tour.h"
 #include "widgets/gl_support.h"
 #include "widgets/panels/export_dialog.h"
 
@@ -71,9 +72,20 @@ class Photographer {
 int main(int argc, char** argv) {
   remount::prepare_gl();
   QApplication application(argc, argv);
-  if (argc != 2) {
-    std::fputs("usage: remount_screenshots FOLDER\n", stderr);
-    return 1;
-  }
-  return remount::Photographer(QString::fromLocal8Bit(argv[1])).take_all() ? 0 : 2;
+  QCommandLineParser parser;
+  parser.addPositionalArgument("folder", "where the pictures go");
+  parser.addPositionalArgument("sessions", "of the tour; the bundled sample where there are none", "[SESSION…]");
+  const QCommandLineOption tour("tour", "every page and dialog, instead of README's pictures"), dark("dark", "dark"),
+      language("language", "of the tour", "code", "en"), width("width", "of the window", "pixels", "1440"),
+      height("height", "of the window", "pixels", "900");
+  parser.addOptions({tour, dark, language, width, height});
+  parser.addHelpOption();
+  parser.process(application);
+  QStringList sessions = parser.positionalArguments();
+  if (sessions.isEmpty()) parser.showHelp(1);
+  const QString folder = sessions.takeFirst();
+  if (!parser.isSet(tour)) return remount::Photographer(folder).take_all() ? 0 : 2;
+  remount::TourRequest request{folder, sessions, parser.value(language), {}, parser.isSet(dark)};
+  request.size = {parser.value(width).toInt(), parser.value(height).toInt()};
+  return remount::take_tour(request) ? 0 : 2;
 }

@@ -1,8 +1,7 @@
 // One QApplication for all tests of widgets: on the display there is, or offscreen where there is none.
 #include <gtest/gtest.h>
 
-#include <QApplication>
-
+#include "tests/widgets/support/turn_profile.h"
 #include "widgets/gl_support.h"
 
 int main(int argc, char** argv) {
@@ -11,6 +10,6 @@ int main(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY"))
     qputenv("QT_QPA_PLATFORM", "offscreen");
   remount::prepare_gl();
-  const QApplication application(argc, argv);
+  const remount::testing::ProfiledApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

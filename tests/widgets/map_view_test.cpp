@@ -84,6 +84,8 @@ class map_view : public ::testing::Test {
       QApplication::processEvents();
       times_ms.push_back(1e-6 * static_cast<double>(timer.nsecsElapsed()));
       EXPECT_LE(view_.scene().points_shown(), std::max(view_.scene().moving_budget(), FrameBudget::kFewest));
+      most_shown_ = std::max(most_shown_, view_.scene().points_shown());
+      budget_ = std::max(budget_, view_.scene().moving_budget());
     }
     EXPECT_FALSE(view_.rests());
     QTest::mouseRelease(view_.canvas(), Qt::LeftButton, Qt::NoModifier, at);
@@ -92,6 +94,7 @@ class map_view : public ::testing::Test {
   }
 
   MapView view_;
+  std::size_t most_shown_ = 0, budget_ = 0;  // of the frames of an orbit
   MapSceneDataPtr data_;
 };
 
@@ -106,7 +109,9 @@ TEST_F(map_view, draws_few_points_while_it_is_turned_and_all_at_rest) {
   std::sort(times_ms.begin() + 10, times_ms.end());  // the first find out how fast the machine is
   std::printf("%zu points: %zu drawn while turning, %.0f ms a frame (median), %.0f ms the longest of thirty\n", points,
               view_.scene().moving_budget(), times_ms[25], times_ms.back());
-  EXPECT_LT(times_ms[25], 2000.0) << "drawn as a whole, the map takes seconds on a slow machine";
+  const std::size_t budget = view_.scene().moving_budget();
+  EXPECT_LE(most_shown_, std::max(budget_, FrameBudget::kFewest)) << "no frame drew more than it had time for";
+  EXPECT_TRUE(most_shown_ < points || budget > points) << "all of it only where a frame has time for all of it";
   ASSERT_TRUE(come_to_rest());
   EXPECT_EQ(view_.scene().points_shown(), points + 1);
 }

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
+#include <stop_token>
 
 #include "widgets/scene/distance_scale.h"
+#include "widgets/scene/point_grid.h"
 
 namespace remount {
 namespace {
@@ -49,6 +52,58 @@ TEST(picking, nothing_near_behind_or_bad_is_picked) {
       {-30.0F, 0.0F, 0.0F}, {0.0F, 1.0F, 0.0F}, {nan, 0.0F, 0.0F}, {-10.0F, 0.0F, 0.0F}};
   EXPECT_FALSE(nearest_to_ray(points, RigidTransform::Identity(), along_x()));
   EXPECT_FALSE(nearest_to_ray({}, RigidTransform::Identity(), along_x()));
+}
+
+/// A street of a kilometre: ground, facades, and a few stray points.
+std::vector<Eigen::Vector3f> street(std::size_t count) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<float> unit(0.0F, 1.0F);
+  std::vector<Eigen::Vector3f> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float along = 1000.0F * unit(random), kind = unit(random);
+    points.emplace_back(along,
+                        kind < 0.6F   ? 24.0F * (unit(random) - 0.5F)
+                        : kind < 0.8F ? 12.0F
+                                      : -12.0F,
+                        kind < 0.6F ? 0.0F : 9.0F * unit(random));
+    if (i % 20000 == 0) points.back() *= 40.0F;
+  }
+  return points;
+}
+
+TEST(point_grid, finds_what_a_search_through_all_points_finds_and_looks_at_few) {
+  const std::vector<Eigen::Vector3f> points = street(200000);
+  const PointGrid grid(points, {});
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::size_t most = 0;
+  int hits = 0;
+  for (int i = 0; i < 60; ++i) {
+    PickRay ray;
+    ray.origin_in_view = {500.0 + 600.0 * unit(random), 300.0 * unit(random), 150.0 + 140.0 * unit(random)};
+    const Eigen::Vector3d target = points[random() % points.size()].cast<double>();
+    const Eigen::Vector3d off = Eigen::Vector3d(unit(random), unit(random), unit(random)) * (i % 4 ? 0.5 : 60.0);
+    ray.direction_in_view = (target + off - ray.origin_in_view).normalized();
+    ray.pixel_rad = 1e-3;
+    const auto all = nearest_to_ray(points, RigidTransform::Identity(), ray), found = grid.nearest_to_ray(points, ray);
+    ASSERT_EQ(all.has_value(), found.has_value()) << i;
+    if (!all) continue;
+    ++hits;
+    EXPECT_NEAR(all->distance_m, found->distance_m, 1e-6) << i;
+    EXPECT_EQ(all->index, found->index) << i;
+    most = std::max(most, grid.looked_at());
+  }
+  EXPECT_GT(hits, 30);
+  EXPECT_LT(most, points.size() / 10) << "of twice as many that a search through all looks at";
+}
+
+TEST(point_grid, holds_nothing_where_there_is_nothing_or_it_was_cancelled) {
+  EXPECT_FALSE(PointGrid({}, {}).nearest_to_ray({}, along_x()));
+  const std::vector<Eigen::Vector3f> one{{10.0F, 0.0F, 0.0F}};
+  EXPECT_TRUE(PointGrid(one, {}).nearest_to_ray(one, along_x()));
+  std::stop_source stop;
+  stop.request_stop();
+  EXPECT_FALSE(PointGrid(one, Progress(stop.get_token())).nearest_to_ray(one, along_x()));
 }
 
 TEST(distance_scale, has_a_colour_of_its_own_beyond_its_end_and_for_nothing) {

@@ -13,6 +13,7 @@
 
 #include "app/gui/project_keeper.h"
 #include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/message_banner.h"
 #include "widgets/panels/recovery_dialog.h"
 
 namespace remount {
@@ -199,6 +200,18 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   EXPECT_EQ(files_in(folder_.filePath("recovery"), "*.autosave-*").size(), 1);
+  const QString said = child<MessageBanner>().findChild<QLabel*>()->text();
+  EXPECT_TRUE(child<MessageBanner>().isVisible());
+  EXPECT_TRUE(said.contains("gone") && said.contains(folder_.filePath("recovery")) && said.contains("disk"))
+      << said.toStdString();
+  // The disk is back, and the project saved: autosaves lie beside it again.
+  QDir(folder_.path()).mkdir("gone");
+  workbench_.save_project(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.unsaved() && !autosave().writing(); }, kPatience_ms));
+  workbench_.decide({6}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(safe());
+  EXPECT_EQ(files_in(folder_.filePath("gone"), "*.autosave-*").size(), 1);
 }
 
 TEST(recovery_notes, keep_several_generations) {

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFontDatabase>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QProcess>
@@ -23,6 +24,7 @@
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/paint_drawing.h"
 #include "widgets/gl_support.h"
+#include "widgets/panels/message_banner.h"
 
 namespace remount {
 namespace {
@@ -33,6 +35,20 @@ using report_window = testing::WindowFixture;
 QByteArray contents(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+TEST_F(report_window, a_second_one_waits_for_the_first_and_says_so) {
+  const QTemporaryDir folder;
+  show();
+  calibrate_drive();
+  auto& maker = *window_.findChild<ReportMaker*>();
+  QSignalSpy finished(&maker, &ReportMaker::finished), failed(&maker, &ReportMaker::failed);
+  maker.make(folder.filePath("drive.html"));
+  trigger("Ctrl+R");  // asks for no file
+  EXPECT_TRUE(child<MessageBanner>().isVisible());
+  EXPECT_TRUE(child<MessageBanner>().findChild<QLabel*>()->text().contains("being written"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() + failed.count() > 0; }, kPatience_ms));
+  EXPECT_EQ(finished.count(), 1);
 }
 
 TEST_F(report_window, one_click_makes_a_page_and_a_pdf) {

@@ -293,6 +293,7 @@ TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
   auto* dialog = window_.findChild<KeysDialog*>();
   ASSERT_TRUE(dialog);
   photograph(*dialog, "23-keys");
+  const QList<QAction*> bound = window_.findChildren<QAction*>();
   const auto ok = [&] { return dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled(); };
   const auto words = [&] {
     QStringList texts;
@@ -306,8 +307,17 @@ TEST_F(review, keys_can_be_changed_and_a_key_with_two_meanings_is_named) {
   EXPECT_TRUE(words().contains("Export result")) << "keys of other menus count";
   EXPECT_FALSE(ok());
   dialog->set_key("reject", QKeySequence("X"));
+  EXPECT_TRUE(words().contains("3-D view: Top")) << "views have keys that can be changed, too";
+  dialog->set_key("view-top", QKeySequence("X"));
+  EXPECT_TRUE(words().contains("X: Reject pair and 3-D view: Top")) << words().toStdString();
+  dialog->set_key("view-top", QKeySequence("T"));
   EXPECT_TRUE(ok());
   dialog->accept();
+  EXPECT_EQ(std::count_if(bound.begin(), bound.end(),
+                          [](const QAction* action) {
+                            return action->shortcut() == QKeySequence("T") && action->text() == MainWindow::tr("&Top");
+                          }),
+            1);
   workbench_.select_pair(5);
   trigger("X");
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);

@@ -15,10 +15,14 @@
 
 #include "app/gui/main_window.h"
 #include "model/simulator/simulator.h"
+#include "tests/widgets/support/turn_profile.h"
 #include "widgets/forms/option_access.h"
 
 namespace remount {
 namespace {
+
+using testing::ProfiledApplication;
+using testing::thread_cpu_ms;
 
 constexpr int kPatience_ms = 280000;
 constexpr double kLongestStall_ms = 50.0;
@@ -29,12 +33,6 @@ double waited_for_a_core_ms() {
   double running_ns = 0.0, waiting_ns = 0.0;
   file >> running_ns >> waiting_ns;
   return 1e-6 * waiting_ns;
-}
-
-double thread_cpu_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
 /// Ticks every 5 ms and notes how long the loop took to come back, and how much of that it computed.
@@ -49,10 +47,12 @@ class Watchdog : public QObject {
       const double own = wall - (waited_for_a_core_ms() - waited_);
       if (own > own_) own_ = own, at_ = what;
       cpu_longest_ = std::max(cpu_longest_, cpu);
+      if (profiling_) tell_long_turn(wall, cpu);
       since_.start();
       cpu_ = thread_cpu_ms();
       waited_ = waited_for_a_core_ms();
     });
+    if (profiling_) ProfiledApplication::instance().start_profile();
     since_.start();
     cpu_ = thread_cpu_ms();
     waited_ = waited_for_a_core_ms();
@@ -67,6 +67,16 @@ class Watchdog : public QObject {
 
  private:
   static constexpr int kTick_ms = 5;
+  static constexpr double kLongTurn_ms = 20.0, kLongEvent_ms = 2.0;
+
+  void tell_long_turn(double wall_ms, double cpu_ms) const {
+    const QStringList events = ProfiledApplication::instance().take_profile(kLongEvent_ms);
+    if (cpu_ms > kLongTurn_ms)
+      std::printf("TURN %s: computed %.1f ms of %.1f ms\n%s\n", qPrintable(what), cpu_ms, wall_ms,
+                  qPrintable(events.join('\n')));
+  }
+
+  bool profiling_ = qEnvironmentVariableIsSet("REMOUNT_PROFILE");  // which events take long turns, and how long
   QTimer timer_;
   QElapsedTimer since_;
   double cpu_ = 0.0, cpu_longest_ = 0.0, wall_ = 0.0, own_ = 0.0, waited_ = 0.0;
@@ -125,6 +135,17 @@ TEST(watchdog, child_loads_and_registers) {
   ASSERT_TRUE(run_until(settled, kPatience_ms));
   ASSERT_TRUE(workbench.output());
   run_until([] { return false; }, 500);  // the result is shown, its files are hashed, it is autosaved
+  watchdog.what = "deciding";
+  for (const int pause_ms : {0, 5, 40, 120, 300, 1000}) {
+    // As fast as a key repeats, and slow enough for the first answer, or for the whole one, to come in between.
+    for (int pair = 0; pair < 4; ++pair) {
+      workbench.decide({10 * pair + pause_ms % 7}, PairState::Rejected);
+      if (pause_ms > 0) run_until([] { return false; }, pause_ms);
+    }
+    workbench.undo_stack().undo();
+  }
+  ASSERT_TRUE(run_until(settled, kPatience_ms));
+  run_until([] { return false; }, 500);
   std::printf(
       "WATCHDOG scans %zu pairs %zu longest stall %.1f ms (%s); with waiting for a core %.1f ms; computed %.1f ms\n",
       workbench.sessions().at(0)->scans->size(), workbench.output()->pairs.size(), watchdog.longest_own_ms(),
@@ -151,6 +172,7 @@ ChildRun run_child() {
   child.start(QCoreApplication::applicationFilePath(), {"--gtest_filter=watchdog.child_loads_and_registers"});
   if (!child.waitForFinished(kPatience_ms)) return {-1, "not done in time"};
   const ChildRun run{child.exitCode(), child.readAll()};
+  if (qEnvironmentVariableIsSet("REMOUNT_PROFILE")) std::printf("%s\n", run.said.constData());
   const qsizetype line = run.said.indexOf("WATCHDOG");
   if (line >= 0) std::printf("%s\n", run.said.mid(line, run.said.indexOf('\n', line) - line).constData());
   return run;

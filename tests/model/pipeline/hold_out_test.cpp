@@ -6,6 +6,7 @@
 #include <random>
 
 #include "model/result_file.h"
+#include "tests/support/no_scans.h"
 
 namespace remount {
 namespace {
@@ -34,19 +35,6 @@ RigidTransform disturbed(const RigidTransform& pose, double sigma_m, double sigm
                                 sigma_rad * noise(random), sigma_rad * noise(random), sigma_rad * noise(random)});
 }
 
-class NoScans : public ScanSource {
- public:
-  std::size_t size() const override { return kKeyframes; }
-  std::int64_t stamp_ns(std::size_t scan) const override {
-    return 1'000'000'000 + static_cast<std::int64_t>(1e9 * kStep_s * static_cast<double>(scan));
-  }
-  std::string name(std::size_t scan) const override { return std::to_string(scan); }
-  PointCloud load(std::size_t) const override {
-    ADD_FAILURE() << "no scan is read";
-    return {};
-  }
-};
-
 struct World {
   PipelineInput input;
   PipelineOutput output;
@@ -69,7 +57,7 @@ struct World {
       session->world_from_ins.push_back(
           {static_cast<std::int64_t>(1e9 * time_s),
            disturbed(true_pose(drive, time_s), drive.noise * 0.005, drive.noise * 1e-4, random)});
-    session->scans = std::make_shared<NoScans>();
+    session->scans = std::make_shared<testing::NoScans>(kKeyframes, kStep_s);
     input.sessions.push_back(session);
     for (int k = 0; k < kKeyframes; ++k)
       output.keyframes.push_back({number, k, session->scans->stamp_ns(static_cast<std::size_t>(k)), 2.0 * k});

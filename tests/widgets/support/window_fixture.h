@@ -25,8 +25,10 @@ class WindowFixture : public ::testing::Test {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_, kPatience_ms));
   }
   bool settle() {
-    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kPatience_ms);
+    const bool settled = QTest::qWaitFor(
+        [&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); }, kPatience_ms);
+    window_.show_everything();
+    return settled;
   }
   void calibrate_drive() {
     window_.open_paths({"/data/drive1"});

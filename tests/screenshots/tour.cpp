@@ -1,0 +1,198 @@
+#include "tests/screenshots/tour.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTest>
+#include <cstdio>
+
+#include "app/gui/language.h"
+#include "app/gui/report_maker.h"
+#include "app/gui/window_host.h"
+#include "widgets/panels/export_dialog.h"
+#include "widgets/panels/help_window.h"
+#include "widgets/panels/keys_dialog.h"
+#include "widgets/panels/map_view.h"
+#include "widgets/panels/obstacle_dialog.h"
+#include "widgets/panels/options_dialog.h"
+#include "widgets/panels/pair_view.h"
+#include "widgets/panels/quality_view.h"
+
+namespace remount {
+namespace {
+
+constexpr int kPatience_ms = 600000, kDrawn_ms = 700;
+
+QPalette dark_palette() {
+  QPalette palette(QColor(53, 53, 53), QColor(42, 42, 42));
+  palette.setColor(QPalette::Base, QColor(30, 30, 30));
+  palette.setColor(QPalette::AlternateBase, QColor(42, 42, 42));
+  palette.setColor(QPalette::Highlight, QColor(61, 142, 201));
+  return palette;
+}
+
+class Tour {
+ public:
+  explicit Tour(const TourRequest& request) : request_(request) {}
+
+  bool take() {
+    window().resize(request_.size);
+    window().show();
+    if (!QTest::qWaitForWindowExposed(&window(), kPatience_ms)) return false;
+    save(window(), "start");
+    open_sessions();
+    if (workbench_.sessions().empty()) return false;
+    save(window(), "opened");
+    raise("drive");
+    save(window(), "drive");
+    raise("setup");
+    workbench_.calibrate();
+    QTest::qWait(1500);
+    save(window(), "calibrating");
+    if (!settled() || !workbench_.output()) return false;
+    QTest::qWait(3000);
+    save(window(), "result");
+    docks();
+    views();
+    decisions();
+    dialogs();
+    errors();
+    return exported() && saved_;
+  }
+
+ private:
+  MainWindow& window() { return host_.window(); }
+
+  void open_sessions() {
+    if (request_.sessions.isEmpty())
+      window().open_sample();
+    else
+      window().open_paths(request_.sessions);
+    settled();
+  }
+  void raise(const QString& name) {
+    if (auto* dock = window().findChild<QDockWidget*>(name)) dock->raise();
+  }
+  void docks() {
+    for (const char* name : {"candidates", "log", "drive"}) {
+      raise(name);
+      save(window(), name);
+    }
+    raise("quality");
+    auto& quality = *window().findChild<QualityView*>();
+    for (int page = 0; page < quality.count(); ++page) {
+      quality.setCurrentIndex(page);
+      QTest::qWait(2500);
+      save(window(), QStringLiteral("quality-%1").arg(page + 1));
+    }
+    raise("pairs");
+    raise("setup");
+  }
+  void views() {
+    auto& pair = *window().findChild<PairView*>();
+    pair.set_side_by_side(true);
+    save(window(), "side-by-side");
+    pair.set_side_by_side(false);
+    pair.set_coloring(SourceColoring::Distance);
+    QTest::qWait(1500);
+    save(window(), "by-distance");
+    pair.set_coloring(SourceColoring::Orange);
+    trigger("Ctrl+M");
+    auto& map = *window().findChild<MapView*>();
+    QTest::qWaitFor([&] { return map.shows_scene() && map.rests(); }, kPatience_ms / 10);
+    save(window(), "map");
+    trigger("Ctrl+Shift+P");
+  }
+  void decisions() {
+    workbench_.decide({0}, PairState::Rejected);
+    save(window(), "decided");
+    settled();
+    save(window(), "solved-again");
+    workbench_.undo_stack().undo();
+    settled();
+  }
+  template <class Dialog>
+  void dialog(const QString& key, const QString& name) {
+    trigger(key);
+    QWidget* shown = window().template findChild<Dialog*>();
+    if (!shown) {
+      std::fprintf(stderr, "no dialog %s\n", qPrintable(name));
+      saved_ = false;
+      return;
+    }
+    save(*shown, name);
+    shown->close();
+  }
+  void dialogs() {
+    dialog<OptionsDialog>("Ctrl+,", "options");
+    dialog<ObstacleDialog>("Ctrl+B", "obstacles");
+    dialog<HelpWindow>("F1", "help");
+    for (QAction* action : window().findChildren<QAction*>())
+      if (action->text() == MainWindow::tr("&Keys")) action->trigger();
+    if (auto* keys = window().findChild<KeysDialog*>()) {
+      save(*keys, "keys");
+      keys->close();
+    }
+  }
+  void errors() {
+    window().open_paths({request_.folder + QStringLiteral("/nowhere")});
+    settled();
+    save(window(), "error-missing");
+    QFile empty(request_.folder + QStringLiteral("/empty.txt"));
+    if (empty.open(QIODevice::WriteOnly)) empty.close();
+    window().open_paths({empty.fileName()});
+    settled();
+    save(window(), "error-empty");
+    empty.remove();
+  }
+  bool exported() {
+    trigger("Ctrl+E");
+    auto* dialog = window().findChild<ExportDialog*>();
+    if (!dialog) return false;
+    save(*dialog, "export");
+    const QString path = request_.folder + QStringLiteral("/exported.txt");
+    emit dialog->save_requested(dialog->current_id(), path, dialog->current_text());
+    dialog->close();
+    save(window(), "exported");
+    auto& maker = *window().findChild<ReportMaker*>();
+    QSignalSpy finished(&maker, &ReportMaker::finished);
+    maker.make(request_.folder + QStringLiteral("/report.html"));
+    return QTest::qWaitFor([&] { return finished.count() > 0; }, kPatience_ms) && QFile::exists(path);
+  }
+
+  void trigger(const QString& key) {
+    for (QAction* action : window().findChildren<QAction*>())
+      if (action->shortcut() == QKeySequence(key)) return action->trigger();
+    std::fprintf(stderr, "no action has the key %s\n", qPrintable(key));
+  }
+  bool settled() {
+    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
+                           kPatience_ms);
+  }
+  void save(QWidget& widget, const QString& name) {
+    QTest::qWait(kDrawn_ms);
+    const QString file = QStringLiteral("%1-%2.png").arg(++number_, 2, 10, QLatin1Char('0')).arg(name);
+    saved_ = widget.grab().save(QDir(request_.folder).filePath(file)) && saved_;
+  }
+
+  TourRequest request_;
+  int number_ = 0;
+  bool saved_ = true;
+  Workbench workbench_{model_engine()};
+  WindowHost host_{workbench_};
+};
+
+}  // namespace
+
+bool take_tour(const TourRequest& request) {
+  QDir().mkpath(request.folder);
+  speak(request.language, false);
+  if (request.dark) QApplication::setPalette(dark_palette());
+  return Tour(request).take();
+}
+
+}  // namespace remount
