@@ -8,10 +8,10 @@
 
 #include "algorithms/calibration/measured.h"
 #include "algorithms/calibration/method_details.h"
-#include "algorithms/calibration/slew.h"
+#include "algorithms/calibration/slew_options.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/trajectory_options.h"
-#include "algorithms/calibration/vehicle_frame.h"
+#include "algorithms/calibration/vehicle_frame_options.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/odometry/fusion_options.h"

@@ -32,8 +32,8 @@ struct Motion {
   }
 };
 
-// Points of the drive under a bias; a new window after `window_s` and after each gap of the signals.
-std::vector<Point> points_of(const WheelImuSignals& signals, const std::vector<StampedPosition>& positions,
+// Points of the drive under a bias; a new window after `window_s` and after each gap of the sensed.
+std::vector<Point> points_of(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
                              const Eigen::Vector3d& z_in_imu, double window_s, double bias_radps, double& distance_m) {
   constexpr double kStep_radps = 1e-5;
   std::vector<Point> points;
@@ -41,14 +41,14 @@ std::vector<Point> points_of(const WheelImuSignals& signals, const std::vector<S
   double time_s = 0.0;
   distance_m = 0.0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto steps = i > 0 ? signals.steps(positions[i - 1].stamp_ns, positions[i].stamp_ns)
+    const auto steps = i > 0 ? sensed.steps(positions[i - 1].stamp_ns, positions[i].stamp_ns)
                              : std::optional<std::vector<MotionStep>>();
     if (steps) {
       motion.advance(*steps, z_in_imu, bias_radps);
       up.advance(*steps, z_in_imu, bias_radps + kStep_radps);
       for (const MotionStep& step : *steps) time_s += step.duration_s, distance_m += std::abs(step.travel_m);
     }
-    const bool covered = positions[i].stamp_ns >= signals.begin_ns() && positions[i].stamp_ns <= signals.end_ns();
+    const bool covered = positions[i].stamp_ns >= sensed.begin_ns() && positions[i].stamp_ns <= sensed.end_ns();
     if (!covered) continue;
     if (!steps || points.empty() || time_s > window_s) {
       motion = up = {};
@@ -177,13 +177,13 @@ double improve(const std::vector<Point>& points, State& state, Eigen::MatrixXd& 
 }
 
 // The whole drive from its start, whose heading comes from its first `kStart_s`.
-std::vector<StampedPosition> integrate_all(const WheelImuSignals& signals,
+std::vector<StampedPosition> integrate_all(const WheelImuSignals& sensed,
                                            const std::vector<StampedPosition>& positions,
                                            const Eigen::Vector3d& z_in_imu, double bias_radps, double scale,
                                            const Vector2d& lever_m, double& end_error_m) {
   constexpr double kStart_s = 20.0;
   double distance_m = 0.0;
-  std::vector<Point> points = points_of(signals, positions, z_in_imu, 1e12, bias_radps, distance_m);
+  std::vector<Point> points = points_of(sensed, positions, z_in_imu, 1e12, bias_radps, distance_m);
   std::vector<StampedPosition> integrated;
   if (points.size() < 3) return integrated;
   std::size_t start = 0;
@@ -194,7 +194,7 @@ std::vector<StampedPosition> integrate_all(const WheelImuSignals& signals,
   const Placement window = place(points, 0, std::max<std::size_t>(start, 3));
   std::size_t at = 0;
   for (const StampedPosition& position : positions) {
-    if (position.stamp_ns < signals.begin_ns() || position.stamp_ns > signals.end_ns()) continue;
+    if (position.stamp_ns < sensed.begin_ns() || position.stamp_ns > sensed.end_ns()) continue;
     const Point& point = points[at++];
     if (point.window > 0) break;
     const Vector2d place_m = window.place_m + turned(window.heading_rad) * point.way_m;
@@ -206,7 +206,7 @@ std::vector<StampedPosition> integrate_all(const WheelImuSignals& signals,
 
 }  // namespace
 
-AntennaFit fit_antenna(const WheelImuSignals& signals, const std::vector<StampedPosition>& positions,
+AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
                        const Eigen::Matrix3d& vehicle_from_imu, double window_s, Progress& progress) {
   AntennaFit fit;
   const Eigen::Vector3d z_in_imu = vehicle_from_imu.row(2).transpose();
@@ -221,7 +221,7 @@ AntennaFit fit_antenna(const WheelImuSignals& signals, const std::vector<Stamped
       fit.why = "cancelled";
       return fit;
     }
-    const std::vector<Point> points = points_of(signals, positions, z_in_imu, window_s, bias_radps, fit.distance_m);
+    const std::vector<Point> points = points_of(sensed, positions, z_in_imu, window_s, bias_radps, fit.distance_m);
     fit.positions = points.size();
     if (points.size() < kFewest) {
       fit.why = "only " + std::to_string(points.size()) + " positions lie within the wheel speeds and yaw rates";
@@ -252,8 +252,8 @@ AntennaFit fit_antenna(const WheelImuSignals& signals, const std::vector<Stamped
   fit.rms_m = std::sqrt(sum / static_cast<double>(residuals.size()));
   fit.windows = static_cast<int>(state.windows.size());
   fit.integrated =
-      integrate_all(signals, positions, z_in_imu, bias_radps, fit.wheel_scale, state.lever_m, fit.end_error_m);
-  fit.integrated_raw = integrate_all(signals, positions, z_in_imu, 0.0, 1.0, Vector2d::Zero(), fit.end_error_raw_m);
+      integrate_all(sensed, positions, z_in_imu, bias_radps, fit.wheel_scale, state.lever_m, fit.end_error_m);
+  fit.integrated_raw = integrate_all(sensed, positions, z_in_imu, 0.0, 1.0, Vector2d::Zero(), fit.end_error_raw_m);
   return fit;
 }
 

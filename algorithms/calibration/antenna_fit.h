@@ -34,7 +34,7 @@ struct AntennaFit {
 /// `window_s` whose place and heading are free, so that drift of the heading within a window is all that must be small;
 /// lever arm, yaw-rate bias and wheel scale are common. Robust (Huber); sigma allows for errors that last from position
 /// to position. A drive that hardly turns shows no lever arm: its sigma is large then.
-AntennaFit fit_antenna(const WheelImuSignals& signals, const std::vector<StampedPosition>& positions,
+AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
                        const Eigen::Matrix3d& vehicle_from_imu, double window_s, Progress& progress);
 
 }  // namespace remount

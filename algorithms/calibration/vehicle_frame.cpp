@@ -44,7 +44,7 @@ void append_intervals(const VehicleDrive& drive, int index, const VehicleFrameOp
   std::size_t begin = 0;
   if (!poses.empty()) restart(poses.front().stamp_ns);
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const auto steps = drive.signals.steps(poses[i - 1].stamp_ns, poses[i].stamp_ns);
+    const auto steps = drive.sensed.steps(poses[i - 1].stamp_ns, poses[i].stamp_ns);
     if (!steps) {
       restart(poses[i].stamp_ns);
       begin = i;

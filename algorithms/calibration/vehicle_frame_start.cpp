@@ -106,9 +106,9 @@ Matrix3d stated_imu_mounting(const VehicleFrameOptions& options) {
 VehicleFrameStreams streams_of(const std::vector<VehicleDrive>& drives, const std::vector<VehicleInterval>& intervals) {
   VehicleFrameStreams streams;
   streams.wheels_differ = std::all_of(drives.begin(), drives.end(),
-                                      [](const VehicleDrive& drive) { return drive.signals.wheels_differ(); });
+                                      [](const VehicleDrive& drive) { return drive.sensed.wheels_differ(); });
   streams.one_axis = std::all_of(drives.begin(), drives.end(),
-                                 [](const VehicleDrive& drive) { return drive.signals.rates_about_one_axis(); });
+                                 [](const VehicleDrive& drive) { return drive.sensed.rates_about_one_axis(); });
   streams.reference = std::any_of(intervals.begin(), intervals.end(), [](const VehicleInterval& interval) {
     return interval.reference_begin_from_end.has_value();
   });

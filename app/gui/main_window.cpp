@@ -1,9 +1,11 @@
 #include "app/gui/main_window.h"
 
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QGroupBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMimeData>
@@ -27,11 +29,13 @@
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
 #include "widgets/panels/candidates_panel.h"
+#include "widgets/panels/comparison_view.h"
 #include "widgets/panels/drive_panel.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/message_banner.h"
+#include "widgets/panels/method_view.h"
 #include "widgets/panels/nominal_panel.h"
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
@@ -145,6 +149,14 @@ QWidget* MainWindow::make_setup() {
   };
   add(tr("Sessions"), sessions_, 1);
   add(tr("Nominal mounting (LiDAR in the INS frame)"), nominal_, 0);
+  method_chooser_ = new QComboBox;
+  method_chooser_->setAccessibleName(tr("Method"));
+  auto* method_label = new QLabel(tr("&Method"));
+  method_label->setBuddy(method_chooser_);
+  auto* method_row = new QHBoxLayout;
+  method_row->addWidget(method_label);
+  method_row->addWidget(method_chooser_, 1);
+  column->addLayout(method_row);
   run_ = new QPushButton(tr("Calibrate (F5)"));
   run_->setMinimumHeight(34);
   QFont bold = run_->font();
@@ -169,6 +181,12 @@ void MainWindow::make_docks() {
   log_ = new LogPanel;
   candidates_ = new CandidatesPanel(*candidate_model_);
   quality_ = new QualityView;
+  method_ = new MethodView;
+  comparison_ = new ComparisonView;
+  methods_ = new QTabWidget;
+  methods_->setDocumentMode(true);
+  methods_->addTab(method_, tr("Figures and plots"));
+  methods_->addTab(comparison_, tr("Results compared"));
 
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
@@ -187,8 +205,10 @@ void MainWindow::make_docks() {
   tabifyDockWidget(pairs_dock_, candidates_dock_);
   quality_dock_ = make_dock(tr("Quality"), "quality", quality_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(candidates_dock_, quality_dock_);
+  methods_dock_ = make_dock(tr("Method"), "methods", methods_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(quality_dock_, methods_dock_);
   log_dock_ = make_dock(tr("Log"), "log", log_, Qt::BottomDockWidgetArea);
-  tabifyDockWidget(quality_dock_, log_dock_);
+  tabifyDockWidget(methods_dock_, log_dock_);
   setTabPosition(Qt::BottomDockWidgetArea, QTabWidget::North);
   pairs_dock_->raise();
   size_docks();

@@ -8,6 +8,7 @@
 #include "widgets/forms/option_access.h"
 #include "widgets/panels/step_bar.h"
 
+class QComboBox;
 class QDockWidget;
 class QPushButton;
 class QMenu;
@@ -36,6 +37,9 @@ class ProgressStrip;
 class ProjectKeeper;
 class QualityController;
 class QualityView;
+class ComparisonView;
+class MethodController;
+class MethodView;
 class RangePanel;
 class ReportMaker;
 class ResultPanel;
@@ -117,6 +121,8 @@ class MainWindow : public QMainWindow {
   bool may_replace(QStringList files);  ///< asks where one of them exists
   void show_obstacles();
   void show_quality();
+  void show_methods();
+  void ask_for_results();  ///< to be compared
   void copy_result();
   void go_to_step(Step step);
   void show_about();
@@ -169,6 +175,11 @@ class MainWindow : public QMainWindow {
   SceneController* scenes_ = nullptr;
   MapController* maps_ = nullptr;
   QualityView* quality_ = nullptr;
+  QComboBox* method_chooser_ = nullptr;
+  MethodView* method_ = nullptr;
+  ComparisonView* comparison_ = nullptr;
+  QTabWidget* methods_ = nullptr;  // of the method, and results compared
+  MethodController* method_control_ = nullptr;
   QualityController* checks_ = nullptr;
   SessionsPanel* sessions_ = nullptr;
   NominalPanel* nominal_ = nullptr;
@@ -185,7 +196,8 @@ class MainWindow : public QMainWindow {
   OptionsDialog* options_ = nullptr;
   HelpWindow* help_ = nullptr;
   QDockWidget *pairs_dock_ = nullptr, *error_dock_ = nullptr, *drive_dock_ = nullptr, *candidates_dock_ = nullptr,
-              *log_dock_ = nullptr, *setup_dock_ = nullptr, *result_dock_ = nullptr, *quality_dock_ = nullptr;
+              *log_dock_ = nullptr, *setup_dock_ = nullptr, *result_dock_ = nullptr, *quality_dock_ = nullptr,
+              *methods_dock_ = nullptr;
   QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *make_report_ = nullptr, *obstacles_ = nullptr;
   struct BoundAction {

@@ -13,6 +13,7 @@
 
 #include "app/gui/error_words.h"
 #include "app/gui/main_window.h"
+#include "app/gui/method_controller.h"
 #include "app/gui/project_keeper.h"
 #include "app/gui/result_files.h"
 #include "app/gui/wording.h"
@@ -82,6 +83,7 @@ void MainWindow::make_calibrate_menu() {
   add_action(menu, tr("Use the result as &nominal mounting"), {}, [this] { workbench_.use_result_as_nominal(); });
   obstacles_ = add_action(menu, tr("Check &obstacles…"), tr("Ctrl+B"), [this] { show_obstacles(); });
   add_action(menu, tr("Check &quality"), tr("Ctrl+Shift+B"), [this] { show_quality(); });
+  add_action(menu, tr("Figures of the &method, results compared"), tr("Ctrl+Shift+D"), [this] { show_methods(); });
 }
 
 void MainWindow::make_view_menu() {
@@ -107,8 +109,8 @@ void MainWindow::make_view_menu() {
   add_bound(menu, "show-map", tr("The accumulated &map"), tr("Ctrl+M"),
             [this] { views_->setCurrentWidget(map_view_); });
   menu.addSeparator();
-  for (QDockWidget* dock :
-       {setup_dock_, drive_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_, quality_dock_, log_dock_})
+  for (QDockWidget* dock : {setup_dock_, drive_dock_, result_dock_, pairs_dock_, error_dock_, candidates_dock_,
+                            quality_dock_, methods_dock_, log_dock_})
     menu.addAction(dock->toggleViewAction());
   menu.addSeparator();
   add_action(menu, tr("&Reset layout"), {}, [this] { reset_layout(); });
@@ -232,6 +234,18 @@ void MainWindow::show_obstacles() {
       vehicle_from_ins * output->initial_ins_from_lidar, vehicle_from_ins * output->result.ins_from_lidar, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
+}
+
+void MainWindow::show_methods() {
+  methods_dock_->show();
+  methods_dock_->raise();
+  methods_->setFocus();
+}
+
+void MainWindow::ask_for_results() {
+  const QStringList paths = QFileDialog::getOpenFileNames(this, tr("Results to compare"), {},
+                                                          tr("Results (*.yaml *.yml *.json);;All files (*)"));
+  if (!paths.isEmpty()) method_control_->add_files(paths);
 }
 
 void MainWindow::show_quality() {

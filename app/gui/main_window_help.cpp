@@ -13,8 +13,9 @@ namespace remount {
 
 QString MainWindow::help_page_of(const QWidget* widget) const {
   static const std::map<QString, QString> kPages{
-      {"setup", "setup"},   {"pairs", "pairs"},     {"errors", "errors"}, {"candidates", "candidates"},
-      {"result", "result"}, {"quality", "quality"}, {"drive", "drive"},   {"log", "log"}};
+      {"setup", "setup"},           {"pairs", "pairs"},   {"errors", "errors"},
+      {"candidates", "candidates"}, {"result", "result"}, {"quality", "quality"},
+      {"methods", "methods"},       {"drive", "drive"},   {"log", "log"}};
   for (; widget; widget = widget->parentWidget()) {
     if (widget == pair_view_) return QStringLiteral("view");
     if (widget == map_view_) return QStringLiteral("map");

@@ -8,6 +8,7 @@
 
 #include "app/gui/main_window.h"
 #include "app/gui/map_controller.h"
+#include "app/gui/method_controller.h"
 #include "app/gui/quality_controller.h"
 #include "app/gui/remembering.h"
 #include "app/gui/report_maker.h"
@@ -21,6 +22,7 @@
 #include "widgets/model_text.h"
 #include "widgets/pair_reasons.h"
 #include "widgets/panels/candidates_panel.h"
+#include "widgets/panels/comparison_view.h"
 #include "widgets/panels/drive_panel.h"
 #include "widgets/panels/error_chart_panel.h"
 #include "widgets/panels/log_panel.h"
@@ -108,6 +110,8 @@ void MainWindow::make_controllers() {
   });
   maps_ = new MapController(workbench_, *map_view_, this);
   checks_ = new QualityController(workbench_, *quality_, this);
+  method_control_ = new MethodController(workbench_, *method_chooser_, *method_, *comparison_, this);
+  connect(comparison_, &ComparisonView::add_requested, this, &MainWindow::ask_for_results);
   quality_->set_on_top(false);
   connect(quality_dock_, &QDockWidget::visibilityChanged, quality_, &QualityView::set_on_top);
   connect(quality_, &QualityView::looked_at, this, &MainWindow::show_state);

@@ -61,6 +61,22 @@ StepInfo describe_check(const PipelineOutput& output, bool looked_at) {
   return {StepState::Next, Words::tr("see Quality")};
 }
 
+/// Pairs, alignment and review; methods without pairs need none of them.
+void describe_pairs(const PipelineOutput& output, bool stale, std::array<StepInfo, kStepCount>& steps) {
+  const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
+  const int pairs = static_cast<int>(output.pairs.size());
+  const bool needed = pairs > 0 || output.method == kPairwise;
+  const Counts counts = count(output);
+  step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
+                       needed ? Words::tr("%1 pairs").arg(pairs) : Words::tr("not needed")};
+  step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale ? StepState::Done : StepState::Attention,
+                       needed ? Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : Words::tr("not needed")};
+  step(Step::Review) = {counts.accepted > counts.rejected || !needed ? StepState::Done : StepState::Attention,
+                        needed ? Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)
+                               : Words::tr("not needed")};
+  if (stale) step(Step::Pairs) = {StepState::Attention, Words::tr("changed: F5 again")};
+}
+
 }  // namespace
 
 std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
@@ -86,17 +102,8 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     if (sessions > 0 && !workbench.opening()) step(Step::Pairs) = {StepState::Next, Words::tr("calibrate (F5)")};
     return steps;
   }
-  const Counts counts = count(*output);
-  const int pairs = static_cast<int>(output->pairs.size());
   const bool stale = workbench.out_of_date();
-  if (stale)
-    step(Step::Pairs) = {StepState::Attention, Words::tr("changed: F5 again")};
-  else
-    step(Step::Pairs) = {pairs > 0 ? StepState::Done : StepState::Attention, Words::tr("%1 pairs").arg(pairs)};
-  step(Step::Align) = {counts.aligned > 0 && !stale ? StepState::Done : StepState::Attention,
-                       Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs)};
-  step(Step::Review) = {counts.accepted > counts.rejected ? StepState::Done : StepState::Attention,
-                        Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)};
+  describe_pairs(*output, stale, steps);
   const Status status = output->result.status;
   if (workbench.solving())
     step(Step::Solve) = {StepState::Running, Words::tr("solving again…")};

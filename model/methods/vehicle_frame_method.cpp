@@ -107,7 +107,7 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
   RigidTransform start = RigidTransform::Identity(), first = RigidTransform::Identity();
   std::size_t begin = poses.size();
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    const auto steps = drive.signals.steps(poses[i - 1].stamp_ns, poses[i].stamp_ns);
+    const auto steps = drive.sensed.steps(poses[i - 1].stamp_ns, poses[i].stamp_ns);
     if (!steps && begin < i) break;
     if (!steps) continue;
     if (begin > i) {

@@ -80,13 +80,13 @@ TEST(antenna_fit, a_straight_drive_shows_no_lever_arm) {
 TEST(antenna_fit, too_little_data_and_cancelling_find_nothing) {
   const WheelDrive drive = wheel_drive(flat_drive(), 1);
   Progress progress;
-  const WheelImuSignals signals(drive.imu, drive.wheels);
-  EXPECT_FALSE(fit_antenna(signals, {}, Eigen::Matrix3d::Identity(), 30.0, progress).found);
+  const WheelImuSignals sensed(drive.imu, drive.wheels);
+  EXPECT_FALSE(fit_antenna(sensed, {}, Eigen::Matrix3d::Identity(), 30.0, progress).found);
   EXPECT_FALSE(fit_antenna({{}, {}}, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, progress).found);
   std::stop_source stop;
   stop.request_stop();
   Progress stopped(stop.get_token());
-  EXPECT_FALSE(fit_antenna(signals, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, stopped).found);
+  EXPECT_FALSE(fit_antenna(sensed, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, stopped).found);
 }
 
 /// Wheel speed and yaw rate of a car in Berlin, and the positions of its antenna by a better receiver.

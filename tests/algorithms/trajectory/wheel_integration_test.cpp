@@ -13,7 +13,7 @@ double end_error_m(const WheelDriveOptions& options, WheelIntegration integratio
   const WheelDrive drive = wheel_drive(options);
   const StampedPose& first = drive.world_from_vehicle.front();
   const StampedPose& last = drive.world_from_vehicle.back();
-  const auto steps = drive.drive().signals.steps(first.stamp_ns, last.stamp_ns);
+  const auto steps = drive.drive().sensed.steps(first.stamp_ns, last.stamp_ns);
   const auto poses =
       integrate_steps(*steps, first.pose, options.vehicle_from_imu, Eigen::Vector3d::Zero(), integration);
   return (poses.back().translation() - last.pose.translation()).norm();
@@ -61,7 +61,7 @@ TEST(wheel_integration, preintegration_is_the_sum_of_steps_whatever_the_mounting
   WheelDriveOptions options;
   options.duration_s = 8.0;
   const WheelDrive drive = wheel_drive(options);
-  const auto steps = drive.drive().signals.steps(1'003'000'000, 7'998'000'000);
+  const auto steps = drive.drive().sensed.steps(1'003'000'000, 7'998'000'000);
   ASSERT_TRUE(steps);
   const Eigen::Vector3d bias(0.01, -0.02, 0.03);
   const auto poses =
