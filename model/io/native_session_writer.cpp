@@ -66,24 +66,6 @@ std::string ins_csv(const Session& session) {
   return text;
 }
 
-std::string tum_poses(const std::vector<StampedPose>& poses) {
-  std::string text;
-  for (const StampedPose& pose : poses) {
-    const Eigen::Quaterniond rotation(pose.pose.linear());
-    const Eigen::Vector3d position = pose.pose.translation();
-    char stamp[40];
-    const std::int64_t magnitude = std::abs(pose.stamp_ns);
-    std::snprintf(stamp, sizeof stamp, "%s%lld.%09lld", pose.stamp_ns < 0 ? "-" : "",
-                  static_cast<long long>(magnitude / 1'000'000'000), static_cast<long long>(magnitude % 1'000'000'000));
-    text += stamp;
-    for (const double value :
-         {position.x(), position.y(), position.z(), rotation.x(), rotation.y(), rotation.z(), rotation.w()})
-      text += " " + exact_text(value);
-    text += "\n";
-  }
-  return text;
-}
-
 std::string quoted(const std::string& name) {
   std::string text = "\"";
   for (const char c : name) {
@@ -195,6 +177,24 @@ bool stamps_agree(const Session& session) {
 
 }  // namespace
 
+std::string tum_text(const std::vector<StampedPose>& poses) {
+  std::string text;
+  for (const StampedPose& pose : poses) {
+    const Eigen::Quaterniond rotation(pose.pose.linear());
+    const Eigen::Vector3d position = pose.pose.translation();
+    char stamp[40];
+    const std::int64_t magnitude = std::abs(pose.stamp_ns);
+    std::snprintf(stamp, sizeof stamp, "%s%lld.%09lld", pose.stamp_ns < 0 ? "-" : "",
+                  static_cast<long long>(magnitude / 1'000'000'000), static_cast<long long>(magnitude % 1'000'000'000));
+    text += stamp;
+    for (const double value :
+         {position.x(), position.y(), position.z(), rotation.x(), rotation.y(), rotation.z(), rotation.w()})
+      text += " " + exact_text(value);
+    text += "\n";
+  }
+  return text;
+}
+
 void write_native_session(const Session& session, const fs::path& folder, int threads, Progress& progress) {
   check_writable(session);
   make_directories(folder);
@@ -210,12 +210,12 @@ void write_native_session(const Session& session, const fs::path& folder, int th
     if (!write_scans(*session.scans, threads, progress, write)) return;
     write_file(folder / "scan_stamps.csv", stamps);
   } else if (has_lidar(session)) {
-    write_file(folder / "lidar_poses.txt", tum_poses(session.odometry_from_lidar));
+    write_file(folder / "lidar_poses.txt", tum_text(session.odometry_from_lidar));
   }
   if (!session.ins.empty())
     write_file(folder / "ins.csv", ins_csv(session));
   else if (has_ins(session))
-    write_file(folder / "ins_poses.txt", tum_poses(session.world_from_ins));
+    write_file(folder / "ins_poses.txt", tum_text(session.world_from_ins));
   const std::string sensors = write_sensors(session, folder);
   // Last: a folder without its manifest is not taken for a session.
   write_file(folder / "session.yaml", "format: remount-session/1\nname: " + quoted(session.name) + "\n" +

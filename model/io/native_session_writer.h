@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "algorithms/core/progress.h"
 #include "model/session.h"
@@ -15,6 +17,9 @@ namespace remount {
 /// motion and no other sensor either, Error(Io) where writing fails; returns early where `progress` is cancelled,
 /// without session.yaml.
 void write_native_session(const Session& session, const std::filesystem::path& folder, int threads, Progress& progress);
+
+/// Poses as lines of `t x y z qx qy qz qw`, t in seconds.
+std::string tum_text(const std::vector<StampedPose>& poses);
 
 /// Writes `<folder>/<date>/<date>_drive_0001_sync` where INS and scans have equal stamps, `_extract` with the INS's own
 /// stamps otherwise. Needs geodetic INS samples and scans: throws Error(Contract) else. KITTI has no place for rings,

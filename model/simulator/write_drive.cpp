@@ -1,9 +1,13 @@
+#include <algorithm>
+
 #include "algorithms/core/error.h"
 #include "model/io/document.h"
 #include "model/io/native_session_writer.h"
 #include "model/io/output_file.h"
 #include "model/io/transform_document.h"
+#include "model/session_frames.h"
 #include "model/simulator/lidar_model.h"
+#include "model/simulator/peer_formats.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {
@@ -50,11 +54,17 @@ void add_sensors(const SimulatedDrive& drive, DocumentNode& root) {
   if (!session.wheels.empty()) root.add("track_m", DocumentNode::number(sensors.track_m));
 }
 
-DocumentNode truth(const SimulatedDrive& drive) {
+/// NovAtel's logs speak of axes of their own; only native sessions have a place for the other sensors.
+DocumentNode truth(const SimulatedDrive& drive, const std::string& format) {
   DocumentNode root = DocumentNode::map();
   root.add("format", DocumentNode::string("remount-truth/1"));
-  DocumentNode& mounting = root.add("ins_from_lidar", transform_document(drive.ins_from_lidar));
-  const SixParameters six = six_from_rigid(drive.ins_from_lidar);
+  const bool right_forward_up = format == "novatel-inspvax";
+  if (right_forward_up) root.add("ins_axes", DocumentNode::string("right-forward-up"));
+  const RigidTransform ins_from_lidar =
+      right_forward_up ? forward_left_up_from(InsAxes::RightForwardUp).inverse() * drive.ins_from_lidar
+                       : drive.ins_from_lidar;
+  DocumentNode& mounting = root.add("ins_from_lidar", transform_document(ins_from_lidar));
+  const SixParameters six = six_from_rigid(ins_from_lidar);
   DocumentNode& parameters = mounting.add("six_parameters", DocumentNode::map());
   parameters.on_one_line = true;
   parameters.add("x_m", DocumentNode::number(six.x_m));
@@ -63,7 +73,7 @@ DocumentNode truth(const SimulatedDrive& drive) {
   parameters.add("yaw_deg", DocumentNode::number(radians_to_degrees(six.yaw_rad)));
   parameters.add("pitch_deg", DocumentNode::number(radians_to_degrees(six.pitch_rad)));
   parameters.add("roll_deg", DocumentNode::number(radians_to_degrees(six.roll_rad)));
-  add_sensors(drive, root);
+  if (format == "native") add_sensors(drive, root);
   if (const auto* source = dynamic_cast<const SimulatedScanSource*>(drive.session.scans.get())) {
     DocumentNode& options = root.add("simulation", DocumentNode::map());
     SimulationOptions::visit(source->scene().options(), OptionWriter{options});
@@ -93,18 +103,25 @@ void check_fits_kitti(const Session& session) {
 
 }  // namespace
 
+const std::vector<std::string>& drive_formats() {
+  static const std::vector<std::string> formats{"native", "kitti-raw", "opencalib", "novatel-inspvax", "poses"};
+  return formats;
+}
+
 void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std::string& format, int threads,
                  Progress& progress) {
-  if (format != "native" && format != "kitti-raw")
-    throw Error(ErrorCode::Contract, format, "is not a format that drives are written in; native and kitti-raw are");
+  const std::vector<std::string>& formats = drive_formats();
+  if (std::find(formats.begin(), formats.end(), format) == formats.end())
+    throw Error(ErrorCode::Contract, format, "is not a format that drives are written in");
   if (format == "kitti-raw") check_fits_kitti(drive.session);
   require_empty(folder);
   make_directories(folder);
-  if (format == "native")
-    write_native_session(drive.session, folder, threads, progress);
-  else
-    write_kitti_raw_session(drive.session, folder, threads, progress);
-  if (!progress.cancelled()) write_file(folder / "truth.yaml", to_yaml(truth(drive)));
+  if (format == "native") write_native_session(drive.session, folder, threads, progress);
+  if (format == "kitti-raw") write_kitti_raw_session(drive.session, folder, threads, progress);
+  if (format == "opencalib") write_opencalib_drive(drive, folder, threads, progress);
+  if (format == "novatel-inspvax") write_novatel_drive(drive, folder);
+  if (format == "poses") write_pose_drive(drive, folder);
+  if (!progress.cancelled()) write_file(folder / "truth.yaml", to_yaml(truth(drive, format)));
 }
 
 }  // namespace remount

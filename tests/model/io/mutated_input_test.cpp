@@ -105,6 +105,7 @@ class mutated_input : public ::testing::Test {
 };
 
 TEST_F(mutated_input, of_native_sessions) { run("native", native()); }
+TEST_F(mutated_input, of_smartloc) { run("smartloc", smartloc()); }
 TEST_F(mutated_input, of_kitti_extract) { run("kitti extract", kitti(false)); }
 TEST_F(mutated_input, of_kitti_sync) { run("kitti sync", kitti(true)); }
 TEST_F(mutated_input, of_opencalib) {

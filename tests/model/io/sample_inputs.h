@@ -102,7 +102,7 @@ inline SimulatedDrive tiny_drive() {
   options.duration_s = 0.6;
   options.beams = 4;
   options.azimuth_steps = 24;
-  options.ins_rate_hz = 20.0;
+  options.ins_rate_hz = options.imu.rate_hz = options.wheels.rate_hz = 20.0;
   options.clockwise = false;
   return simulate_drive(options);
 }
@@ -144,6 +144,18 @@ inline Subject kitti(bool sync) {
       break;
     }
   return subject;
+}
+
+inline Subject smartloc() {
+  Bytes odometry, truth;
+  for (int i = 0; i < 12; ++i) {
+    const Bytes time = std::to_string(0.2 * i);
+    odometry += "odom3 " + time + " 5.8 0 0 0 0 -0.005 0.0025 0.0009 0.0009 4e-06 4e-06 4e-06\n";
+    truth += "point3 " + time + " " + std::to_string(3785108.1 + i) + " 899901.4 5037234.4 0 0 0 0 0 0 0 0 0\n";
+  }
+  return {{{"a_Input.txt", odometry}, {"a_GT.txt", truth}}, {"a_Input.txt", "a_GT.txt"}, [](const fs::path& folder) {
+            read_session(folder / "a_Input.txt");
+          }};
 }
 
 inline Bytes poses(const char* separator, int count) {

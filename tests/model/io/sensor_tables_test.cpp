@@ -57,7 +57,9 @@ TEST(sensor_tables, read_back_what_was_written) {
   for (std::size_t i = 0; i < 50; ++i) {
     EXPECT_EQ(read.imu[i].stamp_ns, written.imu[i].stamp_ns);
     EXPECT_EQ(read.imu[i].angular_rate_radps, written.imu[i].angular_rate_radps);
-    if (i != 7) EXPECT_EQ(read.imu[i].specific_force_mps2, written.imu[i].specific_force_mps2);
+    if (i != 7) {
+      EXPECT_EQ(read.imu[i].specific_force_mps2, written.imu[i].specific_force_mps2);
+    }
     EXPECT_EQ(read.gnss[i].stamp_ns, written.gnss[i].stamp_ns);
     EXPECT_NEAR(read.gnss[i].latitude_rad, written.gnss[i].latitude_rad, 1e-15);
     EXPECT_NEAR(read.gnss[i].longitude_rad, written.gnss[i].longitude_rad, 1e-15);

@@ -1,0 +1,121 @@
+#include "model/simulator/peer_formats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+#include "model/io/cloud_file.h"
+#include "model/io/inspvax_log.h"
+#include "model/io/native_session_writer.h"
+#include "model/io/number_text.h"
+#include "model/io/output_file.h"
+#include "model/io/time_stamp.h"
+#include "model/session_frames.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "2011-09-26 13:02:25.964389445" as OpenCalib writes it, "2011-09-26-13-02-25-964".
+std::string name_from_stamp(std::int64_t stamp_ns) {
+  if (stamp_ns % 1'000'000 != 0)
+    throw Error(ErrorCode::Contract, "opencalib",
+                "stamps of this format are of milliseconds; simulate with rates and offsets that give such");
+  std::string text = format_date_ns(stamp_ns).substr(0, 23);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ' ' || c == ':' || c == '.'; }, '-');
+  return text;
+}
+
+/// The LiDAR in the frame of its first scan, stamped on its own clock.
+std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive) {
+  std::vector<StampedPose> poses;
+  const RigidTransform start_from_enu = (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse();
+  for (std::size_t scan = 0; scan < drive.enu_from_ins.size(); ++scan)
+    poses.push_back(
+        {drive.session.scans->stamp_ns(scan), start_from_enu * drive.enu_from_ins[scan].pose * drive.ins_from_lidar});
+  return poses;
+}
+
+/// What one INSPVAXA line says beside the sample; the velocity is that between the neighbouring samples.
+std::string inspvaxa(const Session& session, const std::vector<StampedPose>& enu_from_ins, std::size_t i) {
+  const InsSample& sample = session.ins[i];
+  const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, enu_from_ins.size() - 1);
+  const double step_s = static_cast<double>(enu_from_ins[after].stamp_ns - enu_from_ins[before].stamp_ns) * 1e-9;
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  if (step_s > 0.0)
+    velocity = (enu_from_ins[after].pose.translation() - enu_from_ins[before].pose.translation()) / step_s;
+  const Eigen::Quaterniond flu_from_rfu(forward_left_up_from(InsAxes::RightForwardUp).linear());
+  const AttitudeAngles angles = angles_from(sample.enu_from_ins * flu_from_rfu, AttitudeConvention::NovAtel);
+  const auto known = [](double value, double otherwise) { return std::isfinite(value) ? value : otherwise; };
+  const double position_m = known(session.ins_position_white_sigma_m, 0.0);
+  const double attitude_deg = radians_to_degrees(known(session.ins_attitude_white_sigma_rad, 0.0));
+  const double heading_deg = std::fmod(radians_to_degrees(angles.yaw_rad) + 360.0, 360.0);
+  // GPS time is ahead of UTC by the leap seconds, and counts from 6 January 1980.
+  constexpr std::int64_t kEpoch_s = 315'964'800, kWeek_ns = 604'800'000'000'000;
+  std::int64_t gps_ns = sample.stamp_ns - kEpoch_s * 1'000'000'000;
+  gps_ns += leap_seconds_at_gps_s(gps_ns / 1'000'000'000) * std::int64_t{1'000'000'000};
+  const std::int64_t in_week_ns = gps_ns % kWeek_ns;
+  char time[48];
+  std::snprintf(time, sizeof time, "%lld,%lld.%09lld", static_cast<long long>(gps_ns / kWeek_ns),
+                static_cast<long long>(in_week_ns / 1'000'000'000), static_cast<long long>(in_week_ns % 1'000'000'000));
+  std::string body = std::string("INSPVAXA,COM1,0,73.5,FINESTEERING,") + time + ",00000040,4e77,43562;";
+  body += sample.quality == InsQuality::Degraded ? "INS_HIGH_VARIANCE,INS_PSRSP" : "INS_SOLUTION_GOOD,INS_RTKFIXED";
+  const Eigen::Vector3d& sigma = sample.sigma.position_enu_m;
+  for (const double value :
+       {radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad), sample.height_m, 0.0,
+        velocity.y(), velocity.x(), velocity.z(), radians_to_degrees(angles.roll_rad),
+        radians_to_degrees(angles.pitch_rad), heading_deg, known(sigma.y(), position_m), known(sigma.x(), position_m),
+        known(sigma.z(), position_m), 0.0, 0.0, 0.0, attitude_deg, attitude_deg, attitude_deg})
+    (body += ',') += exact_text(value);
+  body += ",00000000,0";
+  char crc[16];
+  std::snprintf(crc, sizeof crc, "*%08x\r\n", novatel_crc32(body));
+  return "#" + body + crc;
+}
+
+}  // namespace
+
+void write_opencalib_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  const Session& session = drive.session;
+  if (session.scan_timing == ScanTiming::SweepAzimuth)
+    throw Error(ErrorCode::Contract, "opencalib",
+                "this format does not say how scans are distorted; simulate with per_point_time, or without "
+                "motion_distortion");
+  std::string lines;
+  for (const StampedPose& pose : metric_poses(session)) {
+    lines += name_from_stamp(pose.stamp_ns);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column) (lines += ' ') += exact_text(pose.pose(row, column));
+    lines += '\n';
+  }
+  const fs::path scans = folder / "top_lidar";
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < session.scans->size(); ++i)
+    files.push_back(scans / (name_from_stamp(session.scans->stamp_ns(i)) + ".pcd"));
+  make_directories(scans);
+  parallel_for(files.size(), threads, [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    write_pcd(files[i], session.scans->load(i));
+  });
+  if (!progress.cancelled()) write_file(folder / "novatel-pose.txt", lines);
+}
+
+void write_pose_drive(const SimulatedDrive& drive, const fs::path& folder) {
+  write_file(folder / "ins.txt", tum_text(metric_poses(drive.session)));
+  write_file(folder / "lidar.txt", tum_text(exact_odometry(drive)));
+}
+
+void write_novatel_drive(const SimulatedDrive& drive, const fs::path& folder) {
+  const std::vector<StampedPose> enu_from_ins = metric_poses(drive.session);
+  std::string log;
+  for (std::size_t i = 0; i < enu_from_ins.size(); ++i) log += inspvaxa(drive.session, enu_from_ins, i);
+  write_file(folder / "inspvax.txt", log);
+  write_file(folder / "lidar_odometry.txt", tum_text(exact_odometry(drive)));
+}
+
+}  // namespace remount

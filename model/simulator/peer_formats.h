@@ -1,0 +1,22 @@
+// Simulated drives in the formats of others, as far as those go.
+#pragma once
+
+#include "model/simulator/simulator.h"
+
+namespace remount {
+
+// Each makes its files in `folder`, which is there and empty. What a format has no place for (sensors, rings, noise) is
+// left out. Return early where `progress` is cancelled.
+
+/// INS poses as lines of a stamp and 12 numbers, scans as PCD files named by their stamps. Stamps are of milliseconds:
+/// a drive with others, or with distorted scans without the time of each point, is Error(Contract).
+void write_opencalib_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                           Progress& progress);
+
+/// Two TUM files: poses of the INS, and of the LiDAR as an exact odometry from its first scan on.
+void write_pose_drive(const SimulatedDrive& drive, const std::filesystem::path& folder);
+
+/// An INSPVAXA log and the LiDAR's poses as above. The log's INS axes are x right, y forward, z up.
+void write_novatel_drive(const SimulatedDrive& drive, const std::filesystem::path& folder);
+
+}  // namespace remount

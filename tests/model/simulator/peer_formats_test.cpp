@@ -1,0 +1,117 @@
+#include "model/simulator/peer_formats.h"
+
+#include <gtest/gtest.h>
+
+#include "model/io/parse_document.h"
+#include "model/io/session_reader.h"
+#include "model/io/transform_document.h"
+#include "model/session_frames.h"
+#include "tests/model/io/temporary_folder.h"
+
+namespace remount {
+namespace {
+
+SimulationOptions small_options() {
+  SimulationOptions options;
+  options.duration_s = 3.0;
+  options.beams = 8;
+  options.azimuth_steps = 90;
+  options.ins_position_noise_m = options.ins_attitude_noise_deg = 0.0;
+  return options;
+}
+
+/// The drive, written and read again.
+Session read_back(const SimulatedDrive& drive, const std::string& format, const TemporaryFolder& folder) {
+  Progress progress;
+  write_drive(drive, folder.path() / "drive", format, 1, progress);
+  const Session session = open_session(folder.path() / "drive", progress);
+  EXPECT_EQ(session.format, format);
+  return session;
+}
+
+RigidTransform true_mounting(const TemporaryFolder& folder) {
+  const auto path = folder.path() / "drive" / "truth.yaml";
+  const DocumentNode root = read_document(path);
+  return transform_from_document(DocumentView(*root.find("ins_from_lidar"), path.string()));
+}
+
+/// Largest error of P X = X Q over steps of a second, with motions as read and the truth as written.
+/// The stamps are the drive's own: readers may move the LiDAR's to where they think the INS's clock is.
+double largest_contradiction(const Session& session, const SimulatedDrive& drive,
+                             const RigidTransform& ins_from_lidar) {
+  const std::vector<StampedPose> ins = metric_poses(session);
+  const std::vector<StampedPose>& lidar = session.odometry_from_lidar;
+  const auto ins_at = [&](std::int64_t stamp_ns) {
+    for (const StampedPose& pose : ins)
+      if (std::abs(pose.stamp_ns - stamp_ns) < 1000) return pose.pose;
+    ADD_FAILURE() << "no INS pose at " << stamp_ns;
+    return RigidTransform::Identity();
+  };
+  double largest = 0.0;
+  for (std::size_t i = 0; i + 10 < lidar.size(); i += 3) {
+    const RigidTransform p =
+        ins_at(drive.enu_from_ins[i + 10].stamp_ns).inverse() * ins_at(drive.enu_from_ins[i].stamp_ns);
+    const RigidTransform q = lidar[i + 10].pose.inverse() * lidar[i].pose;
+    largest = std::max(largest, ((p * ins_from_lidar).matrix() - (ins_from_lidar * q).matrix()).norm());
+  }
+  return largest;
+}
+
+TEST(peer_formats, poses_and_novatel_logs_fit_the_truth_that_stands_beside_them) {
+  const SimulatedDrive drive = simulate_drive(small_options());
+  for (const char* format : {"poses", "novatel-inspvax"}) {
+    const TemporaryFolder folder;
+    const Session session = read_back(drive, format, folder);
+    ASSERT_EQ(session.odometry_from_lidar.size(), 30u);
+    const double off = largest_contradiction(session, drive, true_mounting(folder));
+    EXPECT_LT(off, 1e-4) << format << ": the local level turns by less within 20 m";
+  }
+}
+
+TEST(peer_formats, novatel_logs_hold_the_samples_of_the_drive) {
+  const SimulatedDrive drive = simulate_drive(small_options());
+  const TemporaryFolder folder;
+  const Session session = read_back(drive, "novatel-inspvax", folder);
+  ASSERT_EQ(session.ins.size(), drive.session.ins.size());
+  EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp);
+  const Eigen::Quaterniond flu_from_rfu(forward_left_up_from(InsAxes::RightForwardUp).linear());
+  for (std::size_t i = 0; i < session.ins.size(); ++i) {
+    const InsSample &read = session.ins[i], &written = drive.session.ins[i];
+    ASSERT_EQ(read.stamp_ns, written.stamp_ns);
+    ASSERT_NEAR(read.latitude_rad, written.latitude_rad, 1e-14);
+    ASSERT_NEAR(read.height_m, written.height_m, 1e-9);
+    ASSERT_LT(read.enu_from_ins.angularDistance(written.enu_from_ins * flu_from_rfu), 1e-7);
+    ASSERT_EQ(read.quality, InsQuality::Good);
+  }
+}
+
+TEST(peer_formats, opencalib_folders_hold_scans_and_poses) {
+  const SimulatedDrive drive = simulate_drive(small_options());
+  const TemporaryFolder folder;
+  const Session session = read_back(drive, "opencalib", folder);
+  ASSERT_EQ(session.scans->size(), 30u);
+  EXPECT_EQ(session.scan_timing, ScanTiming::PerPoint);
+  EXPECT_EQ(session.scans->stamp_ns(7), drive.session.scans->stamp_ns(7));
+  EXPECT_EQ(session.scans->load(7).points, drive.session.scans->load(7).points);
+  const std::vector<StampedPose> written = metric_poses(drive.session);
+  ASSERT_EQ(session.world_from_ins.size(), written.size());
+  for (std::size_t i = 0; i < written.size(); i += 10) {
+    ASSERT_EQ(session.world_from_ins[i].stamp_ns, written[i].stamp_ns);
+    ASSERT_LT((session.world_from_ins[i].pose.matrix() - written[i].pose.matrix()).norm(), 1e-9);
+  }
+}
+
+TEST(peer_formats, opencalib_refuses_what_it_cannot_say) {
+  const TemporaryFolder folder;
+  Progress progress;
+  SimulationOptions options = small_options();
+  options.per_point_time = false;
+  EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "a", "opencalib", 1, progress), "per_point_time");
+  options = small_options();
+  options.scan_rate_hz = 7.0;
+  EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "b", "opencalib", 1, progress), "milliseconds");
+  EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "c", "bag", 1, progress), "is not a format");
+}
+
+}  // namespace
+}  // namespace remount
