@@ -52,6 +52,20 @@ void count_outliers(const TrajectoryProblem& problem, const TrajectoryOptions& o
     }
 }
 
+// What the drive does not show stays where it was.
+void keep_what_is_open(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
+                       TrajectoryOutcome& outcome) {
+  TrajectoryState& state = outcome.solution.state;
+  state = held_state(problem, options, outcome.solution, prior, outcome.answer.hold);
+  CalibrationResult& result = outcome.answer.result;
+  result.ins_from_lidar = result.reference_frame == "antenna"
+                              ? make_rigid(Eigen::Matrix3d::Identity(), -state.antenna_in_lidar)
+                              : state.ins_from_lidar;
+  for (NamedQuantity& quantity : outcome.answer.quantities)
+    for (int i = 0; i < 3; ++i)
+      if (quantity.name == std::string("lever arm ") + "xyz"[i]) quantity.value = state.antenna_in_lidar[i];
+}
+
 TrajectorySnapshot snapshot_of(const CalibrationResult& result, double time_s) {
   TrajectorySnapshot out;
   out.time_s = time_s;
@@ -186,18 +200,9 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
   }
   const TrajectoryProblem usable = usable_part(problem);
   outcome.solution = start_trajectory(usable, options, progress);
-  TrajectoryPrior prior = weak_trajectory_prior(usable, options, outcome.solution.state.ins_from_lidar);
+  const TrajectoryPrior prior = weak_trajectory_prior(usable, options, outcome.solution.state.ins_from_lidar);
   outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, {}, progress);
-  const TrajectoryPrior weak = prior;
-  outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, weak, true);
-  if (!outcome.answer.hold.isZero(0.0) && outcome.solution.converged) {
-    // What the drive does not show stays where it was: a second solution holds it there.
-    prior.information += outcome.answer.hold;
-    TrajectoryApproach near;
-    near.graduated = near.estimate_noise = false;
-    outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, near, progress);
-    outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, weak, true);
-  }
+  outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, prior, true);
   if (progress.cancelled()) {
     outcome.answer = without_numbers(Status::Cancelled, "Cancelled.");
     return outcome;
@@ -209,6 +214,7 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
     return outcome;
   }
   count_outliers(usable, options, outcome);
+  if (!outcome.answer.hold.isZero(0.0)) keep_what_is_open(usable, options, prior, outcome);
   return outcome;
 }
 

@@ -307,9 +307,11 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
   if (with_antenna) {
     const JudgedAntenna judged = judge_antenna(evidence, thorough);
     add_lever_arm(evidence, judged, answer);
-    if (!with_ins) describe_antenna(evidence, judged, answer);
-    const Matrix6d hold = held(judged.directions, judged_by);
-    answer.hold.bottomRightCorner<3, 3>() = hold.topLeftCorner<3, 3>();
+    // Beside an INS the antenna follows X: what both leave open one by one, they know of each other.
+    if (!with_ins) {
+      describe_antenna(evidence, judged, answer);
+      answer.hold.bottomRightCorner<3, 3>() = held(judged.directions, judged_by).topLeftCorner<3, 3>();
+    }
   }
   set_status(with_ins, answer);
   if (!with_ins) add_odometry_heading(evidence, answer);

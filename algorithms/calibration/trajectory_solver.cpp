@@ -184,6 +184,16 @@ bool converge(const TrajectoryProblem& problem, const TrajectoryOptions& options
 
 }  // namespace
 
+TrajectoryState held_state(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                           const TrajectorySolution& solution, const TrajectoryPrior& prior, const SharedMatrix& hold) {
+  const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise);
+  const TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information + hold);
+  if (!equations.solvable()) return solution.state;
+  std::vector<ChainVector> sides;
+  for (const TrajectorySession& session : problem.sessions) sides.emplace_back(session.epochs.size());
+  return moved(solution.state, equations.solve(std::move(sides), -hold * prior.distance(solution.state)), 1.0);
+}
+
 WeightedTerms weighted_terms(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                              const TrajectoryState& state, const TrajectoryNoise& noise, double widened) {
   const Kernel kernel{options.outlier_threshold * options.outlier_threshold * widened};

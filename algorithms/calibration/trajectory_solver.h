@@ -26,6 +26,12 @@ TrajectorySolution solve_trajectory(const TrajectoryProblem& problem, const Traj
                                     const TrajectorySolution& start, const TrajectoryPrior& prior,
                                     const TrajectoryApproach& approach, const Progress& progress);
 
+/// The state nearest to a solution's that keeps to `hold` as well, information about the prior's centre: one step with
+/// the weights as they are. What is held may contradict what noise seems to say, and no measurement is to lose its
+/// weight by that.
+TrajectoryState held_state(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                           const TrajectorySolution& solution, const TrajectoryPrior& prior, const SharedMatrix& hold);
+
 /// Terms and robust weights at a state.
 WeightedTerms weighted_terms(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                              const TrajectoryState& state, const TrajectoryNoise& noise, double widened = 1.0);
