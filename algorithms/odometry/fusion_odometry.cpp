@@ -7,6 +7,7 @@
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
 #include "algorithms/odometry/fusion_step_parts.h"
+#include "algorithms/registration/registration.h"
 
 namespace remount {
 namespace {
@@ -79,7 +80,7 @@ void FusionOdometry::start(const OdometryScan& scan, FusedScan& result) {
   result.usable = true;
   Eigen::Matrix<double, 10, 1> sigma = Eigen::Matrix<double, 10, 1>::Constant(kNone);
   sigma[3] = sigma[4] = wide_rad;
-  const auto level = options_.accelerometer ? level_at(scan.stamp_ns) : std::nullopt;
+  const auto level = options_.accelerometer ? level_at(scan.stamp_ns, result.odometry_from_vehicle) : std::nullopt;
   if (level) {
     result.odometry_from_vehicle.linear() = rotation_from_yaw_pitch_roll({0.0, level->pitch_rad, level->roll_rad});
     result.levelled = true;
@@ -96,7 +97,7 @@ void FusionOdometry::start(const OdometryScan& scan, FusedScan& result) {
   result.plane_features = static_cast<int>(features.planes.size());
   map_.add(std::move(features), result.odometry_from_vehicle, options_);
   map_.rebuild(options_);
-  if (!scan.time_from_stamp_s.empty() && options_.deskew) first_scan_ = scan;
+  if (!options_.ackermann || !reckoning_.has_wheels()) first_scan_ = scan;
 }
 
 FusionOdometry::Step FusionOdometry::predict(std::int64_t stamp_ns, const std::optional<Vector6d>& velocity) const {
@@ -142,16 +143,30 @@ ScanFeatures FusionOdometry::features_of(const OdometryScan& scan, const std::op
   return features;
 }
 
+std::optional<Vector6d> FusionOdometry::first_velocity(const OdometryScan& scan) const {
+  if (!first_scan_ || (!options_.lines && !options_.planes)) return std::nullopt;
+  RegistrationOptions options;
+  options.min_range_m = options_.min_range_m;
+  options.max_range_m = options_.max_range_m;
+  const PreparedCloud first(first_scan_->cloud_in_lidar, options), now(scan.cloud_in_lidar, options);
+  const RegistrationResult aligned = align_scans(now, first, RigidTransform::Identity(), options, {});
+  if (!aligned.quality.converged) return std::nullopt;
+  const RigidTransform before_from_after =
+      mounting_.vehicle_from_lidar * aligned.target_from_source * mounting_.vehicle_from_lidar.inverse();
+  return velocity_between(RigidTransform::Identity(), before_from_after, seconds(scan.stamp_ns - last_->stamp_ns));
+}
+
 FusedScan FusionOdometry::follow(const OdometryScan& scan) {
   FusedScan result;
   result.stamp_ns = scan.stamp_ns;
-  Step step = predict(scan.stamp_ns, velocity_);
-  step.features = features_of(scan, velocity_);
+  const std::optional<Vector6d> assumed = velocity_ ? velocity_ : first_velocity(scan);
+  Step step = predict(scan.stamp_ns, assumed);
+  step.features = features_of(scan, assumed);
   match_and_solve(step, result);
   const bool blind_deskew = options_.deskew && !scan.time_from_stamp_s.empty() && !(step.path && step.path->has_speed);
   const Vector6d velocity = velocity_between(step.anchor.before, moved_pose(step.anchor, step.x), step.duration_s);
-  if (blind_deskew && (!velocity_ || changed_too_much(*velocity_, velocity))) {
-    // Motion within the scan was compensated by a velocity that turned out wrong.
+  if (blind_deskew && (first_scan_ || !assumed || changed_too_much(*assumed, velocity))) {
+    // Motion within the scan was compensated by a velocity that turned out wrong; within the first one, not at all.
     if (first_scan_) {
       map_ = FeatureMap();
       map_.add(features_of(*first_scan_, velocity), last_->odometry_from_vehicle, options_);
@@ -220,14 +235,17 @@ void FusionOdometry::add_motion(const Step& step, std::vector<WeighedTerm>& term
 
 void FusionOdometry::add_absolute(const Step& step, std::vector<WeighedTerm>& terms, FusedScan& result) const {
   result.dead_reckoned = step.path && step.path->has_speed && step.path->has_rotation;
-  const auto level = options_.accelerometer ? level_at(step.stamp_ns) : std::nullopt;
+  const auto level = options_.accelerometer ? level_at(step.stamp_ns, step.anchor.predicted) : std::nullopt;
   result.levelled = level.has_value();
   if (level) terms.push_back({std::make_unique<LevelTerm>(step.anchor, *level), false});
   const auto height_m = height_offset_m_ ? height_at(step.stamp_ns) : std::nullopt;
   result.height_measured = height_m.has_value();
   if (height_m)
     terms.push_back(
-        {std::make_unique<HeightTerm>(step.anchor, *height_m - *height_offset_m_, options_.barometer_sigma_m), false});
+        {std::make_unique<HeightTerm>(
+             step.anchor, *height_m - *height_offset_m_ - drop_of_level_m(step.anchor.predicted.translation()),
+             options_.barometer_sigma_m),
+         false});
 }
 
 bool FusionOdometry::add_features(const Step& step, int iteration, std::vector<WeighedTerm>& terms,
@@ -253,10 +271,11 @@ bool FusionOdometry::add_features(const Step& step, int iteration, std::vector<W
   return true;
 }
 
-std::optional<LevelMeasurement> FusionOdometry::level_at(std::int64_t stamp_ns) const {
+std::optional<LevelMeasurement> FusionOdometry::level_at(std::int64_t stamp_ns,
+                                                         const RigidTransform& odometry_from_vehicle) const {
   const auto gravity = gravity_in_vehicle(imu_, reckoning_, mounting_.vehicle_from_imu, drift_, velocity_, stamp_ns);
   if (!gravity) return std::nullopt;
-  LevelMeasurement level = level_from_gravity(gravity->up_mps2);
+  LevelMeasurement level = level_from_gravity(up_at_start(gravity->up_mps2, odometry_from_vehicle));
   level.sigma_rad = degrees_to_radians(options_.accelerometer_sigma_deg +
                                        options_.accelerometer_discount_deg * gravity->taken_off_mps2);
   return level;

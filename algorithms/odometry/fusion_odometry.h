@@ -70,6 +70,7 @@ class FusionOdometry {
   struct Step;
   void start(const OdometryScan& scan, FusedScan& result);
   FusedScan follow(const OdometryScan& scan);
+  std::optional<Vector6d> first_velocity(const OdometryScan& scan) const;
   Step predict(std::int64_t stamp_ns, const std::optional<Vector6d>& velocity) const;
   ScanFeatures features_of(const OdometryScan& scan, const std::optional<Vector6d>& velocity) const;
   void match_and_solve(Step& step, FusedScan& result) const;
@@ -77,7 +78,7 @@ class FusionOdometry {
   void add_motion(const Step& step, std::vector<WeighedTerm>& terms) const;
   void add_absolute(const Step& step, std::vector<WeighedTerm>& terms, FusedScan& result) const;
   bool add_features(const Step& step, int iteration, std::vector<WeighedTerm>& terms, FusedScan& result) const;
-  std::optional<LevelMeasurement> level_at(std::int64_t stamp_ns) const;
+  std::optional<LevelMeasurement> level_at(std::int64_t stamp_ns, const RigidTransform& odometry_from_vehicle) const;
   std::optional<double> height_at(std::int64_t stamp_ns) const;
   void accept(Step& step, FusedScan& result);
   bool enters_map(const RigidTransform& odometry_from_vehicle) const;
@@ -91,7 +92,7 @@ class FusionOdometry {
 
   FeatureMap map_;
   std::optional<FusedScan> last_;
-  std::optional<OdometryScan> first_scan_;  // kept until the velocity is known with which to compensate its motion
+  std::optional<OdometryScan> first_scan_;  // kept until the velocity is known, without wheels
   std::optional<Vector6d> velocity_;        // vehicle axes, of the last step: m/s, rad/s
   DeadReckoningState drift_;
   StateCovariance covariance_ = StateCovariance::Zero();

@@ -10,6 +10,7 @@ namespace remount {
 namespace {
 
 constexpr double kGravity_mps2 = 9.81;
+constexpr double kEarth_m = 6371000.0;
 constexpr std::size_t kLeastMatches = 40;
 
 double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
@@ -126,6 +127,16 @@ std::optional<GravityMeasurement> gravity_in_vehicle(const std::vector<ImuSample
   const Eigen::Vector3d up = vehicle_from_imu.linear() * (sum / count) - own;
   if (std::abs(up.norm() - kGravity_mps2) > 1.0) return std::nullopt;
   return GravityMeasurement{up, own.norm()};
+}
+
+double drop_of_level_m(const Eigen::Vector3d& place_in_odometry) {
+  return place_in_odometry.head<2>().squaredNorm() / (2.0 * kEarth_m);
+}
+
+Eigen::Vector3d up_at_start(const Eigen::Vector3d& up_in_vehicle, const RigidTransform& odometry_from_vehicle) {
+  const Eigen::Vector3d lean(odometry_from_vehicle.translation().x() / kEarth_m,
+                             odometry_from_vehicle.translation().y() / kEarth_m, 0.0);
+  return up_in_vehicle - up_in_vehicle.norm() * (odometry_from_vehicle.linear().transpose() * lean);
 }
 
 std::optional<double> mean_height_m(const std::vector<BarometerSample>& barometer, std::int64_t stamp_ns) {

@@ -54,6 +54,12 @@ std::optional<GravityMeasurement> gravity_in_vehicle(const std::vector<ImuSample
                                                      const DeadReckoningState& drift,
                                                      const std::optional<Vector6d>& velocity, std::int64_t stamp_ns);
 
+/// The Earth's curvature: the level of the start lies this much above that of a place (6 m after 9 km), and "up" there
+/// leans away from "up" at the start.
+double drop_of_level_m(const Eigen::Vector3d& place_in_odometry);
+/// The vehicle's measured "up", turned to what the same attitude would measure at the start.
+Eigen::Vector3d up_at_start(const Eigen::Vector3d& up_in_vehicle, const RigidTransform& odometry_from_vehicle);
+
 /// Mean within 0.25 s of a time; nothing without samples.
 std::optional<double> mean_height_m(const std::vector<BarometerSample>& barometer, std::int64_t stamp_ns);
 

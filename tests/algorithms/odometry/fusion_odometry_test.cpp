@@ -84,7 +84,7 @@ TEST(fusion_odometry, terms_can_be_switched_off_one_by_one) {
 // The error of the end, measured by the covariance that the odometry states: chi-square of six degrees of freedom.
 TEST(fusion_odometry, the_covariance_is_honest) {
   constexpr int kDrives = 12;
-  double sum = 0.0;
+  double sum = 0.0, widest_m = 0.0, widest_rad = 0.0;
   for (int seed = 1; seed <= kDrives; ++seed) {
     const Drive drive = noisy(street_drive(), static_cast<std::uint64_t>(seed));
     const FusionOdometryResult result = drive.solve({});
@@ -93,10 +93,15 @@ TEST(fusion_odometry, the_covariance_is_honest) {
     std::cout << "    seed " << seed << ": chi2 " << chi2 << ", error " << error.transpose() << ", sigma "
               << result.scans.back().covariance.diagonal().cwiseSqrt().transpose() << "\n";
     sum += chi2;
+    const Vector6d sigma = result.scans.back().covariance.diagonal().cwiseSqrt();
+    widest_m = std::max(widest_m, sigma.head<3>().maxCoeff());
+    widest_rad = std::max(widest_rad, sigma.tail<3>().maxCoeff());
   }
-  // 72 degrees of freedom: 1% above 102.8. A covariance far too wide is wrong as well.
+  // 72 degrees of freedom: 1% above 102.8. It is rather too wide than too narrow, since what neighbours in a map have
+  // in common is not known; but not so wide that it says nothing.
   EXPECT_LT(sum, 102.8);
-  EXPECT_GT(sum, 4.0);
+  EXPECT_LT(widest_m, 0.1);
+  EXPECT_LT(widest_rad, degrees_to_radians(0.5));
 }
 
 TEST(fusion_odometry, runs_through_a_featureless_tunnel_where_the_lidar_alone_slips) {

@@ -128,11 +128,23 @@ TEST(level, the_acceleration_of_the_vehicle_is_taken_off) {
   const auto gravity = gravity_in_vehicle(imu, reckoning, vehicle_from_imu, {bias, 1.0}, std::nullopt, 1000000000);
   ASSERT_TRUE(gravity);
   const LevelMeasurement level = level_from_gravity(gravity->up_mps2);
-  EXPECT_NEAR(level.roll_rad, 0.0, 2e-4);
-  EXPECT_NEAR(level.pitch_rad, 0.0, 2e-4);
+  // Quadratic in time: what a mean over half a second leaves.
+  EXPECT_NEAR(level.roll_rad, 0.0, 1e-3);
+  EXPECT_NEAR(level.pitch_rad, 0.0, 1e-3);
   EXPECT_GT(gravity->taken_off_mps2, 3.0);
   // Without that it is off by a quarter of the braking.
   EXPECT_GT(std::abs(level_from_gravity(vehicle_from_imu.linear() * imu[30].specific_force_mps2).pitch_rad), 0.2);
+}
+
+TEST(level, the_curvature_of_the_earth_is_taken_off) {
+  // 9 km to the left of the start on a plain that is straight, not level: the road seems to climb.
+  const RigidTransform odometry_from_vehicle =
+      make_rigid(rotation_from_yaw_pitch_roll({kPi / 2, 0.0, 0.0}), {0.0, 9000.0, 0.0});
+  EXPECT_NEAR(drop_of_level_m(odometry_from_vehicle.translation()), 6.36, 0.01);
+  const Eigen::Vector3d up_there = Eigen::Vector3d(0.0, 9000.0 / 6371000.0, 1.0).normalized();
+  const Eigen::Vector3d measured = odometry_from_vehicle.linear().transpose() * up_there * 9.81;
+  EXPECT_LT(level_from_gravity(measured).pitch_rad, -1e-3);
+  EXPECT_NEAR(level_from_gravity(up_at_start(measured, odometry_from_vehicle)).pitch_rad, 0.0, 1e-5);
 }
 
 }  // namespace
