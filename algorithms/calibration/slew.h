@@ -11,6 +11,7 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/slew_options.h"
+#include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/circle_fit.h"
 #include "algorithms/geometry/plane_fit.h"

@@ -11,6 +11,7 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/method_details.h"
 #include "algorithms/calibration/rotation_equation.h"
+#include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/vehicle_frame_options.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/trajectory/wheel_integration.h"
