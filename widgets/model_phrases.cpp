@@ -3,18 +3,20 @@
 #include <QtGlobal>
 
 #include "widgets/file_phrases.h"
+#include "widgets/method_phrases.h"
 #include "widgets/model_text.h"
 
 namespace remount {
 namespace {
-std::vector<const char*> with_phrases_of_files(std::vector<const char*> phrases) {
-  phrases.insert(phrases.end(), file_phrases().begin(), file_phrases().end());
+std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
+  for (const auto* others : {&file_phrases(), &method_phrases(), &method_option_phrases()})
+    phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }
 }  // namespace
 
 const std::vector<const char*>& model_phrases() {
-  static const std::vector<const char*> phrases = with_phrases_of_files({
+  static const std::vector<const char*> phrases = with_other_phrases({
       // sentences
       QT_TRANSLATE_NOOP("remount::model", "observed"),
       QT_TRANSLATE_NOOP("remount::model", "not observed"),
@@ -226,7 +228,6 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "A scan joins the local map where the LiDAR has turned this far."),
       QT_TRANSLATE_NOOP("remount::model", "Scans in the local map."),
       QT_TRANSLATE_NOOP("remount::model", "Time between two poses of the trajectory that is aligned with the INS."),
-      QT_TRANSLATE_NOOP("remount::model", "Error of one step of LiDAR poses that do not state theirs."),
       QT_TRANSLATE_NOOP("remount::model", "Error of one step of LiDAR poses that do not state theirs."),
       QT_TRANSLATE_NOOP("remount::model", "Error of the LiDAR's motion that grows with the distance of a step."),
       QT_TRANSLATE_NOOP("remount::model", "Error of the LiDAR's heading that grows with the distance of a step."),

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QHash>
 #include <QRegularExpression>
+#include <QSet>
 #include <algorithm>
 #include <mutex>
 
@@ -10,6 +11,7 @@ namespace remount {
 namespace {
 
 constexpr const char* kContext = "remount::model";
+constexpr const char* kComma = ", ";  // itself a phrase
 constexpr qsizetype kMostRemembered = 4000;
 
 struct Pattern {
@@ -21,6 +23,7 @@ struct Pattern {
 struct Patterns {
   QString probe;  // one phrase in the language that the rest is in
   std::vector<Pattern> list;
+  QSet<QString> phrases;  // in English
   QHash<QString, QString> known;
 };
 
@@ -31,9 +34,10 @@ Patterns& patterns() {
   static Patterns all;
   const QString probe = translated("observed");
   if (probe == all.probe) return all;
-  all = {probe, {}, {}};
+  all = {probe, {}, {}, {}};
   for (const char* phrase : model_phrases()) {
     const QString english = QString::fromUtf8(phrase), other = translated(phrase);
+    all.phrases.insert(english);
     if (!english.contains(QLatin1String("%1")) || other == english) continue;
     QString expression = QRegularExpression::escape(english);
     expression.replace(QRegularExpression(QStringLiteral("\\\\%(\\d)")), QStringLiteral("(?<a\\1>.+?)"));
@@ -47,13 +51,25 @@ Patterns& patterns() {
   return all;
 }
 
+/// What stands for a "%1": a sentence, a phrase, or phrases with commas between them.
+QString captured_text(const QString& text, const Patterns& all) {
+  const QString whole = model_text(text);
+  if (whole != text || !text.contains(QLatin1String(kComma))) return whole;
+  QStringList parts = text.split(QLatin1String(kComma));
+  for (QString& part : parts) {
+    if (!all.phrases.contains(part)) return text;
+    part = translated(part.toUtf8().constData());
+  }
+  return parts.join(translated(kComma));
+}
+
 QString by_pattern(const QString& text, const Patterns& all) {
   for (const Pattern& pattern : all.list) {
     const QRegularExpressionMatch match = pattern.expression.match(text);
     if (!match.hasMatch()) continue;
     QString sentence = pattern.translation;
     for (int i = 1; i < match.lastCapturedIndex() + 1; ++i)
-      sentence.replace(QStringLiteral("%%1").arg(i), model_text(match.captured(QStringLiteral("a%1").arg(i))));
+      sentence.replace(QStringLiteral("%%1").arg(i), captured_text(match.captured(QStringLiteral("a%1").arg(i)), all));
     return sentence;
   }
   return text;
@@ -78,6 +94,11 @@ QString model_text(const QString& text) {
 
 QString model_text(std::string_view text) {
   return model_text(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())));
+}
+
+std::string drawn_text(const char* context, const char* english) {
+  const QString text = QString::fromUtf8(english), known = QCoreApplication::translate(context, english);
+  return (known != text ? known : model_text(text)).toStdString();
 }
 
 }  // namespace remount

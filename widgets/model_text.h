@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace remount {
 /// put there. What is not recognised stays English: better understood than lost.
 QString model_text(std::string_view text);
 QString model_text(const QString& text);
+
+/// For drawings and reports: a text of that context, or what the model says (titles, axes and curves of plots).
+std::string drawn_text(const char* context, const char* english);
 
 /// What the model says, as patterns. A new sentence of the model that users see often gets a line here.
 const std::vector<const char*>& model_phrases();

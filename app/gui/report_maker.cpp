@@ -1,7 +1,6 @@
 #include "app/gui/report_maker.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QImage>
 #include <QLocale>
@@ -56,9 +55,7 @@ QString pdf_beside(const QString& html_path) {
 
 ReportStyle report_style() {
   ReportStyle style;
-  style.phrase = [](const char* context, const char* english) {
-    return QCoreApplication::translate(context, english).toStdString();
-  };
+  style.phrase = drawn_text;
   style.sentence = [](const std::string& text) { return model_text(text).toStdString(); };
   style.language = QLocale().bcp47Name().toStdString();
   return style;

@@ -17,6 +17,13 @@
     </message>
 </context>
 <context>
+    <name>plot</name>
+    <message>
+        <source>No values.</source>
+        <translation>没有数值。</translation>
+    </message>
+</context>
+<context>
     <name>remount::CandidatePlot</name>
     <message>
         <source>Candidates: x, y, z</source>
@@ -265,6 +272,69 @@
     <message>
         <source>Difference</source>
         <translation>差</translation>
+    </message>
+</context>
+<context>
+    <name>remount::ComparisonView</name>
+    <message>
+        <source>not observed</source>
+        <translation>不可观测</translation>
+    </message>
+    <message>
+        <source>± 1 sigma</source>
+        <translation>± 1 倍标准差</translation>
+    </message>
+    <message>
+        <source>Method: %1</source>
+        <translation>方法：%1</translation>
+    </message>
+    <message>
+        <source>Whether the results agree</source>
+        <translation>各结果是否一致</translation>
+    </message>
+    <message>
+        <source>Results side by side</source>
+        <translation>结果并列</translation>
+    </message>
+    <message>
+        <source>Every two results</source>
+        <translation>结果两两比较</translation>
+    </message>
+    <message>
+        <source>Leave files out</source>
+        <translation>移除文件</translation>
+    </message>
+    <message>
+        <source>Add result files…</source>
+        <translation>添加结果文件…</translation>
+    </message>
+    <message>
+        <source>Results of other methods or drives of the same vehicle, as the command line or the export writes them</source>
+        <translation>同一车辆用其他方法或其他行驶得到的结果，由命令行或导出写成</translation>
+    </message>
+    <message>
+        <source>Calibrate with another method, or add result files: they are set against each other here, with a warning where they differ by more than they claim.</source>
+        <translation>请用另一种方法标定，或添加结果文件：它们在这里相互对照，差别超出各自标称精度时给出警告。</translation>
+    </message>
+    <message>
+        <source>Results differ by more than they claim: do not use them before you know why.</source>
+        <translation>结果之间的差别超出各自的标称精度：查明原因之前不要使用。</translation>
+    </message>
+    <message>
+        <source>The results agree within what they claim.</source>
+        <translation>各结果在标称精度内一致。</translation>
+    </message>
+    <message>
+        <source>The results have nothing in common that could be compared.</source>
+        <translation>各结果没有可以比较的共同分量。</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>In words</source>
+        <translation>文字说明</translation>
     </message>
 </context>
 <context>
@@ -709,12 +779,12 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>结论</translation>
     </message>
     <message>
-        <source>agree (at most %1 sigma, in %2)</source>
-        <translation>一致（%2 最多相差 %1 倍标准差）</translation>
-    </message>
-    <message>
         <source>What P X = X Q leaves over the pairs of the session it is scored on, root mean square, in degrees and mm. Where all clouds were aligned together as the last step, residuals are slightly too small.</source>
         <translation>P X = X Q 在受检数据的帧对上的残差，均方根，单位度和毫米。若最后一步把所有点云一起配准，残差略微偏小。</translation>
+    </message>
+    <message>
+        <source>agree in %1 of 6 parameters (at most %2 sigma, in %3)</source>
+        <translation>6 个参数中有 %1 个一致（最多相差 %2 倍标准差，为 %3）</translation>
     </message>
 </context>
 <context>
@@ -1228,6 +1298,38 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>3-D view: %1</source>
         <translation>三维视图：%1</translation>
     </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>方法(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Figures and plots</source>
+        <translation>数值与曲线</translation>
+    </message>
+    <message>
+        <source>Results compared</source>
+        <translation>结果比较</translation>
+    </message>
+    <message>
+        <source>Figures of the &amp;method, results compared</source>
+        <translation>方法的数值与结果比较(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Results to compare</source>
+        <translation>要比较的结果</translation>
+    </message>
+    <message>
+        <source>Results (*.yaml *.yml *.json);;All files (*)</source>
+        <translation>结果 (*.yaml *.yml *.json);;所有文件 (*)</translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -1388,6 +1490,52 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Dismiss</source>
         <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MethodController</name>
+    <message>
+        <source>Needs: %1</source>
+        <translation>需要：%1</translation>
+    </message>
+    <message>
+        <source>After a calibration the figures and plots of its method are shown here.</source>
+        <translation>标定后，该方法的数值与曲线显示在这里。</translation>
+    </message>
+    <message>
+        <source>Method: %1</source>
+        <translation>方法：%1</translation>
+    </message>
+    <message>
+        <source>Its figures are in the other panels.</source>
+        <translation>其数值在其他面板中。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::MethodView</name>
+    <message>
+        <source>What the method determined beside the mounting</source>
+        <translation>该方法在安装位姿之外求得的量</translation>
+    </message>
+    <message>
+        <source>Method of the result</source>
+        <translation>结果所用的方法</translation>
+    </message>
+    <message>
+        <source>Plots of the method</source>
+        <translation>该方法的曲线</translation>
+    </message>
+    <message>
+        <source>± 1 sigma</source>
+        <translation>± 1 倍标准差</translation>
+    </message>
+    <message>
+        <source>Also determined</source>
+        <translation>另外求得</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>数值</translation>
     </message>
 </context>
 <context>
@@ -1952,6 +2100,13 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::PlotView</name>
+    <message>
+        <source>Plots of the method</source>
+        <translation>该方法的曲线</translation>
+    </message>
+</context>
+<context>
     <name>remount::ProgressStrip</name>
     <message>
         <source>about %1 s left</source>
@@ -2056,10 +2211,6 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
         <translation>标定之后，这里比较地图的清晰度。</translation>
     </message>
     <message>
-        <source>Not compared: the sessions hold LiDAR poses and no scans.</source>
-        <translation>未比较：数据中只有激光雷达位姿，没有扫描。</translation>
-    </message>
-    <message>
         <source>Not compared: there is no result to use.</source>
         <translation>未比较：没有可用的结果。</translation>
     </message>
@@ -2110,6 +2261,18 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
     <message>
         <source>The scan is shown when the new solution is complete.</source>
         <translation>新的解完成后将显示扫描。</translation>
+    </message>
+    <message>
+        <source>Not compared: the sessions hold no scans, or the method has no keyframes.</source>
+        <translation>未比较：数据中没有扫描，或该方法没有关键帧。</translation>
+    </message>
+    <message>
+        <source>Not compared: the calibration was cancelled before. Calibrate again (F5).</source>
+        <translation>未比较：标定在此之前已取消。请重新标定（F5）。</translation>
+    </message>
+    <message>
+        <source>The method has no pairs: compare its result with those of others instead.</source>
+        <translation>该方法没有帧对：请改为与其他方法的结果比较。</translation>
     </message>
 </context>
 <context>
@@ -2236,20 +2399,8 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
         <translation>无法绘制帧对 %1：%2</translation>
     </message>
     <message>
-        <source>Pair %1, %2. Residual %3 cm, %4°, RMSE %5 cm.</source>
-        <translation>帧对 %1，%2。残差 %3 厘米，%4°，RMSE %5 厘米。</translation>
-    </message>
-    <message>
         <source>No pictures of pairs: they come from LiDAR poses, without scans.</source>
         <translation>没有帧对图片：帧对来自激光雷达位姿，没有扫描。</translation>
-    </message>
-    <message>
-        <source>from above, under the mounting before</source>
-        <translation>俯视，按之前的安装</translation>
-    </message>
-    <message>
-        <source>from above, under the result</source>
-        <translation>俯视，按结果</translation>
     </message>
     <message>
         <source>Report: writing pages…</source>
@@ -2262,6 +2413,14 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
     <message>
         <source>could not be made</source>
         <translation>无法生成</translation>
+    </message>
+    <message>
+        <source>Pair %1, from above, under the mounting before.</source>
+        <translation>帧对 %1，俯视，按先前的安装。</translation>
+    </message>
+    <message>
+        <source>Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.</source>
+        <translation>帧对 %1，俯视，按结果。残差 %2 厘米、%3°，RMSE %4 厘米。</translation>
     </message>
 </context>
 <context>
@@ -2679,6 +2838,10 @@ Everything else works.</source>
         <source>Places compared</source>
         <translation>比较的位置数</translation>
     </message>
+    <message>
+        <source>Too few places to tell: %1.</source>
+        <translation>可比较的位置太少，无法判断：%1。</translation>
+    </message>
 </context>
 <context>
     <name>remount::StepBar</name>
@@ -2918,6 +3081,10 @@ Calibrate again (F5).</source>
     <message>
         <source>decisions before it was saved</source>
         <translation>保存之前的决定</translation>
+    </message>
+    <message>
+        <source>Cancelled before there was anything that could be kept.</source>
+        <translation>已取消，当时还没有可以保留的内容。</translation>
     </message>
 </context>
 <context>
@@ -4158,6 +4325,1570 @@ Calibrate again (F5).</source>
         <source>cancelled</source>
         <translation>已取消</translation>
     </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>State interval</source>
+        <translation>状态间隔</translation>
+    </message>
+    <message>
+        <source>Odometry translation sigma</source>
+        <translation>里程计平移标准差</translation>
+    </message>
+    <message>
+        <source>Odometry rotation sigma</source>
+        <translation>里程计旋转标准差</translation>
+    </message>
+    <message>
+        <source>Odometry drift percent</source>
+        <translation>里程计漂移百分比</translation>
+    </message>
+    <message>
+        <source>Odometry drift</source>
+        <translation>里程计航向漂移</translation>
+    </message>
+    <message>
+        <source>Odometry scale percent</source>
+        <translation>里程计尺度误差百分比</translation>
+    </message>
+    <message>
+        <source>Antenna reach</source>
+        <translation>天线距离范围</translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>更新间隔</translation>
+    </message>
+    <message>
+        <source>Converged translation</source>
+        <translation>平移收敛标准差</translation>
+    </message>
+    <message>
+        <source>Converged rotation</source>
+        <translation>旋转收敛标准差</translation>
+    </message>
+    <message>
+        <source>Keyframe distance</source>
+        <translation>关键帧距离</translation>
+    </message>
+    <message>
+        <source>Keyframe angle</source>
+        <translation>关键帧转角</translation>
+    </message>
+    <message>
+        <source>Map keyframes</source>
+        <translation>地图关键帧数</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>线特征</translation>
+    </message>
+    <message>
+        <source>Planes</source>
+        <translation>面特征</translation>
+    </message>
+    <message>
+        <source>Ackermann</source>
+        <translation>阿克曼航位推算</translation>
+    </message>
+    <message>
+        <source>Accelerometer</source>
+        <translation>加速度计</translation>
+    </message>
+    <message>
+        <source>Barometer</source>
+        <translation>气压计</translation>
+    </message>
+    <message>
+        <source>Line sigma</source>
+        <translation>线特征标准差</translation>
+    </message>
+    <message>
+        <source>Plane sigma</source>
+        <translation>面特征标准差</translation>
+    </message>
+    <message>
+        <source>Independent features</source>
+        <translation>独立特征数</translation>
+    </message>
+    <message>
+        <source>Wheel sigma</source>
+        <translation>轮速相对标准差</translation>
+    </message>
+    <message>
+        <source>Wheel sigma mps</source>
+        <translation>轮速标准差</translation>
+    </message>
+    <message>
+        <source>Sideslip sigma mps</source>
+        <translation>侧滑标准差</translation>
+    </message>
+    <message>
+        <source>Gyro sigma dps</source>
+        <translation>陀螺标准差</translation>
+    </message>
+    <message>
+        <source>Gyro bias sigma dps</source>
+        <translation>陀螺零偏标准差</translation>
+    </message>
+    <message>
+        <source>Gyro bias walk dps</source>
+        <translation>陀螺零偏游走</translation>
+    </message>
+    <message>
+        <source>Wheel scale sigma</source>
+        <translation>轮速尺度标准差</translation>
+    </message>
+    <message>
+        <source>Accelerometer sigma</source>
+        <translation>加速度计标准差</translation>
+    </message>
+    <message>
+        <source>Accelerometer discount</source>
+        <translation>加速度计降权</translation>
+    </message>
+    <message>
+        <source>Barometer sigma</source>
+        <translation>气压计标准差</translation>
+    </message>
+    <message>
+        <source>Map frames</source>
+        <translation>地图帧数</translation>
+    </message>
+    <message>
+        <source>Map step</source>
+        <translation>地图步长</translation>
+    </message>
+    <message>
+        <source>Line voxel</source>
+        <translation>线特征体素</translation>
+    </message>
+    <message>
+        <source>Plane voxel</source>
+        <translation>面特征体素</translation>
+    </message>
+    <message>
+        <source>Most lines</source>
+        <translation>线特征上限</translation>
+    </message>
+    <message>
+        <source>Most planes</source>
+        <translation>面特征上限</translation>
+    </message>
+    <message>
+        <source>Match distance</source>
+        <translation>匹配距离</translation>
+    </message>
+    <message>
+        <source>Range noise</source>
+        <translation>测距噪声</translation>
+    </message>
+    <message>
+        <source>Track width</source>
+        <translation>轮距</translation>
+    </message>
+    <message>
+        <source>INS x</source>
+        <translation>INS x</translation>
+    </message>
+    <message>
+        <source>INS y</source>
+        <translation>INS y</translation>
+    </message>
+    <message>
+        <source>INS z</source>
+        <translation>INS z</translation>
+    </message>
+    <message>
+        <source>INS yaw</source>
+        <translation>INS 偏航</translation>
+    </message>
+    <message>
+        <source>INS pitch</source>
+        <translation>INS 俯仰</translation>
+    </message>
+    <message>
+        <source>INS roll</source>
+        <translation>INS 横滚</translation>
+    </message>
+    <message>
+        <source>Imu x</source>
+        <translation>IMU x</translation>
+    </message>
+    <message>
+        <source>Imu y</source>
+        <translation>IMU y</translation>
+    </message>
+    <message>
+        <source>Imu z</source>
+        <translation>IMU z</translation>
+    </message>
+    <message>
+        <source>Imu yaw</source>
+        <translation>IMU 偏航</translation>
+    </message>
+    <message>
+        <source>Imu pitch</source>
+        <translation>IMU 俯仰</translation>
+    </message>
+    <message>
+        <source>Imu roll</source>
+        <translation>IMU 横滚</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>尺度</translation>
+    </message>
+    <message>
+        <source>Estimate wheel scale</source>
+        <translation>估计轮速尺度</translation>
+    </message>
+    <message>
+        <source>Interval turn</source>
+        <translation>间隔转角</translation>
+    </message>
+    <message>
+        <source>Imu mounting sigma</source>
+        <translation>IMU 安装标准差</translation>
+    </message>
+    <message>
+        <source>INS alignment sigma</source>
+        <translation>INS 对准标准差</translation>
+    </message>
+    <message>
+        <source>Level turns</source>
+        <translation>水平转弯</translation>
+    </message>
+    <message>
+        <source>First plane</source>
+        <translation>第一平面</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>原点</translation>
+    </message>
+    <message>
+        <source>Min arc</source>
+        <translation>最小弧度范围</translation>
+    </message>
+    <message>
+        <source>Max plane angle</source>
+        <translation>平面夹角上限</translation>
+    </message>
+    <message>
+        <source>Max square error</source>
+        <translation>垂直误差上限</translation>
+    </message>
+    <message>
+        <source>Ground radius</source>
+        <translation>地面半径</translation>
+    </message>
+    <message>
+        <source>Arm reach</source>
+        <translation>臂的范围</translation>
+    </message>
+    <message>
+        <source>Plane inlier</source>
+        <translation>平面内点距离</translation>
+    </message>
+    <message>
+        <source>Surface sigma</source>
+        <translation>表面标准差</translation>
+    </message>
+    <message>
+        <source>Ground session</source>
+        <translation>地面数据</translation>
+    </message>
+    <message>
+        <source>Arm session</source>
+        <translation>摆臂数据</translation>
+    </message>
+    <message>
+        <source>Turn session</source>
+        <translation>回转数据</translation>
+    </message>
+    <message>
+        <source>How the mounting is found. Pairwise: pairs of keyframes; the others serve vehicles where that alone does not do.</source>
+        <translation>求安装位姿的方法。默认的成对法使用关键帧对；其余方法用于仅靠帧对不够的车辆。</translation>
+    </message>
+    <message>
+        <source>Use line features of the scans.</source>
+        <translation>使用扫描的线特征。</translation>
+    </message>
+    <message>
+        <source>Use plane features of the scans.</source>
+        <translation>使用扫描的面特征。</translation>
+    </message>
+    <message>
+        <source>Use dead reckoning from the rear wheels and the gyroscope.</source>
+        <translation>使用后轮和陀螺的航位推算。</translation>
+    </message>
+    <message>
+        <source>Use roll and pitch from the accelerometer.</source>
+        <translation>使用加速度计给出的横滚和俯仰。</translation>
+    </message>
+    <message>
+        <source>Use the height of the barometer, relative to the start.</source>
+        <translation>使用气压计相对起点的高度。</translation>
+    </message>
+    <message>
+        <source>1-sigma of a line feature&apos;s distance from its line.</source>
+        <translation>线特征到其直线距离的标准差。</translation>
+    </message>
+    <message>
+        <source>1-sigma of a plane feature&apos;s distance from its plane.</source>
+        <translation>面特征到其平面距离的标准差。</translation>
+    </message>
+    <message>
+        <source>Features of a scan count for at most as many independent ones: neighbours share the errors of the map.</source>
+        <translation>一次扫描的特征最多按这么多个独立特征计：相邻特征带有地图的共同误差。</translation>
+    </message>
+    <message>
+        <source>1-sigma of a step by the wheels, as a share of the distance.</source>
+        <translation>轮速给出的一步位移的标准差，按距离的比例。</translation>
+    </message>
+    <message>
+        <source>1-sigma of the wheels&apos; speed that does not grow with it.</source>
+        <translation>轮速标准差中不随速度增大的部分。</translation>
+    </message>
+    <message>
+        <source>1-sigma of the rear axle&apos;s motion to the side and up.</source>
+        <translation>后轴侧向和向上运动的标准差。</translation>
+    </message>
+    <message>
+        <source>1-sigma of a step&apos;s mean angular rate, each axis.</source>
+        <translation>一步内平均角速度的标准差，每轴。</translation>
+    </message>
+    <message>
+        <source>1-sigma of the gyroscope&apos;s bias at the start, each axis.</source>
+        <translation>起始时陀螺零偏的标准差，每轴。</translation>
+    </message>
+    <message>
+        <source>How fast that bias walks, each axis.</source>
+        <translation>该零偏游走的快慢，每轴。</translation>
+    </message>
+    <message>
+        <source>1-sigma of the scale of the wheels&apos; speed.</source>
+        <translation>轮速尺度的标准差。</translation>
+    </message>
+    <message>
+        <source>1-sigma of roll and pitch from the accelerometer.</source>
+        <translation>加速度计给出的横滚和俯仰的标准差。</translation>
+    </message>
+    <message>
+        <source>Added to that for each m/s2 by which the vehicle accelerates, what is known of that taken off.</source>
+        <translation>扣除已知加速度后，车辆每 m/s2 的加速度在此标准差上增加的量。</translation>
+    </message>
+    <message>
+        <source>1-sigma of the height of the barometer.</source>
+        <translation>气压计高度的标准差。</translation>
+    </message>
+    <message>
+        <source>Compensate the motion within a scan by the predicted motion.</source>
+        <translation>用预测的运动补偿扫描内的运动。</translation>
+    </message>
+    <message>
+        <source>A scan enters the map that moved this far since the last one, or turned.</source>
+        <translation>自上一次加入后移动了这么远或有转动的扫描加入地图。</translation>
+    </message>
+    <message>
+        <source>A scan enters the map that turned this much since the last one, or moved.</source>
+        <translation>自上一次加入后转动了这么多或有移动的扫描加入地图。</translation>
+    </message>
+    <message>
+        <source>Line features are thinned to one in a cube of this size.</source>
+        <translation>线特征抽稀到每个此边长的立方体一个。</translation>
+    </message>
+    <message>
+        <source>Plane features are thinned to one in a cube of this size.</source>
+        <translation>面特征抽稀到每个此边长的立方体一个。</translation>
+    </message>
+    <message>
+        <source>Line features of a scan that are matched, at most.</source>
+        <translation>一次扫描最多参与匹配的线特征数。</translation>
+    </message>
+    <message>
+        <source>Plane features of a scan that are matched, at most.</source>
+        <translation>一次扫描最多参与匹配的面特征数。</translation>
+    </message>
+    <message>
+        <source>Neighbours in the map are looked for within this distance.</source>
+        <translation>在地图中这一距离内寻找近邻。</translation>
+    </message>
+    <message>
+        <source>Nearer points are left out.</source>
+        <translation>更近的点不使用。</translation>
+    </message>
+    <message>
+        <source>Farther points are left out.</source>
+        <translation>更远的点不使用。</translation>
+    </message>
+    <message>
+        <source>1-sigma of the range that the LiDAR measures.</source>
+        <translation>激光雷达测距的标准差。</translation>
+    </message>
+    <message>
+        <source>Between the rear wheels; gives the turn where there is no gyroscope.</source>
+        <translation>两后轮之间的距离；没有陀螺时由它给出转角。</translation>
+    </message>
+    <message>
+        <source>INS ahead of the rear axle.</source>
+        <translation>INS 在后轴前方的距离。</translation>
+    </message>
+    <message>
+        <source>INS to the left of the rear axle&apos;s centre.</source>
+        <translation>INS 在后轴中心左侧的距离。</translation>
+    </message>
+    <message>
+        <source>INS above the ground under the rear axle.</source>
+        <translation>INS 高于后轴下方地面的高度。</translation>
+    </message>
+    <message>
+        <source>Yaw of the INS in the vehicle.</source>
+        <translation>INS 在车体中的偏航。</translation>
+    </message>
+    <message>
+        <source>Pitch of the INS in the vehicle.</source>
+        <translation>INS 在车体中的俯仰。</translation>
+    </message>
+    <message>
+        <source>Roll of the INS in the vehicle.</source>
+        <translation>INS 在车体中的横滚。</translation>
+    </message>
+    <message>
+        <source>IMU ahead of the INS, in its axes.</source>
+        <translation>IMU 在 INS 前方的距离，按 INS 的轴。</translation>
+    </message>
+    <message>
+        <source>IMU to the left of the INS, in its axes.</source>
+        <translation>IMU 在 INS 左侧的距离，按 INS 的轴。</translation>
+    </message>
+    <message>
+        <source>IMU above the INS, in its axes.</source>
+        <translation>IMU 在 INS 上方的距离，按 INS 的轴。</translation>
+    </message>
+    <message>
+        <source>Yaw of the IMU in the INS frame.</source>
+        <translation>IMU 在 INS 坐标系中的偏航。</translation>
+    </message>
+    <message>
+        <source>Pitch of the IMU in the INS frame.</source>
+        <translation>IMU 在 INS 坐标系中的俯仰。</translation>
+    </message>
+    <message>
+        <source>Roll of the IMU in the INS frame.</source>
+        <translation>IMU 在 INS 坐标系中的横滚。</translation>
+    </message>
+    <message>
+        <source>Scale of the sensor&apos;s poses: known where they are in metres (LiDAR), estimated where it is free (one camera).</source>
+        <translation>传感器位姿的尺度：以米计时为已知（激光雷达），不定时需估计（单目相机）。</translation>
+    </message>
+    <message>
+        <source>Estimate the scale of the wheel speeds (tyre radius) too; needs sensor poses in metres.</source>
+        <translation>同时估计轮速的尺度（轮胎半径）；需要以米计的传感器位姿。</translation>
+    </message>
+    <message>
+        <source>Way between two poses of the sensor that are compared with the wheels.</source>
+        <translation>与轮速比较的两个传感器位姿之间的路程。</translation>
+    </message>
+    <message>
+        <source>Turn after which two poses are compared even on a shorter way.</source>
+        <translation>转角达到此值时，路程较短也比较两个位姿。</translation>
+    </message>
+    <message>
+        <source>Yaw of the IMU in the vehicle as far as it is known.</source>
+        <translation>IMU 在车体中的偏航（已知的程度）。</translation>
+    </message>
+    <message>
+        <source>Pitch of the IMU in the vehicle as far as it is known.</source>
+        <translation>IMU 在车体中的俯仰（已知的程度）。</translation>
+    </message>
+    <message>
+        <source>Roll of the IMU in the vehicle as far as it is known.</source>
+        <translation>IMU 在车体中的横滚（已知的程度）。</translation>
+    </message>
+    <message>
+        <source>How well these angles of the IMU are known; 180: not at all.</source>
+        <translation>IMU 这些角度的已知精度；180：完全未知。</translation>
+    </message>
+    <message>
+        <source>How well the axes of an INS, where the drive has one, are those of the vehicle.</source>
+        <translation>有 INS 时，其轴与车体轴的一致程度。</translation>
+    </message>
+    <message>
+        <source>How large the constant error of the IMU&apos;s rates may be.</source>
+        <translation>IMU 角速度的常值误差可能有多大。</translation>
+    </message>
+    <message>
+        <source>Where no INS says it: on the whole the vehicle turns about its own z, leaning and turning are not linked. Off for drives up or down a single helix.</source>
+        <translation>没有 INS 说明时：总体上车辆绕自身 z 轴转动，倾斜与转弯无关。只在一条螺旋坡道上行驶时应关闭。</translation>
+    </message>
+    <message>
+        <source>Which plane is square to the slew axis: the ground (A), or that of the LiDAR&apos;s circle (B).</source>
+        <translation>哪个平面垂直于回转轴：地面（A），或激光雷达圆周所在的平面（B）。</translation>
+    </message>
+    <message>
+        <source>Height of the machine&apos;s origin on the slew axis: that of the LiDAR&apos;s circle, or the ground.</source>
+        <translation>机体原点在回转轴上的高度：激光雷达圆周的高度，或地面。</translation>
+    </message>
+    <message>
+        <source>A turn over a shorter arc is refused.</source>
+        <translation>弧度范围更小的回转不予采用。</translation>
+    </message>
+    <message>
+        <source>Where ground and turn are farther from parallel, the ground is tilted against the machine.</source>
+        <translation>地面与回转平面的夹角更大时，说明地面相对机体倾斜。</translation>
+    </message>
+    <message>
+        <source>Where the plane of the arm is farther from square to the first plane, it is not the arm&apos;s.</source>
+        <translation>该平面与第一平面偏离垂直更多时，它不是臂的平面。</translation>
+    </message>
+    <message>
+        <source>Ground is taken from so far around the LiDAR.</source>
+        <translation>在激光雷达周围这一距离内取地面。</translation>
+    </message>
+    <message>
+        <source>What moves farther away from the LiDAR is not the arm.</source>
+        <translation>离激光雷达更远的运动物体不是臂。</translation>
+    </message>
+    <message>
+        <source>Points farther from a fitted plane do not belong to it.</source>
+        <translation>离拟合平面更远的点不属于该平面。</translation>
+    </message>
+    <message>
+        <source>How far ground and arm may lean against what they stand for, by their make; part of every sigma.</source>
+        <translation>地面和臂因制造等原因可能偏离其所代表平面的程度；计入每个标准差。</translation>
+    </message>
+    <message>
+        <source>Which session shows the ground, counted from 1; 0: by name or order.</source>
+        <translation>哪一份数据是地面，从 1 起计；0：按名称或顺序。</translation>
+    </message>
+    <message>
+        <source>Which session shows the arm swept up and down, counted from 1; 0: by name or order.</source>
+        <translation>哪一份数据是臂上下摆动，从 1 起计；0：按名称或顺序。</translation>
+    </message>
+    <message>
+        <source>Which session is the full turn, counted from 1; 0: by name or order.</source>
+        <translation>哪一份数据是整圈回转，从 1 起计；0：按名称或顺序。</translation>
+    </message>
+    <message>
+        <source>Pairs of keyframes</source>
+        <translation>关键帧对</translation>
+    </message>
+    <message>
+        <source>Trajectory alignment</source>
+        <translation>轨迹对齐</translation>
+    </message>
+    <message>
+        <source>Vehicle frame</source>
+        <translation>车体坐标系</translation>
+    </message>
+    <message>
+        <source>Multi-sensor odometry</source>
+        <translation>多传感器里程计</translation>
+    </message>
+    <message>
+        <source>Slewing machine</source>
+        <translation>回转机械</translation>
+    </message>
+    <message>
+        <source>scans or LiDAR poses, and an INS with attitude</source>
+        <translation>扫描或激光雷达位姿，以及带姿态的 INS</translation>
+    </message>
+    <message>
+        <source>scans or LiDAR poses, and an INS or GNSS fixes</source>
+        <translation>扫描或激光雷达位姿，以及 INS 或 GNSS 定位</translation>
+    </message>
+    <message>
+        <source>wheel speeds, an IMU or INS, and scans or poses of the sensor</source>
+        <translation>轮速、IMU 或 INS，以及扫描或传感器位姿</translation>
+    </message>
+    <message>
+        <source>scans; wheel speeds, IMU and barometer where it has them; a nominal mounting for those; an INS with attitude</source>
+        <translation>扫描；有则使用的轮速、IMU 和气压计，以及它们所需的名义安装；带姿态的 INS</translation>
+    </message>
+    <message>
+        <source>three recordings of a LiDAR: ground, swept arm, full turn</source>
+        <translation>激光雷达的三段记录：地面、摆臂、整圈回转</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>yaw</source>
+        <translation>偏航</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>俯仰</translation>
+    </message>
+    <message>
+        <source>roll</source>
+        <translation>横滚</translation>
+    </message>
+    <message>
+        <source>m</source>
+        <translation>米</translation>
+    </message>
+    <message>
+        <source>deg</source>
+        <translation>度</translation>
+    </message>
+    <message>
+        <source>Too little data: at least %1 poses of the LiDAR with INS poses or GNSS fixes over a few metres are needed.</source>
+        <translation>数据太少：至少需要 %1 个有 INS 位姿或 GNSS 定位的激光雷达位姿，且移动数米。</translation>
+    </message>
+    <message>
+        <source>Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?</source>
+        <translation>请检查里程计：它是否属于这次行驶，时间戳是否与 INS 或 GNSS 一致？</translation>
+    </message>
+    <message>
+        <source>The trajectory could not be aligned: its equations have no solution.</source>
+        <translation>轨迹无法对齐：其方程无解。</translation>
+    </message>
+    <message>
+        <source>rotation: not observable, the positions of an antenna have no axes</source>
+        <translation>旋转：不可观测，天线的位置没有坐标轴</translation>
+    </message>
+    <message>
+        <source>The lever arm&apos;s x and y need turns: drive a figure of eight.</source>
+        <translation>杆臂的 x 和 y 需要转弯：请行驶 8 字形。</translation>
+    </message>
+    <message>
+        <source>The lever arm&apos;s z needs pitch or roll: drive over a ramp or a bumpy road, or measure it by tape.</source>
+        <translation>杆臂的 z 需要俯仰或横滚：请驶过坡道或颠簸路面，或用卷尺测量。</translation>
+    </message>
+    <message>
+        <source>GNSS positions show where the antenna is from the LiDAR and nothing about attitude: for all six parameters record an INS with attitude or a GNSS with two antennas.</source>
+        <translation>GNSS 位置只反映天线相对激光雷达的位置，不反映姿态：要得到全部六个参数，请记录带姿态的 INS 或双天线 GNSS。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans cannot be read and are left out. First: %3</source>
+        <translation>%2 次扫描中有 %1 次无法读取，已略去。第一个：%3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans could not be aligned with the local map; their poses are predicted from the motion before. First: %3: %4.</source>
+        <translation>%2 次扫描中有 %1 次无法与局部地图配准；其位姿由先前的运动预测。第一个：%3：%4。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans do not determine every direction of motion; what they leave open counts as hardly known.</source>
+        <translation>%2 次扫描中有 %1 次不能确定运动的每个方向；未确定的部分按几乎未知计。</translation>
+    </message>
+    <message>
+        <source>No pose of the LiDAR lies within the data of the INS or between GNSS fixes. Give data of the same time, on one clock.</source>
+        <translation>没有激光雷达位姿落在 INS 数据之内或 GNSS 定位之间。请给出同一时间、同一时钟的数据。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 positions and attitudes contradict the motion of the LiDAR and have no weight.</source>
+        <translation>%2 个位置和姿态中有 %1 个与激光雷达的运动矛盾，不计权重。</translation>
+    </message>
+    <message>
+        <source>X had converged after %1 s of data.</source>
+        <translation>经过 %1 秒的数据，X 已收敛。</translation>
+    </message>
+    <message>
+        <source>X has not converged to the sigmas that trajectory.converged_* ask for.</source>
+        <translation>X 没有收敛到 trajectory.converged_* 要求的标准差。</translation>
+    </message>
+    <message>
+        <source>The odometry is complete, but no session has an INS with attitude to calibrate against.</source>
+        <translation>里程计已完成，但没有一份数据有带姿态的 INS 可供标定。</translation>
+    </message>
+    <message>
+        <source>Write the poses with &quot;remount-cli odometry&quot;, or add a session with an INS.</source>
+        <translation>请用 “remount-cli odometry” 写出位姿，或添加带 INS 的数据。</translation>
+    </message>
+    <message>
+        <source>The format does not say whether its scans are compensated for motion: the odometry uses them as they are. Set run.deskew=on to compensate them.</source>
+        <translation>该格式未说明扫描是否已作运动补偿：里程计按原样使用。要补偿请设置 run.deskew=on。</translation>
+    </message>
+    <message>
+        <source>%1 Its pose is the prediction of the odometry.</source>
+        <translation>%1 其位姿取里程计的预测。</translation>
+    </message>
+    <message>
+        <source>The session has no %1: the odometry does without.</source>
+        <translation>数据中没有%1：里程计不使用它。</translation>
+    </message>
+    <message>
+        <source>wheel speeds</source>
+        <translation>轮速</translation>
+    </message>
+    <message>
+        <source>angular rates</source>
+        <translation>角速度</translation>
+    </message>
+    <message>
+        <source>accelerations</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>a barometer</source>
+        <translation>气压计</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans do not tell of every direction of the motion; there it rests on wheels and gyroscope.</source>
+        <translation>%2 次扫描中有 %1 次不能反映运动的每个方向；此处依靠轮速和陀螺。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans do not tell of every direction of the motion, nor do wheels: there a steady motion was assumed, and poses may be far off. Record wheel speeds, or drive where there is more to see.</source>
+        <translation>%2 次扫描中有 %1 次不能反映运动的每个方向，轮速也不能：此处按匀速运动处理，位姿可能偏差很大。请记录轮速，或在特征更多的地方行驶。</translation>
+    </message>
+    <message>
+        <source>Without a nominal mounting the odometry uses the scans alone. Give --nominal to use wheels, IMU and barometer as well.</source>
+        <translation>没有名义安装时里程计只使用扫描。要同时使用轮速、IMU 和气压计，请给出 --nominal。</translation>
+    </message>
+    <message>
+        <source>The solution did not converge: wheels, IMU and the sensor&apos;s poses do not fit together. Check their time stamps and units.</source>
+        <translation>求解未收敛：轮速、IMU 和传感器位姿互不相符。请检查它们的时间戳和单位。</translation>
+    </message>
+    <message>
+        <source>the solution did not converge</source>
+        <translation>求解未收敛</translation>
+    </message>
+    <message>
+        <source>the solution was cancelled</source>
+        <translation>求解已取消</translation>
+    </message>
+    <message>
+        <source>Vehicle from sensor by %1 intervals of wheels and IMU; %2.</source>
+        <translation>由 %1 段轮速和 IMU 间隔求得传感器在车体中的位姿；%2。</translation>
+    </message>
+    <message>
+        <source>all six parameters are observed</source>
+        <translation>六个参数全部可观测</translation>
+    </message>
+    <message>
+        <source>some parameters are not observed</source>
+        <translation>部分参数不可观测</translation>
+    </message>
+    <message>
+        <source>Only %1 intervals of the drive have poses of the sensor, wheel speeds and IMU rates at the same time; at least %2 are needed.</source>
+        <translation>行驶中只有 %1 段间隔同时有传感器位姿、轮速和 IMU 角速度；至少需要 %2 段。</translation>
+    </message>
+    <message>
+        <source>Check that the streams overlap in time (one clock) and that the vehicle moves; drive at least 100 m with turns.</source>
+        <translation>请检查各数据流在时间上重叠（同一时钟）且车辆在运动；至少行驶 100 米并有转弯。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans could not be aligned: %3: %4.</source>
+        <translation>%2 次扫描中有 %1 次无法配准：%3：%4。</translation>
+    </message>
+    <message>
+        <source>There is no IMU: turns are taken from the attitude of the INS.</source>
+        <translation>没有 IMU：转角取自 INS 的姿态。</translation>
+    </message>
+    <message>
+        <source>The height of the sensor is not observed: the ground was too flat. Drive over ramps or slopes, or measure it.</source>
+        <translation>传感器的高度不可观测：路面太平。请驶过坡道或斜坡，或直接测量。</translation>
+    </message>
+    <message>
+        <source>There is no turn to compare.</source>
+        <translation>没有可比较的转动。</translation>
+    </message>
+    <message>
+        <source>The turns are too small to show the rotation between the two sensors.</source>
+        <translation>转动太小，不能反映两个传感器之间的旋转。</translation>
+    </message>
+    <message>
+        <source>All turns are about %1: the rotation about it is not observed, the other two angles are.</source>
+        <translation>所有转动都绕%1：绕该轴的旋转不可观测，另外两个角可观测。</translation>
+    </message>
+    <message>
+        <source>a slanted axis</source>
+        <translation>一条斜轴</translation>
+    </message>
+    <message>
+        <source>the vertical (yaw)</source>
+        <translation>竖直轴（偏航）</translation>
+    </message>
+    <message>
+        <source>the transverse axis (pitch)</source>
+        <translation>横轴（俯仰）</translation>
+    </message>
+    <message>
+        <source>the long axis (roll)</source>
+        <translation>纵轴（横滚）</translation>
+    </message>
+    <message>
+        <source>All three angles are observed: %1 deg of turn across the main axis.</source>
+        <translation>三个角全部可观测：主轴以外的转动有 %1 度。</translation>
+    </message>
+    <message>
+        <source>Positions of an antenna show no attitude; of its place %1 observed. End error of wheels and yaw rate: %2 m in %3 m (%4%).</source>
+        <translation>天线的位置不反映姿态；其坐标中%1观测到。轮速和偏航角速度的终点误差：%3 米内 %2 米（%4%）。</translation>
+    </message>
+    <message>
+        <source>x and y are</source>
+        <translation>有 x 和 y 被</translation>
+    </message>
+    <message>
+        <source>x is</source>
+        <translation>只有 x 被</translation>
+    </message>
+    <message>
+        <source>y is</source>
+        <translation>只有 y 被</translation>
+    </message>
+    <message>
+        <source>nothing is</source>
+        <translation>没有一个被</translation>
+    </message>
+    <message>
+        <source>Give poses of a sensor (odometry of a LiDAR or a camera) to calibrate all six parameters.</source>
+        <translation>要标定全部六个参数，请给出传感器的位姿（激光雷达或相机的里程计）。</translation>
+    </message>
+    <message>
+        <source>x and y of the antenna need turns: drive tight turns in both directions.</source>
+        <translation>天线的 x 和 y 需要转弯：请向两个方向急转弯行驶。</translation>
+    </message>
+    <message>
+        <source>Without poses of a sensor only the first session is used.</source>
+        <translation>没有传感器位姿时只使用第一份数据。</translation>
+    </message>
+    <message>
+        <source>The drive cannot be integrated: %1.</source>
+        <translation>无法对行驶积分：%1。</translation>
+    </message>
+    <message>
+        <source>only %1 positions lie within the wheel speeds and yaw rates</source>
+        <translation>只有 %1 个位置落在轮速和偏航角速度的时间内</translation>
+    </message>
+    <message>
+        <source>the recordings were refused</source>
+        <translation>记录未被采用</translation>
+    </message>
+    <message>
+        <source>Taken for the recording: %1.</source>
+        <translation>用作记录：%1。</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <translation>臂</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>回转</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans of the turn could not be aligned: %3.</source>
+        <translation>回转的 %2 次扫描中有 %1 次无法配准：%3。</translation>
+    </message>
+    <message>
+        <source>it moved far from where the scan before it leads</source>
+        <translation>它远离前一次扫描所预示的位置</translation>
+    </message>
+    <message>
+        <source>The ground is not square to the slew axis; the plane of the turn was used instead.</source>
+        <translation>地面不垂直于回转轴；已改用回转平面。</translation>
+    </message>
+    <message>
+        <source>Machine from LiDAR by %1, the arm&apos;s plane and a turn of %2 deg.</source>
+        <translation>由%1、臂的平面和 %2 度的回转求得激光雷达在机体中的位姿。</translation>
+    </message>
+    <message>
+        <source>the ground</source>
+        <translation>地面</translation>
+    </message>
+    <message>
+        <source>the plane of the turn</source>
+        <translation>回转平面</translation>
+    </message>
+    <message>
+        <source>The plane of the arm is missing: %1. Without it the machine&apos;s yaw is unknown.</source>
+        <translation>缺少臂的平面：%1。没有它，机体的偏航未知。</translation>
+    </message>
+    <message>
+        <source>Record the arm while it is swept up and down over its whole range with the slew angle held, in view of the LiDAR.</source>
+        <translation>请保持回转角不变，让臂在激光雷达视野内全程上下摆动并记录。</translation>
+    </message>
+    <message>
+        <source>only %1 moving points lie in one upright plane</source>
+        <translation>只有 %1 个运动点位于同一个竖直平面内</translation>
+    </message>
+    <message>
+        <source>what moved spans only %1 by %2 m (root mean square)</source>
+        <translation>运动部分的范围只有 %1 × %2 米（均方根）</translation>
+    </message>
+    <message>
+        <source>The turn gives no circle: %1.</source>
+        <translation>回转不构成圆：%1。</translation>
+    </message>
+    <message>
+        <source>only %1 poses</source>
+        <translation>只有 %1 个位姿</translation>
+    </message>
+    <message>
+        <source>the positions lie on a line or in one place</source>
+        <translation>各位置在一条直线上或在同一处</translation>
+    </message>
+    <message>
+        <source>Record one full turn of the machine at an even, slow rate, and stay clear of it.</source>
+        <translation>请以均匀的慢速记录机体的一整圈回转，并远离机体。</translation>
+    </message>
+    <message>
+        <source>The turn covers an arc of %1 deg and at least %2 deg are needed: centre and plane of a short arc hang on its noise.</source>
+        <translation>回转只覆盖 %1 度的弧，至少需要 %2 度：短弧的圆心和平面取决于噪声。</translation>
+    </message>
+    <message>
+        <source>The LiDAR runs on a circle of %1 m radius with residuals of %2 m: it sits too near the slew axis for its circle to have a plane.</source>
+        <translation>激光雷达沿半径 %1 米的圆运动，残差 %2 米：它离回转轴太近，其圆无法确定平面。</translation>
+    </message>
+    <message>
+        <source>Mount the LiDAR farther from the slew axis, or use a registration with smaller errors (finer voxels).</source>
+        <translation>请把激光雷达装得离回转轴更远，或使用误差更小的配准（更细的体素）。</translation>
+    </message>
+    <message>
+        <source>The ground is tilted by %1 deg (sigma %2) against the plane in which the LiDAR turned, and %3 deg are allowed: it is not square to the slew axis.</source>
+        <translation>地面相对激光雷达的回转平面倾斜 %1 度（标准差 %2），允许 %3 度：它不垂直于回转轴。</translation>
+    </message>
+    <message>
+        <source>Repeat on level, even ground, or take the plane of the turn (slew.first_plane = turn).</source>
+        <translation>请在水平平整的地面上重做，或采用回转平面（slew.first_plane = turn）。</translation>
+    </message>
+    <message>
+        <source>The plane of the arm leans by %1 deg from square to the first plane, and %2 deg are allowed: the slew angle moved, or what moved is not the arm.</source>
+        <translation>臂的平面与第一平面偏离垂直 %1 度，允许 %2 度：回转角有变化，或运动的不是臂。</translation>
+    </message>
+    <message>
+        <source>Record the arm again with the slew angle held, and nobody moving near the machine.</source>
+        <translation>请保持回转角不变重新记录臂，且机体附近无人走动。</translation>
+    </message>
+    <message>
+        <source>The plane of the ground is missing: %1.</source>
+        <translation>缺少地面的平面：%1。</translation>
+    </message>
+    <message>
+        <source>the ground that is seen is a strip: its tilt is a guess</source>
+        <translation>看到的地面只是一条带：其倾斜只是猜测</translation>
+    </message>
+    <message>
+        <source>only %1 points</source>
+        <translation>只有 %1 个点</translation>
+    </message>
+    <message>
+        <source>no plane of the expected direction</source>
+        <translation>没有预期方向的平面</translation>
+    </message>
+    <message>
+        <source>only %1 points lie in one plane</source>
+        <translation>只有 %1 个点位于同一平面内</translation>
+    </message>
+    <message>
+        <source>Record the ground around the machine, or take the plane of the turn (slew.first_plane = turn).</source>
+        <translation>请记录机体周围的地面，或采用回转平面（slew.first_plane = turn）。</translation>
+    </message>
+    <message>
+        <source>%1 is not known well enough: record longer, and move the LiDAR away from the slew axis.</source>
+        <translation>%1的精度不够：请记录更长时间，并让激光雷达离回转轴更远。</translation>
+    </message>
+    <message>
+        <source>Start again.</source>
+        <translation>请重新开始。</translation>
+    </message>
+    <message>
+        <source>Not compared: %1.</source>
+        <translation>未比较：%1。</translation>
+    </message>
+    <message>
+        <source>%1 has nothing to use</source>
+        <translation>%1没有可用的结果</translation>
+    </message>
+    <message>
+        <source>%1 is in the frame &quot;%2&quot; and %3 in &quot;%4&quot;</source>
+        <translation>%1在坐标系“%2”中，而%3在“%4”中</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have other INS axes</source>
+        <translation>%1与%2的 INS 轴不同</translation>
+    </message>
+    <message>
+        <source>%1 and %2 contradict each other: %3 differs by %4 %5, %6 times the sigma of both together. At least one of them claims too much; look at its residuals, its clock and its nominal mounting.</source>
+        <translation>%1与%2互相矛盾：%3相差 %4 %5，为两者合成标准差的 %6 倍。其中至少有一个标称精度过高；请检查它的残差、时钟和名义安装。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 agree within what they claim: at most, %3 differs by %4 %5, %6 times the sigma of both together.</source>
+        <translation>%1与%2在标称精度内一致：差别最大的%3相差 %4 %5，为两者合成标准差的 %6 倍。</translation>
+    </message>
+    <message>
+        <source>%1 and %2 observe no component in common.</source>
+        <translation>%1与%2没有共同可观测的分量。</translation>
+    </message>
+    <message>
+        <source>LiDAR odometry</source>
+        <translation>激光雷达里程计</translation>
+    </message>
+    <message>
+        <source>odometry</source>
+        <translation>里程计</translation>
+    </message>
+    <message>
+        <source>aligning trajectories</source>
+        <translation>对齐轨迹</translation>
+    </message>
+    <message>
+        <source>solving every session alone</source>
+        <translation>逐份数据单独求解</translation>
+    </message>
+    <message>
+        <source>integrating wheels and IMU</source>
+        <translation>对轮速和 IMU 积分</translation>
+    </message>
+    <message>
+        <source>integrating wheels and yaw rate</source>
+        <translation>对轮速和偏航角速度积分</translation>
+    </message>
+    <message>
+        <source>solving vehicle frame</source>
+        <translation>求解车体坐标系</translation>
+    </message>
+    <message>
+        <source>comparing integrations</source>
+        <translation>比较各种积分</translation>
+    </message>
+    <message>
+        <source>reading the ground</source>
+        <translation>读取地面</translation>
+    </message>
+    <message>
+        <source>reading the arm</source>
+        <translation>读取臂</translation>
+    </message>
+    <message>
+        <source>aligning the turn</source>
+        <translation>配准回转</translation>
+    </message>
+    <message>
+        <source>fitting planes and circle</source>
+        <translation>拟合平面和圆</translation>
+    </message>
+    <message>
+        <source>lever arm x</source>
+        <translation>杆臂 x</translation>
+    </message>
+    <message>
+        <source>lever arm y</source>
+        <translation>杆臂 y</translation>
+    </message>
+    <message>
+        <source>lever arm z</source>
+        <translation>杆臂 z</translation>
+    </message>
+    <message>
+        <source>odometry yaw</source>
+        <translation>里程计偏航</translation>
+    </message>
+    <message>
+        <source>odometry pitch</source>
+        <translation>里程计俯仰</translation>
+    </message>
+    <message>
+        <source>odometry roll</source>
+        <translation>里程计横滚</translation>
+    </message>
+    <message>
+        <source>odometry scale</source>
+        <translation>里程计尺度</translation>
+    </message>
+    <message>
+        <source>odometry scale %1</source>
+        <translation>里程计尺度 %1</translation>
+    </message>
+    <message>
+        <source>distance driven</source>
+        <translation>行驶距离</translation>
+    </message>
+    <message>
+        <source>distance driven, %1</source>
+        <translation>行驶距离，%1</translation>
+    </message>
+    <message>
+        <source>gyroscope bias per s, roll</source>
+        <translation>陀螺零偏（每秒），横滚</translation>
+    </message>
+    <message>
+        <source>gyroscope bias per s, pitch</source>
+        <translation>陀螺零偏（每秒），俯仰</translation>
+    </message>
+    <message>
+        <source>gyroscope bias per s, yaw</source>
+        <translation>陀螺零偏（每秒），偏航</translation>
+    </message>
+    <message>
+        <source>gyroscope bias per s, roll, %1</source>
+        <translation>陀螺零偏（每秒），横滚，%1</translation>
+    </message>
+    <message>
+        <source>gyroscope bias per s, pitch, %1</source>
+        <translation>陀螺零偏（每秒），俯仰，%1</translation>
+    </message>
+    <message>
+        <source>gyroscope bias per s, yaw, %1</source>
+        <translation>陀螺零偏（每秒），偏航，%1</translation>
+    </message>
+    <message>
+        <source>wheel speed scale</source>
+        <translation>轮速尺度</translation>
+    </message>
+    <message>
+        <source>wheel speed scale, %1</source>
+        <translation>轮速尺度，%1</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>尺度</translation>
+    </message>
+    <message>
+        <source>wheel scale</source>
+        <translation>轮速尺度</translation>
+    </message>
+    <message>
+        <source>imu yaw</source>
+        <translation>IMU 偏航</translation>
+    </message>
+    <message>
+        <source>imu pitch</source>
+        <translation>IMU 俯仰</translation>
+    </message>
+    <message>
+        <source>imu roll</source>
+        <translation>IMU 横滚</translation>
+    </message>
+    <message>
+        <source>gyro bias x</source>
+        <translation>陀螺零偏 x</translation>
+    </message>
+    <message>
+        <source>gyro bias y</source>
+        <translation>陀螺零偏 y</translation>
+    </message>
+    <message>
+        <source>gyro bias z</source>
+        <translation>陀螺零偏 z</translation>
+    </message>
+    <message>
+        <source>track width</source>
+        <translation>轮距</translation>
+    </message>
+    <message>
+        <source>rotation equation singular value %1</source>
+        <translation>旋转方程的奇异值 %1</translation>
+    </message>
+    <message>
+        <source>yaw rate bias</source>
+        <translation>偏航角速度零偏</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>end error</source>
+        <translation>终点误差</translation>
+    </message>
+    <message>
+        <source>end error as measured</source>
+        <translation>未修正的终点误差</translation>
+    </message>
+    <message>
+        <source>slew centre x</source>
+        <translation>回转中心 x</translation>
+    </message>
+    <message>
+        <source>slew centre y</source>
+        <translation>回转中心 y</translation>
+    </message>
+    <message>
+        <source>slew centre z</source>
+        <translation>回转中心 z</translation>
+    </message>
+    <message>
+        <source>slew radius</source>
+        <translation>回转半径</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>弧度范围</translation>
+    </message>
+    <message>
+        <source>circle residual</source>
+        <translation>圆的残差</translation>
+    </message>
+    <message>
+        <source>turn plane residual</source>
+        <translation>回转平面的残差</translation>
+    </message>
+    <message>
+        <source>ground residual</source>
+        <translation>地面的残差</translation>
+    </message>
+    <message>
+        <source>angle between ground and turn</source>
+        <translation>地面与回转平面的夹角</translation>
+    </message>
+    <message>
+        <source>arm residual</source>
+        <translation>臂的残差</translation>
+    </message>
+    <message>
+        <source>angle between arm and first plane</source>
+        <translation>臂与第一平面的夹角</translation>
+    </message>
+    <message>
+        <source>Angles of X while data arrived</source>
+        <translation>数据到达过程中 X 的角度</translation>
+    </message>
+    <message>
+        <source>Translation of X while data arrived</source>
+        <translation>数据到达过程中 X 的平移</translation>
+    </message>
+    <message>
+        <source>Trajectory before and after</source>
+        <translation>对齐前后的轨迹</translation>
+    </message>
+    <message>
+        <source>Trajectory before and after, session %1</source>
+        <translation>对齐前后的轨迹，数据 %1</translation>
+    </message>
+    <message>
+        <source>GNSS fixes</source>
+        <translation>GNSS 定位</translation>
+    </message>
+    <message>
+        <source>INS</source>
+        <translation>INS</translation>
+    </message>
+    <message>
+        <source>3 sigma of fixes</source>
+        <translation>定位的 3 倍标准差</translation>
+    </message>
+    <message>
+        <source>LiDAR odometry, laid at the start</source>
+        <translation>激光雷达里程计，置于起点</translation>
+    </message>
+    <message>
+        <source>aligned</source>
+        <translation>已对齐</translation>
+    </message>
+    <message>
+        <source>east (m)</source>
+        <translation>东（米）</translation>
+    </message>
+    <message>
+        <source>north (m)</source>
+        <translation>北（米）</translation>
+    </message>
+    <message>
+        <source>time (s)</source>
+        <translation>时间（秒）</translation>
+    </message>
+    <message>
+        <source>Odometry from above</source>
+        <translation>里程计俯视图</translation>
+    </message>
+    <message>
+        <source>Odometry from above: %1</source>
+        <translation>里程计俯视图：%1</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>Height: %1</source>
+        <translation>高度：%1</translation>
+    </message>
+    <message>
+        <source>Pitch and roll</source>
+        <translation>俯仰和横滚</translation>
+    </message>
+    <message>
+        <source>Pitch and roll: %1</source>
+        <translation>俯仰和横滚：%1</translation>
+    </message>
+    <message>
+        <source>Scan to map</source>
+        <translation>扫描到地图</translation>
+    </message>
+    <message>
+        <source>Scan to map: %1</source>
+        <translation>扫描到地图：%1</translation>
+    </message>
+    <message>
+        <source>forward from the start [m]</source>
+        <translation>自起点向前 [米]</translation>
+    </message>
+    <message>
+        <source>left of it [m]</source>
+        <translation>向左 [米]</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>时间 [秒]</translation>
+    </message>
+    <message>
+        <source>height above the start [m]</source>
+        <translation>高于起点 [米]</translation>
+    </message>
+    <message>
+        <source>angle [deg]</source>
+        <translation>角度 [度]</translation>
+    </message>
+    <message>
+        <source>median distance of features [m]</source>
+        <translation>特征距离的中位数 [米]</translation>
+    </message>
+    <message>
+        <source>height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Trajectory of the vehicle by three integrations</source>
+        <translation>三种积分得到的车辆轨迹</translation>
+    </message>
+    <message>
+        <source>Height along the way</source>
+        <translation>沿途高度</translation>
+    </message>
+    <message>
+        <source>Distance from the sensor&apos;s trajectory</source>
+        <translation>与传感器轨迹的距离</translation>
+    </message>
+    <message>
+        <source>x (m)</source>
+        <translation>x（米）</translation>
+    </message>
+    <message>
+        <source>y (m)</source>
+        <translation>y（米）</translation>
+    </message>
+    <message>
+        <source>z (m)</source>
+        <translation>z（米）</translation>
+    </message>
+    <message>
+        <source>way (m)</source>
+        <translation>路程（米）</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>闭式</translation>
+    </message>
+    <message>
+        <source>Euler</source>
+        <translation>欧拉</translation>
+    </message>
+    <message>
+        <source>planar</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>sensor, brought to the vehicle</source>
+        <translation>传感器，换算到车体</translation>
+    </message>
+    <message>
+        <source>Trajectory by wheels and yaw rate</source>
+        <translation>轮速和偏航角速度得到的轨迹</translation>
+    </message>
+    <message>
+        <source>bias and scale taken out</source>
+        <translation>扣除零偏和尺度误差</translation>
+    </message>
+    <message>
+        <source>as measured</source>
+        <translation>未修正</translation>
+    </message>
+    <message>
+        <source>positions</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Turn of the LiDAR about the slew axis</source>
+        <translation>激光雷达绕回转轴的转动</translation>
+    </message>
+    <message>
+        <source>Distance from the fitted circle</source>
+        <translation>与拟合圆的距离</translation>
+    </message>
+    <message>
+        <source>slew angle (deg)</source>
+        <translation>回转角（度）</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>毫米</translation>
+    </message>
+    <message>
+        <source>LiDAR</source>
+        <translation>激光雷达</translation>
+    </message>
+    <message>
+        <source>fitted circle</source>
+        <translation>拟合圆</translation>
+    </message>
+    <message>
+        <source>slew axis</source>
+        <translation>回转轴</translation>
+    </message>
+    <message>
+        <source>from the circle</source>
+        <translation>离圆的距离</translation>
+    </message>
+    <message>
+        <source>from its plane</source>
+        <translation>离圆平面的距离</translation>
+    </message>
+    <message>
+        <source>there is no session to calibrate</source>
+        <translation>没有可标定的数据</translation>
+    </message>
+    <message>
+        <source>has no scans; the multi-sensor odometry needs them</source>
+        <translation>没有扫描；多传感器里程计需要扫描</translation>
+    </message>
+    <message>
+        <source>the session has neither scans nor LiDAR poses</source>
+        <translation>数据中既没有扫描也没有激光雷达位姿</translation>
+    </message>
+    <message>
+        <source>the session has neither an INS nor GNSS fixes to align the trajectory of the LiDAR with</source>
+        <translation>数据中既没有 INS 也没有 GNSS 定位，无法对齐激光雷达的轨迹</translation>
+    </message>
+    <message>
+        <source>has no wheel speeds: the vehicle&apos;s frame is that of its wheels. Record them, or choose another method</source>
+        <translation>没有轮速：车体坐标系由车轮确定。请记录轮速，或选择其他方法</translation>
+    </message>
+    <message>
+        <source>has neither scans nor poses of the sensor</source>
+        <translation>既没有扫描也没有传感器位姿</translation>
+    </message>
+    <message>
+        <source>has neither an IMU nor an INS: nothing tells how it turns</source>
+        <translation>既没有 IMU 也没有 INS：无从得知如何转动</translation>
+    </message>
+    <message>
+        <source>there is no recording of the turn with scans or LiDAR poses</source>
+        <translation>没有带扫描或激光雷达位姿的回转记录</translation>
+    </message>
+    <message>
+        <source>is %1, but there are %2 sessions</source>
+        <translation>为 %1，但共有 %2 份数据</translation>
+    </message>
+    <message>
+        <source>is not one of: %1</source>
+        <translation>不属于：%1</translation>
+    </message>
+    <message>
+        <source>the scale of the sensor and that of the wheels cannot both be estimated: one of them says what a metre is</source>
+        <translation>传感器的尺度和车轮的尺度不能同时估计：其中之一须给出米的长度</translation>
+    </message>
+    <message>
+        <source>the stamps of scans must ascend</source>
+        <translation>扫描的时间戳必须递增</translation>
+    </message>
+    <message>
+        <source>a scan is not later than the one before</source>
+        <translation>有一次扫描不晚于前一次</translation>
+    </message>
+    <message>
+        <source>epochs must ascend in time</source>
+        <translation>各时刻必须递增</translation>
+    </message>
+    <message>
+        <source>was not opened</source>
+        <translation>未能打开</translation>
+    </message>
+    <message>
+        <source>Edge of the voxels that thin scans and map.</source>
+        <translation>抽稀扫描和地图的体素边长。</translation>
+    </message>
+    <message>
+        <source>A scan joins the local map this far from the last one that did.</source>
+        <translation>与上一次加入的扫描相距这么远时，扫描加入局部地图。</translation>
+    </message>
+    <message>
+        <source>A scan joins the local map where the LiDAR has turned this far.</source>
+        <translation>激光雷达转过这一角度时，扫描加入局部地图。</translation>
+    </message>
+    <message>
+        <source>Scans in the local map.</source>
+        <translation>局部地图中的扫描数。</translation>
+    </message>
+    <message>
+        <source>Time between two poses of the trajectory that is aligned with the INS.</source>
+        <translation>与 INS 对齐的轨迹上两个位姿的时间间隔。</translation>
+    </message>
+    <message>
+        <source>Error of one step of LiDAR poses that do not state theirs.</source>
+        <translation>激光雷达位姿未说明误差时，每一步的误差。</translation>
+    </message>
+    <message>
+        <source>Error of the LiDAR&apos;s motion that grows with the distance of a step.</source>
+        <translation>激光雷达运动中随步长距离增大的误差。</translation>
+    </message>
+    <message>
+        <source>Error of the LiDAR&apos;s heading that grows with the distance of a step.</source>
+        <translation>激光雷达航向中随步长距离增大的误差。</translation>
+    </message>
+    <message>
+        <source>By how much all distances of the LiDAR&apos;s motion may be wrong alike.</source>
+        <translation>激光雷达运动的全部距离可能有的共同比例误差。</translation>
+    </message>
+    <message>
+        <source>How far the GNSS antenna may be from the LiDAR where nothing else is known.</source>
+        <translation>没有其他信息时，GNSS 天线可能离激光雷达多远。</translation>
+    </message>
+    <message>
+        <source>Measurements farther off than this lose their weight.</source>
+        <translation>偏离更多的测量值失去权重。</translation>
+    </message>
+    <message>
+        <source>Time between two answers while data arrive.</source>
+        <translation>数据到达期间两次结果之间的时间。</translation>
+    </message>
+    <message>
+        <source>Sigma below which a translation counts as converged.</source>
+        <translation>标准差低于此值时平移视为已收敛。</translation>
+    </message>
+    <message>
+        <source>Sigma below which an angle counts as converged.</source>
+        <translation>标准差低于此值时角度视为已收敛。</translation>
+    </message>
+    <message>
+        <source>Solved for the lever arm of the antenna; positions alone do not show the LiDAR&apos;s attitude.</source>
+        <translation>已求出天线的杆臂；仅有位置不能反映激光雷达的姿态。</translation>
+    </message>
+    <message>
+        <source>Solved for the lever arm of the antenna, of which is not observed: %1; positions alone do not show the LiDAR&apos;s attitude.</source>
+        <translation>已求出天线的杆臂，其中不可观测：%1；仅有位置不能反映激光雷达的姿态。</translation>
+    </message>
+    <message>
+        <source>The trajectories could not be aligned.</source>
+        <translation>轨迹无法对齐。</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -4336,6 +6067,10 @@ Calibrate again (F5).</source>
     <message>
         <source>see Quality</source>
         <translation>查看“质量”</translation>
+    </message>
+    <message>
+        <source>not needed</source>
+        <translation>不需要</translation>
     </message>
 </context>
 <context>
@@ -4681,6 +6416,18 @@ Then calibrate: F5.</source>
     <message>
         <source>dot: start</source>
         <translation>圆点：起点</translation>
+    </message>
+    <message>
+        <source>LiDAR in the reference frame</source>
+        <translation>激光雷达在参考坐标系中</translation>
+    </message>
+    <message>
+        <source>R = Rz(yaw) Ry(pitch) Rx(roll); X takes points of the LiDAR to the reference frame.</source>
+        <translation>R = Rz(yaw) Ry(pitch) Rx(roll)；X 把激光雷达的点变换到参考坐标系。</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
     </message>
 </context>
 </TS>

@@ -24,6 +24,7 @@
 #include <set>
 
 #include "app/gui/window_host.h"
+#include "model/methods/calibration_method.h"
 #include "model/settings.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/forms/option_access.h"
@@ -129,11 +130,41 @@ TEST_F(chinese, sentences_of_the_model_are_recognised_by_pattern) {
             "Solved; all six parameters are observed.");
 }
 
+TEST_F(chinese, sentences_of_the_methods_are_recognised_whatever_they_are_about) {
+  EXPECT_EQ(model_text(QStringLiteral("Solved, but not everything is observed: z, roll.")),
+            "已求解，但并非全部可观测：z、横滚。")
+      << "a list is translated item by item";
+  EXPECT_EQ(model_text(QStringLiteral("The LiDAR runs on a circle of 0.123 m radius with residuals of 0.045 m: it sits "
+                                      "too near the slew axis for its circle to have a plane.")),
+            "激光雷达沿半径 0.123 米的圆运动，残差 0.045 米：它离回转轴太近，其圆无法确定平面。")
+      << "\"%1 with %2\" fits it too, and says less";
+  EXPECT_EQ(model_text(QStringLiteral("drive1 and drive2 agree within what they claim: at most, z differs by 0.0123 m, "
+                                      "1.2 times the sigma of both together.")),
+            "drive1与drive2在标称精度内一致：差别最大的z相差 0.0123 米，为两者合成标准差的 1.2 倍。");
+  EXPECT_EQ(model_text(QStringLiteral("something, and something else")), "something, and something else");
+}
+
+TEST_F(chinese, plots_speak_it_with_the_names_of_sessions_as_they_are) {
+  EXPECT_EQ(drawn_text("plot", "Height: drive1"), "高度：drive1");
+  EXPECT_EQ(drawn_text("plot", "time (s)"), "时间（秒）");
+  EXPECT_EQ(drawn_text("plot", "drive1"), "drive1");
+  EXPECT_EQ(drawn_text("report", "Method"), "方法");
+}
+
+TEST(languages, every_method_is_named_and_says_what_it_needs) {
+  std::set<QString> known;
+  for (const char* phrase : model_phrases()) known.insert(QString::fromUtf8(phrase));
+  for (const CalibrationMethod& method : calibration_methods())
+    for (const std::string_view text : {method.title, method.needs})
+      EXPECT_TRUE(known.contains(QString::fromStdString(std::string(text))))
+          << "add to widgets/method_phrases.cpp: " << text;
+}
+
 TEST(languages, every_option_is_named_and_explained) {
   std::set<QString> known;
   for (const char* phrase : model_phrases()) known.insert(QString::fromUtf8(phrase));
   for (const OptionField& field : option_fields(Settings{})) {
-    EXPECT_TRUE(known.contains(field.help)) << "add to widgets/model_phrases.cpp: " << field.help.toStdString();
+    EXPECT_TRUE(known.contains(field.help)) << "add to widgets/*_phrases.cpp: " << field.help.toStdString();
     EXPECT_TRUE(known.contains(option_label(field))) << "likewise: " << option_label(field).toStdString();
   }
 }

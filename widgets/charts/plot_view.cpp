@@ -1,21 +1,17 @@
 #include "widgets/charts/plot_view.h"
 
-#include <QCoreApplication>
 #include <QPaintEvent>
 #include <QPainter>
 #include <algorithm>
 
 #include "model/report/plot_chart.h"
 #include "widgets/charts/paint_drawing.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 namespace {
 
 constexpr double kWidest = 1.5;  // larger, a line of a thousand points shows nothing more
-
-std::string in_language(const char* context, const char* english) {
-  return QCoreApplication::translate(context, english).toStdString();
-}
 
 }  // namespace
 
@@ -30,7 +26,7 @@ void PlotView::show_plots(const std::vector<Plot>& plots) {
   drawings_.clear();
   QStringList titles;
   for (const Plot& plot : plots) {
-    drawings_.push_back(plot_chart(plot, in_language));
+    drawings_.push_back(plot_chart(plot, drawn_text));
     titles << QString::fromStdString(drawings_.back().description);
   }
   setAccessibleDescription(titles.join('\n'));

@@ -1,6 +1,5 @@
 #include "widgets/panels/method_view.h"
 
-#include <QCoreApplication>
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
@@ -41,13 +40,10 @@ void MethodView::show_message(const QString& text) {
 void MethodView::show_method(const QString& title, const std::vector<NamedQuantity>& quantities,
                              const std::vector<Plot>& plots) {
   title_->setText(title);
-  const Phrases phrases = [](const char* context, const char* english) {
-    return QCoreApplication::translate(context, english).toStdString();
-  };
   std::vector<std::vector<TableCell>> rows;
   for (const NamedQuantity& quantity : quantities)
     rows.push_back({{model_text(quantity.name), {}, Verdict::Neutral},
-                    {QString::fromStdString(quantity_text(quantity, phrases)), tr("± 1 sigma"),
+                    {QString::fromStdString(quantity_text(quantity, drawn_text)), tr("± 1 sigma"),
                      quantity.observed ? Verdict::Neutral : Verdict::Doubtful}});
   quantities_->show_rows({tr("Also determined"), tr("Value")}, rows);
   quantities_->setVisible(!rows.empty());
