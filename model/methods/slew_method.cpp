@@ -3,6 +3,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "algorithms/calibration/slew.h"
 #include "algorithms/calibration/slew_turn.h"
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/vehicle_frame.h"
 #include "algorithms/core/error.h"
 #include "algorithms/odometry/lidar_odometry.h"
 #include "algorithms/trajectory/motion_track.h"
