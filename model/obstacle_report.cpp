@@ -25,7 +25,7 @@ ObstacleComparison compare_obstacles_of_scan(const std::shared_ptr<const Session
                                              const RigidTransform& calibrated_ins_from_lidar, const Settings& settings,
                                              const ObstacleOptions& options) {
   if (!session->scans)
-    throw Error(ErrorCode::Contract, session->name, "holds LiDAR poses and no scans: no obstacles can be found");
+    throw Error(ErrorCode::Unsupported, session->name, "holds LiDAR poses and no scans: no obstacles can be found");
   if (scan >= session->scans->size())
     throw Error(
         ErrorCode::Contract, session->name,

@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "app/cli/verbs.h"
 #include "model/display_units.h"
@@ -36,33 +37,43 @@ std::string table(const std::vector<NamedResult>& results) {
   return text;
 }
 
+/// By the names of their files, or by their paths where two files have the same name.
 std::vector<NamedResult> load_all(const std::vector<std::string>& paths) {
   std::vector<NamedResult> results;
+  std::set<std::string> stems;
+  for (const std::string& path : paths) stems.insert(std::filesystem::path(path).stem().string());
   for (const std::string& path : paths)
-    results.push_back({std::filesystem::path(path).stem().string(), load_result(path)});
+    results.push_back(
+        {stems.size() == paths.size() ? std::filesystem::path(path).stem().string() : path, load_result(path)});
   return results;
 }
 
 int compare(const std::vector<std::string>& paths, Console& console) {
   const std::vector<NamedResult> results = load_all(paths);
   console.print(table(results));
-  bool contradict = false;
+  bool agree = true;
   for (const ComparedResults& pair : compare_results(results)) {
-    if (pair.contradict)
+    const bool compared = largest_difference(pair.difference).has_value();
+    if (pair.contradict || !compared)
       console.complain("warning: " + pair.words);
     else
       console.print(pair.words);
-    contradict |= pair.contradict;
+    agree = agree && compared && !pair.contradict;
   }
-  return contradict ? kNoResult : kSolved;
+  char limit[96];
+  std::snprintf(limit, sizeof(limit), "contradiction: more than %.1f times the sigma of both together", kDiffer_sigma);
+  console.print(limit);
+  return agree ? kSolved : kNoResult;
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, Console& console, Run& run) {
   const auto results = std::make_shared<std::vector<std::string>>();
-  CLI::App* verb = app.add_subcommand(
-      "compare", "Set results of one vehicle side by side; ends with 3 where they differ by more than they claim");
+  CLI::App* verb =
+      app.add_subcommand("compare",
+                         "Set results of one vehicle side by side; ends with 3 where two differ by more than 3.5 "
+                         "sigma of both together, or cannot be compared");
   verb->add_option("results", *results, "Result files (.yaml or .json)")
       ->type_name("RESULT")
       ->required()

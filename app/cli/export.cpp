@@ -26,6 +26,7 @@ int export_result(const ExportArguments& arguments, Console& console) {
   std::error_code none;
   if (!arguments.output.empty() && std::filesystem::equivalent(arguments.result, arguments.output, none))
     throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which an export must not replace");
+  if (!arguments.output.empty()) check_replaces_export(arguments.output, format);
   const std::string text = format.write(result, arguments.names);
   if (arguments.output.empty()) {
     // What was asked for, not chatter: --quiet does not silence it.

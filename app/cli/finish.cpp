@@ -21,7 +21,6 @@ int finish(const ResultFile& file, const std::string& output, Console& console) 
                                  : "result: " + output);
   if (is_usable(file.result)) return kSolved;
   console.complain("no usable result (" + std::string(to_string(file.result.status)) + "): " + file.result.message);
-  for (const std::string& advice : file.result.advice) console.complain("advice: " + advice);
   return kNoResult;
 }
 

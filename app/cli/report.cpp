@@ -19,6 +19,10 @@ struct ReportArguments {
 };
 
 int write_report(const ReportArguments& arguments, Console& console) {
+  const std::string ending = std::filesystem::path(arguments.output).extension().string();
+  if (ending != ".html" && ending != ".htm")
+    throw Error(ErrorCode::Contract, arguments.output,
+                "a report is a page: its name must end in .html (PDF: the window)");
   Report report;
   report.file = load_result(arguments.result);
   std::error_code none;

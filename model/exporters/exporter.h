@@ -46,6 +46,10 @@ const std::vector<std::unique_ptr<Exporter>>& exporters();
 /// Throws Error(Contract) that lists the known ids where there is none of that name.
 const Exporter& exporter(std::string_view id);
 
+/// A slip of the hand must not cost a recording or a calibration: throws Error(Contract) where `path` is a file that
+/// holds something and is no export in this format.
+void check_replaces_export(const std::filesystem::path& path, const Exporter& format);
+
 /// Sentences that a user must read before using an export: the status, and each parameter that is not observed and
 /// therefore holds the nominal value, not a measurement. Empty for a result that is observed in full.
 std::vector<std::string> export_warnings(const CalibrationResult& result);

@@ -37,6 +37,22 @@ const Exporter& exporter(std::string_view id) {
   throw Error(ErrorCode::Contract, "", "there is no export format \"" + std::string(id) + "\"; known are " + known);
 }
 
+void check_replaces_export(const std::filesystem::path& path, const Exporter& format) {
+  constexpr std::size_t kLongest = std::size_t{1} << 20;  // longer, it is no export
+  if (!is_file(path)) return;
+  const std::string text = read_file_head(path, kLongest);
+  if (text.empty()) return;
+  try {
+    format.read(text, path.string());
+    if (text.find("remount-result/") == std::string::npos) return;
+  } catch (const Error&) {
+    // No file of this format: refused below.
+  }
+  throw Error(ErrorCode::Contract, path.string(),
+              "is there and is no export in the format " + std::string(format.id()) +
+                  ": name another file, or remove it first");
+}
+
 std::vector<std::string> export_warnings(const CalibrationResult& result) {
   std::vector<std::string> warnings;
   if (!is_usable(result))

@@ -86,6 +86,10 @@ class ApolloExporter final : public Exporter {
       throw Error(ErrorCode::Contract, "apollo-rfu",
                   "the INS axes of this result are x right, y forward, z up already and must not be turned again: "
                   "export it as apollo");
+    if (right_forward_up_ && !result.ins_axes)
+      throw Error(ErrorCode::Contract, "apollo-rfu",
+                  "the result does not say which axes its INS has, so that they cannot be turned: export it as apollo, "
+                  "which leaves them as they are");
     const RigidTransform x = axes_from_ins_ * result.result.ins_from_lidar;
     const Eigen::Quaterniond q = canonical_quaternion(x.linear());
     DocumentNode root = DocumentNode::map();

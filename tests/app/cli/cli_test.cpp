@@ -244,6 +244,11 @@ TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {
   const Outcome text = run("export " + path("r.yaml") + " --to kitti");
   EXPECT_EQ(text.out, text_of(path("export_kitti")));
   EXPECT_EQ(run("export " + path("r.yaml") + " --to nothing").code, 1);
+  const std::string table = path("drive/ins.csv"), before = text_of(table);
+  const Outcome slip = run("export " + path("r.yaml") + " --to matrix -o " + table);
+  EXPECT_EQ(slip.code, 1) << slip.out;
+  EXPECT_NE(slip.err.find("is no export"), std::string::npos) << slip.err;
+  EXPECT_TRUE(text_of(table) == before) << "the recording is as it was";
 
   const Outcome obstacles =
       run("obstacles " + path("drive") + " --scan 2 --result " + path("r.yaml") + " --nominal 1.2,-0.3,0.8,0,0,0");

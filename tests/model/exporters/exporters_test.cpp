@@ -20,6 +20,7 @@ ResultFile result_with(const RigidTransform& ins_from_lidar) {
   file.result.observed.fill(true);
   file.result.covariance = Matrix6d::Identity() * 1e-6;
   file.result.ins_from_lidar = ins_from_lidar;
+  file.ins_axes = InsAxes::ForwardLeftUp;
   return file;
 }
 
@@ -114,6 +115,25 @@ TEST(exporters, apollo_rfu_refuses_axes_that_are_apollos_already) {
   EXPECT_NE(exporter("apollo").write(file, {}).find("    y: 1\n"), std::string::npos);
   file.ins_axes = InsAxes::ForwardLeftUp;
   EXPECT_FALSE(exporter("apollo-rfu").write(file, {}).empty());
+  file.ins_axes.reset();
+  EXPECT_THROW(exporter("apollo-rfu").write(file, {}), Error) << "nobody knows how they would have to be turned";
+}
+
+TEST(exporters, replace_an_export_of_their_format_and_nothing_else) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("export" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const ResultFile result = result_with(rigid_from_six({1, 2, 3, 0.1, 0.2, 0.3}));
+  save_result(result, folder / "result.yaml");
+  std::ofstream(folder / "ins.csv") << "time_ns,latitude_deg\n1,2\n";
+  for (const auto& format : exporters()) {
+    const std::filesystem::path own = folder / std::string(format->id());
+    EXPECT_NO_THROW(check_replaces_export(own, *format)) << "there is no such file yet";
+    std::ofstream(own) << format->write(result, {});
+    EXPECT_NO_THROW(check_replaces_export(own, *format)) << format->id();
+    for (const char* other : {"result.yaml", "ins.csv"})
+      EXPECT_THROW(check_replaces_export(folder / other, *format), Error) << format->id() << " over " << other;
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(exporters, published_calibrations_are_read) {
