@@ -60,6 +60,8 @@ struct Session {
   std::vector<InsSample> ins;  ///< ascending stamps; empty where world_from_ins is given
   std::vector<StampedPose> world_from_ins;
   std::vector<StampedPose> odometry_from_lidar;
+  /// Stamps of the poses among these whose motion since the pose before is a guess; ascending. No pair spans one.
+  std::vector<std::int64_t> odometry_breaks_ns;
   std::shared_ptr<const ScanSource> scans;  ///< null where odometry_from_lidar is given
   // What other methods than the pairwise one live on; each ascending in time, empty where the drive has none.
   std::vector<ImuSample> imu;

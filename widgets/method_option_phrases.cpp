@@ -105,6 +105,8 @@ const std::vector<const char*>& method_option_phrases() {
           "remount::model",
           "Added to that for each m/s2 by which the vehicle accelerates, what is known of that taken off."),
       QT_TRANSLATE_NOOP("remount::model", "1-sigma of the height of the barometer."),
+      QT_TRANSLATE_NOOP("remount::model", "1-sigma of the part of their error that stays over the drive."),
+      QT_TRANSLATE_NOOP("remount::model", "1-sigma of the part of its error that stays: weather, and the start's."),
       QT_TRANSLATE_NOOP("remount::model", "Compensate the motion within a scan by the predicted motion."),
       QT_TRANSLATE_NOOP("remount::model", "A scan enters the map that moved this far since the last one, or turned."),
       QT_TRANSLATE_NOOP("remount::model", "A scan enters the map that turned this much since the last one, or moved."),

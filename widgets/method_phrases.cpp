@@ -16,9 +16,7 @@ const std::vector<const char*>& method_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "scans or LiDAR poses, and an INS with attitude"),
       QT_TRANSLATE_NOOP("remount::model", "scans or LiDAR poses, and an INS or GNSS fixes"),
       QT_TRANSLATE_NOOP("remount::model", "wheel speeds, an IMU or INS, and scans or poses of the sensor"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "scans; wheel speeds, IMU and barometer where it has them; a nominal mounting for those; an "
-                        "INS with attitude"),
+      QT_TRANSLATE_NOOP("remount::model", "scans, and an INS with attitude"),
       QT_TRANSLATE_NOOP("remount::model", "three recordings of a LiDAR: ground, swept arm, full turn"),
       // results, advice, findings, comparisons, stages; words within them
       QT_TRANSLATE_NOOP("remount::model", ", "),
@@ -67,6 +65,24 @@ const std::vector<const char*>& method_phrases() {
                         "The format does not say whether its scans are compensated for motion: the odometry uses them "
                         "as they are. Set run.deskew=on to compensate them."),
       QT_TRANSLATE_NOOP("remount::model", "%1 Its pose is the prediction of the odometry."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 of %2 scans have points whose times are not finite or more than 5 s from the stamp: they "
+                        "are used without compensation of motion."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The session has %1, but no scan could use them. Check that their stamps are on the scans' "
+                        "clock and their samples less than 0.25 s apart."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "fusion.ins_x_m to fusion.ins_roll_deg are all zero: the INS is taken to sit on the ground under the rear "
+          "axle. Set where it sits, or the wheels pull the odometry the wrong way in turns."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The scans did not fit the map any more, as after a gap: %1 times it was begun anew at the "
+                        "predicted pose, and poses before and after do not fit together."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 of %2 scans do not tell of every direction of the motion; no pair spans them. Drive where "
+                        "there is more to see."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The session has no INS with attitude: its odometry takes no part in the calibration."),
       QT_TRANSLATE_NOOP("remount::model", "The session has no %1: the odometry does without."),
       QT_TRANSLATE_NOOP("remount::model", "wheel speeds"),
       QT_TRANSLATE_NOOP("remount::model", "angular rates"),
@@ -266,12 +282,12 @@ const std::vector<const char*>& method_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Pitch and roll: %1"),
       QT_TRANSLATE_NOOP("remount::model", "Scan to map"),
       QT_TRANSLATE_NOOP("remount::model", "Scan to map: %1"),
-      QT_TRANSLATE_NOOP("remount::model", "forward from the start [m]"),
-      QT_TRANSLATE_NOOP("remount::model", "left of it [m]"),
+      QT_TRANSLATE_NOOP("remount::model", "x of the lidar at the start [m]"),
+      QT_TRANSLATE_NOOP("remount::model", "y of the lidar at the start [m]"),
       QT_TRANSLATE_NOOP("remount::model", "time [s]"),
-      QT_TRANSLATE_NOOP("remount::model", "height above the start [m]"),
+      QT_TRANSLATE_NOOP("remount::model", "z of the lidar at the start [m]"),
       QT_TRANSLATE_NOOP("remount::model", "angle [deg]"),
-      QT_TRANSLATE_NOOP("remount::model", "median distance of features [m]"),
+      QT_TRANSLATE_NOOP("remount::model", "rms distance of features [m]"),
       QT_TRANSLATE_NOOP("remount::model", "height"),
       QT_TRANSLATE_NOOP("remount::model", "residual"),
       QT_TRANSLATE_NOOP("remount::model", "Trajectory of the vehicle by three integrations"),

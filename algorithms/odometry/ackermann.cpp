@@ -67,14 +67,15 @@ std::optional<double> DeadReckoning::speed_mps(std::int64_t stamp_ns) const {
                       [](const WheelSample& sample) { return 0.5 * (sample.rear_left_mps + sample.rear_right_mps); });
 }
 
-std::optional<Eigen::Vector3d> DeadReckoning::rate_radps(std::int64_t stamp_ns) const {
-  if (has_gyro())
-    return interpolated(imu_, stamp_ns, [](const ImuSample& sample) { return sample.angular_rate_radps; });
+std::optional<DeadReckoning::Turning> DeadReckoning::turning(std::int64_t stamp_ns,
+                                                             const DeadReckoningState& state) const {
+  const auto rate = interpolated(imu_, stamp_ns, [](const ImuSample& sample) { return sample.angular_rate_radps; });
+  if (rate) return Turning{*rate - state.gyro_bias_radps, true};
   const auto yaw = interpolated(wheels_, stamp_ns, [this](const WheelSample& sample) {
     return (sample.rear_right_mps - sample.rear_left_mps) / track_width_m_;
   });
   if (!yaw) return std::nullopt;
-  return Eigen::Vector3d(0.0, 0.0, *yaw);
+  return Turning{Eigen::Vector3d(0.0, 0.0, *yaw), false};
 }
 
 std::optional<DeadReckonedPath> DeadReckoning::path(std::int64_t from_ns, std::int64_t to_ns, std::int64_t origin_ns,
@@ -82,8 +83,7 @@ std::optional<DeadReckonedPath> DeadReckoning::path(std::int64_t from_ns, std::i
   if (to_ns < from_ns) return std::nullopt;
   const auto steps = static_cast<std::int64_t>(std::ceil(seconds(to_ns - from_ns) / kStep_s)) + 1;
   if (steps > 100000) return std::nullopt;
-  DeadReckonedPath path{{}, {}, std::numeric_limits<double>::quiet_NaN(), true, true};
-  const Eigen::Vector3d bias = has_gyro() ? state.gyro_bias_radps : Eigen::Vector3d::Zero().eval();
+  DeadReckonedPath path{{}, {}, std::numeric_limits<double>::quiet_NaN(), true, true, true};
   RigidTransform now = RigidTransform::Identity();
   double distance_m = 0.0;
   for (std::int64_t i = 0; i <= steps; ++i) {
@@ -93,12 +93,13 @@ std::optional<DeadReckonedPath> DeadReckoning::path(std::int64_t from_ns, std::i
     if (i == steps) break;
     const std::int64_t next_ns = from_ns + (to_ns - from_ns) * (i + 1) / steps, middle_ns = (stamp_ns + next_ns) / 2;
     const double dt = seconds(next_ns - stamp_ns);
-    const auto rate = rate_radps(middle_ns);
+    const auto rate = turning(middle_ns, state);
     const auto speed = speed_mps(middle_ns);
     path.has_rotation = path.has_rotation && rate.has_value();
+    path.by_gyro = path.by_gyro && rate && rate->by_gyro;
     path.has_speed = path.has_speed && speed.has_value();
     if (!path.has_rotation && !path.has_speed) return std::nullopt;
-    const Eigen::Vector3d turn = rate ? Eigen::Vector3d((*rate - bias) * dt) : Eigen::Vector3d::Zero();
+    const Eigen::Vector3d turn = rate ? Eigen::Vector3d(rate->rate_radps * dt) : Eigen::Vector3d::Zero();
     const double step_m = speed ? *speed * state.wheel_scale * dt : 0.0;
     distance_m += step_m;
     now.translation() += now.linear() * so3_left_jacobian(turn).col(0) * step_m;

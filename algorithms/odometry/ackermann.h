@@ -24,6 +24,7 @@ struct DeadReckonedPath {
   RigidTransform at(double time_s) const;          ///< interpolated; held at the ends
   double mean_speed_mps = 0.0;                     ///< NaN without wheels
   bool has_rotation = false, has_speed = false;
+  bool by_gyro = false;  ///< the rotation, all of it; otherwise the wheels' difference had to help out
 };
 
 /// Rear axle and gyroscope of a vehicle: x forward, y left, z up, the origin at the rear axle's centre, which moves
@@ -38,17 +39,21 @@ class DeadReckoning {
   bool has_gyro() const { return !imu_.empty(); }
   bool has_wheels() const { return !wheels_.empty(); }
 
-  /// Integrates from `from_ns` to `to_ns` on the group: R <- R Exp(w dt), p <- p + R J(w dt) v dt, with the left
-  /// Jacobian J, rates linear between samples. Times are told relative to `origin_ns`. Nothing where neither sensor
-  /// covers the stretch, or where samples are more than 0.25 s apart; up to 0.06 s beyond the ends of the data the
-  /// last rate is held.
+  /// Where the gyroscope falls silent the wheels' difference gives the turn. Integrates from `from_ns` to `to_ns` on
+  /// the group: R <- R Exp(w dt), p <- p + R J(w dt) v dt, with the left Jacobian J, rates linear between samples.
+  /// Times are told relative to `origin_ns`. Nothing where neither sensor covers the stretch, or where samples are more
+  /// than 0.25 s apart; up to 0.06 s beyond the ends of the data the last rate is held.
   std::optional<DeadReckonedPath> path(std::int64_t from_ns, std::int64_t to_ns, std::int64_t origin_ns,
                                        const DeadReckoningState& state) const;
 
   /// Speed of the rear axle's centre, m/s; nothing where the wheels do not say.
   std::optional<double> speed_mps(std::int64_t stamp_ns) const;
-  /// Angular rate in vehicle axes with its bias, rad/s: of the gyroscope, or without one of the wheels' difference.
-  std::optional<Eigen::Vector3d> rate_radps(std::int64_t stamp_ns) const;
+  struct Turning {
+    Eigen::Vector3d rate_radps;  ///< vehicle axes, the gyroscope's bias taken off
+    bool by_gyro;
+  };
+  /// Of the gyroscope; where it does not say, of the wheels' difference.
+  std::optional<Turning> turning(std::int64_t stamp_ns, const DeadReckoningState& state) const;
 
   /// Mean rate of the gyroscope, vehicle axes, over a stretch in which the wheels stand still: its bias. Nothing where
   /// they do not, or do not say.

@@ -13,7 +13,9 @@ namespace remount {
 namespace {
 
 constexpr int kMostIterations = 8;
-constexpr int kMostFirstIterations = 20;  // where nothing predicts the motion
+constexpr int kMostFirstIterations = 20;    // where nothing predicts the motion
+constexpr int kLostScans = 3;               // after which the map is given up
+constexpr std::size_t kLeastFeatures = 40;  // fewer tell nothing and push nothing out of the map
 constexpr double kSettled_m = 1e-3, kSettled_rad = 1e-4;
 
 double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
@@ -40,6 +42,8 @@ struct FusionOdometry::Step {
   StepAnchor anchor;
   std::optional<DeadReckonedPath> path;  // over the step
   bool velocity_known = false;
+  std::optional<LevelMeasurement> level;
+  std::optional<HeightTerm> height;
   ScanFeatures features;  // in the vehicle frame
   FusionVector x = FusionVector::Zero();
   FusionInformation information = FusionInformation::Zero();
@@ -54,7 +58,8 @@ FusionOdometry::FusionOdometry(const FusionMounting& mounting, SensorStreams str
       imu_(streams.imu),
       barometer_(std::move(streams.barometer)),
       reckoning_(std::move(streams.imu), std::move(streams.wheels), mounting.vehicle_from_imu, options.track_width_m),
-      threads_(threads) {
+      threads_(threads),
+      common_(options) {
   std::string all;
   for (const std::string& problem : option_problems(options)) all += (all.empty() ? "" : "; ") + problem;
   if (!all.empty()) throw Error(ErrorCode::Contract, "multi-sensor odometry", all);
@@ -84,14 +89,15 @@ void FusionOdometry::start(const OdometryScan& scan, FusedScan& result) {
   if (level) {
     result.odometry_from_vehicle.linear() = rotation_from_yaw_pitch_roll({0.0, level->pitch_rad, level->roll_rad});
     result.levelled = true;
-    sigma[3] = sigma[4] = level->sigma_rad;
+    sigma[3] = level->roll_sigma_rad;
+    sigma[4] = level->pitch_sigma_rad;
+    common_.levelled_at_start();
   }
   sigma.segment<3>(6).setConstant(std::max(degrees_to_radians(options_.gyro_bias_sigma_dps), 1e-8));
   sigma[9] = std::max(options_.wheel_scale_sigma, 1e-8);
   covariance_ = sigma.cwiseAbs2().asDiagonal();
-  result.covariance = covariance_.topLeftCorner<6, 6>();
-  if (options_.barometer) height_offset_m_ = height_at(scan.stamp_ns);
-  result.height_measured = height_offset_m_.has_value();
+  result.covariance = stated_covariance().topLeftCorner<6, 6>();
+  start_height(result);
   ScanFeatures features = features_of(scan, std::nullopt);
   result.line_features = static_cast<int>(features.lines.size());
   result.plane_features = static_cast<int>(features.planes.size());
@@ -115,6 +121,13 @@ FusionOdometry::Step FusionOdometry::predict(std::int64_t stamp_ns, const std::o
     if (step.path->has_speed) before_from_after.translation() = end.translation();
   }
   step.anchor.predicted = step.anchor.before * before_from_after;
+  const double overlap = std::sqrt(window_overlap(step.duration_s));
+  if (options_.accelerometer) step.level = level_at(stamp_ns, step.anchor.predicted);
+  if (step.level) step.level->roll_sigma_rad *= overlap, step.level->pitch_sigma_rad *= overlap;
+  if (const auto height_m = height_offset_m_ ? height_at(stamp_ns) : std::nullopt)
+    step.height.emplace(step.anchor,
+                        *height_m - *height_offset_m_ - drop_of_level_m(step.anchor.predicted.translation()),
+                        overlap * options_.barometer_sigma_m);
   return step;
 }
 
@@ -178,6 +191,10 @@ FusedScan FusionOdometry::follow(const OdometryScan& scan) {
   }
   first_scan_.reset();
   accept(step, result);
+  if (lost_scans_ >= kLostScans) {
+    restart_map(scan);
+    last_->map_restarted = result.map_restarted = true;
+  }
   return result;
 }
 
@@ -185,6 +202,7 @@ void FusionOdometry::match_and_solve(Step& step, FusedScan& result) const {
   const int most = step.predicted() ? kMostIterations : kMostFirstIterations;
   result.line_features = static_cast<int>(step.features.lines.size());
   result.plane_features = static_cast<int>(step.features.planes.size());
+  result.usable = false;  // what an earlier pass said of another prediction counts no more
   for (int iteration = 0; iteration < most; ++iteration) {
     std::vector<WeighedTerm> terms;
     add_prior(step, terms);
@@ -202,7 +220,7 @@ void FusionOdometry::match_and_solve(Step& step, FusedScan& result) const {
   }
 }
 
-void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms) const {
+FusionJacobian FusionOdometry::prior_root(const Step& step) const {
   StateCovariance covariance = covariance_;
   const double walk = degrees_to_radians(options_.gyro_bias_walk_dps);
   covariance.diagonal().segment<3>(6).array() += walk * walk * step.duration_s;
@@ -210,7 +228,11 @@ void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms
   FusionJacobian rows = FusionJacobian::Zero(10, 16);
   rows.leftCols<6>() = root.leftCols(6);
   rows.rightCols<4>() = root.rightCols(4);
-  terms.push_back({std::make_unique<LinearTerm>(std::move(rows), FusionVector::Zero().eval()), false});
+  return rows;
+}
+
+void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms) const {
+  terms.push_back({std::make_unique<LinearTerm>(prior_root(step), FusionVector::Zero().eval()), false});
   const auto standing =
       options_.ackermann ? reckoning_.standstill_rate_radps(step.from_ns, step.stamp_ns) : std::nullopt;
   if (!standing) return;
@@ -221,13 +243,16 @@ void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms
   terms.push_back({std::make_unique<LinearTerm>(std::move(rates), expected), false});
 }
 
+MotionSigma FusionOdometry::sigma_of(const Step& step) const {
+  return motion_sigma(options_, step.path, step.velocity_known, step.duration_s, blind_s_);
+}
+
 void FusionOdometry::add_motion(const Step& step, std::vector<WeighedTerm>& terms) const {
   const RigidTransform predicted = step.anchor.before.inverse() * step.anchor.predicted;
-  const MotionSigma sigma =
-      motion_sigma(options_, step.path, reckoning_.has_gyro(), step.velocity_known, step.duration_s, blind_s_);
+  const MotionSigma sigma = sigma_of(step);
   const bool turned = step.path && step.path->has_rotation, travelled = step.path && step.path->has_speed;
   terms.push_back({std::make_unique<TurnTerm>(step.anchor, predicted.linear(), step.duration_s, sigma.turn_rad,
-                                              turned && reckoning_.has_gyro()),
+                                              turned && step.path->by_gyro),
                    false});
   terms.push_back(
       {std::make_unique<TravelTerm>(step.anchor, predicted.translation(), sigma.travel_m, travelled), travelled});
@@ -235,17 +260,10 @@ void FusionOdometry::add_motion(const Step& step, std::vector<WeighedTerm>& term
 
 void FusionOdometry::add_absolute(const Step& step, std::vector<WeighedTerm>& terms, FusedScan& result) const {
   result.dead_reckoned = step.path && step.path->has_speed && step.path->has_rotation;
-  const auto level = options_.accelerometer ? level_at(step.stamp_ns, step.anchor.predicted) : std::nullopt;
-  result.levelled = level.has_value();
-  if (level) terms.push_back({std::make_unique<LevelTerm>(step.anchor, *level), false});
-  const auto height_m = height_offset_m_ ? height_at(step.stamp_ns) : std::nullopt;
-  result.height_measured = height_m.has_value();
-  if (height_m)
-    terms.push_back(
-        {std::make_unique<HeightTerm>(
-             step.anchor, *height_m - *height_offset_m_ - drop_of_level_m(step.anchor.predicted.translation()),
-             options_.barometer_sigma_m),
-         false});
+  result.levelled = step.level.has_value();
+  if (step.level) terms.push_back({std::make_unique<LevelTerm>(step.anchor, *step.level), false});
+  result.height_measured = step.height.has_value();
+  if (step.height) terms.push_back({std::make_unique<HeightTerm>(*step.height), false});
 }
 
 bool FusionOdometry::add_features(const Step& step, int iteration, std::vector<WeighedTerm>& terms,
@@ -275,46 +293,75 @@ std::optional<LevelMeasurement> FusionOdometry::level_at(std::int64_t stamp_ns,
                                                          const RigidTransform& odometry_from_vehicle) const {
   const auto gravity = gravity_in_vehicle(imu_, reckoning_, mounting_.vehicle_from_imu, drift_, velocity_, stamp_ns);
   if (!gravity) return std::nullopt;
-  LevelMeasurement level = level_from_gravity(up_at_start(gravity->up_mps2, odometry_from_vehicle));
-  level.sigma_rad = degrees_to_radians(options_.accelerometer_sigma_deg +
-                                       options_.accelerometer_discount_deg * gravity->taken_off_mps2);
-  return level;
+  return level_of(*gravity, odometry_from_vehicle, options_);
 }
 
 std::optional<double> FusionOdometry::height_at(std::int64_t stamp_ns) const {
   return mean_height_m(barometer_, stamp_ns);
 }
 
-bool FusionOdometry::enters_map(const RigidTransform& odometry_from_vehicle) const {
+void FusionOdometry::start_height(FusedScan& result) {
+  const auto height_m = options_.barometer && !height_offset_m_ ? height_at(result.stamp_ns) : std::nullopt;
+  if (!height_m) return;
+  const Eigen::Vector3d place = result.odometry_from_vehicle.translation();
+  height_offset_m_ = *height_m - place.z() - drop_of_level_m(place);
+  common_.height_starts(std::sqrt(covariance_(2, 2)));
+  result.height_measured = true;
+}
+
+void FusionOdometry::restart_map(const OdometryScan& scan) {
+  map_ = FeatureMap();
+  map_.add(features_of(scan, std::nullopt), last_->odometry_from_vehicle, options_);
+  map_.rebuild(options_);
+  velocity_.reset();  // it was carried on unchecked
+  if (!options_.ackermann || !reckoning_.has_wheels()) first_scan_ = scan;
+  lost_scans_ = 0;
+  blind_s_ = 0.0;
+}
+
+bool FusionOdometry::enters_map(const ScanFeatures& features, const RigidTransform& odometry_from_vehicle) const {
+  if (features.lines.size() + features.planes.size() < kLeastFeatures) return false;
   if (map_.empty()) return true;
   const RigidTransform moved = map_.newest().inverse() * odometry_from_vehicle;
   return moved.translation().norm() >= options_.map_step_m ||
          so3_log(moved.linear()).norm() >= degrees_to_radians(options_.map_step_deg);
 }
 
+void FusionOdometry::propagate(const Step& step, FusedScan& result) {
+  const auto covariance = inverse_information(step.information);
+  const FusionJacobian root = prior_root(step);
+  common_.step(step.anchor, step.x, covariance, root.transpose() * root, step.level, step.height);
+  if (covariance) {
+    const Eigen::Matrix<double, 10, 16> now = state_jacobian(step.anchor, step.x);
+    covariance_ = now * *covariance * now.transpose();
+    result.step_covariance = covariance->block<6, 6>(kMotion, kMotion);
+  } else {
+    result.step_covariance = step_covariance_of(sigma_of(step), step.anchor);
+    covariance_ = grown_covariance(covariance_, step.anchor, step.x, result.step_covariance);
+  }
+  result.covariance = stated_covariance().topLeftCorner<6, 6>();
+}
+
 void FusionOdometry::accept(Step& step, FusedScan& result) {
   result.odometry_from_vehicle = fused_pose(step.anchor, step.x);
   velocity_ = velocity_between(step.anchor.before, moved_pose(step.anchor, step.x), step.duration_s);
   result.speed_mps = velocity_->head<3>().norm();
-  if (const auto covariance = inverse_information(step.information)) {
-    Eigen::Matrix<double, 10, 16> now = Eigen::Matrix<double, 10, 16>::Zero();
-    now.topRows<6>() = fused_pose_jacobian(step.anchor, step.x);
-    now.bottomRightCorner<4, 4>().setIdentity();
-    covariance_ = now * *covariance * now.transpose();
-    result.step_covariance = covariance->block<6, 6>(kMotion, kMotion);
-  }
-  result.covariance = covariance_.topLeftCorner<6, 6>();
+  propagate(step, result);
   if (step.path && step.path->has_speed) {
     const Eigen::Vector3d travel = (step.anchor.before.inverse() * step.anchor.predicted).translation();
-    const MotionSigma sigma =
-        motion_sigma(options_, step.path, reckoning_.has_gyro(), step.velocity_known, step.duration_s, blind_s_);
-    result.wheel_disagreement = disagreement(TravelTerm(step.anchor, travel, sigma.travel_m, true), step.x);
+    result.wheel_disagreement = disagreement(TravelTerm(step.anchor, travel, sigma_of(step).travel_m, true), step.x);
   }
   drift_.gyro_bias_radps += step.x.segment<3>(kDrift);
   drift_.wheel_scale *= 1.0 + step.x[kDrift + 3];
   blind_s_ = result.undetermined.empty() || result.dead_reckoned ? 0.0 : blind_s_ + step.duration_s;
   map_.move(step.anchor.before.translation(), step.x.segment<6>(kCorrection));
-  if (result.usable && enters_map(result.odometry_from_vehicle))
+  if (!result.usable && (options_.lines || options_.planes) &&
+      step.features.lines.size() + step.features.planes.size() >= kLeastFeatures)
+    ++lost_scans_;
+  else if (result.usable)
+    lost_scans_ = 0;
+  start_height(result);
+  if (result.usable && enters_map(step.features, result.odometry_from_vehicle))
     map_.add(std::move(step.features), result.odometry_from_vehicle, options_);
   map_.rebuild(options_);
   last_ = result;

@@ -8,6 +8,7 @@
 
 #include "algorithms/core/progress.h"
 #include "algorithms/odometry/ackermann.h"
+#include "algorithms/odometry/common_errors.h"
 #include "algorithms/odometry/fusion_options.h"
 #include "algorithms/odometry/joint_step.h"
 #include "algorithms/trajectory/ins_sample.h"
@@ -47,6 +48,7 @@ struct FusedScan {
   double wheel_disagreement = 0.0;  ///< of the wheels with the rest, in sigma: slip above about three
   bool dead_reckoned = false, levelled = false, height_measured = false;  ///< terms that took part
   bool usable = false;                                                    ///< false: the prediction was kept
+  bool map_restarted = false;  ///< the scans before had lost the map: a new one starts here, at the predicted pose
   double speed_mps = 0.0;
 };
 
@@ -63,10 +65,9 @@ class FusionOdometry {
   FusedScan add(const OdometryScan& scan);
 
   const DeadReckoningState& drift() const { return drift_; }
-  Eigen::Vector4d drift_sigma() const { return covariance_.diagonal().tail<4>().cwiseSqrt(); }
+  Eigen::Vector4d drift_sigma() const { return stated_covariance().diagonal().tail<4>().cwiseSqrt(); }
 
  private:
-  using StateCovariance = Eigen::Matrix<double, 10, 10>;  // of pose and drift
   struct Step;
   void start(const OdometryScan& scan, FusedScan& result);
   FusedScan follow(const OdometryScan& scan);
@@ -80,8 +81,14 @@ class FusionOdometry {
   bool add_features(const Step& step, int iteration, std::vector<WeighedTerm>& terms, FusedScan& result) const;
   std::optional<LevelMeasurement> level_at(std::int64_t stamp_ns, const RigidTransform& odometry_from_vehicle) const;
   std::optional<double> height_at(std::int64_t stamp_ns) const;
+  FusionJacobian prior_root(const Step& step) const;
+  MotionSigma sigma_of(const Step& step) const;
   void accept(Step& step, FusedScan& result);
-  bool enters_map(const RigidTransform& odometry_from_vehicle) const;
+  void propagate(const Step& step, FusedScan& result);
+  void start_height(FusedScan& result);
+  bool enters_map(const ScanFeatures& features, const RigidTransform& odometry_from_vehicle) const;
+  void restart_map(const OdometryScan& scan);
+  StateCovariance stated_covariance() const { return covariance_ + common_.covariance(); }
 
   FusionMounting mounting_;
   FusionOptions options_;
@@ -98,6 +105,8 @@ class FusionOdometry {
   StateCovariance covariance_ = StateCovariance::Zero();
   double blind_s_ = 0.0;                   // how long some direction has rested on the assumption of steady motion
   std::optional<double> height_offset_m_;  // barometer - odometry
+  CommonErrors common_;
+  int lost_scans_ = 0;  // in a row: with features of their own, but nothing in the map that they lie on
 };
 
 /// The drive as a whole.

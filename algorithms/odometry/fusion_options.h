@@ -26,7 +26,9 @@ struct FusionOptions {
   double wheel_scale_sigma = 0.005;
   double accelerometer_sigma_deg = 0.5;
   double accelerometer_discount_deg = 1.0;
+  double accelerometer_bias_deg = 0.15;
   double barometer_sigma_m = 0.5;
+  double barometer_drift_m = 0.5;
 
   bool deskew = true;
   int map_frames = 15;
@@ -97,7 +99,13 @@ struct FusionOptions {
         {"accelerometer_discount_deg", "deg",
          "Added to that for each m/s2 by which the vehicle accelerates, what is known of that taken off.", 0.0, 45.0},
         self.accelerometer_discount_deg);
+    visitor(
+        {"accelerometer_bias_deg", "deg", "1-sigma of the part of their error that stays over the drive.", 0.0, 45.0},
+        self.accelerometer_bias_deg);
     visitor({"barometer_sigma_m", "m", "1-sigma of the height of the barometer.", 0.01, 100.0}, self.barometer_sigma_m);
+    visitor({"barometer_drift_m", "m", "1-sigma of the part of its error that stays: weather, and the start's.", 0.0,
+             100.0},
+            self.barometer_drift_m);
   }
 
   template <class Self, class Visitor>

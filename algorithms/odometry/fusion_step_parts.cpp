@@ -83,8 +83,8 @@ RigidTransform VehicleMotion::at_stamp_from_at(double time_s) const {
   return steady;
 }
 
-MotionSigma motion_sigma(const FusionOptions& options, const std::optional<DeadReckonedPath>& path, bool has_gyro,
-                         bool velocity_known, double duration_s, double blind_s) {
+MotionSigma motion_sigma(const FusionOptions& options, const std::optional<DeadReckonedPath>& path, bool velocity_known,
+                         double duration_s, double blind_s) {
   constexpr double kAcceleration_mps2 = 10.0, kTurning_radps2 = 5.0;
   constexpr double kFastest_mps = 30.0, kFastestTurn_radps = 1.0;  // where nothing is known of the velocity
   constexpr double kRocking_radps = 0.05;                          // roll and pitch that wheels do not see
@@ -94,9 +94,10 @@ MotionSigma motion_sigma(const FusionOptions& options, const std::optional<DeadR
   if (path && path->has_speed) {
     const double along = options.wheel_sigma * std::abs(path->mean_speed_mps) + options.wheel_sigma_mps;
     sigma.travel_m << along, options.sideslip_sigma_mps, options.sideslip_sigma_mps;
-    sigma.turn_rad << kRocking_radps, kRocking_radps, 2.0 * along / options.track_width_m;
+    if (path->has_rotation) sigma.turn_rad << kRocking_radps, kRocking_radps, 2.0 * along / options.track_width_m;
   }
-  if (path && path->has_rotation && has_gyro) sigma.turn_rad.setConstant(degrees_to_radians(options.gyro_sigma_dps));
+  if (path && path->has_rotation && path->by_gyro)
+    sigma.turn_rad.setConstant(degrees_to_radians(options.gyro_sigma_dps));
   sigma.travel_m *= duration_s;
   sigma.turn_rad *= duration_s;
   return sigma;
@@ -112,22 +113,45 @@ std::optional<GravityMeasurement> gravity_in_vehicle(const std::vector<ImuSample
        sample != imu.end() && sample->stamp_ns <= stamp_ns + kLevelReach_ns; ++sample, count += 1.0)
     sum += sample->specific_force_mps2;
   if (count < 1.0) return std::nullopt;
-  const auto rate_at = [&](std::int64_t at) { return reckoning.rate_radps(at); };
+  constexpr double kAcceleration_mps2 = 3.0, kSpeed_mps = 20.0;  // of traffic, where nothing tells
+  const auto rate_at = [&](std::int64_t at) -> std::optional<Eigen::Vector3d> {
+    const auto turning = reckoning.turning(at, drift);
+    return turning ? std::optional(turning->rate_radps) : std::nullopt;
+  };
   const auto speed_at = [&](std::int64_t at) { return reckoning.speed_mps(at); };
-  const Eigen::Vector3d bias = reckoning.has_gyro() ? drift.gyro_bias_radps : Eigen::Vector3d::Zero().eval();
   const auto rate = rate_at(stamp_ns);
-  const Eigen::Vector3d turning = rate ? Eigen::Vector3d(*rate - bias) : Eigen::Vector3d::Zero();
   const auto speed = speed_at(stamp_ns);
-  const Eigen::Vector3d forward = speed ? Eigen::Vector3d(*speed * drift.wheel_scale, 0.0, 0.0)
-                                        : (velocity ? Eigen::Vector3d(velocity->head<3>()) : Eigen::Vector3d::Zero());
-  const Eigen::Vector3d along(slope<double>(speed_at, stamp_ns).value_or(0.0) * drift.wheel_scale, 0.0, 0.0);
+  const auto change = slope<double>(speed_at, stamp_ns);
+  const Vector6d steady = velocity.value_or(Vector6d::Zero());
+  const Eigen::Vector3d turning = rate.value_or(Eigen::Vector3d(steady.tail<3>()));
+  const Eigen::Vector3d forward =
+      speed ? Eigen::Vector3d(*speed * drift.wheel_scale, 0.0, 0.0) : Eigen::Vector3d(steady.head<3>());
+  const Eigen::Vector3d along(change.value_or(0.0) * drift.wheel_scale, 0.0, 0.0);
   const Eigen::Vector3d spin_up = slope<Eigen::Vector3d>(rate_at, stamp_ns).value_or(Eigen::Vector3d::Zero());
   const Eigen::Vector3d arm = vehicle_from_imu.translation();
   const Eigen::Vector3d own = along + turning.cross(forward) + spin_up.cross(arm) + turning.cross(turning.cross(arm));
   const Eigen::Vector3d up = vehicle_from_imu.linear() * (sum / count) - own;
   if (std::abs(up.norm() - kGravity_mps2) > 1.0) return std::nullopt;
-  return GravityMeasurement{up, own.norm()};
+  GravityMeasurement gravity{up, own.norm()};
+  if (!change) gravity.forward_unknown_mps2 = kAcceleration_mps2;
+  if (!rate && !velocity)
+    gravity.sideways_unknown_mps2 = kAcceleration_mps2;
+  else if (!speed && !velocity)
+    gravity.sideways_unknown_mps2 = kSpeed_mps * std::abs(turning.z());
+  return gravity;
 }
+
+LevelMeasurement level_of(const GravityMeasurement& gravity, const RigidTransform& odometry_from_vehicle,
+                          const FusionOptions& options) {
+  LevelMeasurement level = level_from_gravity(up_at_start(gravity.up_mps2, odometry_from_vehicle));
+  const double known_rad =
+      degrees_to_radians(options.accelerometer_sigma_deg + options.accelerometer_discount_deg * gravity.taken_off_mps2);
+  level.roll_sigma_rad = std::hypot(known_rad, std::atan(gravity.sideways_unknown_mps2 / kGravity_mps2));
+  level.pitch_sigma_rad = std::hypot(known_rad, std::atan(gravity.forward_unknown_mps2 / kGravity_mps2));
+  return level;
+}
+
+double window_overlap(double duration_s) { return std::max(1.0, 2.0 * seconds(kLevelReach_ns) / duration_s); }
 
 double drop_of_level_m(const Eigen::Vector3d& place_in_odometry) {
   return place_in_odometry.head<2>().squaredNorm() / (2.0 * kEarth_m);

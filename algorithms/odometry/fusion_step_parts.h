@@ -39,12 +39,14 @@ struct MotionSigma {
 };
 /// What a step by dead reckoning is worth; where wheels or gyroscope are missing, what the assumption of a steady
 /// velocity is worth (accelerations up to 10 m/s^2; `blind_s`: how long that has not been checked).
-MotionSigma motion_sigma(const FusionOptions& options, const std::optional<DeadReckonedPath>& path, bool has_gyro,
-                         bool velocity_known, double duration_s, double blind_s);
+MotionSigma motion_sigma(const FusionOptions& options, const std::optional<DeadReckonedPath>& path, bool velocity_known,
+                         double duration_s, double blind_s);
 
 struct GravityMeasurement {
   Eigen::Vector3d up_mps2;  ///< vehicle axes
   double taken_off_mps2;    ///< the vehicle's own acceleration, which was subtracted
+  /// 1-sigma of what could not be, since nothing tells it: a vehicle that brakes reads like one on a slope.
+  double forward_unknown_mps2 = 0.0, sideways_unknown_mps2 = 0.0;
 };
 /// Mean specific force within 0.25 s of a time, less the acceleration of the IMU: change of speed, centripetal, and
 /// that of its lever arm. Nothing without samples, or where what is left is not within 1 m/s^2 of gravity.
@@ -54,11 +56,19 @@ std::optional<GravityMeasurement> gravity_in_vehicle(const std::vector<ImuSample
                                                      const DeadReckoningState& drift,
                                                      const std::optional<Vector6d>& velocity, std::int64_t stamp_ns);
 
+/// Roll and pitch by it, and what they are worth.
+LevelMeasurement level_of(const GravityMeasurement& gravity, const RigidTransform& odometry_from_vehicle,
+                          const FusionOptions& options);
+
 /// The Earth's curvature: the level of the start lies this much above that of a place (6 m after 9 km), and "up" there
 /// leans away from "up" at the start.
 double drop_of_level_m(const Eigen::Vector3d& place_in_odometry);
 /// The vehicle's measured "up", turned to what the same attitude would measure at the start.
 Eigen::Vector3d up_at_start(const Eigen::Vector3d& up_in_vehicle, const RigidTransform& odometry_from_vehicle);
+
+/// How many scans share a sample of the windows of 0.5 s that gravity and height are means over: errors of windows that
+/// overlap are not independent, and the scans together must not count for more than the samples do.
+double window_overlap(double duration_s);
 
 /// Mean within 0.25 s of a time; nothing without samples.
 std::optional<double> mean_height_m(const std::vector<BarometerSample>& barometer, std::int64_t stamp_ns);

@@ -107,18 +107,18 @@ void TravelTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> res
 }
 
 LevelMeasurement level_from_gravity(const Eigen::Vector3d& up) {
-  return {std::atan2(up.y(), up.z()), std::atan2(-up.x(), up.tail<2>().norm()), 0.0};
+  return {std::atan2(up.y(), up.z()), std::atan2(-up.x(), up.tail<2>().norm()), 0.0, 0.0};
 }
 
 void LevelTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals, FusionJacobian* jacobian) const {
   const YawPitchRoll angles = yaw_pitch_roll_from_rotation(fused_pose(anchor_, x).linear());
-  residuals << wrap_angle_rad(angles.roll_rad - measured_.roll_rad) / measured_.sigma_rad,
-      (angles.pitch_rad - measured_.pitch_rad) / measured_.sigma_rad;
+  residuals << wrap_angle_rad(angles.roll_rad - measured_.roll_rad) / measured_.roll_sigma_rad,
+      (angles.pitch_rad - measured_.pitch_rad) / measured_.pitch_sigma_rad;
   if (!jacobian) return;
   const Eigen::Matrix3d by_turn = yaw_pitch_roll_jacobian(angles);  // rows yaw, pitch, roll
   const Eigen::Matrix<double, 3, 16> turn = fused_pose_jacobian(anchor_, x).bottomRows<3>();
-  jacobian->row(0) = by_turn.row(2) * turn / measured_.sigma_rad;
-  jacobian->row(1) = by_turn.row(1) * turn / measured_.sigma_rad;
+  jacobian->row(0) = by_turn.row(2) * turn / measured_.roll_sigma_rad;
+  jacobian->row(1) = by_turn.row(1) * turn / measured_.pitch_sigma_rad;
 }
 
 void HeightTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals,

@@ -99,7 +99,7 @@ class TravelTerm : public FusionTerm {
 /// the law is its claim 6.)
 struct LevelMeasurement {
   double roll_rad = 0.0, pitch_rad = 0.0;
-  double sigma_rad = 0.0;
+  double roll_sigma_rad = 0.0, pitch_sigma_rad = 0.0;
 };
 /// @param gravity_in_vehicle_mps2 specific force less the vehicle's own acceleration: points up
 LevelMeasurement level_from_gravity(const Eigen::Vector3d& gravity_in_vehicle_mps2);
@@ -120,6 +120,7 @@ class HeightTerm : public FusionTerm {
  public:
   HeightTerm(const StepAnchor& anchor, double height_in_odometry_m, double sigma_m)
       : anchor_(anchor), height_m_(height_in_odometry_m), sigma_m_(sigma_m) {}
+  double sigma_m() const { return sigma_m_; }
   int rows() const override { return 1; }
   void evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals, FusionJacobian* jacobian) const override;
 

@@ -10,9 +10,7 @@ const std::vector<CalibrationMethod>& calibration_methods() {
        run_trajectory_method},
       {"vehicle-frame", "Vehicle frame", "wheel speeds, an IMU or INS, and scans or poses of the sensor",
        "vehicle_frame", run_vehicle_frame},
-      {"fusion-odometry", "Multi-sensor odometry",
-       "scans; wheel speeds, IMU and barometer where it has them; a nominal mounting for those; an INS with attitude",
-       "fusion", run_fusion_method},
+      {"fusion-odometry", "Multi-sensor odometry", "scans, and an INS with attitude", "fusion", run_fusion_method},
       {"slew", "Slewing machine", "three recordings of a LiDAR: ground, swept arm, full turn", "slew", run_slew},
   };
   return methods;

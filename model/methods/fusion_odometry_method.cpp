@@ -14,22 +14,20 @@ void add_quantities(const FusionRun& run, const std::string& session, std::vecto
   const FusionOdometryResult& odometry = run.odometry;
   if (odometry.scans.empty()) return;
   double driven_m = 0.0;
-  bool reckoned = false;
-  for (std::size_t i = 1; i < odometry.scans.size(); ++i) {
+  for (std::size_t i = 1; i < odometry.scans.size(); ++i)
     driven_m += (odometry.scans[i].odometry_from_vehicle.translation() -
                  odometry.scans[i - 1].odometry_from_vehicle.translation())
                     .norm();
-    reckoned = reckoned || odometry.scans[i].dead_reckoned;
-  }
-  const std::string of = session.empty() ? "" : ", " + session;
   const double unknown = std::numeric_limits<double>::quiet_NaN();
-  quantities.push_back({"distance driven" + of, driven_m, unknown, "m", true});
-  if (!reckoned) return;
-  constexpr std::array<const char*, 3> kAxes{"roll", "pitch", "yaw"};
-  for (int axis = 0; axis < 3; ++axis)
-    quantities.push_back({std::string("gyroscope bias per s, ") + kAxes[static_cast<std::size_t>(axis)] + of,
-                          odometry.drift.gyro_bias_radps[axis], odometry.drift_sigma[axis], "rad", true});
-  quantities.push_back({"wheel speed scale" + of, odometry.drift.wheel_scale, odometry.drift_sigma[3], "", true});
+  quantities.push_back({"distance driven" + (session.empty() ? "" : ", " + session), driven_m, unknown, "m", true});
+}
+
+void tell_breaks(const std::string& session, const FusionRun& run, std::vector<Finding>& findings) {
+  if (!run.breaks_ns.empty())
+    findings.push_back({Severity::Warning, "odometry-breaks", session,
+                        std::to_string(run.breaks_ns.size()) + " of " + std::to_string(run.odometry.scans.size()) +
+                            " scans do not tell of every direction of the motion; no pair spans them. Drive where "
+                            "there is more to see."});
 }
 
 CalibrationResult without_ins() {
@@ -52,16 +50,23 @@ PipelineOutput run_fusion_method(const PipelineInput& input, Progress& progress)
   std::vector<Finding> findings;
   bool cancelled = false;
   for (const auto& session : input.sessions) {
+    // The poses must not rest on the mounting that they are to judge.
     FusionRun run =
-        run_fusion_odometry(*session, input.nominal_ins_from_lidar, input.settings, input.threads, progress);
+        run_fusion_odometry(*session, std::nullopt, input.settings, input.threads, progress, FusionSensors::ScansAlone);
     cancelled = cancelled || run.odometry.cancelled;
     add_quantities(run, input.sessions.size() > 1 ? session->name : "", quantities);
     const std::vector<Plot> of_session = fusion_plots(*session, run);
     plots.insert(plots.end(), of_session.begin(), of_session.end());
     findings.insert(findings.end(), run.findings.begin(), run.findings.end());
-    if (!has_ins(*session)) continue;
+    tell_breaks(session->name, run, findings);
+    if (!has_ins(*session)) {
+      findings.push_back({Severity::Warning, "odometry-without-ins", session->name,
+                          "The session has no INS with attitude: its odometry takes no part in the calibration."});
+      continue;
+    }
     auto with_poses = std::make_shared<Session>(*session);
     with_poses->odometry_from_lidar = std::move(run.odometry_from_lidar);
+    with_poses->odometry_breaks_ns = std::move(run.breaks_ns);
     with_poses->scans = nullptr;
     by_odometry.sessions.push_back(std::move(with_poses));
   }

@@ -23,6 +23,11 @@ bool compensates(const Session& session, const Settings& settings, std::vector<F
   return false;
 }
 
+bool sensible(const std::vector<float>& times_s) {
+  constexpr float kLongest_s = 5.0f;  // from the stamp
+  return std::all_of(times_s.begin(), times_s.end(), [](float time_s) { return std::abs(time_s) <= kLongest_s; });
+}
+
 OdometryScan load_scan(const Session& session, std::size_t index, bool compensated) {
   OdometryScan scan;
   scan.stamp_ns = session.scans->stamp_ns(index);
@@ -52,8 +57,20 @@ class ScanAhead {
                            std::string(error.what()) + " Its pose is the prediction of the odometry."});
       scan.stamp_ns = session_.scans->stamp_ns(index);
     }
+    if (!sensible(scan.time_from_stamp_s)) {  // not finite, or seconds away
+      scan.time_from_stamp_s.clear();
+      ++without_times_;
+    }
     if (index + 1 < session_.scans->size()) ask(index + 1);
     return scan;
+  }
+
+  void tell_without_times() const {
+    if (without_times_ > 0)
+      findings_.push_back({Severity::Warning, "odometry-point-times", session_.name,
+                           std::to_string(without_times_) + " of " + std::to_string(session_.scans->size()) +
+                               " scans have points whose times are not finite or more than 5 s from the stamp: they "
+                               "are used without compensation of motion."});
   }
 
  private:
@@ -63,6 +80,7 @@ class ScanAhead {
   const Session& session_;
   bool compensated_;
   std::vector<Finding>& findings_;
+  std::size_t without_times_ = 0;
   std::future<OdometryScan> next_;
 };
 
@@ -77,6 +95,54 @@ void tell_missing(const Session& session, const FusionOptions& options, std::vec
   if (!missing.empty())
     findings.push_back({Severity::Note, "odometry-without", session.name,
                         "The session has no " + missing + ": the odometry does without."});
+}
+
+/// Streams that exist, and yet no scan could use.
+void tell_unused(const Session& session, const FusionOptions& options, const std::vector<FusedScan>& scans,
+                 std::vector<Finding>& findings) {
+  const auto never = [&scans](bool FusedScan::*part) {
+    return std::none_of(scans.begin(), scans.end(), [part](const FusedScan& scan) { return scan.*part; });
+  };
+  const auto has_force = [](const ImuSample& sample) { return sample.specific_force_mps2.allFinite(); };
+  std::string unused;
+  const auto add = [&unused](const char* what) { unused += (unused.empty() ? "" : ", ") + std::string(what); };
+  if (options.ackermann && !session.wheels.empty() && never(&FusedScan::dead_reckoned)) add("wheel speeds");
+  if (options.accelerometer && std::any_of(session.imu.begin(), session.imu.end(), has_force) &&
+      never(&FusedScan::levelled))
+    add("accelerations");
+  if (options.barometer && !session.barometer.empty() && never(&FusedScan::height_measured)) add("a barometer");
+  if (!unused.empty() && scans.size() > 1)
+    findings.push_back({Severity::Warning, "odometry-unused", session.name,
+                        "The session has " + unused +
+                            ", but no scan could use them. Check that their stamps are on the scans' clock and "
+                            "their samples less than 0.25 s apart."});
+}
+
+void tell_mounting(const Session& session, const FusionOptions& options, std::vector<Finding>& findings) {
+  const FusionOptions unset;
+  const bool all_zero = difference(options.vehicle_from_ins(), unset.vehicle_from_ins()).norm() == 0.0;
+  if (all_zero && options.ackermann && !session.wheels.empty())
+    findings.push_back({Severity::Warning, "odometry-mounting-unset", session.name,
+                        "fusion.ins_x_m to fusion.ins_roll_deg are all zero: the INS is taken to sit on the ground "
+                        "under the rear axle. Set where it sits, or the wheels pull the odometry the wrong way in "
+                        "turns."});
+}
+
+void tell_restarts(const Session& session, const std::vector<FusedScan>& scans, std::vector<Finding>& findings) {
+  const auto restarts =
+      std::count_if(scans.begin(), scans.end(), [](const FusedScan& scan) { return scan.map_restarted; });
+  if (restarts > 0)
+    findings.push_back({Severity::Warning, "odometry-restarted", session.name,
+                        "The scans did not fit the map any more, as after a gap: " + std::to_string(restarts) +
+                            " times it was begun anew at the predicted pose, and poses before and after do not fit "
+                            "together."});
+}
+
+std::vector<std::int64_t> breaks_of(const std::vector<FusedScan>& scans) {
+  std::vector<std::int64_t> breaks_ns;
+  for (std::size_t i = 1; i < scans.size(); ++i)
+    if (!scans[i].usable || !scans[i].undetermined.empty()) breaks_ns.push_back(scans[i].stamp_ns);
+  return breaks_ns;
 }
 
 void tell_blind(const Session& session, const std::vector<FusedScan>& scans, std::vector<Finding>& findings) {
@@ -98,19 +164,22 @@ void tell_blind(const Session& session, const std::vector<FusedScan>& scans, std
 }  // namespace
 
 FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidTransform>& nominal_ins_from_lidar,
-                              const Settings& settings, int threads, Progress& progress) {
+                              const Settings& settings, int threads, Progress& progress, FusionSensors sensors) {
   if (!session.scans || session.scans->size() == 0)
     throw Error(ErrorCode::Unsupported, session.name, "has no scans; the multi-sensor odometry needs them");
   FusionRun run;
   FusionOptions options = settings.fusion;
   FusionMounting mounting;
   SensorStreams streams;
-  if (nominal_ins_from_lidar) {
+  if (sensors == FusionSensors::ScansAlone) {
+    options.ackermann = options.accelerometer = options.barometer = false;
+  } else if (nominal_ins_from_lidar) {
     const RigidTransform vehicle_from_ins = options.vehicle_from_ins() * forward_left_up_from(session.ins_axes);
     mounting.vehicle_from_lidar = vehicle_from_ins * *nominal_ins_from_lidar;
     mounting.vehicle_from_imu = options.vehicle_from_ins() * options.ins_from_imu();
     streams = {session.imu, session.wheels, session.barometer};
     tell_missing(session, options, run.findings);
+    tell_mounting(session, options, run.findings);
   } else {
     options.ackermann = options.accelerometer = options.barometer = false;
     run.findings.push_back({Severity::Warning, "odometry-scans-only", session.name,
@@ -122,6 +191,11 @@ FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidT
       session.scans->size(), [&](std::size_t index) { return scans.get(index); }, mounting, streams, options, threads,
       progress);
   run.odometry_from_lidar = odometry_from_lidar(run.odometry.scans, mounting.vehicle_from_lidar);
+  run.breaks_ns = breaks_of(run.odometry.scans);
+  scans.tell_without_times();
+  tell_restarts(session, run.odometry.scans, run.findings);
+  if (sensors == FusionSensors::ScansAlone || run.odometry.cancelled) return run;
+  if (nominal_ins_from_lidar) tell_unused(session, options, run.odometry.scans, run.findings);
   tell_blind(session, run.odometry.scans, run.findings);
   return run;
 }
@@ -136,23 +210,29 @@ std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run) {
     const YawPitchRoll angles = yaw_pitch_roll_from_rotation(scan.odometry_from_vehicle.linear());
     path.x.push_back(at.x());
     path.y.push_back(at.y());
-    for (Curve* curve : {&height, &pitch, &roll, &residual}) curve->x.push_back(t);
+    for (Curve* curve : {&height, &pitch, &roll}) curve->x.push_back(t);
     height.y.push_back(at.z());
     height.sigma.push_back(std::sqrt(scan.covariance(2, 2)));
     pitch.y.push_back(radians_to_degrees(angles.pitch_rad));
     roll.y.push_back(radians_to_degrees(angles.roll_rad));
-    residual.y.push_back(std::isfinite(scan.residual_m) ? scan.residual_m : 0.0);
+    if (!std::isfinite(scan.residual_m)) continue;  // no feature of the scan lies on the map
+    residual.x.push_back(t);
+    residual.y.push_back(scan.residual_m);
   }
   const std::string name = session.name.empty() ? "" : ": " + session.name;
-  std::vector<Plot> plots{{"Odometry from above" + name, "forward from the start [m]", "left of it [m]", true, {path}},
-                          {"Height" + name, "time [s]", "height above the start [m]", false, {height}},
+  std::vector<Plot> plots{{"Odometry from above" + name,
+                           "x of the lidar at the start [m]",
+                           "y of the lidar at the start [m]",
+                           true,
+                           {path}},
+                          {"Height" + name, "time [s]", "z of the lidar at the start [m]", false, {height}},
                           {"Pitch and roll" + name, "time [s]", "angle [deg]", false, {pitch, roll}},
-                          {"Scan to map" + name, "time [s]", "median distance of features [m]", false, {residual}}};
+                          {"Scan to map" + name, "time [s]", "rms distance of features [m]", false, {residual}}};
   thin(plots, 2000);
   return plots;
 }
 
-std::string tum_text(const std::vector<StampedPose>& poses) {
+std::string odometry_text(const std::vector<StampedPose>& poses) {
   std::string text = "# t x y z qx qy qz qw: odometry from lidar, m\n";
   for (const StampedPose& stamped : poses) {
     const Eigen::Quaterniond q(stamped.pose.linear());

@@ -1,5 +1,6 @@
 #include "model/pipeline/drive_motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/core/error.h"
@@ -64,11 +65,25 @@ std::vector<SessionNoise> DriveMotion::noise() const {
   return out;
 }
 
+namespace {
+
+bool spans_a_break(const Session& session, std::int64_t from_ns, std::int64_t to_ns) {
+  const std::vector<std::int64_t>& breaks = session.odometry_breaks_ns;
+  const auto next = std::upper_bound(breaks.begin(), breaks.end(), from_ns);
+  return next != breaks.end() && *next <= to_ns;
+}
+
+}  // namespace
+
 void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
                                std::vector<Pair>& pairs) {
   std::vector<Pair> kept;
   for (const Pair& pair : pairs) {
-    const bool scans = motion.session(keyframes[static_cast<std::size_t>(pair.keyframe_a)].session).scans != nullptr;
+    const Keyframe& a = keyframes[static_cast<std::size_t>(pair.keyframe_a)];
+    const Keyframe& b = keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+    const Session& session = motion.session(a.session);
+    const bool scans = session.scans != nullptr;
+    if (!scans && spans_a_break(session, a.stamp_ns, b.stamp_ns)) continue;
     const bool first = kept.empty() || kept.back().keyframe_a != pair.keyframe_a;
     if (scans || first) kept.push_back(pair);
   }

@@ -43,7 +43,8 @@ class DriveMotion {
 };
 
 /// Poses of an odometry are consistent with themselves: the motion from a to c is that from a to b and b to c, and
-/// adding it adds nothing but false confidence. Each keyframe of a session without scans keeps its nearest partner.
+/// adding it adds nothing but false confidence. Each keyframe of a session without scans keeps its nearest partner;
+/// pairs that span a break of the odometry go.
 void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
                                std::vector<Pair>& pairs);
 

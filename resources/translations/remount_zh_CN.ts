@@ -4906,8 +4906,8 @@ Calibrate again (F5).</source>
         <translation>轮速、IMU 或 INS，以及扫描或传感器位姿</translation>
     </message>
     <message>
-        <source>scans; wheel speeds, IMU and barometer where it has them; a nominal mounting for those; an INS with attitude</source>
-        <translation>扫描；有则使用的轮速、IMU 和气压计，以及它们所需的名义安装；带姿态的 INS</translation>
+        <source>scans, and an INS with attitude</source>
+        <translation>扫描，以及带姿态的 INS</translation>
     </message>
     <message>
         <source>three recordings of a LiDAR: ground, swept arm, full turn</source>
@@ -5016,6 +5016,38 @@ Calibrate again (F5).</source>
     <message>
         <source>The format does not say whether its scans are compensated for motion: the odometry uses them as they are. Set run.deskew=on to compensate them.</source>
         <translation>该格式未说明扫描是否已作运动补偿：里程计按原样使用。要补偿请设置 run.deskew=on。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans have points whose times are not finite or more than 5 s from the stamp: they are used without compensation of motion.</source>
+        <translation>%2 帧扫描中有 %1 帧的点时间不是有限值或距时间戳超过 5 秒：这些扫描不作运动补偿。</translation>
+    </message>
+    <message>
+        <source>The session has %1, but no scan could use them. Check that their stamps are on the scans&apos; clock and their samples less than 0.25 s apart.</source>
+        <translation>会话有%1，但没有扫描能使用。请检查其时间戳与扫描同属一个时钟，且采样间隔小于 0.25 秒。</translation>
+    </message>
+    <message>
+        <source>fusion.ins_x_m to fusion.ins_roll_deg are all zero: the INS is taken to sit on the ground under the rear axle. Set where it sits, or the wheels pull the odometry the wrong way in turns.</source>
+        <translation>fusion.ins_x_m 至 fusion.ins_roll_deg 全为零：INS 被视为位于后轴下方的地面。请设置其实际位置，否则转弯时轮速会使里程计偏离。</translation>
+    </message>
+    <message>
+        <source>The scans did not fit the map any more, as after a gap: %1 times it was begun anew at the predicted pose, and poses before and after do not fit together.</source>
+        <translation>扫描已与地图不符，如在间断之后：地图有 %1 次在预测位姿处重新开始，前后位姿互不衔接。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans do not tell of every direction of the motion; no pair spans them. Drive where there is more to see.</source>
+        <translation>%2 帧扫描中有 %1 帧未能说明运动的所有方向；没有配对跨越它们。请在特征更丰富的地方行驶。</translation>
+    </message>
+    <message>
+        <source>The session has no INS with attitude: its odometry takes no part in the calibration.</source>
+        <translation>该会话没有带姿态的 INS：其里程计不参与标定。</translation>
+    </message>
+    <message>
+        <source>1-sigma of the part of their error that stays over the drive.</source>
+        <translation>其误差中在整个行驶过程中保持不变部分的标准差。</translation>
+    </message>
+    <message>
+        <source>1-sigma of the part of its error that stays: weather, and the start&apos;s.</source>
+        <translation>其误差中保持不变部分的标准差：天气，以及起点的误差。</translation>
     </message>
     <message>
         <source>%1 Its pose is the prediction of the odometry.</source>
@@ -5634,28 +5666,28 @@ Calibrate again (F5).</source>
         <translation>扫描到地图：%1</translation>
     </message>
     <message>
-        <source>forward from the start [m]</source>
-        <translation>自起点向前 [米]</translation>
+        <source>x of the lidar at the start [m]</source>
+        <translation>起点处激光雷达 x 轴 [米]</translation>
     </message>
     <message>
-        <source>left of it [m]</source>
-        <translation>向左 [米]</translation>
+        <source>y of the lidar at the start [m]</source>
+        <translation>起点处激光雷达 y 轴 [米]</translation>
     </message>
     <message>
         <source>time [s]</source>
         <translation>时间 [秒]</translation>
     </message>
     <message>
-        <source>height above the start [m]</source>
-        <translation>高于起点 [米]</translation>
+        <source>z of the lidar at the start [m]</source>
+        <translation>起点处激光雷达 z 轴 [米]</translation>
     </message>
     <message>
         <source>angle [deg]</source>
         <translation>角度 [度]</translation>
     </message>
     <message>
-        <source>median distance of features [m]</source>
-        <translation>特征距离的中位数 [米]</translation>
+        <source>rms distance of features [m]</source>
+        <translation>特征距离的均方根 [米]</translation>
     </message>
     <message>
         <source>height</source>

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "algorithms/odometry/fusion_step_parts.h"
+
 namespace remount {
 namespace {
 
@@ -59,6 +61,27 @@ TEST(dead_reckoning, without_a_gyroscope_the_wheels_tell_the_turn) {
   ASSERT_TRUE(path);
   EXPECT_TRUE(path->has_rotation);
   EXPECT_LT((path->start_from_vehicle.back().translation() - circle(5.0, rate, 4.0).translation()).norm(), 1e-6);
+}
+
+TEST(dead_reckoning, where_the_gyroscope_is_silent_the_wheels_tell_the_turn) {
+  const Eigen::Vector3d rate(0.0, 0.0, 0.3), bias(0.0, 0.0, 0.02);
+  std::vector<ImuSample> imu;
+  std::vector<WheelSample> wheels;
+  for (int i = 0; i <= 400; ++i)
+    if (i < 100 || i > 300) imu.push_back({at(0.01 * i), rate + bias, {}});
+  for (int i = 0; i <= 200; ++i) wheels.push_back({at(0.02 * i), 5.0 - 0.24, 5.0 + 0.24});
+  const DeadReckoning reckoning(imu, wheels, RigidTransform::Identity(), 1.6);
+  const auto across = reckoning.path(at(0.5), at(3.5), at(0.5), {bias, 1.0});
+  ASSERT_TRUE(across);
+  EXPECT_TRUE(across->has_rotation && across->has_speed);
+  EXPECT_FALSE(across->by_gyro);
+  EXPECT_LT((across->start_from_vehicle.back().translation() - circle(5.0, rate, 3.0).translation()).norm(), 1e-6);
+  const auto before = reckoning.path(at(0.1), at(0.5), at(0.1), {bias, 1.0});
+  ASSERT_TRUE(before);
+  EXPECT_TRUE(before->by_gyro);
+  // Worth what wheels are worth there, not what the gyroscope is.
+  EXPECT_GT(motion_sigma({}, across, true, 0.1, 0.0).turn_rad.z(),
+            10.0 * motion_sigma({}, before, true, 0.1, 0.0).turn_rad.z());
 }
 
 TEST(dead_reckoning, says_nothing_across_a_gap_or_outside_the_data) {

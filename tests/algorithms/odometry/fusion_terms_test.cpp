@@ -61,7 +61,7 @@ TEST(fusion_terms, jacobians_equal_perturbation) {
   expect_true_jacobian(FeatureTerm(FeatureTerm::Kind::Planes, anchor, some_matches(), weights, heard));
   expect_true_jacobian(TurnTerm(anchor, so3_exp({0.01, 0.02, 0.12}), 0.1, {0.01, 0.01, 0.002}, true));
   expect_true_jacobian(TravelTerm(anchor, {1.4, 0.1, 0.05}, {0.02, 0.003, 0.003}, true));
-  expect_true_jacobian(LevelTerm(anchor, {0.05, -0.1, 0.01}));
+  expect_true_jacobian(LevelTerm(anchor, {0.05, -0.1, 0.01, 0.02}));
   expect_true_jacobian(HeightTerm(anchor, 3.4, 0.5));
 }
 
@@ -134,6 +134,21 @@ TEST(level, the_acceleration_of_the_vehicle_is_taken_off) {
   EXPECT_GT(gravity->taken_off_mps2, 3.0);
   // Without that it is off by a quarter of the braking.
   EXPECT_GT(std::abs(level_from_gravity(vehicle_from_imu.linear() * imu[30].specific_force_mps2).pitch_rad), 0.2);
+}
+
+// Nothing tells the acceleration without wheels, nor the speed in a bend without wheels and odometry.
+TEST(level, what_cannot_be_taken_off_is_owned_up_to) {
+  std::vector<ImuSample> imu;
+  for (int i = -30; i <= 30; ++i) imu.push_back({1000000000 + 10000000 * i, {0.0, 0.0, 0.3}, {-3.0, 0.0, 9.81}});
+  const DeadReckoning reckoning(imu, {}, RigidTransform::Identity(), 1.6);
+  const auto level = [&](const std::optional<Vector6d>& velocity) {
+    return level_of(*gravity_in_vehicle(imu, reckoning, RigidTransform::Identity(), {}, velocity, 1000000000),
+                    RigidTransform::Identity(), {});
+  };
+  EXPECT_GT(std::abs(level(std::nullopt).pitch_rad), 0.25);
+  EXPECT_GT(level(std::nullopt).pitch_sigma_rad, 0.25);
+  EXPECT_GT(level(std::nullopt).roll_sigma_rad, 0.25);
+  EXPECT_LT(level(Vector6d::Zero()).roll_sigma_rad, 0.05);
 }
 
 TEST(level, the_curvature_of_the_earth_is_taken_off) {

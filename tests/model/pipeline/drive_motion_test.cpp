@@ -122,5 +122,28 @@ TEST(drive_motion, a_session_without_ins_is_refused_with_its_path) {
   }
 }
 
+TEST(drive_motion, no_pair_spans_a_break_of_the_odometry) {
+  const auto session = drive();
+  session->odometry_breaks_ns = {at_ns(0.5)};
+  const DriveMotion motion({session});
+  std::vector<Keyframe> keyframes;
+  std::vector<Pair> pairs;
+  for (int i = 0; i < 4; ++i) {
+    Keyframe keyframe;
+    keyframe.session = 0;
+    keyframe.stamp_ns = at_ns(0.25 * i);
+    keyframes.push_back(keyframe);
+    if (i == 0) continue;
+    Pair pair;
+    pair.keyframe_a = i - 1;
+    pair.keyframe_b = i;
+    pairs.push_back(pair);
+  }
+  keep_independent_odometry(motion, keyframes, pairs);
+  ASSERT_EQ(pairs.size(), 2u);  // the motion to the pose at 0.5 s is a guess; that from it is not
+  EXPECT_EQ(pairs[0].keyframe_a, 0);
+  EXPECT_EQ(pairs[1].keyframe_a, 2);
+}
+
 }  // namespace
 }  // namespace remount
