@@ -15,7 +15,7 @@ Matrix2d turned(double angle_rad) { return Eigen::Rotation2Dd(angle_rad).toRotat
 // One position with the motion since the start of its window, and how that changes with the bias of the yaw rate.
 struct Point {
   std::size_t window = 0;
-  double time_s = 0.0, turn_rad = 0.0;  // since the start of the window
+  double time_s = 0.0, turn_rad = 0.0, travel_m = 0.0;  // since the start of the window
   Vector2d way_m = Vector2d::Zero(), way_by_bias = Vector2d::Zero();
   Vector2d position_m = Vector2d::Zero();
 };
@@ -32,32 +32,38 @@ struct Motion {
   }
 };
 
-// Points of the drive under a bias; a new window after `window_s` and after each gap of the sensed.
+// Points of the drive under a bias; a new window after `window_s` and after each gap of the sensed. Cancelled: fewer.
 std::vector<Point> points_of(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                             const Eigen::Vector3d& z_in_imu, double window_s, double bias_radps, double& distance_m) {
+                             const Eigen::Vector3d& z_in_imu, double window_s, double bias_radps, double& distance_m,
+                             const Progress& progress) {
   constexpr double kStep_radps = 1e-5;
   std::vector<Point> points;
   Motion motion, up;
-  double time_s = 0.0;
+  double time_s = 0.0, travel_m = 0.0;
   distance_m = 0.0;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < positions.size() && !progress.cancelled(); ++i) {
     const auto steps = i > 0 ? sensed.steps(positions[i - 1].stamp_ns, positions[i].stamp_ns)
                              : std::optional<std::vector<MotionStep>>();
     if (steps) {
       motion.advance(*steps, z_in_imu, bias_radps);
       up.advance(*steps, z_in_imu, bias_radps + kStep_radps);
-      for (const MotionStep& step : *steps) time_s += step.duration_s, distance_m += std::abs(step.travel_m);
+      for (const MotionStep& step : *steps) {
+        time_s += step.duration_s;
+        travel_m += std::abs(step.travel_m);
+        distance_m += std::abs(step.travel_m);
+      }
     }
     const bool covered = positions[i].stamp_ns >= sensed.begin_ns() && positions[i].stamp_ns <= sensed.end_ns();
     if (!covered) continue;
     if (!steps || points.empty() || time_s > window_s) {
       motion = up = {};
-      time_s = 0.0;
+      time_s = travel_m = 0.0;
     }
     Point point;
     point.window = points.empty() ? 0 : points.back().window + (time_s == 0.0 ? 1 : 0);
     point.time_s = time_s;
     point.turn_rad = motion.turn_rad;
+    point.travel_m = travel_m;
     point.way_m = motion.way_m;
     point.way_by_bias = (up.way_m - motion.way_m) / kStep_radps;
     point.position_m = positions[i].position_m.head<2>();
@@ -87,7 +93,7 @@ Placement place(const std::vector<Point>& points, std::size_t first, std::size_t
   return {positions - turned(heading_rad) * ways, heading_rad};
 }
 
-constexpr Eigen::Index kCommon = 4;  // lever arm twice, bias, log of the wheel scale; then three a window
+constexpr int kCommon = 4, kOfWindow = 3;  // lever arm twice, bias, log of the wheel scale; place twice, heading
 
 struct State {
   Vector2d lever_m = Vector2d::Zero();
@@ -95,7 +101,7 @@ struct State {
   std::vector<Placement> windows;
 };
 
-using Row = Eigen::Matrix<double, 2, Eigen::Dynamic>;
+using Row = Eigen::Matrix<double, 2, kCommon + kOfWindow>;  // of the common unknowns and of the point's window
 
 Vector2d residual_of(const Point& point, const State& state, Row& jacobian) {
   const Placement& window = state.windows[point.window];
@@ -106,14 +112,12 @@ Vector2d residual_of(const Point& point, const State& state, Row& jacobian) {
   const Vector2d in_window = way_m + window_from_vehicle * state.lever_m;
   Matrix2d quarter;
   quarter << 0.0, -1.0, 1.0, 0.0;
-  jacobian.setZero();
   jacobian.leftCols<2>() = world_from_window * window_from_vehicle;
   jacobian.col(2) =
       world_from_window * (scale * point.way_by_bias - point.time_s * quarter * window_from_vehicle * state.lever_m);
   jacobian.col(3) = world_from_window * way_m;
-  const Eigen::Index at = kCommon + 3 * static_cast<Eigen::Index>(point.window);
-  jacobian.middleCols<2>(at).setIdentity();
-  jacobian.col(at + 2) = quarter * world_from_window * in_window;
+  jacobian.middleCols<2>(kCommon).setIdentity();
+  jacobian.col(kCommon + 2) = quarter * world_from_window * in_window;
   return window.place_m + world_from_window * in_window - point.position_m;
 }
 
@@ -139,69 +143,108 @@ double median_norm(const std::vector<Vector2d>& residuals) {
   return norms[norms.size() / 2];
 }
 
-// One round of Gauss-Newton; the covariance is for independent errors of unit size.
-double improve(const std::vector<Point>& points, State& state, Eigen::MatrixXd& covariance,
+using CommonMatrix = Eigen::Matrix<double, kCommon, kCommon>;
+using CommonVector = Eigen::Matrix<double, kCommon, 1>;
+
+// Normal equations of one window's own unknowns, and what links them to the common ones.
+struct WindowNormal {
+  Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
+  Eigen::Matrix<double, kCommon, kOfWindow> link = Eigen::Matrix<double, kCommon, kOfWindow>::Zero();
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+};
+
+CommonMatrix inverse_of(const CommonMatrix& matrix) {
+  const CommonVector scale = matrix.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const CommonMatrix inverse =
+      CommonMatrix(scale.asDiagonal() * matrix * scale.asDiagonal()).ldlt().solve(CommonMatrix::Identity());
+  return scale.asDiagonal() * inverse * scale.asDiagonal();
+}
+
+// One round of Gauss-Newton; the covariance is for independent errors of unit size. Each window is eliminated by
+// itself: the time grows with the drive, not with the cube of it.
+double improve(const std::vector<Point>& points, State& state, CommonMatrix& covariance,
                std::vector<Vector2d>& residuals) {
-  const Eigen::Index unknowns = kCommon + 3 * static_cast<Eigen::Index>(state.windows.size());
-  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(unknowns);
-  Row jacobian(2, unknowns);
+  CommonMatrix normal = CommonMatrix::Zero();
+  CommonVector gradient = CommonVector::Zero();
+  std::vector<WindowNormal> windows(state.windows.size());
+  Row jacobian = Row::Zero();
   residuals.clear();
   for (const Point& point : points) residuals.push_back(residual_of(point, state, jacobian));
   const double limit = std::max(1e-9, 2.0 * median_norm(residuals));
   for (std::size_t i = 0; i < points.size(); ++i) {
     residual_of(points[i], state, jacobian);
     const double weight = std::min(1.0, limit / std::max(1e-300, residuals[i].norm()));
-    normal += weight * jacobian.transpose() * jacobian;
-    gradient += weight * jacobian.transpose() * residuals[i];
+    const auto common = jacobian.leftCols<kCommon>();
+    const auto own = jacobian.rightCols<kOfWindow>();
+    WindowNormal& window = windows[points[i].window];
+    normal += weight * common.transpose() * common;
+    gradient += weight * common.transpose() * residuals[i];
+    window.own += weight * own.transpose() * own;
+    window.link += weight * common.transpose() * own;
+    window.gradient += weight * own.transpose() * residuals[i];
   }
   // A lever arm of more than 5 m is no car's: without turns it stays near the axle.
   normal(0, 0) += 1e-4;
   normal(1, 1) += 1e-4;
-  // The last window may hold a single position: its heading is then anything, and stays as it is.
-  for (Eigen::Index at = kCommon + 2; at < unknowns; at += 3) normal(at, at) += 1e-6;
-  const Eigen::VectorXd scale = normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd inverse =
-      (scale.asDiagonal() * normal * scale.asDiagonal()).ldlt().solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
-  covariance = scale.asDiagonal() * inverse * scale.asDiagonal();
-  const Eigen::VectorXd step = -covariance * gradient;
+  for (WindowNormal& window : windows) {
+    // The last window may hold a single position: its heading is then anything, and stays as it is.
+    window.own(2, 2) += 1e-6;
+    const Eigen::LDLT<Eigen::Matrix3d> own(window.own);
+    normal -= window.link * own.solve(window.link.transpose());
+    gradient -= window.link * own.solve(window.gradient);
+  }
+  covariance = inverse_of(normal);
+  const CommonVector step = -covariance * gradient;
   state.lever_m += step.head<2>();
   state.bias_change_radps += step[2];
   state.log_scale += step[3];
-  for (std::size_t w = 0; w < state.windows.size(); ++w) {
-    const Eigen::Index at = kCommon + 3 * static_cast<Eigen::Index>(w);
-    state.windows[w].place_m += step.segment<2>(at);
-    state.windows[w].heading_rad += step[at + 2];
+  for (std::size_t w = 0; w < windows.size(); ++w) {
+    const Eigen::Vector3d change =
+        -windows[w].own.ldlt().solve(windows[w].gradient + windows[w].link.transpose() * step);
+    state.windows[w].place_m += change.head<2>();
+    state.windows[w].heading_rad += change[2];
   }
-  return step.head<kCommon>().norm();
+  return step.norm();
 }
 
-// The whole drive from its start, whose heading comes from its first `kStart_s`.
-std::vector<StampedPosition> integrate_all(const WheelImuSignals& sensed,
-                                           const std::vector<StampedPosition>& positions,
-                                           const Eigen::Vector3d& z_in_imu, double bias_radps, double scale,
-                                           const Vector2d& lever_m, double& end_error_m) {
+struct WholeDrive {
+  std::vector<StampedPosition> integrated;
+  double end_error_m = 0.0, way_m = 0.0;
+  std::optional<double> first_gap_s;
+};
+
+// The drive from its start, whose heading comes from its first `kStart_s`, up to the first gap of the signals.
+WholeDrive integrate_all(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
+                         const Eigen::Vector3d& z_in_imu, double bias_radps, double scale, const Vector2d& lever_m,
+                         const Progress& progress) {
   constexpr double kStart_s = 20.0;
   double distance_m = 0.0;
-  std::vector<Point> points = points_of(sensed, positions, z_in_imu, 1e12, bias_radps, distance_m);
-  std::vector<StampedPosition> integrated;
-  if (points.size() < 3) return integrated;
-  std::size_t start = 0;
+  std::vector<Point> points = points_of(sensed, positions, z_in_imu, 1e12, bias_radps, distance_m, progress);
+  WholeDrive drive;
+  if (points.size() < 3 || progress.cancelled()) return drive;
+  std::size_t start = 0, of_first = 0;
   for (Point& point : points) {
     point.way_m = scale * point.way_m + turned(point.turn_rad) * lever_m;
-    if (point.window == 0 && point.time_s < kStart_s) ++start;
+    if (point.window > 0) continue;
+    ++of_first;
+    if (point.time_s < kStart_s) ++start;
   }
-  const Placement window = place(points, 0, std::max<std::size_t>(start, 3));
+  if (of_first < 3) return drive;
+  const Placement window = place(points, 0, std::clamp<std::size_t>(start, 3, of_first));
   std::size_t at = 0;
   for (const StampedPosition& position : positions) {
     if (position.stamp_ns < sensed.begin_ns() || position.stamp_ns > sensed.end_ns()) continue;
     const Point& point = points[at++];
-    if (point.window > 0) break;
+    if (point.window > 0) {
+      drive.first_gap_s = points[of_first - 1].time_s;
+      break;
+    }
     const Vector2d place_m = window.place_m + turned(window.heading_rad) * point.way_m;
-    integrated.push_back({position.stamp_ns, {place_m.x(), place_m.y(), position.position_m.z()}});
-    end_error_m = (place_m - point.position_m).norm();
+    drive.integrated.push_back({position.stamp_ns, {place_m.x(), place_m.y(), position.position_m.z()}});
+    drive.end_error_m = (place_m - point.position_m).norm();
+    drive.way_m = scale * point.travel_m;
   }
-  return integrated;
+  return drive;
 }
 
 }  // namespace
@@ -213,15 +256,17 @@ AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedP
   constexpr int kRounds = 30;
   constexpr std::size_t kFewest = 30;
   State state;
-  Eigen::MatrixXd covariance;
+  CommonMatrix covariance = CommonMatrix::Zero();
   std::vector<Vector2d> residuals;
   double bias_radps = 0.0;
   for (int round = 0; round < kRounds; ++round) {
+    progress.report("integrating wheels and yaw rate", static_cast<std::size_t>(round), kRounds);
+    const std::vector<Point> points =
+        points_of(sensed, positions, z_in_imu, window_s, bias_radps, fit.distance_m, progress);
     if (progress.cancelled()) {
       fit.why = "cancelled";
       return fit;
     }
-    const std::vector<Point> points = points_of(sensed, positions, z_in_imu, window_s, bias_radps, fit.distance_m);
     fit.positions = points.size();
     if (points.size() < kFewest) {
       fit.why = "only " + std::to_string(points.size()) + " positions lie within the wheel speeds and yaw rates";
@@ -239,7 +284,7 @@ AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedP
   }
   double sum = 0.0;
   for (const Vector2d& r : residuals) sum += r.squaredNorm();
-  const double unknowns = static_cast<double>(kCommon) + 3.0 * static_cast<double>(state.windows.size());
+  const double unknowns = kCommon + kOfWindow * static_cast<double>(state.windows.size());
   const double variance = sum / std::max(1.0, 2.0 * static_cast<double>(residuals.size()) - unknowns);
   covariance *= variance * lasting(residuals);
   fit.found = covariance.allFinite();
@@ -251,9 +296,18 @@ AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedP
   fit.wheel_scale_sigma = fit.wheel_scale * std::sqrt(covariance(3, 3));
   fit.rms_m = std::sqrt(sum / static_cast<double>(residuals.size()));
   fit.windows = static_cast<int>(state.windows.size());
-  fit.integrated =
-      integrate_all(sensed, positions, z_in_imu, bias_radps, fit.wheel_scale, state.lever_m, fit.end_error_m);
-  fit.integrated_raw = integrate_all(sensed, positions, z_in_imu, 0.0, 1.0, Vector2d::Zero(), fit.end_error_raw_m);
+  WholeDrive drive = integrate_all(sensed, positions, z_in_imu, bias_radps, fit.wheel_scale, state.lever_m, progress);
+  fit.integrated = std::move(drive.integrated);
+  fit.end_error_m = drive.end_error_m;
+  fit.integrated_m = drive.way_m;
+  fit.first_gap_s = drive.first_gap_s;
+  WholeDrive raw = integrate_all(sensed, positions, z_in_imu, 0.0, 1.0, Vector2d::Zero(), progress);
+  fit.integrated_raw = std::move(raw.integrated);
+  fit.end_error_raw_m = raw.end_error_m;
+  if (progress.cancelled()) {
+    fit.found = false;
+    fit.why = "cancelled";
+  }
   return fit;
 }
 

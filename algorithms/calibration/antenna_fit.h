@@ -1,6 +1,7 @@
 // Where an antenna sits on a vehicle, from its positions against wheels and yaw rate: for drives without any attitude.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,9 @@ struct AntennaFit {
   double distance_m = 0.0;  ///< driven, by the wheels
   /// Positions by integration from the start alone, with bias and scale taken out, and as measured; level frame.
   std::vector<StampedPosition> integrated, integrated_raw;
-  double end_error_m = 0.0, end_error_raw_m = 0.0;
+  double end_error_m = 0.0, end_error_raw_m = 0.0;  ///< after `integrated_m`
+  double integrated_m = 0.0;                        ///< way by the wheels up to the first gap of the signals
+  std::optional<double> first_gap_s;                ///< since the start, where the integration ends before the drive
 };
 
 /// Planar: yaw rate about z of the vehicle (`vehicle_from_imu`) and way of the wheels. The drive is cut into windows of

@@ -1,6 +1,7 @@
 #include "algorithms/calibration/slew.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -81,12 +82,27 @@ Matrix6d propagate(const Pieces& pieces,
   return covariance;
 }
 
+// How often each ray was measured: a LiDAR that stands still sees the same spots in every scan, whose roughness and
+// errors of its beams no repetition averages out.
+double repeats_of(const std::vector<Vector3d>& points) {
+  constexpr double kRay_rad = 0.004;
+  std::vector<std::array<int, 3>> rays;
+  for (const Vector3d& point : points) {
+    const Vector3d ray = point.normalized() / kRay_rad;
+    rays.push_back({static_cast<int>(std::lround(ray.x())), static_cast<int>(std::lround(ray.y())),
+                    static_cast<int>(std::lround(ray.z()))});
+  }
+  std::sort(rays.begin(), rays.end());
+  const auto distinct = std::unique(rays.begin(), rays.end()) - rays.begin();
+  return distinct > 0 ? static_cast<double>(points.size()) / static_cast<double>(distinct) : 1.0;
+}
+
 bool fit_ground_plane(const SlewData& data, const SlewOptions& options, const Progress& progress, SlewResult& result) {
   PlaneFitOptions fit;
   fit.inlier_m = options.plane_inlier_m;
   fit.near_normal = data.up_in_lidar;
   fit.most_lean_rad = kMostLean_rad;
-  result.ground = fit_plane(data.ground_points, fit, 1.0, progress);
+  result.ground = fit_plane(data.ground_points, fit, repeats_of(data.ground_points), progress);
   constexpr double kLeastExtent_m = 0.5;
   if (result.ground.found && result.ground.short_extent_m < kLeastExtent_m) {
     result.ground.found = false;
@@ -102,7 +118,7 @@ bool arm_is_missing(const SlewData& data, const Vector3d& up, const SlewOptions&
   fit.square_to = up;
   fit.most_lean_rad = degrees_to_radians(15.0);
   fit.trials = 1500;
-  result.arm = fit_plane(data.arm_points, fit, 1.0, progress);
+  result.arm = fit_plane(data.arm_points, fit, repeats_of(data.arm_points), progress);
   constexpr std::size_t kFewest = 50;
   constexpr double kLeastLong_m = 0.5, kLeastShort_m = 0.2;
   std::string why = result.arm.why;
@@ -160,6 +176,16 @@ bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
   const Matrix3d spread = result.ground.normal_covariance_rad2 + result.circle.axis_covariance_rad2;
   result.ground_to_turn_sigma_rad = std::sqrt(std::max(0.0, 0.5 * spread.trace()));
   if (options.first_plane != FirstPlane::Ground) return false;
+  // A turn that is too noisy would let any ground pass.
+  if (result.ground_to_turn_sigma_rad > 0.5 * degrees_to_radians(options.max_plane_angle_deg)) {
+    refuse(
+        Status::Degenerate,
+        text_of("Whether the ground is square to the slew axis cannot be told: the angle between ground and turn has "
+                "a sigma of %.2f deg, and %.2f deg are allowed.",
+                radians_to_degrees(result.ground_to_turn_sigma_rad), options.max_plane_angle_deg),
+        "Record one full turn of the machine at an even, slow rate, and stay clear of it.", result);
+    return true;
+  }
   const double limit_rad =
       std::max(degrees_to_radians(options.max_plane_angle_deg), 3.5 * result.ground_to_turn_sigma_rad);
   if (result.ground_to_turn_rad <= limit_rad) return false;
@@ -259,6 +285,76 @@ void draw(const SlewData& data, SlewResult& result) {
   result.plots.push_back({"Distance from the fitted circle", "slew angle (deg)", "mm", false, {off, high}});
 }
 
+void fit_circle_of_turn(const SlewData& data, SlewResult& result) {
+  std::vector<Vector3d> positions;
+  for (const RigidTransform& pose : data.first_from_lidar) positions.push_back(pose.translation());
+  CircleFit& circle = result.circle = fit_circle(positions);
+  if (!circle.found || !data.first_scan_in_common) return;
+  // The first scan's own error in place moves the circle as a whole; its error in attitude turns the circle about the
+  // first pose. Both are as large as what the other poses show of theirs.
+  double lean2 = 0.0;
+  for (const RigidTransform& pose : data.first_from_lidar)
+    lean2 += (pose.linear() * circle.axis).cross(circle.axis).squaredNorm();
+  const double attitude2 = 0.5 * lean2 / static_cast<double>(data.first_from_lidar.size());
+  const double place2 = 0.5 * (std::pow(circle.in_plane_rms_m, 2) + std::pow(circle.off_plane_rms_m, 2));
+  const Matrix3d lever = skew(circle.centre_m - positions.front());
+  circle.centre_covariance_m2 += place2 * Matrix3d::Identity() + attitude2 * lever * lever.transpose();
+  circle.axis_covariance_rad2 += attitude2 * (Matrix3d::Identity() - circle.axis * circle.axis.transpose());
+}
+
+// Whether the recordings fit together; the arm's plane is fitted on the way. Otherwise refused.
+bool are_usable(const SlewData& data, const SlewOptions& options, const Progress& progress, Pieces& pieces,
+                SlewResult& result) {
+  const auto cancelled = [&] {
+    if (progress.cancelled()) refuse(Status::Cancelled, "Cancelled.", "Start again.", result);
+    return progress.cancelled();
+  };
+  const bool needs_ground = options.first_plane == FirstPlane::Ground || options.origin == MachineOrigin::Ground;
+  const bool ground = fit_ground_plane(data, options, progress, result);
+  if (cancelled() || turn_is_unusable(options, result)) return false;
+  if (needs_ground && !ground) {
+    refuse(Status::Degenerate, "The plane of the ground is missing: " + result.ground.why + ".",
+           "Record the ground around the machine, or take the plane of the turn (slew.first_plane = turn).", result);
+    return false;
+  }
+  if (ground && ground_is_tilted(options, result)) return false;
+  const Vector3d up_hint = ground ? result.ground.normal : data.up_in_lidar;
+  if (result.circle.axis.dot(up_hint) < 0.0) result.circle.axis = -result.circle.axis;
+  pieces.up = options.first_plane == FirstPlane::Ground ? result.ground.normal : result.circle.axis;
+  if (arm_is_missing(data, pieces.up, options, progress, result) || arm_leans(pieces.up, options, result) ||
+      cancelled())
+    return false;
+  pieces.across = result.arm.normal;
+  pieces.centre_m = result.circle.centre_m;
+  pieces.arm_m = result.arm.centre_m;
+  if (options.origin == MachineOrigin::Ground) {
+    pieces.ground_normal = result.ground.normal;
+    pieces.ground_m = result.ground.centre_m;
+  }
+  return true;
+}
+
+Matrix6d covariance_of(const Pieces& pieces, const SlewOptions& options, const SlewResult& result) {
+  const Matrix3d make = std::pow(degrees_to_radians(options.surface_sigma_deg), 2) * Matrix3d::Identity();
+  const Matrix3d ground = result.ground.normal_covariance_rad2 + make;
+  const bool by_ground = options.first_plane == FirstPlane::Ground;
+  const auto tilt_ground = [](Pieces& p, const Vector3d& phi) {
+    if (p.ground_normal) p.ground_normal = so3_exp(phi) * *p.ground_normal;
+  };
+  const auto tilt_up = [&](Pieces& p, const Vector3d& phi) {
+    p.up = so3_exp(phi) * p.up;
+    if (by_ground) tilt_ground(p, phi);  // one plane, one error
+  };
+  return propagate(pieces,
+                   {{tilt_up, by_ground ? ground : Matrix3d(result.circle.axis_covariance_rad2 + make)},
+                    {tilt_ground, by_ground ? Matrix3d(Matrix3d::Zero()) : ground},
+                    {[](Pieces& p, const Vector3d& phi) { p.across = so3_exp(phi) * p.across; },
+                     result.arm.normal_covariance_rad2 + make},
+                    {[](Pieces& p, const Vector3d& step) { p.centre_m += step; }, result.circle.centre_covariance_m2},
+                    {[](Pieces& p, const Vector3d& step) { p.ground_m += step; },
+                     std::pow(result.ground.offset_sigma_m, 2) * Matrix3d::Identity()}});
+}
+
 }  // namespace
 
 SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>& nominal_machine_from_lidar,
@@ -270,51 +366,13 @@ SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>&
   calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
   if (nominal_machine_from_lidar) calibration.ins_from_lidar = *nominal_machine_from_lidar;
   progress.report("fitting planes and circle", 0, 0);
-  std::vector<Vector3d> positions;
-  for (const RigidTransform& pose : data.first_from_lidar) positions.push_back(pose.translation());
-  result.circle = fit_circle(positions);
-  const bool needs_ground = options.first_plane == FirstPlane::Ground || options.origin == MachineOrigin::Ground;
-  const bool ground = fit_ground_plane(data, options, progress, result);
-  const auto cancelled = [&] {
-    if (progress.cancelled()) refuse(Status::Cancelled, "Cancelled.", "Start again.", result);
-    return progress.cancelled();
-  };
-  if (cancelled() || turn_is_unusable(options, result)) return result;
-  if (needs_ground && !ground) {
-    refuse(Status::Degenerate, "The plane of the ground is missing: " + result.ground.why + ".",
-           "Record the ground around the machine, or take the plane of the turn (slew.first_plane = turn).", result);
-    return result;
-  }
-  if (ground && ground_is_tilted(options, result)) return result;
-  const Vector3d up_hint = ground ? result.ground.normal : data.up_in_lidar;
-  if (result.circle.axis.dot(up_hint) < 0.0) result.circle.axis = -result.circle.axis;
-  const bool by_ground = options.first_plane == FirstPlane::Ground;
+  fit_circle_of_turn(data, result);
   Pieces pieces;
-  pieces.up = by_ground ? result.ground.normal : result.circle.axis;
-  if (arm_is_missing(data, pieces.up, options, progress, result) || arm_leans(pieces.up, options, result) ||
-      cancelled())
-    return result;
-  pieces.across = result.arm.normal;
-  pieces.centre_m = result.circle.centre_m;
-  pieces.arm_m = result.arm.centre_m;
-  if (options.origin == MachineOrigin::Ground) {
-    pieces.ground_normal = result.ground.normal;
-    pieces.ground_m = result.ground.centre_m;
-  }
-  const Matrix3d make = std::pow(degrees_to_radians(options.surface_sigma_deg), 2) * Matrix3d::Identity();
-  const Matrix3d up_spread =
-      by_ground ? Matrix3d(result.ground.normal_covariance_rad2 + make) : result.circle.axis_covariance_rad2;
-  const Matrix6d covariance = propagate(
-      pieces, {{[](Pieces& p, const Vector3d& phi) { p.up = so3_exp(phi) * p.up; }, up_spread},
-               {[](Pieces& p, const Vector3d& phi) { p.across = so3_exp(phi) * p.across; },
-                result.arm.normal_covariance_rad2 + make},
-               {[](Pieces& p, const Vector3d& step) { p.centre_m += step; }, result.circle.centre_covariance_m2},
-               {[](Pieces& p, const Vector3d& step) { p.ground_m += step; },
-                std::pow(result.ground.offset_sigma_m, 2) * Matrix3d::Identity()}});
-  fill_calibration(pieces, covariance, solve, nominal_machine_from_lidar, calibration);
-  calibration.message =
-      text_of("Machine from LiDAR by %s, the arm's plane and a turn of %.0f deg.",
-              by_ground ? "the ground" : "the plane of the turn", radians_to_degrees(result.circle.arc_rad));
+  if (!are_usable(data, options, progress, pieces, result)) return result;
+  fill_calibration(pieces, covariance_of(pieces, options, result), solve, nominal_machine_from_lidar, calibration);
+  calibration.message = text_of("Machine from LiDAR by %s, the arm's plane and a turn of %.0f deg.",
+                                options.first_plane == FirstPlane::Ground ? "the ground" : "the plane of the turn",
+                                radians_to_degrees(result.circle.arc_rad));
   calibration.translation_rms_m = std::hypot(result.circle.in_plane_rms_m, result.circle.off_plane_rms_m);
   name_quantities(pieces, result);
   draw(data, result);

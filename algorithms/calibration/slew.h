@@ -24,6 +24,8 @@ struct SlewData {
   std::vector<Eigen::Vector3d> arm_points;                 ///< m; what moved while the arm was swept
   std::vector<RigidTransform> first_from_lidar;            ///< poses of the LiDAR while the machine turned, in order
   Eigen::Vector3d up_in_lidar = Eigen::Vector3d::UnitZ();  ///< rough, within 30 deg; unit length
+  /// Poses by registration to the first scan: they share its error, which is as large as that of each of them.
+  bool first_scan_in_common = false;
 };
 
 struct SlewResult {

@@ -52,18 +52,28 @@ void count_outliers(const TrajectoryProblem& problem, const TrajectoryOptions& o
     }
 }
 
+// Trajectories of different drives settle somewhere too: with errors beyond belief, or most measurements without
+// weight.
+bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                const TrajectorySolution& solution) {
+  const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise);
+  std::array<std::size_t, kTermKinds> all{}, without{};
+  for (std::size_t s = 0; s < weighted.terms.size(); ++s)
+    for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
+      const auto kind = static_cast<std::size_t>(weighted.terms[s][k].kind);
+      ++all[kind];
+      without[kind] += weighted.weights[s][k] < 0.5 ? 1 : 0;
+    }
+  for (std::size_t kind = 0; kind < kTermKinds; ++kind)
+    if (2 * without[kind] > all[kind] || solution.noise.factor[kind] > 0.99 * kMostNoiseFactor) return true;
+  return false;
+}
+
 // What the drive does not show stays where it was.
 void keep_what_is_open(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
                        TrajectoryOutcome& outcome) {
-  TrajectoryState& state = outcome.solution.state;
-  state = held_state(problem, options, outcome.solution, prior, outcome.answer.hold);
-  CalibrationResult& result = outcome.answer.result;
-  result.ins_from_lidar = result.reference_frame == "antenna"
-                              ? make_rigid(Eigen::Matrix3d::Identity(), -state.antenna_in_lidar)
-                              : state.ins_from_lidar;
-  for (NamedQuantity& quantity : outcome.answer.quantities)
-    for (int i = 0; i < 3; ++i)
-      if (quantity.name == std::string("lever arm ") + "xyz"[i]) quantity.value = state.antenna_in_lidar[i];
+  outcome.solution.state = held_state(problem, options, outcome.solution, prior, outcome.answer.hold);
+  set_values(outcome.solution.state, outcome.answer);
 }
 
 TrajectorySnapshot snapshot_of(const CalibrationResult& result, double time_s) {
@@ -75,6 +85,16 @@ TrajectorySnapshot snapshot_of(const CalibrationResult& result, double time_s) {
   out.observed = result.observed;
   for (std::size_t i = 0; i < 6; ++i) out.sigma[i] = result.sigma(i).value_or(std::numeric_limits<double>::quiet_NaN());
   return out;
+}
+
+// New poses follow the odometry from the last one that is solved.
+void extend_state(const TrajectoryProblem& problem, TrajectoryState& state) {
+  for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
+    const std::vector<TrajectoryEpoch>& epochs = problem.sessions[s].epochs;
+    std::vector<RigidTransform>& poses = state.enu_from_lidar[s];
+    for (std::size_t i = poses.size(); i < epochs.size(); ++i)
+      poses.push_back(poses.back() * epochs[i - 1].odometry_from_lidar.inverse() * epochs[i].odometry_from_lidar);
+  }
 }
 
 std::array<double, 6> as_array(const SixParameters& six) {
@@ -92,7 +112,6 @@ TrajectoryAligner::TrajectoryAligner(TrajectoryOptions options, SolveOptions jud
 
 std::size_t TrajectoryAligner::add_session(TrajectorySession session) {
   problem_.sessions.push_back(std::move(session));
-  started_ = false;
   return problem_.sessions.size() - 1;
 }
 
@@ -124,17 +143,6 @@ bool TrajectoryAligner::enough() const {
 
 bool TrajectoryAligner::due(double after_s) const { return data_s() - updated_s_ >= after_s - 1e-6; }
 
-// New poses follow the odometry from the last one that is solved.
-void TrajectoryAligner::extend_state() {
-  TrajectoryState& state = solution_.state;
-  for (std::size_t s = 0; s < problem_.sessions.size(); ++s) {
-    const std::vector<TrajectoryEpoch>& epochs = problem_.sessions[s].epochs;
-    std::vector<RigidTransform>& poses = state.enu_from_lidar[s];
-    for (std::size_t i = poses.size(); i < epochs.size(); ++i)
-      poses.push_back(poses.back() * epochs[i - 1].odometry_from_lidar.inverse() * epochs[i].odometry_from_lidar);
-  }
-}
-
 bool TrajectoryAligner::stayed(const TrajectorySnapshot& now) const {
   constexpr double kWatched_s = 10.0;
   const std::array<double, 6> values = as_array(six_from_rigid(now.ins_from_lidar));
@@ -158,34 +166,46 @@ bool TrajectoryAligner::stayed(const TrajectorySnapshot& now) const {
   return false;
 }
 
-TrajectorySnapshot TrajectoryAligner::update(const Progress& progress) {
-  updated_s_ = data_s();
-  TrajectorySnapshot now;
-  now.time_s = updated_s_;
-  if (enough()) {
-    constexpr double kAnew = 1.5, kNoise = 1.15;
-    const std::size_t count = epochs();
-    const TrajectoryProblem usable = usable_part(problem_);
-    const bool all = std::all_of(problem_.sessions.begin(), problem_.sessions.end(), says_something);
-    TrajectoryApproach approach;
-    if (!started_ || !all || static_cast<double>(count) > kAnew * static_cast<double>(epochs_at_start_)) {
-      solution_ = start_trajectory(usable, options_, progress);
-      prior_ = weak_trajectory_prior(usable, options_, solution_.state.ins_from_lidar);
-      epochs_at_start_ = epochs_at_noise_ = count;
-      started_ = true;
-    } else {
-      extend_state();
-      approach.graduated = false;
-      approach.estimate_noise = static_cast<double>(count) > kNoise * static_cast<double>(epochs_at_noise_);
-      if (approach.estimate_noise) epochs_at_noise_ = count;
-      approach.most_iterations = 4;
-    }
-    solution_ = solve_trajectory(usable, options_, solution_, prior_, approach, progress);
-    now = snapshot_of(describe_trajectory(usable, options_, judged_by_, solution_, prior_, false).result, updated_s_);
-    now.converged = now.known && stayed(now);
-    if (!all) started_ = false;
+bool TrajectoryAligner::solve_on(const TrajectoryProblem& usable, Running& running, const Progress& progress) const {
+  constexpr double kAnew = 1.5, kNoise = 1.15;
+  const std::size_t count = epochs();
+  std::vector<bool> takes_part;
+  for (const TrajectorySession& session : usable.sessions) takes_part.push_back(!session.epochs.empty());
+  TrajectoryApproach approach;
+  const bool anew =
+      takes_part != running.takes_part || static_cast<double>(count) > kAnew * static_cast<double>(running.at_start);
+  if (anew) {
+    running.solution = start_trajectory(usable, options_, progress);
+    running.prior = weak_trajectory_prior(usable, options_, running.solution.state.ins_from_lidar);
+    running.takes_part = std::move(takes_part);
+    running.at_start = running.at_noise = count;
+    ++running.cold_starts;
+  } else {
+    extend_state(usable, running.solution.state);
+    approach.graduated = false;
+    approach.estimate_noise = static_cast<double>(count) > kNoise * static_cast<double>(running.at_noise);
+    if (approach.estimate_noise) running.at_noise = count;
+    approach.most_iterations = 4;
   }
-  if (!progress.cancelled()) history_.push_back(now);
+  running.solution = solve_trajectory(usable, options_, running.solution, running.prior, approach, progress);
+  return !contradict(usable, options_, running.solution);
+}
+
+TrajectorySnapshot TrajectoryAligner::update(const Progress& progress) {
+  TrajectorySnapshot now;
+  now.time_s = data_s();
+  Running next = running_;
+  if (enough()) {
+    const TrajectoryProblem usable = usable_part(problem_);
+    if (solve_on(usable, next, progress))
+      now = snapshot_of(describe_trajectory(usable, options_, judged_by_, next.solution, next.prior, false).result,
+                        now.time_s);
+    now.converged = now.known && stayed(now);
+  }
+  if (progress.cancelled()) return {};
+  running_ = std::move(next);
+  updated_s_ = now.time_s;
+  history_.push_back(now);
   return now;
 }
 
@@ -207,7 +227,7 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
     outcome.answer = without_numbers(Status::Cancelled, "Cancelled.");
     return outcome;
   }
-  if (!outcome.solution.converged) {
+  if (!outcome.solution.converged || contradict(usable, options, outcome.solution)) {
     outcome.answer = without_numbers(Status::NotConverged, "The trajectories could not be aligned.");
     outcome.answer.result.advice.emplace_back(
         "Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?");

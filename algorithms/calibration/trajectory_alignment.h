@@ -52,28 +52,35 @@ class TrajectoryAligner {
   /// Whether update_s of data, or `after_s`, have arrived since the last update.
   bool due() const { return due(options_.update_s); }
   bool due(double after_s) const;
-  /// Solves with what is there. Unchanged where cancelled.
+  /// Solves with what is there. Unchanged where cancelled, and then nothing is known.
   TrajectorySnapshot update(const Progress& progress);
   /// The final solution, from all data afresh: solve_alignment.
   TrajectoryOutcome finish(const Progress& progress) const;
 
   const TrajectoryProblem& problem() const { return problem_; }
   const std::vector<TrajectorySnapshot>& history() const { return history_; }
+  /// How many answers started from nothing rather than from the one before.
+  std::size_t cold_starts() const { return running_.cold_starts; }
 
  private:
+  // The last solution, and what it was made from.
+  struct Running {
+    TrajectorySolution solution;
+    TrajectoryPrior prior;
+    std::vector<bool> takes_part;                             // sessions
+    std::size_t at_start = 0, at_noise = 0, cold_starts = 0;  // the first two: epochs that were there
+  };
+  /// Improves `running`; false where what it leads to is no answer.
+  bool solve_on(const TrajectoryProblem& usable, Running& running, const Progress& progress) const;
   double data_s() const;
   std::size_t epochs() const;
   bool enough() const;
-  void extend_state();
   bool stayed(const TrajectorySnapshot& now) const;
 
   TrajectoryOptions options_;
   SolveOptions judged_by_;
   TrajectoryProblem problem_;
-  TrajectorySolution solution_;
-  TrajectoryPrior prior_;
-  bool started_ = false;
-  std::size_t epochs_at_start_ = 0, epochs_at_noise_ = 0;
+  Running running_;
   double updated_s_ = 0.0;
   std::vector<TrajectorySnapshot> history_;
 };

@@ -21,6 +21,7 @@ struct Evidence {
   WeightedTerms weighted;
   TrajectoryEquations equations;
   SharedMatrix information, spurious;
+  SharedMatrix scatter = SharedMatrix::Zero();  // of the shared unknowns, as blocks of time show it
 };
 
 MotionSummary motion_of(const TrajectoryProblem& problem) {
@@ -108,12 +109,8 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
     information /= wider * wider;
   }
   const Matrix6d prior = weak_prior(evidence.problem.nominal_ins_from_lidar.has_value());
-  Matrix6d covariance = (information + prior).inverse();
-  Matrix6d scatter = Matrix6d::Zero();
-  if (thorough) {
-    scatter = block_scatter(evidence).topLeftCorner<6, 6>();
-    covariance = widened(covariance, scatter);
-  }
+  const Matrix6d scatter = evidence.scatter.topLeftCorner<6, 6>();
+  const Matrix6d covariance = widened((information + prior).inverse(), scatter);
   judge_parameters(covariance + unseen(evidence.problem), motion, evidence.judged_by, result);
   set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);
 }
@@ -131,7 +128,7 @@ struct JudgedAntenna {
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
 };
 
-JudgedAntenna judge_antenna(const Evidence& evidence, bool thorough) {
+JudgedAntenna judge_antenna(const Evidence& evidence) {
   JudgedAntenna out;
   const Matrix6d apparent = as_translation(information_of_antenna(evidence.information, evidence.prior.information));
   const Matrix6d spurious = as_translation(evidence.spurious.bottomRightCorner<3, 3>());
@@ -139,12 +136,10 @@ JudgedAntenna judge_antenna(const Evidence& evidence, bool thorough) {
   const Eigen::Matrix3d trusted = trusted_information(out.directions, evidence.judged_by).topLeftCorner<3, 3>();
   const double reach = evidence.options.antenna_reach_m;
   out.covariance = (trusted + Eigen::Matrix3d::Identity() / (reach * reach)).inverse();
-  if (thorough) {
-    out.scatter = block_scatter(evidence).bottomRightCorner<3, 3>();
-    const Eigen::Vector3d factors =
-        out.scatter.diagonal().cwiseQuotient(out.covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
-    out.covariance = (factors.asDiagonal() * out.covariance * factors.asDiagonal()).eval();
-  }
+  out.scatter = evidence.scatter.bottomRightCorner<3, 3>();
+  const Eigen::Vector3d factors =
+      out.scatter.diagonal().cwiseQuotient(out.covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
+  out.covariance = (factors.asDiagonal() * out.covariance * factors.asDiagonal()).eval();
   out.covariance += unseen(evidence.problem).topLeftCorner<3, 3>();
   return out;
 }
@@ -218,29 +213,40 @@ void add_odometry_heading(const Evidence& evidence, TrajectoryAnswer& answer) {
   }
 }
 
-// Scales and clocks of the sessions, each with its sigma.
+std::string scale_name(std::size_t session) {
+  return "odometry scale" + (session > 0 ? " " + std::to_string(session + 1) : std::string());
+}
+
+// Scales and clocks of the sessions. What a drive leaves as the prior had it is no observation.
 void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
-  CalibrationResult& result = answer.result;
+  constexpr double kShown = 0.5;  // of the prior's sigma
   const TrajectoryProblem& problem = evidence.problem;
-  double offsets = 0.0, variances = 0.0;
+  const Eigen::Vector2d prior_sigma = evidence.equations.own_prior().cwiseInverse().cwiseSqrt();
+  double weights = 0.0;
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
-    const auto variance = [&](int at) {
+    const bool empty = problem.sessions[s].epochs.empty();
+    const auto sigma = [&](int at) {
       std::vector<ChainVector> sides;
       for (const TrajectorySession& session : problem.sessions) sides.emplace_back(session.epochs.size());
       sides[s].border[at] = 1.0;
-      return evidence.equations.solve(std::move(sides), SharedVector::Zero())[s].border[at];
+      return std::sqrt(evidence.equations.solve(std::move(sides), SharedVector::Zero())[s].border[at]);
     };
-    if (evidence.options.odometry_scale_percent > 0.0)
-      answer.quantities.push_back({"odometry scale" + (s > 0 ? " " + std::to_string(s + 1) : std::string()),
-                                   1.0 + evidence.solution.state.scale[s], std::sqrt(variance(kScaleAt)), "", true});
+    if (evidence.options.odometry_scale_percent > 0.0 && !empty) {
+      NamedQuantity scale{scale_name(s), 0.0, sigma(kScaleAt), "", true};
+      scale.observed = scale.sigma < kShown * prior_sigma[0];
+      if (!scale.observed) scale.sigma = std::numeric_limits<double>::quiet_NaN();
+      answer.quantities.push_back(scale);
+    }
     if (!problem.estimate_clock) continue;
-    result.session_time_offset_s.push_back(evidence.solution.state.clock_s[s]);
-    offsets += evidence.solution.state.clock_s[s];
-    variances += variance(kClockAt);
+    const double clock_sigma_s = empty ? prior_sigma[1] : sigma(kClockAt);
+    const bool seen = clock_sigma_s < kShown * prior_sigma[1];
+    answer.clock_weights.push_back(seen ? 1.0 / (clock_sigma_s * clock_sigma_s) : 0.0);
+    weights += answer.clock_weights.back();
   }
-  if (!problem.estimate_clock || problem.sessions.empty()) return;
-  const double count = static_cast<double>(problem.sessions.size());
-  result.time_offset = {offsets / count, std::sqrt(variances) / count, true};
+  answer.result.session_time_offset_s.resize(answer.clock_weights.size());
+  if (!(weights > 0.0)) return;
+  for (double& weight : answer.clock_weights) weight /= weights;
+  answer.result.time_offset = {0.0, 1.0 / std::sqrt(weights), true};
 }
 
 void set_status(bool with_ins, TrajectoryAnswer& answer) {
@@ -300,12 +306,13 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
   SharedMatrix information = equations.information();
   SharedMatrix spurious =
       spurious_trajectory_information(problem, options, solution, weighted, equations, prior.information);
-  const Evidence evidence{problem,     options, judged_by, solution, prior, std::move(weighted), std::move(equations),
-                          information, spurious};
+  Evidence evidence{problem,     options, judged_by, solution, prior, std::move(weighted), std::move(equations),
+                    information, spurious};
+  evidence.scatter = block_scatter(evidence);
   const bool with_ins = has_ins(problem), with_antenna = has_antenna(problem);
   if (with_ins) describe_x(evidence, thorough, answer);
   if (with_antenna) {
-    const JudgedAntenna judged = judge_antenna(evidence, thorough);
+    const JudgedAntenna judged = judge_antenna(evidence);
     add_lever_arm(evidence, judged, answer);
     // Beside an INS the antenna follows X: what both leave open one by one, they know of each other.
     if (!with_ins) {
@@ -317,7 +324,27 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
   if (!with_ins) add_odometry_heading(evidence, answer);
   add_own_unknowns(evidence, answer);
   set_residuals(evidence, answer.result);
+  set_values(solution.state, answer);
   return answer;
+}
+
+void set_values(const TrajectoryState& state, TrajectoryAnswer& answer) {
+  CalibrationResult& result = answer.result;
+  result.ins_from_lidar = result.reference_frame == "antenna"
+                              ? make_rigid(Eigen::Matrix3d::Identity(), -state.antenna_in_lidar)
+                              : state.ins_from_lidar;
+  for (NamedQuantity& quantity : answer.quantities) {
+    for (int i = 0; i < 3; ++i)
+      if (quantity.name == std::string("lever arm ") + "xyz"[i]) quantity.value = state.antenna_in_lidar[i];
+    for (std::size_t s = 0; s < state.scale.size(); ++s)
+      if (quantity.name == scale_name(s)) quantity.value = 1.0 + state.scale[s];
+  }
+  double offset_s = 0.0;
+  for (std::size_t s = 0; s < answer.clock_weights.size(); ++s) {
+    result.session_time_offset_s[s] = state.clock_s[s];
+    offset_s += answer.clock_weights[s] * state.clock_s[s];
+  }
+  if (result.time_offset.applied) result.time_offset.offset_s = offset_s;
 }
 
 TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const TrajectoryOptions& options,

@@ -15,12 +15,17 @@ struct TrajectoryAnswer {
   std::vector<NamedQuantity> quantities;  ///< lever arm of the antenna, heading and scale of the odometry
   /// Information that holds the shared unknowns along the directions that are not observed.
   SharedMatrix hold = SharedMatrix::Zero();
+  /// Share of each session in the common clock offset; 0 where a session says nothing of it. Empty: not estimated.
+  std::vector<double> clock_weights;
 };
 
-/// @param thorough also compares blocks of time and sessions with each other, which can only make sigmas larger
+/// @param thorough also compares sessions with each other, which can only make sigmas larger
 TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                      const SolveOptions& judged_by, const TrajectorySolution& solution,
                                      const TrajectoryPrior& prior, bool thorough);
+
+/// Takes X, lever arm, scales and clocks of an answer from a state; what is known about them stays.
+void set_values(const TrajectoryState& state, TrajectoryAnswer& answer);
 
 /// What is expected of X and the antenna before any data: the nominal (or the INS itself, turned as in `start`) within
 /// metres and a tenth of a radian, the antenna within its reach of the LiDAR.

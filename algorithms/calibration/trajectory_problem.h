@@ -43,6 +43,8 @@ struct TrajectorySession {
   Matrix6d unseen = Matrix6d::Zero();
   /// Of INS attitudes whose log states no errors: turns this small follow braking and steering and show no lever arm.
   double doubtful_attitude_rad = 0.0;
+  /// The INS states its errors: they are not believed to be smaller, however smooth its poses.
+  bool ins_noise_stated = false;
 };
 
 struct TrajectoryProblem {

@@ -7,15 +7,21 @@ namespace remount {
 namespace {
 
 // The cost of a squared residual u: u itself within the threshold, beyond it bounded by twice the threshold. Its
-// derivative is the weight, which good measurements have whole.
+// derivative is the weight, which good measurements have whole and which no measurement has less of than `least`.
 struct Kernel {
   double limit2;
-  double weight(double u) const { return u <= limit2 ? 1.0 : (limit2 / u) * (limit2 / u); }
-  double cost(double u) const { return u <= limit2 ? u : 2.0 * limit2 - limit2 * limit2 / u; }
+  double weight(double u, double least) const {
+    return u <= limit2 ? 1.0 : std::max(least, (limit2 / u) * (limit2 / u));
+  }
+  double cost(double u, double least) const {
+    if (u <= limit2) return u;
+    const double bent = least > 0.0 ? std::min(u, limit2 / std::sqrt(least)) : u;
+    return 2.0 * limit2 - limit2 * limit2 / bent + least * (u - bent);
+  }
 };
 
 // A chain must hold together where a step is an outlier too.
-constexpr double kLeastStepWeight = 1e-6;
+double least_weight(const TrajectoryTerm& term) { return term.is_step() ? 1e-6 : 0.0; }
 
 double squared(const TrajectoryTerm& term, const TrajectoryNoise& noise) {
   const double factor = noise.of(term.kind);
@@ -30,7 +36,7 @@ double total_cost(const TrajectoryProblem& problem, const TrajectoryOptions& opt
   double cost = away.dot(prior.information * away);
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
     for (const TrajectoryTerm& term : trajectory_terms(problem.sessions[s], s, state))
-      cost += kernel.cost(squared(term, noise));
+      cost += kernel.cost(squared(term, noise), least_weight(term));
     cost += own_prior[0] * state.scale[s] * state.scale[s] + own_prior[1] * state.clock_s[s] * state.clock_s[s];
   }
   return cost;
@@ -63,9 +69,15 @@ StepSize size_of(const std::vector<ChainVector>& steps) {
   return size;
 }
 
-std::vector<ChainVector> gauss_newton_step(const TrajectoryProblem& problem, const WeightedTerms& weighted,
-                                           const TrajectoryNoise& noise, const TrajectoryPrior& prior,
-                                           const TrajectoryEquations& equations, const TrajectoryState& state) {
+// A step, and by how much it lowers the cost if residuals are linear.
+struct Step {
+  std::vector<ChainVector> moves;
+  double predicted_decrease = 0.0;
+};
+
+Step gauss_newton_step(const TrajectoryProblem& problem, const WeightedTerms& weighted, const TrajectoryNoise& noise,
+                       const TrajectoryPrior& prior, const TrajectoryEquations& equations,
+                       const TrajectoryState& state) {
   std::vector<ChainVector> sides;
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
     sides.emplace_back(problem.sessions[s].epochs.size());
@@ -77,31 +89,47 @@ std::vector<ChainVector> gauss_newton_step(const TrajectoryProblem& problem, con
     sides[s].border[kScaleAt] -= equations.own_prior()[0] * state.scale[s];
     sides[s].border[kClockAt] -= equations.own_prior()[1] * state.clock_s[s];
   }
-  return equations.solve(std::move(sides), -prior.information * prior.distance(state));
+  const SharedVector shared = -prior.information * prior.distance(state);
+  Step step;
+  step.moves = equations.solve(sides, shared);
+  if (step.moves.empty()) return step;
+  step.predicted_decrease = shared.dot(step.moves.front().border.head<kSharedSize>());
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    step.predicted_decrease += sides[s].border.dot(step.moves[s].border);
+    for (std::size_t i = 0; i < sides[s].poses.size(); ++i)
+      step.predicted_decrease += sides[s].poses[i].dot(step.moves[s].poses[i]);
+  }
+  return step;
 }
 
-// One step with as much of it as lowers the cost. Nothing where the equations cannot be solved.
-std::optional<StepSize> improve(const TrajectoryProblem& problem, const TrajectoryOptions& options,
-                                const TrajectoryPrior& prior, double widened, TrajectorySolution& solution) {
+enum class Improved { Moved, AtMinimum, Stuck };
+
+// One step with as much of it as lowers the cost.
+Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
+                 double widened, TrajectorySolution& solution) {
+  constexpr double kShared = 1e-7, kPoses = 1e-5, kNoDecrease = 1e-9;
+  constexpr int kMostHalvings = 12;
   const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise, widened);
   const TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
-  if (!equations.solvable()) return std::nullopt;
-  const std::vector<ChainVector> steps =
-      gauss_newton_step(problem, weighted, solution.noise, prior, equations, solution.state);
+  if (!equations.solvable()) return Improved::Stuck;
+  const Step step = gauss_newton_step(problem, weighted, solution.noise, prior, equations, solution.state);
   const auto cost = [&](const TrajectoryState& state) {
     return total_cost(problem, options, state, solution.noise, prior, equations.own_prior(), widened);
   };
   const double before = cost(solution.state);
-  StepSize size = size_of(steps);
-  if (!std::isfinite(size.shared + size.poses)) return std::nullopt;
+  const StepSize size = size_of(step.moves);
+  if (!std::isfinite(size.shared + size.poses)) return Improved::Stuck;
+  // Judged by the whole step: the part that is left after halving is small wherever the search fails.
+  const bool at_minimum = size.shared < kShared && size.poses < kPoses;
   double share = 1.0;
-  for (int halved = 0; halved < 6; ++halved, share *= 0.5) {
-    const TrajectoryState next = moved(solution.state, steps, share);
+  for (int halved = 0; halved < kMostHalvings; ++halved, share *= 0.5) {
+    const TrajectoryState next = moved(solution.state, step.moves, share);
     if (cost(next) > before * (1.0 + 1e-9)) continue;
     solution.state = next;
-    return StepSize{share * size.shared, share * size.poses};
+    return at_minimum ? Improved::AtMinimum : Improved::Moved;
   }
-  return StepSize{};  // no part of the step is downhill: as low as rounding allows
+  // As low as rounding allows only where no decrease is promised.
+  return at_minimum || step.predicted_decrease < kNoDecrease * (1.0 + before) ? Improved::AtMinimum : Improved::Stuck;
 }
 
 // Medians of squared residuals of three components, over what they are where errors are as stated.
@@ -122,11 +150,22 @@ TrajectoryNoise at_least_as_stated(const TrajectoryProblem& problem, const Traje
   return noise;
 }
 
+// Errors that somebody states may turn out larger; what seems smaller is correlated from sample to sample.
+double least_factor(const TrajectoryProblem& problem, TermKind kind) {
+  constexpr double kAssumed = 0.05;
+  if (kind == TermKind::Antenna) return 1.0;
+  if (kind != TermKind::InsPosition && kind != TermKind::InsAttitude) return kAssumed;
+  const auto states = [](const TrajectorySession& session) {
+    return !session.epochs.empty() && session.ins_noise_stated;
+  };
+  return std::any_of(problem.sessions.begin(), problem.sessions.end(), states) ? 1.0 : kAssumed;
+}
+
 // Variance components (Foerstner 1979): squared residuals of each kind over their redundancy, which samples of errors
 // tell without any inverse. What is stated counts like a few measurements.
 double update_noise(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
                     TrajectorySolution& solution) {
-  constexpr double kBelieved = 12.0, kLeast = 0.05, kMost = 100.0;
+  constexpr double kBelieved = 12.0;
   constexpr int kSamples = 2;
   const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise);
   const TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
@@ -150,7 +189,8 @@ double update_noise(const TrajectoryProblem& problem, const TrajectoryOptions& o
   for (std::size_t kind = 0; kind < kTermKinds; ++kind) {
     const double before = solution.noise.factor[kind];
     const double variance = (squares[kind] + kBelieved) / (redundancy[kind] + kBelieved);
-    solution.noise.factor[kind] = std::clamp(std::sqrt(variance), kLeast, kMost);
+    solution.noise.factor[kind] =
+        std::clamp(std::sqrt(variance), least_factor(problem, static_cast<TermKind>(kind)), kMostNoiseFactor);
     change = std::max(change, std::abs(std::log(solution.noise.factor[kind] / before)));
   }
   return change;
@@ -172,12 +212,10 @@ double starting_width(const TrajectoryProblem& problem, const TrajectoryOptions&
 
 bool converge(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
               double widened, int most, const Progress& progress, TrajectorySolution& solution) {
-  constexpr double kShared = 1e-7, kPoses = 1e-5;
   for (int i = 0; i < most && !progress.cancelled(); ++i) {
-    const std::optional<StepSize> size = improve(problem, options, prior, widened, solution);
+    const Improved now = improve(problem, options, prior, widened, solution);
     ++solution.iterations;
-    if (!size) return false;
-    if (size->shared < kShared && size->poses < kPoses) return true;
+    if (now != Improved::Moved) return now == Improved::AtMinimum;
   }
   return false;
 }
@@ -202,8 +240,7 @@ WeightedTerms weighted_terms(const TrajectoryProblem& problem, const TrajectoryO
     out.terms.push_back(trajectory_terms(problem.sessions[s], s, state));
     std::vector<double>& weights = out.weights.emplace_back();
     for (const TrajectoryTerm& term : out.terms.back()) {
-      const double weight = kernel.weight(squared(term, noise));
-      weights.push_back(term.is_step() ? std::max(kLeastStepWeight, weight) : weight);
+      weights.push_back(kernel.weight(squared(term, noise), least_weight(term)));
     }
   }
   return out;

@@ -17,6 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr int kFewestIntervals = 8;
+constexpr double kTyre = 0.015;  // share by which the wheels' way may be wrong where nobody asks for their scale
 
 void require_valid(const VehicleFrameOptions& options) {
   std::string all;
@@ -80,7 +81,8 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   problem.used = {true, true, streams.wheels_differ, streams.reference, level};
   problem.free.fill(true);
   problem.free[6] = options.scale == ScaleMode::Estimated;
-  problem.free[7] = options.estimate_wheel_scale;
+  // Tyres differ from what the vehicle takes them for by a per cent or two: a sensor in metres says by how much.
+  problem.free[7] = options.scale == ScaleMode::Known;
   problem.free[14] = streams.wheels_differ;
   if (streams.one_axis)
     for (const int held : {8, 9, 11, 12, 13}) problem.free[static_cast<std::size_t>(held)] = false;
@@ -93,8 +95,9 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   if (options.imu_mounting_sigma_deg < 90.0) problem.prior.vehicle_from_imu = stated_imu_mounting(options);
   const bool nominal = nominal_vehicle_from_sensor.has_value();
   const double bias_radps = std::max(1e-9, degrees_to_radians(options.gyro_bias_sigma_dps));
-  problem.prior_sigma << Vector3d::Constant(nominal ? 2.0 : 5.0), Vector3d::Constant(nominal ? 0.2 : 1.0), 3.0, 0.1,
-      Vector3d::Constant(bias_radps), Vector3d::Constant(degrees_to_radians(options.imu_mounting_sigma_deg)), 1.0,
+  problem.prior_sigma << Vector3d::Constant(nominal ? 2.0 : 5.0), Vector3d::Constant(nominal ? 0.2 : 1.0), 3.0,
+      options.estimate_wheel_scale ? 0.1 : kTyre, Vector3d::Constant(bias_radps),
+      Vector3d::Constant(degrees_to_radians(options.imu_mounting_sigma_deg)), 1.0,
       Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg));
   return problem;
 }
@@ -116,12 +119,9 @@ void judge(const std::vector<VehicleInterval>& intervals, const VehicleFrameProb
   const Vector6d prior_information = problem.prior_sigma.head<6>().cwiseAbs2().cwiseInverse();
   Matrix6d information = solution.covariance.topLeftCorner<6, 6>().inverse();
   information.diagonal() -= prior_information;
-  SpuriousInformation spurious;
-  spurious.apparent.topLeftCorner<3, 3>() = solution.way_information;
-  spurious.spurious.topLeftCorner<3, 3>() = solution.spurious_information;
   const MotionSummary motion = motion_of(intervals, solution.state);
   result.ins_from_lidar = solution.state.vehicle_from_sensor;
-  result.directions = observed_directions(information, spurious, motion, solve);
+  result.directions = observed_directions(information, solution.excitation, motion, solve);
   Matrix6d trusted = trusted_information(result.directions, solve);
   trusted.diagonal() += prior_information;
   judge_parameters(trusted.inverse(), motion, solve, result);
@@ -157,6 +157,7 @@ RigidTransform with_unobserved_angles(const RigidTransform& found, const RigidTr
 NamedQuantity quantity(const char* name, double value, double variance, const char* unit, double limit) {
   NamedQuantity out{name, value, std::sqrt(std::max(0.0, variance)), unit, true};
   out.observed = out.sigma < limit;
+  if (!out.observed) out.sigma = std::numeric_limits<double>::quiet_NaN();
   return out;
 }
 
@@ -167,8 +168,9 @@ void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolut
     result.quantities.push_back(
         quantity("scale", result.scale, std::pow(result.scale, 2) * covariance(6, 6), "", 0.05 * result.scale));
   if (problem.free[7])
-    result.quantities.push_back(
-        quantity("wheel scale", result.wheel_scale, std::pow(result.wheel_scale, 2) * covariance(7, 7), "", 0.05));
+    result.quantities.push_back(quantity("wheel scale", result.wheel_scale,
+                                         std::pow(result.wheel_scale, 2) * covariance(7, 7), "",
+                                         0.5 * problem.prior_sigma[7]));
   if (problem.free[11]) {
     const YawPitchRoll angles = yaw_pitch_roll_from_rotation(result.vehicle_from_imu);
     const Matrix3d jacobian = yaw_pitch_roll_jacobian(angles);

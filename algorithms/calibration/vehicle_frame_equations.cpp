@@ -35,10 +35,16 @@ struct Linearised {
   IntervalJacobian jacobian;
 };
 
-std::vector<Linearised> linearise(const std::vector<IntegratedInterval>& intervals, const VehicleFrameState& state) {
-  std::vector<Linearised> rows(intervals.size());
-  for (std::size_t i = 0; i < intervals.size(); ++i)
-    rows[i] = {residual_of(intervals[i], state), jacobian_of(intervals[i], state)};
+// Fewer rows than intervals: cancelled.
+std::vector<Linearised> linearise(const VehicleFrameProblem& problem, const VehicleFrameState& state,
+                                  const Progress& progress) {
+  std::vector<Linearised> rows;
+  rows.reserve(problem.intervals->size());
+  for (const VehicleInterval& interval : *problem.intervals) {
+    if (progress.cancelled()) return rows;
+    const IntegratedInterval sum = integrated(interval, state.gyro_bias_radps);
+    rows.push_back({residual_of(sum, state), jacobian_of(sum, state)});
+  }
   return rows;
 }
 
@@ -186,18 +192,20 @@ StateMatrix widened_by_lasting_errors(const StateMatrix& covariance, const std::
   return factor.asDiagonal() * covariance * factor.asDiagonal();
 }
 
-void describe_lever_arm(const VehicleFrameProblem& problem, const std::vector<IntegratedInterval>& intervals,
-                        VehicleFrameSolution& solution) {
-  const double weight = 1.0 / (solution.sigma[kWay] * solution.sigma[kWay]);
-  for (const IntegratedInterval& interval : intervals) {
-    const Matrix3d turned =
-        with_bias(interval, solution.state.gyro_bias_radps).start_from_end(solution.state.vehicle_from_imu).linear() -
-        Matrix3d::Identity();
-    solution.way_information += weight * turned.transpose() * turned;
-  }
-  const double noise_rad = problem.used[kTurn] ? solution.sigma[kTurn] : 0.0;
-  solution.spurious_information =
-      2.0 * noise_rad * noise_rad * weight * static_cast<double>(intervals.size()) * Matrix3d::Identity();
+// How much of what the rows say of X would be there if the vehicle had not moved: noise of turns and ways, squared,
+// looks like turns and ways. The noise of a residual is the most that either side of it can have.
+SpuriousInformation excitation_of(const VehicleFrameProblem& problem, const VehicleFrameSolution& solution) {
+  SpuriousInformation out;
+  const Vector6d prior = problem.prior_sigma.head<6>().cwiseAbs2().cwiseInverse();
+  out.apparent = solution.covariance.topLeftCorner<6, 6>().ldlt().solve(Matrix6d::Identity());
+  for (int k = 0; k < 6; ++k)
+    if (problem.free[static_cast<std::size_t>(k)]) out.apparent(k, k) -= prior[k];
+  const auto count = static_cast<double>(problem.intervals->size());
+  const double ratio = problem.used[kTurn] ? solution.sigma[kTurn] / solution.sigma[kWay] : 0.0;
+  // Two axes of three are square to each direction of noise. A rotation is seen by ways and by turns.
+  out.spurious.topLeftCorner<3, 3>() = 2.0 * count * ratio * ratio * Matrix3d::Identity();
+  out.spurious.bottomRightCorner<3, 3>() = (problem.used[kTurn] ? 4.0 : 2.0) * count * Matrix3d::Identity();
+  return out;
 }
 
 }  // namespace
@@ -280,17 +288,13 @@ VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const Veh
   solution.state = start;
   double unknowns_per_kind = 0.0;
   for (const bool free : problem.free) unknowns_per_kind += free ? 1.0 / 3.0 : 0.0;
-  std::vector<IntegratedInterval> intervals;
   Normal normal;
   for (int round = 0; round < kRounds; ++round) {
-    if (progress.cancelled()) {
+    const std::vector<Linearised> rows = linearise(problem, solution.state, progress);
+    if (rows.size() < problem.intervals->size()) {
       solution.cancelled = true;
       return solution;
     }
-    intervals.clear();
-    for (const VehicleInterval& interval : *problem.intervals)
-      intervals.push_back(integrated(interval, solution.state.gyro_bias_radps));
-    const std::vector<Linearised> rows = linearise(intervals, solution.state);
     std::vector<IntervalResidual> residuals;
     for (const Linearised& row : rows) residuals.push_back(row.residual);
     solution.sigma = estimate_sigma(problem, residuals, unknowns_per_kind);
@@ -311,8 +315,8 @@ VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const Veh
   }
   solution.information = normal.hessian;
   solution.outliers = normal.outliers;
+  if (problem.free[0] && problem.free[1] && problem.free[2]) solution.excitation = excitation_of(problem, solution);
   solution.covariance = widened_by_lasting_errors(solution.covariance, normal.scores);
-  describe_lever_arm(problem, intervals, solution);
   return solution;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/vehicle_frame.h"
 
 namespace remount {
@@ -63,9 +64,8 @@ struct VehicleFrameSolution {
   std::array<double, kResidualKinds> sigma{};     ///< of one row of each kind
   StateMatrix information = StateMatrix::Zero();  ///< of all unknowns, prior included; held ones have a row of zeros
   StateMatrix covariance = StateMatrix::Zero();   ///< held ones zero; widened where errors last longer than an interval
-  Eigen::Matrix3d way_information = Eigen::Matrix3d::Zero();       ///< of the lever arm, for `SpuriousInformation`
-  Eigen::Matrix3d spurious_information = Eigen::Matrix3d::Zero();  ///< the part that noise in turns alone makes
-  int outliers = 0;                                                ///< intervals of little weight
+  SpuriousInformation excitation;                 ///< of X, other unknowns marginalised, without the prior
+  int outliers = 0;                               ///< intervals of little weight
 };
 
 /// Robust Gauss-Newton with the noise of each kind estimated from its residuals.

@@ -9,7 +9,7 @@ enum class ScaleMode { Known, Estimated };
 
 struct VehicleFrameOptions {
   ScaleMode scale = ScaleMode::Known;
-  bool estimate_wheel_scale = false;
+  bool estimate_wheel_scale = false;  ///< within 10%; else within 1.5% where the sensor is metric
   double interval_m = 5.0;
   double interval_turn_deg = 8.0;
   double imu_yaw_deg = 0.0, imu_pitch_deg = 0.0, imu_roll_deg = 0.0;

@@ -25,7 +25,9 @@ struct CircleFit {
 };
 
 /// Plane, then circle in it: algebraic start (Kasa 1976), then the sum of squared distances with a soft limit (Huber);
-/// points beyond five sigma are left out. The order of the points says the sense of the axis.
+/// points beyond five sigma are left out. The order of the points says the sense of the axis. The covariances allow for
+/// errors that neighbours have in common, as far as the residuals show them; an error that all points have in common,
+/// or that goes once around with the points, moves centre and axis without a residual and is not in them.
 CircleFit fit_circle(const std::vector<Eigen::Vector3d>& points_m);
 
 }  // namespace remount

@@ -116,6 +116,7 @@ OdometryPose LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<con
   const double step_s = static_cast<double>(stamp_ns - last_.stamp_ns) * 1e-9;
   OdometryPose pose;
   pose.stamp_ns = stamp_ns;
+  pose.map = last_.map;
   pose.odometry_from_lidar = last_.odometry_from_lidar * predicted_step.value_or(motion(velocity_, step_s));
   if (predicted_step) velocity_ = velocity_to(pose.odometry_from_lidar, stamp_ns);
   Attempt best = attempt(scan, pose.odometry_from_lidar, velocity_, progress);
@@ -143,9 +144,11 @@ OdometryPose LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<con
   pose.covariance = covariance_of(pose.aligned ? quality.information : Matrix6d(Matrix6d::Zero()), lidar_from_map);
   failures_ = pose.aligned ? 0 : failures_ + 1;
   if (pose.aligned) velocity_ = velocity_to(pose.odometry_from_lidar, stamp_ns);
+  const bool lost = failures_ >= kMostFailures && !progress.cancelled();
+  pose.map += lost ? 1 : 0;
   last_ = pose;
   if (progress.cancelled()) return pose;
-  if (failures_ >= kMostFailures) {
+  if (lost) {
     start_map(scan, velocity_, progress);  // the old surroundings are lost: go on from here
     failures_ = 0;
   } else if (pose.aligned && joins_map(pose.odometry_from_lidar)) {

@@ -21,6 +21,9 @@ struct OdometryPose {
   std::string problem;       ///< empty, or why there is no alignment
   std::string undetermined;  ///< directions that the surfaces leave to the prediction, in words; empty: none
   double rmse_m = 0.0, overlap = 0.0;
+  /// Counts the maps that were begun anew where the surroundings were lost. Poses of different maps differ by the error
+  /// of the pose at which the later one began as well: the first that carries its number.
+  int map = 0;
 };
 
 /// Incremental and deterministic. Not thread-safe.

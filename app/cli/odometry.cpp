@@ -52,7 +52,7 @@ int odometry(const OdometryArguments& arguments, Console& console) {
     console.complain("cancelled after " + summary(run) + "; nothing is written");
     return kNoResult;
   }
-  save_atomically(arguments.output, tum_text(run.odometry_from_lidar));
+  save_atomically(arguments.output, odometry_text(run.odometry_from_lidar));
   console.print(arguments.output + ": " + summary(run));
   return kSolved;
 }

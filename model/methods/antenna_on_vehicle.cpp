@@ -55,11 +55,20 @@ void fill(const AntennaFit& fit, const PipelineInput& input, CalibrationResult& 
   std::snprintf(text, sizeof text,
                 "Positions of an antenna show no attitude; of its place %s observed. End error of wheels and yaw rate: "
                 "%.1f m in %.0f m (%.2f%%).",
-                place.c_str(), fit.end_error_m, fit.distance_m,
-                100.0 * fit.end_error_m / std::max(1.0, fit.distance_m));
+                place.c_str(), fit.end_error_m, fit.integrated_m,
+                100.0 * fit.end_error_m / std::max(1.0, fit.integrated_m));
   result.message = text;
   result.advice.push_back("Give poses of a sensor (odometry of a LiDAR or a camera) to calibrate all six parameters.");
   if (!any) result.advice.push_back("x and y of the antenna need turns: drive tight turns in both directions.");
+}
+
+Finding gap_of(const AntennaFit& fit, const std::string& session) {
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "Wheel speeds or yaw rates have a gap after %.0f s: the end error is that of the %.0f m before it, of "
+                "%.0f m driven.",
+                *fit.first_gap_s, fit.integrated_m, fit.distance_m);
+  return {Severity::Warning, "drive-gap", session, text};
 }
 
 Curve curve(const char* name, const std::vector<StampedPosition>& positions, bool dots) {
@@ -106,11 +115,12 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
     return output;
   }
   fill(fit, input, result);
+  if (fit.first_gap_s) output.findings.push_back(gap_of(fit, session.name));
   output.initial_ins_from_lidar = output.compensation_ins_from_lidar = result.ins_from_lidar;
   output.quantities = {
       {"yaw rate bias", fit.yaw_rate_bias_radps, fit.yaw_rate_bias_sigma_radps, "rad/s", true},
       {"wheel scale", fit.wheel_scale, fit.wheel_scale_sigma, "", true},
-      {"distance", fit.distance_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
+      {"distance", fit.integrated_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
       {"end error", fit.end_error_m, std::numeric_limits<double>::quiet_NaN(), "m", true},
       {"end error as measured", fit.end_error_raw_m, std::numeric_limits<double>::quiet_NaN(), "m", true}};
   output.plots.push_back({"Trajectory by wheels and yaw rate",

@@ -18,10 +18,21 @@ enum Role { kGround, kArm, kTurn, kRoles };
 constexpr const char* kRoleNames[] = {"ground", "arm", "turn"};
 using Recordings = std::array<const Session*, kRoles>;
 
+// Whole words, as in "full turn", "turn_2" and "FullTurn": an "alarm" is no arm.
 bool is_named(const Session& session, const char* word) {
-  std::string name = session.name;
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  return name.find(word) != std::string::npos;
+  std::string read;
+  bool was_small = false;
+  for (const char each : session.name + " ") {
+    const auto c = static_cast<unsigned char>(each);
+    const bool letter = std::isalpha(c) != 0;
+    if (!letter || (std::isupper(c) && was_small)) {
+      if (read == word) return true;
+      read.clear();
+    }
+    if (letter) read += static_cast<char>(std::tolower(c));
+    was_small = std::islower(c) != 0;
+  }
+  return false;
 }
 
 // By the settings, else by name ("ground", "arm", "turn" in it), else by order: ground, arm, turn; or arm, turn.
@@ -170,6 +181,7 @@ PipelineOutput run_slew(const PipelineInput& input, Progress& progress) {
   if (recordings[kGround])
     data.ground_points = ground_points(*recordings[kGround], input.settings, output.findings, progress);
   if (recordings[kArm]) data.arm_points = arm_points(*recordings[kArm], input.settings, output.findings, progress);
+  data.first_scan_in_common = recordings[kTurn]->scans != nullptr;
   data.first_from_lidar = turn_poses(*recordings[kTurn], input.settings, output.findings, progress);
   const SlewResult result =
       solve_slew(data, input.nominal_ins_from_lidar, input.settings.slew, input.settings.solve, progress);

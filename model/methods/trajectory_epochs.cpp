@@ -77,7 +77,7 @@ std::vector<EpochStamp> epoch_stamps(const std::vector<OdometryPose>& poses, con
 
 struct InsNoise {
   double position_m, attitude_rad, position_drift, attitude_drift, bias_rad;
-  bool declared;
+  bool attitude_declared, declared;
 };
 
 // As in pairwise calibration: what a log declares, else what the options assume. Data that declare their white noise
@@ -87,17 +87,46 @@ InsNoise ins_noise(const Session& session, const MotionTrack& track, const Solve
       std::isfinite(session.ins_position_white_sigma_m) && std::isfinite(session.ins_attitude_white_sigma_rad);
   constexpr double kLeast_m = 1e-4, kLeast_rad = 1e-6;
   InsNoise out{};
-  out.declared = std::isfinite(session.ins_attitude_white_sigma_rad);
+  out.declared = declared;
+  out.attitude_declared = std::isfinite(session.ins_attitude_white_sigma_rad);
   out.position_m = std::max(kLeast_m, track.position_noise_factor() *
                                           known_or(session.ins_position_white_sigma_m, assumed.ins_position_sigma_m));
   out.attitude_rad = std::max(
       kLeast_rad, track.attitude_noise_factor() * known_or(session.ins_attitude_white_sigma_rad,
                                                            degrees_to_radians(assumed.ins_attitude_sigma_deg)));
-  out.position_drift = known_or(session.ins_position_drift, declared ? 0.0 : assumed.ins_position_drift_m);
-  out.attitude_drift =
-      known_or(session.ins_attitude_drift, declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
+  if (!track.empty()) {
+    out.position_drift = known_or(session.ins_position_drift, declared ? 0.0 : assumed.ins_position_drift_m);
+    out.attitude_drift =
+        known_or(session.ins_attitude_drift, declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
+  }
   out.bias_rad = known_or(session.ins_attitude_bias_sigma_rad, degrees_to_radians(assumed.ins_attitude_bias_sigma_deg));
   return out;
+}
+
+// Poses of the INS closer than this share samples: those between two samples, and those smoothed over the same ones.
+std::int64_t independent_after_ns(const MotionTrack& track) {
+  constexpr std::int64_t kSmoothed_ns = 200'000'000;
+  const bool smoothed = track.position_noise_factor() < 1.0 || track.attitude_noise_factor() < 1.0;
+  std::vector<std::int64_t> apart_ns;
+  for (std::size_t i = 1; i < track.samples().size(); ++i)
+    apart_ns.push_back(track.samples()[i].stamp_ns - track.samples()[i - 1].stamp_ns);
+  if (apart_ns.empty()) return 0;
+  const auto middle = apart_ns.begin() + static_cast<std::ptrdiff_t>(apart_ns.size() / 2);
+  std::nth_element(apart_ns.begin(), middle, apart_ns.end());
+  return smoothed ? std::max(*middle, kSmoothed_ns) : *middle;
+}
+
+// What lies between two epochs and neither pose tells: maps that began at an uncertain pose, and stretches whose
+// surroundings let the map slide. A scan that only failed leaves no trace, for the map stayed.
+Matrix6d lost_between(const std::vector<OdometryPose>& poses, std::int64_t before_ns, std::int64_t here_ns) {
+  Matrix6d sum = Matrix6d::Zero();
+  auto pose = std::upper_bound(poses.begin(), poses.end(), before_ns,
+                               [](std::int64_t stamp, const OdometryPose& one) { return stamp < one.stamp_ns; });
+  for (; pose != poses.end() && pose->stamp_ns < here_ns; ++pose) {
+    const bool began = pose != poses.begin() && pose->map != (pose - 1)->map;
+    if (began || !pose->undetermined.empty()) sum += pose->covariance;
+  }
+  return sum;
 }
 
 const OdometryPose& nearest_pose(const std::vector<OdometryPose>& poses, std::int64_t stamp_ns) {
@@ -109,15 +138,15 @@ const OdometryPose& nearest_pose(const std::vector<OdometryPose>& poses, std::in
   return stamp_ns - (after - 1)->stamp_ns < after->stamp_ns - stamp_ns ? *(after - 1) : *after;
 }
 
-// Of the motion between two epochs: the errors of both poses, what grows with the distance, and the walk of the INS,
-// which no step can tell from that of the odometry.
-void set_step(const Matrix6d& before, const Matrix6d& here, double distance_m, double time_s, const InsNoise& ins,
+// Of the motion between two epochs: the errors of both poses and of what was lost between them, what grows with the
+// distance, and the walk of the INS, which no step can tell from that of the odometry.
+void set_step(const Matrix6d& of_poses, double distance_m, double time_s, const InsNoise& ins,
               const TrajectoryOptions& options, TrajectoryEpoch& epoch) {
   const double drift = 0.01 * options.odometry_drift_percent * distance_m;
   const double turn = degrees_to_radians(options.odometry_drift_deg) * distance_m;
-  epoch.step_translation_m2 = (before + here).topLeftCorner<3, 3>();
+  epoch.step_translation_m2 = of_poses.topLeftCorner<3, 3>();
   epoch.step_translation_m2.diagonal().array() += drift * drift + ins.position_drift * ins.position_drift * time_s;
-  epoch.step_rotation_rad2 = (before + here).bottomRightCorner<3, 3>();
+  epoch.step_rotation_rad2 = of_poses.bottomRightCorner<3, 3>();
   epoch.step_rotation_rad2.diagonal().array() += turn * turn + ins.attitude_drift * ins.attitude_drift * time_s;
 }
 
@@ -129,7 +158,8 @@ TrajectorySession trajectory_session(const Session& session, const SessionOdomet
   const Positions positions = positions_of(session);
   const InsNoise noise = ins_noise(session, positions.enu_from_ins, settings.solve);
   constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
-  out.doubtful_attitude_rad = noise.declared ? 0.0 : kUndeclaredAttitude_rad;
+  out.doubtful_attitude_rad = noise.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
+  out.ins_noise_stated = noise.declared && !positions.enu_from_ins.empty();
   out.unseen = registration_limits();
   out.unseen.diagonal().tail<3>().array() += noise.bias_rad * noise.bias_rad;
   if (odometry.poses.empty()) return out;
@@ -137,6 +167,13 @@ TrajectorySession trajectory_session(const Session& session, const SessionOdomet
   for (const OdometryPose& pose : odometry.poses) poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
   const MotionTrack track(poses);
   const auto shift_ns = static_cast<std::int64_t>(std::llround(clock_s * 1e9));
+  // Fixes may come more often than poses of the INS are to be taken.
+  constexpr std::int64_t kSame_ns = 1'000'000;
+  const std::int64_t ins_apart_ns =
+      std::max(independent_after_ns(positions.enu_from_ins),
+               static_cast<std::int64_t>(std::llround(settings.trajectory.state_interval_s * 1e9))) -
+      kSame_ns;
+  std::optional<std::int64_t> last_ins_ns;
   for (const EpochStamp& stamp :
        epoch_stamps(odometry.poses, positions, settings.trajectory.state_interval_s, clock_s, until_ns)) {
     const std::optional<RigidTransform> lidar = track.at(stamp.stamp_ns);
@@ -147,10 +184,12 @@ TrajectorySession trajectory_session(const Session& session, const SessionOdomet
     epoch.lidar_velocity = track.body_velocity(stamp.stamp_ns).value_or(Vector6d::Zero());
     if (stamp.fix) epoch.antenna = positions.fixes[*stamp.fix];
     const std::optional<Passage> passage = positions.enu_from_ins.around(stamp.stamp_ns + shift_ns);
-    if (passage)
+    if (passage && (!last_ins_ns || stamp.stamp_ns - *last_ins_ns >= ins_apart_ns)) {
       epoch.ins = InsObservation{
           passage->pose(), positions.enu_from_ins.body_velocity(stamp.stamp_ns + shift_ns).value_or(Vector6d::Zero()),
           noise.position_m, noise.attitude_rad};
+      last_ins_ns = stamp.stamp_ns;
+    }
     if (!epoch.ins && !epoch.antenna) continue;
     if (!out.epochs.empty()) {
       const TrajectoryEpoch& before = out.epochs.back();
@@ -158,9 +197,10 @@ TrajectorySession trajectory_session(const Session& session, const SessionOdomet
           odometry.poses.front().stamp_ns + static_cast<std::int64_t>(std::llround(before.time_s * 1e9));
       const double distance_m =
           (epoch.odometry_from_lidar.translation() - before.odometry_from_lidar.translation()).norm();
-      set_step(nearest_pose(odometry.poses, before_ns).covariance,
-               nearest_pose(odometry.poses, stamp.stamp_ns).covariance, distance_m, epoch.time_s - before.time_s, noise,
-               settings.trajectory, epoch);
+      const OdometryPose& from = nearest_pose(odometry.poses, before_ns);
+      const OdometryPose& to = nearest_pose(odometry.poses, stamp.stamp_ns);
+      set_step(from.covariance + to.covariance + lost_between(odometry.poses, from.stamp_ns, to.stamp_ns), distance_m,
+               epoch.time_s - before.time_s, noise, settings.trajectory, epoch);
     }
     out.epochs.push_back(std::move(epoch));
   }

@@ -44,18 +44,21 @@ std::vector<OdometryPose> given_poses(const std::vector<StampedPose>& odometry_f
   return poses;
 }
 
-// How far every stream reaches: the INS a little less, for its poses are smoothed over what follows.
-std::int64_t reach_ns(const Session& session, const std::vector<OdometryPose>& poses) {
-  constexpr std::int64_t kSmoothed_ns = 300'000'000;
-  std::int64_t until = poses.empty() ? 0 : poses.back().stamp_ns;
-  if (session.ins.size() > 1) until = std::min(until, (session.ins.end() - 2)->stamp_ns - kSmoothed_ns);
-  if (session.world_from_ins.size() > 1)
-    until = std::min(until, (session.world_from_ins.end() - 2)->stamp_ns - kSmoothed_ns);
-  if (session.gnss.size() > 1) until = std::min(until, (session.gnss.end() - 2)->stamp_ns);
+}  // namespace
+
+std::int64_t trajectory_reach_ns(const Session& session, const std::vector<OdometryPose>& poses) {
+  // Poses of the INS are smoothed over what follows.
+  constexpr std::int64_t kSmoothed_ns = 300'000'000, kPatience_ns = 5'000'000'000;
+  if (poses.empty()) return 0;
+  const std::int64_t lidar = poses.back().stamp_ns;
+  std::int64_t until = lidar;
+  const auto held_by = [&](std::int64_t last_ns) { until = std::min(until, std::max(last_ns, lidar - kPatience_ns)); };
+  if (session.ins.size() > 1) held_by((session.ins.end() - 2)->stamp_ns - kSmoothed_ns);
+  if (session.world_from_ins.size() > 1) held_by((session.world_from_ins.end() - 2)->stamp_ns - kSmoothed_ns);
+  // Fixes have no place among poses in somebody's world: they are not used there.
+  if (session.gnss.size() > 1 && session.world_from_ins.empty()) held_by((session.gnss.end() - 2)->stamp_ns);
   return until;
 }
-
-}  // namespace
 
 TrajectoryFeed::TrajectoryFeed(const Settings& settings, std::optional<RigidTransform> nominal_ins_from_lidar,
                                int threads)
@@ -65,12 +68,13 @@ TrajectoryFeed::TrajectoryFeed(const Settings& settings, std::optional<RigidTran
       aligner_(settings.trajectory, settings.solve, nominal_ins_from_lidar, settings.solve.apply_time_offset) {}
 
 void TrajectoryFeed::begin(const Session& session) {
-  if (!(session.scans && session.scans->size() > 0) && session.odometry_from_lidar.empty())
+  if (!has_scans(session) && session.odometry_from_lidar.empty())
     throw Error(ErrorCode::Unsupported, named(session), "the session has neither scans nor LiDAR poses");
   if (session.ins.empty() && session.world_from_ins.empty() && session.gnss.empty())
     throw Error(ErrorCode::Unsupported, named(session),
                 "the session has neither an INS nor GNSS fixes to align the trajectory of the LiDAR with");
   odometry_.emplace_back();
+  from_scans_ = has_scans(session);
   running_ = std::make_unique<LidarOdometry>(settings_.lidar_odometry, settings_.registration);
   TrajectorySession empty = trajectory_session(session, {}, settings_, 0.0, kAll);
   aligner_.add_session(std::move(empty));
@@ -120,7 +124,7 @@ void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, 
     aligner_.push(index, epoch);
     if (!aligner_.due(std::max(least_update_s, settings_.trajectory.update_s))) continue;
     const TrajectorySnapshot snapshot = aligner_.update(progress);
-    if (tell) tell(snapshot);
+    if (tell && !progress.cancelled()) tell(snapshot);
   }
 }
 
@@ -129,13 +133,13 @@ void TrajectoryFeed::offer(const Session& session, bool complete, double least_u
   SessionOdometry& odometry = odometry_.back();
   const auto push = [&] {
     push_epochs(session,
-                complete && odometry.scans_used == (session.scans ? session.scans->size() : 0)
+                complete && (!from_scans_ || odometry.scans_used == session.scans->size())
                     ? kAll
-                    : reach_ns(session, odometry.poses),
+                    : trajectory_reach_ns(session, odometry.poses),
                 least_update_s, tell, progress);
   };
   const std::size_t held_back = complete ? 0 : 1;
-  if (session.scans) {
+  if (from_scans_) {
     const std::size_t ready = session.scans->size() - std::min(held_back, session.scans->size());
     run_odometry(session, ready, complete && !tell ? std::function<void()>([] {}) : push, progress);
   } else {
@@ -166,9 +170,9 @@ TrajectoryOutcome TrajectoryFeed::finish(const std::vector<std::shared_ptr<const
       change_s = std::max(change_s, std::abs(found_s[s]));
       clocks_s[s] += found_s[s];
       found_s[s] = clocks_s[s];
-      sum_s += clocks_s[s];
+      sum_s += outcome.answer.clock_weights[s] * clocks_s[s];
     }
-    outcome.answer.result.time_offset.offset_s = sum_s / static_cast<double>(clocks_s.size());
+    if (outcome.answer.result.time_offset.applied) outcome.answer.result.time_offset.offset_s = sum_s;
     if (change_s < kSettled_s) break;
   }
   outcome.converged_after_s = converged_after_s(history());

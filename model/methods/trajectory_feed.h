@@ -24,6 +24,13 @@ struct SessionOdometry {
   std::size_t undetermined = 0;     ///< scans whose surroundings do not show every direction
 };
 
+/// Whether the motion of the LiDAR comes from scans; poses of somebody's odometry are used where there are none.
+inline bool has_scans(const Session& session) { return session.scans && session.scans->size() > 0; }
+
+/// How far the streams of a session reach that take part, none later than the LiDAR. A stream that has fallen silent
+/// holds the others back for some seconds and no longer.
+std::int64_t trajectory_reach_ns(const Session& session, const std::vector<OdometryPose>& poses);
+
 /// The epochs of a session: poses of the LiDAR, thinned, with the INS poses at their times and the GNSS fixes at
 /// theirs, in a local level frame (ENU) about the first fix. Times count from the first pose.
 /// @param clock_s t_ins = t_lidar + this
@@ -63,6 +70,7 @@ class TrajectoryFeed {
   TrajectoryAligner aligner_;
   std::vector<SessionOdometry> odometry_;
   std::unique_ptr<LidarOdometry> running_;  // of the session begun last
+  bool from_scans_ = false;                 // likewise: decided once, for poses and scans have frames of their own
   TrajectoryProblem problem_;
 };
 

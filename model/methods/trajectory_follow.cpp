@@ -39,7 +39,7 @@ std::shared_ptr<const Session> opened(const std::filesystem::path& path, std::st
 }
 
 bool can_begin(const Session& session) {
-  const bool lidar = (session.scans && session.scans->size() > 0) || !session.odometry_from_lidar.empty();
+  const bool lidar = has_scans(session) || !session.odometry_from_lidar.empty();
   return lidar && !(session.ins.empty() && session.world_from_ins.empty() && session.gnss.empty());
 }
 

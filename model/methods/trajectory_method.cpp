@@ -95,7 +95,7 @@ PipelineOutput run_trajectory_method(const PipelineInput& input, Progress& progr
     feed.begin(*session);
     const double length_s =
         1e-9 * static_cast<double>(
-                   session->scans
+                   has_scans(*session)
                        ? session->scans->stamp_ns(session->scans->size() - 1) - session->scans->stamp_ns(0)
                        : session->odometry_from_lidar.back().stamp_ns - session->odometry_from_lidar.front().stamp_ns);
     feed.offer(*session, true, static_cast<double>(input.sessions.size()) * length_s / kPoints, {}, progress);

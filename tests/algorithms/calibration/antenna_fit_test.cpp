@@ -89,6 +89,40 @@ TEST(antenna_fit, too_little_data_and_cancelling_find_nothing) {
   EXPECT_FALSE(fit_antenna(sensed, positions_of(drive, 0.0, 1), Eigen::Matrix3d::Identity(), 30.0, stopped).found);
 }
 
+TEST(antenna_fit, the_end_error_is_that_of_the_way_before_the_first_gap) {
+  const WheelDriveOptions options = flat_drive();
+  WheelDrive drive = wheel_drive(options, 5);
+  Progress progress;
+  const AntennaFit whole = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.0, 6),
+                                       Eigen::Matrix3d::Identity(), 30.0, progress);
+  EXPECT_FALSE(whole.first_gap_s);
+  EXPECT_NEAR(whole.integrated_m, whole.distance_m, 0.001 * whole.distance_m);
+  std::erase_if(drive.wheels, [](const WheelSample& wheel) {
+    return wheel.stamp_ns > 30'000'000'000 && wheel.stamp_ns < 36'000'000'000;
+  });
+  const AntennaFit gap = fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.0, 6),
+                                     Eigen::Matrix3d::Identity(), 30.0, progress);
+  ASSERT_TRUE(gap.found) << gap.why;
+  ASSERT_TRUE(gap.first_gap_s);
+  EXPECT_NEAR(*gap.first_gap_s, 30.0, 0.5);
+  EXPECT_NEAR(gap.integrated_m, way_at(options, 30.0), 6.0);
+  EXPECT_GT(gap.distance_m, 2.0 * gap.integrated_m);
+}
+
+TEST(antenna_fit, a_long_drive_is_placed_window_by_window) {
+  WheelDriveOptions options = flat_drive();
+  options.duration_s = 3600.0;
+  options.imu_rate_hz = 20.0;
+  options.sensor_rate_hz = 2.0;
+  const AntennaFit found = fit(options, 0.02, 7);
+  ASSERT_TRUE(found.found) << found.why;
+  EXPECT_GT(found.windows, 100);
+  const Eigen::Vector2d error = found.antenna_in_vehicle_m - kAntenna;
+  std::printf("  %zu positions, %d windows: x %.4f +- %.4f, y %.4f +- %.4f m\n", found.positions, found.windows,
+              error.x(), std::sqrt(found.covariance_m2(0, 0)), error.y(), std::sqrt(found.covariance_m2(1, 1)));
+  EXPECT_LT(error.norm(), 0.02);
+}
+
 /// Wheel speed and yaw rate of a car in Berlin, and the positions of its antenna by a better receiver.
 struct RealDrive {
   std::vector<ImuSample> imu;
@@ -149,7 +183,8 @@ TEST(antenna_fit, a_real_drive_through_berlin_is_integrated_within_two_percent_o
       std::sqrt(found.covariance_m2(0, 0)), found.antenna_in_vehicle_m.y(), std::sqrt(found.covariance_m2(1, 1)),
       found.yaw_rate_bias_radps, found.yaw_rate_bias_sigma_radps, found.wheel_scale, found.wheel_scale_sigma);
   EXPECT_GT(found.distance_m, 1000.0);
-  EXPECT_LT(found.end_error_m / found.distance_m, 0.02);
+  EXPECT_GT(found.integrated_m, 0.95 * found.wheel_scale * found.distance_m);
+  EXPECT_LT(found.end_error_m / found.integrated_m, 0.02);
   EXPECT_LT(found.rms_m, 1.0);
 }
 

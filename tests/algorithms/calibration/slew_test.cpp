@@ -99,6 +99,83 @@ TEST(slew, errors_are_as_large_as_the_covariance_says) {
   }
 }
 
+TEST(slew, errors_with_the_origin_on_the_ground_and_a_first_scan_in_common_are_as_large_as_said) {
+  for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
+    SlewOptions options;
+    options.first_plane = first;
+    options.origin = MachineOrigin::Ground;
+    options.surface_sigma_deg = 0.0;
+    options.plane_inlier_m = 0.1;
+    YardTruth yard = noisy_yard();
+    yard.points = 600;
+    RigidTransform truth = yard.machine_from_lidar;
+    truth.translation().z() = yard.ground_m;
+    Vector6d chi2 = Vector6d::Zero();
+    constexpr int kSeeds = 60;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+      SlewData data = slew_yard(yard, 300 + seed);
+      data.first_scan_in_common = true;
+      std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+      const RigidTransform common =
+          perturbed(RigidTransform::Identity(), random_step(random, yard.way_noise_m, yard.turn_noise_rad));
+      for (RigidTransform& pose : data.first_from_lidar) pose = common * pose;
+      // Only half of the ground is seen: its middle is far from the axis, and its tilt moves the origin.
+      std::erase_if(data.ground_points,
+                    [&](const Eigen::Vector3d& point) { return (yard.machine_from_lidar * point).x() < 0.0; });
+      Progress progress;
+      const SlewResult result = solve_slew(data, std::nullopt, options, SolveOptions{}, progress);
+      ASSERT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+      const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar), exact = six_from_rigid(truth);
+      Vector6d error;
+      error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,
+          found.pitch_rad - exact.pitch_rad, found.roll_rad - exact.roll_rad;
+      chi2 += error.cwiseAbs2().cwiseQuotient(result.calibration.covariance.diagonal()) / kSeeds;
+    }
+    for (int i = 0; i < 6; ++i) {
+      std::printf("  %s: chi2 / n = %.2f\n", kParameterNames[static_cast<std::size_t>(i)].data(), chi2[i]);
+      // 60 degrees of freedom: the 0.1% limits are 0.53 and 1.66.
+      EXPECT_GT(chi2[i], 0.50) << i;
+      EXPECT_LT(chi2[i], 1.66) << i;
+    }
+  }
+}
+
+TEST(slew, scans_of_the_same_rays_count_once) {
+  Progress progress;
+  YardTruth yard = noisy_yard();
+  yard.points = 600;
+  SlewData data = slew_yard(yard, 2);
+  const SlewResult once = solve_slew(data, std::nullopt, {}, {}, progress);
+  for (std::vector<Eigen::Vector3d>* points : {&data.ground_points, &data.arm_points}) {
+    const std::vector<Eigen::Vector3d> scan = *points;
+    for (int i = 1; i < 10; ++i) points->insert(points->end(), scan.begin(), scan.end());
+  }
+  const SlewResult often = solve_slew(data, std::nullopt, {}, {}, progress);
+  for (const std::size_t i : {3u, 4u, 5u})
+    EXPECT_NEAR(often.calibration.sigma(i).value() / once.calibration.sigma(i).value(), 1.0, 0.2) << i;
+}
+
+TEST(slew, how_surfaces_are_made_is_part_of_every_sigma) {
+  for (const FirstPlane first : {FirstPlane::Ground, FirstPlane::Turn}) {
+    SlewOptions options;
+    options.first_plane = first;
+    options.surface_sigma_deg = 0.3;
+    SolveOptions wide;
+    wide.max_rotation_sigma_deg = 2.0;
+    Progress progress;
+    const SlewResult judged = solve_slew(slew_yard(noisy_yard()), std::nullopt, options, wide, progress);
+    for (const std::size_t i : {3u, 4u, 5u})
+      EXPECT_GT(radians_to_degrees(judged.calibration.sigma(i).value_or(0.0)), 0.29) << i;
+  }
+}
+
+TEST(slew, a_turn_too_noisy_to_check_the_ground_is_refused) {
+  YardTruth yard = noisy_yard();
+  yard.way_noise_m = 0.08;
+  yard.ground_tilt_rad = degrees_to_radians(1.0);
+  expect_refused(solve(yard), Status::Degenerate, "cannot be told");
+}
+
 TEST(slew, a_quarter_turn_is_refused) {
   YardTruth yard = noisy_yard();
   yard.turn_rad = 0.5 * kPi;

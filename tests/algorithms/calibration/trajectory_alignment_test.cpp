@@ -73,6 +73,9 @@ TEST(trajectory_alignment, noise_stays_within_the_stated_sigma) {
   std::printf("\n");
   EXPECT_GT(chi2 / kSeeds, 0.6);
   EXPECT_LT(chi2 / kSeeds, 1.25);
+  constexpr double kOnePercent = 63.69 / kSeeds;  // of chi-square with as many degrees of freedom as seeds
+  for (int i = 0; i < 6; ++i)
+    EXPECT_LT(squares[i] / kSeeds, kOnePercent) << kParameterNames[static_cast<std::size_t>(i)];
 }
 
 TEST(trajectory_alignment, positions_alone_give_the_lever_arm_and_say_so) {
@@ -205,6 +208,42 @@ TEST(trajectory_alignment, a_stream_ends_where_the_batch_does_and_says_when_it_c
   EXPECT_LT(streamed.converged_after_s, 100.0);
   EXPECT_THROW(aligner.push(0, problem.sessions.front().epochs.back()), Error);
   EXPECT_THROW(aligner.push(3, {}), Error);
+}
+
+TEST(trajectory_alignment, a_session_that_says_nothing_makes_no_answer_start_anew) {
+  const TrajectoryProblem problem = problem_of({TrajectoryDriveOptions{}});
+  TrajectoryAligner aligner({}, {}, std::nullopt, false);
+  aligner.add_session({});
+  aligner.add_session({});
+  Progress progress;
+  for (const TrajectoryEpoch& epoch : problem.sessions.front().epochs) {
+    aligner.push(1, epoch);
+    if (aligner.due()) aligner.update(progress);
+  }
+  std::printf("  %zu of %zu answers started anew\n", aligner.cold_starts(), aligner.history().size());
+  EXPECT_GT(aligner.history().size(), 110u);
+  EXPECT_LT(aligner.cold_starts(), 12u);
+  EXPECT_TRUE(aligner.history().back().known);
+}
+
+TEST(trajectory_alignment, a_cancelled_answer_leaves_no_trace) {
+  const TrajectoryProblem problem = problem_of({TrajectoryDriveOptions{}});
+  std::stop_source stop;
+  stop.request_stop();
+  Progress progress, cancelled(stop.get_token());
+  TrajectoryAligner straight({}, {}, std::nullopt, false), broken({}, {}, std::nullopt, false);
+  for (TrajectoryAligner* aligner : {&straight, &broken}) {
+    aligner->add_session({});
+    for (int i = 0; i < 80; ++i) aligner->push(0, problem.sessions.front().epochs[static_cast<std::size_t>(i)]);
+    aligner->update(progress);
+    for (int i = 80; i < 90; ++i) aligner->push(0, problem.sessions.front().epochs[static_cast<std::size_t>(i)]);
+  }
+  EXPECT_FALSE(broken.update(cancelled).known);
+  EXPECT_TRUE(broken.due());
+  const TrajectorySnapshot one = straight.update(progress), other = broken.update(progress);
+  EXPECT_TRUE(one.known);
+  EXPECT_EQ(one.ins_from_lidar.matrix(), other.ins_from_lidar.matrix());
+  EXPECT_EQ(straight.history().size(), broken.history().size());
 }
 
 TEST(trajectory_alignment, two_sessions_share_one_x) {

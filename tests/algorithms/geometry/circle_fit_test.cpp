@@ -58,6 +58,34 @@ TEST(circle_fit, errors_are_as_large_as_the_covariance_says) {
   }
 }
 
+TEST(circle_fit, errors_that_neighbours_share_widen_the_covariance) {
+  double centre = 0.0, axis = 0.0;
+  constexpr int kSeeds = 200;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    std::vector<Eigen::Vector3d> points = arc(0.0, 2.0 * kPi * 0.99, 0.0, seed, 180);
+    std::mt19937_64 random(static_cast<std::uint64_t>(1000 + seed));
+    constexpr double kLink = 0.8;
+    Eigen::Vector3d error = random_vector(random, 0.003);
+    for (Eigen::Vector3d& point : points) {
+      point += error;
+      error = kLink * error + std::sqrt(1.0 - kLink * kLink) * random_vector(random, 0.003);
+    }
+    const CircleFit fit = fit_circle(points);
+    const Eigen::Vector3d off = fit.centre_m - kCentre;
+    centre += off.dot(fit.centre_covariance_m2.inverse() * off);
+    const Eigen::Vector3d lean = fit.axis.cross(kAxes.col(2));
+    for (int k = 0; k < 2; ++k)
+      axis += std::pow(lean.dot(kAxes.col(k)), 2) / kAxes.col(k).dot(fit.axis_covariance_rad2 * kAxes.col(k));
+  }
+  std::printf("  linked errors: centre %.2f, axis %.2f\n", centre / (3.0 * kSeeds), axis / (2.0 * kSeeds));
+  // As independent errors they would be nine. What goes once around is an error of the circle and no residual: how
+  // large it is follows from the rest, not quite in full.
+  EXPECT_LT(centre / (3.0 * kSeeds), 1.8);
+  EXPECT_GT(centre / (3.0 * kSeeds), 0.8);
+  EXPECT_LT(axis / (2.0 * kSeeds), 1.6);
+  EXPECT_GT(axis / (2.0 * kSeeds), 0.8);
+}
+
 TEST(circle_fit, a_wrong_pose_in_ten_does_not_move_it) {
   std::vector<Eigen::Vector3d> points = arc(0.0, 1.95 * kPi, 0.003, 5);
   for (std::size_t i = 0; i < points.size(); i += 10) points[i] += Eigen::Vector3d(0.6, 0.3, -0.4);

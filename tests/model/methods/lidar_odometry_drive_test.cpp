@@ -95,6 +95,18 @@ TEST(lidar_odometry_drive, empty_scans_keep_the_prediction_and_say_so) {
   EXPECT_THROW(odometry.push(second, {}, 5, {}), Error);
 }
 
+TEST(lidar_odometry_drive, a_map_that_begins_anew_has_a_number_of_its_own) {
+  const SimulatedDrive drive = street(1.0);
+  LidarOdometry odometry({}, {});
+  const PointCloud first = drive.session.scans->load(0);
+  EXPECT_EQ(odometry.push(first, {}, 0, {}).map, 0);
+  EXPECT_EQ(odometry.push(PointCloud{}, {}, 100'000'000, {}).map, 0);
+  EXPECT_EQ(odometry.push(PointCloud{}, {}, 200'000'000, {}).map, 0);
+  const OdometryPose began = odometry.push(PointCloud{}, {}, 300'000'000, {});
+  EXPECT_EQ(began.map, 1);
+  EXPECT_GT(began.covariance(0, 0), 0.5);
+}
+
 TEST(lidar_odometry_drive, cancelled_calls_return_the_prediction) {
   const SimulatedDrive drive = street(1.0);
   std::stop_source stop;

@@ -105,6 +105,18 @@ TEST(slew_method, a_missing_arm_and_a_tilted_ground_are_refused_with_the_reason)
   EXPECT_NE(output.result.message.find("tilted"), std::string::npos) << output.result.message;
 }
 
+TEST(slew_method, recordings_are_known_by_whole_words_of_their_names) {
+  Yard yard = yard_of({}, true);
+  std::swap(yard.sessions[1], yard.sessions[2]);
+  const char* names[] = {"FullTurn", "the_arm", "first alarm, return"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Session session = *yard.sessions[i];
+    session.name = names[i];
+    yard.sessions[i] = std::make_shared<const Session>(std::move(session));
+  }
+  EXPECT_EQ(run(yard, settings_with(FirstPlane::Ground)).result.status, Status::Ok);
+}
+
 TEST(slew_method, without_a_turn_it_says_so) {
   Yard yard;
   yard.sessions.push_back(std::make_shared<const Session>());

@@ -135,6 +135,22 @@ TEST(trajectory_method, what_cannot_be_aligned_is_refused_or_said) {
   EXPECT_TRUE(told);
 }
 
+TEST(trajectory_method, a_session_without_scans_may_have_an_empty_list_of_them) {
+  class NoScans : public ScanSource {
+   public:
+    std::size_t size() const override { return 0; }
+    std::int64_t stamp_ns(std::size_t) const override { throw Error(ErrorCode::Contract, "", "no such scan"); }
+    std::string name(std::size_t) const override { return {}; }
+    PointCloud load(std::size_t) const override { return {}; }
+  };
+  const SimulatedDrive drive = simulate_drive(street(20.0));
+  Session poses = with_poses(drive, 0.0), listed = poses;
+  listed.scans = std::make_shared<NoScans>();
+  const PipelineOutput without = run({poses}), with = run({listed});
+  EXPECT_TRUE(with.result.observed[0]) << with.result.message;
+  EXPECT_EQ(with.result.ins_from_lidar.matrix(), without.result.ins_from_lidar.matrix());
+}
+
 TEST(trajectory_method, cancelled_runs_say_so) {
   const SimulatedDrive drive = simulate_drive(street(4.0));
   PipelineInput input;
