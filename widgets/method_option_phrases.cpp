@@ -38,6 +38,8 @@ const std::vector<const char*>& method_option_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Gyro bias walk dps"),
       QT_TRANSLATE_NOOP("remount::model", "Wheel scale sigma"),
       QT_TRANSLATE_NOOP("remount::model", "Accelerometer sigma"),
+      QT_TRANSLATE_NOOP("remount::model", "Accelerometer bias"),
+      QT_TRANSLATE_NOOP("remount::model", "Barometer drift"),
       QT_TRANSLATE_NOOP("remount::model", "Accelerometer discount"),
       QT_TRANSLATE_NOOP("remount::model", "Barometer sigma"),
       QT_TRANSLATE_NOOP("remount::model", "Map frames"),

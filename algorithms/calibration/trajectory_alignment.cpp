@@ -56,6 +56,7 @@ void count_outliers(const TrajectoryProblem& problem, const TrajectoryOptions& o
 // weight.
 bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                 const TrajectorySolution& solution) {
+  constexpr double kBeyondBelief = 10.0;  // times the errors that were stated or assumed
   const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise);
   std::array<std::size_t, kTermKinds> all{}, without{};
   for (std::size_t s = 0; s < weighted.terms.size(); ++s)
@@ -65,7 +66,7 @@ bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& optio
       without[kind] += weighted.weights[s][k] < 0.5 ? 1 : 0;
     }
   for (std::size_t kind = 0; kind < kTermKinds; ++kind)
-    if (2 * without[kind] > all[kind] || solution.noise.factor[kind] > 0.99 * kMostNoiseFactor) return true;
+    if (2 * without[kind] > all[kind] || solution.noise.factor[kind] > kBeyondBelief) return true;
   return false;
 }
 

@@ -307,8 +307,10 @@ VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const Veh
     const double turn = std::max(step.segment<3>(3).norm(), step.segment<3>(11).norm());
     solution.state = moved(solution.state, turn > 0.3 ? StateVector(0.3 / turn * step) : step);
     const StateVector sigma = solution.covariance.diagonal().cwiseMax(1e-24).cwiseSqrt();
-    // Directions that noise alone holds creep; a twentieth of their sigma is as good as any other point.
-    if (round > 2 && step.cwiseQuotient(sigma).cwiseAbs().maxCoeff() < (round < 15 ? 1e-2 : 5e-2)) {
+    // Directions that noise alone holds creep, and the noise is estimated anew: a fraction of their sigma is as good as
+    // any other point.
+    const double near = round < 15 ? 1e-2 : round < 30 ? 5e-2 : 0.2;
+    if (round > 2 && step.cwiseQuotient(sigma).cwiseAbs().maxCoeff() < near) {
       solution.converged = true;
       break;
     }

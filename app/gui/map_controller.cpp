@@ -25,6 +25,11 @@ MapController::MapController(Workbench& workbench, MapView& view, QObject* paren
     cancelled_ = false;
     make_map();
   });
+  // At once, and not when the map's turn comes: what the user cancels until then stays cancelled.
+  connect(&workbench_, &Workbench::output_changed, this, [this] {
+    candidate_ = -1;
+    cancelled_ = false;
+  });
   connect(&view_, &MapView::cancel_clicked, this, [this] {
     cancelled_ = true;
     jobs_.cancel(job_);
@@ -40,11 +45,7 @@ void MapController::show_candidate(int candidate) {
   offer();
 }
 
-void MapController::refresh() {
-  candidate_ = -1;
-  cancelled_ = false;
-  offer();
-}
+void MapController::refresh() { offer(); }
 
 void MapController::say(const QString& text) {
   made_.ins_from_lidar.reset();

@@ -5921,6 +5921,14 @@ Calibrate again (F5).</source>
         <source>The trajectories could not be aligned.</source>
         <translation>轨迹无法对齐。</translation>
     </message>
+    <message>
+        <source>Accelerometer bias</source>
+        <translation>加速度计零偏</translation>
+    </message>
+    <message>
+        <source>Barometer drift</source>
+        <translation>气压计漂移</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>

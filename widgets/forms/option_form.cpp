@@ -14,7 +14,9 @@ namespace remount {
 
 int decimals_for(const OptionField& field, AngleUnit unit) {
   if (is_angle(field) && unit == AngleUnit::Radians) return 6;
-  const double smallest = field.minimum > 0.0 ? field.minimum : 0.001;
+  double smallest = field.minimum > 0.0 ? field.minimum : 0.001;
+  // A default finer than that is not rounded away.
+  if (field.value.toDouble() > 0.0) smallest = std::min(smallest, std::abs(field.value.toDouble()));
   return std::clamp(static_cast<int>(std::ceil(-std::log10(smallest))), 2, 6);
 }
 

@@ -165,7 +165,8 @@ TEST(vehicle_frame, a_straight_drive_says_what_it_does_observe_however_the_senso
     const VehicleFrameResult result = solve(drive, 8, {}, drive.vehicle_from_sensor);
     errors_of(result, drive);
     ASSERT_TRUE(result.calibration.observed[3]);
-    EXPECT_LT(radians_to_degrees(*result.calibration.sigma(3)), 0.1);
+    // A sensor that leans shows a little of the turn about the way, which is open, as yaw.
+    EXPECT_LT(radians_to_degrees(*result.calibration.sigma(3)), 0.5);
     const auto seen = std::count_if(result.calibration.directions.begin(), result.calibration.directions.end(),
                                     [](const auto& direction) { return direction.observed; });
     EXPECT_EQ(seen, 2);  // the direction of the way, in the sensor's axes

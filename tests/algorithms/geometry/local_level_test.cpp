@@ -28,9 +28,8 @@ TEST(local_level, north_turns_with_the_longitude_and_down_curves_away) {
   east.latitude_rad = kLatitude;
   east.longitude_rad = kLongitude + degrees_to_radians(0.1);
   const RigidTransform pose = level.enu_from_ins(east);
-  // Meridians converge by the sine of the latitude.
-  EXPECT_NEAR(yaw_pitch_roll_from_rotation(pose.linear()).yaw_rad, -degrees_to_radians(0.1) * std::sin(kLatitude),
-              1e-6);
+  // Meridians converge by the sine of the latitude: north of the start, the east of a place farther east points.
+  EXPECT_NEAR(yaw_pitch_roll_from_rotation(pose.linear()).yaw_rad, degrees_to_radians(0.1) * std::sin(kLatitude), 1e-6);
   EXPECT_NEAR(pose.translation().x(), 7350.0, 15.0);
   EXPECT_NEAR(pose.translation().z(), -7350.0 * 7350.0 / 2.0 / 6.39e6, 0.05);
 }

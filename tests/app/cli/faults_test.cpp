@@ -87,6 +87,7 @@ TEST_F(cli_faults, units_that_are_declared_wrongly_are_said_with_what_to_declare
 
 TEST_F(cli_faults, every_export_is_a_nominal_of_the_same_mounting) {
   ResultFile file;
+  file.ins_axes = InsAxes::ForwardLeftUp;
   file.result.status = Status::Ok;
   file.result.observed.fill(true);
   file.result.covariance = Matrix6d::Identity() * 1e-6;

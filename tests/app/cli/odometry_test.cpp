@@ -16,7 +16,7 @@ class cli_odometry : public ProgramFixture<cli_odometry> {
 };
 
 TEST_F(cli_odometry, writes_a_pose_for_every_scan_and_says_what_it_took_for_granted) {
-  const Outcome outcome = run("odometry " + path("drive") + " -o " + path("poses.txt"));
+  const Outcome outcome = run("odometry " + path("drive") + " --nominal 1.2,-0.3,0.8,5,1,-1 -o " + path("poses.txt"));
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("poses over"), std::string::npos) << outcome.out;
   const std::string text = text_of(path("poses.txt"));

@@ -129,7 +129,10 @@ TEST(exporters, replace_an_export_of_their_format_and_nothing_else) {
     const std::filesystem::path own = folder / std::string(format->id());
     EXPECT_NO_THROW(check_replaces_export(own, *format)) << "there is no such file yet";
     std::ofstream(own) << format->write(result, {});
-    EXPECT_NO_THROW(check_replaces_export(own, *format)) << format->id();
+    if (format->id() == "json")
+      EXPECT_THROW(check_replaces_export(own, *format), Error) << "nothing tells it from a calibration's result";
+    else
+      EXPECT_NO_THROW(check_replaces_export(own, *format)) << format->id();
     for (const char* other : {"result.yaml", "ins.csv"})
       EXPECT_THROW(check_replaces_export(folder / other, *format), Error) << format->id() << " over " << other;
   }

@@ -1,10 +1,9 @@
-#include "model/methods/calibration_method.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "model/methods/calibration_method.h"
 
 namespace remount {
 namespace {

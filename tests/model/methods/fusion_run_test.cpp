@@ -123,7 +123,7 @@ bool told(const std::vector<Finding>& findings, const std::string& code) {
 }
 
 TEST(fusion_method, no_pair_rests_on_scans_that_do_not_tell_the_motion) {
-  const SimulatedDrive drive = simulate_drive(tunnel_options(60.0));
+  const SimulatedDrive drive = simulate_drive(tunnel_options(200.0));
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(drive.session));
   input.nominal_ins_from_lidar = drive.ins_from_lidar;

@@ -32,6 +32,10 @@ void write_whole(const fs::path& folder) {
   const SimulatedDrive drive = simulate_drive(options);
   Session session = drive.session;
   session.scans.reset();
+  session.imu.clear();
+  session.gnss.clear();
+  session.wheels.clear();
+  session.barometer.clear();
   for (std::size_t i = 0; i < drive.enu_from_ins.size(); ++i)
     session.odometry_from_lidar.push_back(
         {drive.session.scans->stamp_ns(i), (drive.enu_from_ins[0].pose * drive.ins_from_lidar).inverse() *
@@ -70,7 +74,7 @@ TEST(trajectory_follow, a_growing_session_is_answered_on_the_way_and_ends_as_the
   write_whole(whole);
   std::atomic<int> answers = 0;
   std::vector<TrajectorySnapshot> told;
-  std::thread writer([&] { write_in_pieces(whole, growing, 12, answers); });
+  std::jthread writer([&] { write_in_pieces(whole, growing, 12, answers); });
   Progress following, finishing;
   FollowOptions options;
   options.poll_s = 0.02;

@@ -124,9 +124,11 @@ TEST(trajectory_method, what_cannot_be_aligned_is_refused_or_said) {
   blind.odometry_from_lidar.clear();
   EXPECT_THROW(run({blind}), Error);
   lost.ins.clear();
+  lost.gnss.clear();
   EXPECT_THROW(run({lost}), Error);
   EXPECT_THROW(run({}), Error);
   Session apart = with_poses(drive, 0.0);
+  apart.gnss.clear();
   for (InsSample& sample : apart.ins) sample.stamp_ns += 3'600'000'000'000;
   const PipelineOutput output = run({apart});
   EXPECT_EQ(output.result.status, Status::TooFewPairs) << output.result.message;
