@@ -110,9 +110,10 @@ PairwiseInput motions_input(const std::vector<Keyframe>& keyframes, std::vector<
     if (static_cast<std::size_t>(node.session) >= input.sessions.size())
       input.sessions.resize(static_cast<std::size_t>(node.session) + 1);
   for (SessionNoise& session : input.sessions) {
-    // An attitude error common to all cannot be told from X, and without times nothing drifts.
+    // An attitude error common to all cannot be told from X. Poses that are shared drift as those of a log do, by what is
+    // assumed of an INS in the time from one number to the next; motions that stand for themselves do not.
     session.attitude_bias_sigma_rad = 0.0;
-    session.position_drift = session.attitude_drift = 0.0;
+    if (!input.pairs_share_scans) session.position_drift = session.attitude_drift = 0.0;
   }
   return input;
 }

@@ -12,13 +12,14 @@ namespace {
 
 const std::filesystem::path kPairs = std::filesystem::path(REMOUNT_SOURCE_DIR) / "../shared/data/pairs";
 
-CalibrationResult solve(MotionPairs motions, const std::string& only_set = "") {
+CalibrationResult solve(MotionPairs motions, const std::string& only_set = "",
+                        const std::optional<RigidTransform>& nominal = {}) {
   std::erase_if(motions.pairs, [&](const Pair& pair) {
     const int set = motions.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session;
     return !only_set.empty() && motions.sets[static_cast<std::size_t>(set)] != only_set;
   });
   Progress progress;
-  return solve_motion_pairs(motions.keyframes, motions.pairs, {}, {}, progress);
+  return solve_motion_pairs(motions.keyframes, motions.pairs, {}, nominal, progress);
 }
 
 TEST(motion_pairs_solution, exact_pairs_give_x_to_the_digits_of_the_file) {
@@ -47,6 +48,20 @@ TEST(motion_pairs_solution, recorded_pairs_that_share_scans_are_within_the_sigma
     if (std::abs(direction.direction[2]) > 0.9) {
       EXPECT_EQ(direction.observed, result.observed[2]) << direction.words;
     }
+}
+
+// Ten scans each, over which the INS drifts as far as the vehicle turns.
+TEST(motion_pairs_solution, short_recorded_drives_claim_no_more_than_they_show) {
+  if (!std::filesystem::exists(kPairs)) GTEST_SKIP() << kPairs << " is not there";
+  const RigidTransform kitti = rigid_from_six(
+      {0.8105, -0.3071, 0.8027, degrees_to_radians(0.0433), degrees_to_radians(0.1166), degrees_to_radians(-0.8493)});
+  const MotionPairs motions = read_motion_pairs(kPairs / "kitti_PQ_icp_vs_ins.csv");
+  for (const char* set : {"00", "05", "07", "10"}) {
+    const CalibrationResult result = solve(motions, set, rigid_from_six({0.8, -0.3, 0.8, 0.0, 0.0, 0.0}));
+    std::printf("  %s: ", set);
+    error_of(result, kitti);
+    if (is_usable(result)) expect_within_sigma(result, kitti, 3.5);
+  }
 }
 
 TEST(motion_pairs_solution, sets_that_contradict_each_other_leave_the_reference_within_the_sigma) {
