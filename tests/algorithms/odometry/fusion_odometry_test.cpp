@@ -98,9 +98,10 @@ TEST(fusion_odometry, the_covariance_is_honest) {
     widest_rad = std::max(widest_rad, sigma.tail<3>().maxCoeff());
   }
   // 72 degrees of freedom: 1% above 102.8. It is rather too wide than too narrow, since what neighbours in a map have
-  // in common is not known; but not so wide that it says nothing.
+  // in common is not known; but not so wide that it says nothing. The steady errors of
+  // accelerometer and barometer that are assumed are not in these drives: they alone make 0.12 m of height.
   EXPECT_LT(sum, 102.8);
-  EXPECT_LT(widest_m, 0.1);
+  EXPECT_LT(widest_m, 0.15);
   EXPECT_LT(widest_rad, degrees_to_radians(0.5));
 }
 
