@@ -9,24 +9,32 @@ RigidTransform predicted_lidar_motion(const RigidTransform& ins_b_from_ins_a, co
   return ins_from_lidar.inverse() * ins_b_from_ins_a * ins_from_lidar;
 }
 
+MountingEquation linearise_in_mounting(const RigidTransform& ins_b_from_ins_a,
+                                       const RigidTransform& lidar_b_from_lidar_a,
+                                       const RigidTransform& ins_from_lidar) {
+  const Matrix3d lidar_from_ins = ins_from_lidar.linear().transpose();
+  const Matrix3d turn = lidar_from_ins * (ins_b_from_ins_a.linear() - Matrix3d::Identity());
+  const Vector3d travel_m = ins_b_from_ins_a * ins_from_lidar.translation() - ins_from_lidar.translation();
+
+  MountingEquation equation;
+  equation.residual = difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
+  equation.d_x.topLeftCorner<3, 3>() = turn;
+  equation.d_x.topRightCorner<3, 3>() = lidar_from_ins * skew(travel_m);
+  // The rotation part is Log(R_predicted R_measured'): a left perturbation passes through the inverse left Jacobian.
+  equation.d_x.bottomRightCorner<3, 3>() = so3_left_jacobian_inverse(equation.residual.tail<3>()) * turn;
+  return equation;
+}
+
 PairEquation linearise_pair(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
                             const RigidTransform& ins_from_lidar) {
   const Matrix3d r_p = ins_b_from_ins_a.linear();
-  const Vector3d t_p = ins_b_from_ins_a.translation(), t_x = ins_from_lidar.translation();
   const Matrix3d lidar_from_ins = ins_from_lidar.linear().transpose();
-  const Vector3d arm = r_p * t_x;    // lever arm of a, in the axes of INS b
-  const Vector3d reach = arm + t_p;  // lidar a's origin, seen from INS b
-  const Matrix3d turn = r_p - Matrix3d::Identity();
+  const Vector3d arm = r_p * ins_from_lidar.translation();      // lever arm of a, in the axes of INS b
+  const Vector3d reach = arm + ins_b_from_ins_a.translation();  // lidar a's origin, seen from INS b
+  const MountingEquation in_x = linearise_in_mounting(ins_b_from_ins_a, lidar_b_from_lidar_a, ins_from_lidar);
+  const Matrix3d log_jacobian = so3_left_jacobian_inverse(in_x.residual.tail<3>());
 
-  PairEquation equation;
-  equation.residual = difference(lidar_b_from_lidar_a, predicted_lidar_motion(ins_b_from_ins_a, ins_from_lidar));
-  // The rotation part is Log(R_predicted R_measured'): a left perturbation passes through the inverse left Jacobian.
-  const Matrix3d log_jacobian = so3_left_jacobian_inverse(equation.residual.tail<3>());
-
-  equation.d_x.topLeftCorner<3, 3>() = lidar_from_ins * turn;
-  equation.d_x.topRightCorner<3, 3>() = lidar_from_ins * skew(reach - t_x);
-  equation.d_x.bottomRightCorner<3, 3>() = log_jacobian * lidar_from_ins * turn;
-
+  PairEquation equation{in_x.residual, in_x.d_x};
   equation.d_a.topLeftCorner<3, 3>() = lidar_from_ins * r_p;
   equation.d_a.topRightCorner<3, 3>() = -lidar_from_ins * skew(arm) * r_p;
   equation.d_a.bottomRightCorner<3, 3>() = log_jacobian * lidar_from_ins * r_p;

@@ -20,6 +20,15 @@ struct PairEquation {
 PairEquation linearise_pair(const RigidTransform& ins_b_from_ins_a, const RigidTransform& lidar_b_from_lidar_a,
                             const RigidTransform& ins_from_lidar);
 
+/// The residual and `d_x` alone, for passes over thousands of pairs.
+struct MountingEquation {
+  Vector6d residual = Vector6d::Zero();
+  Matrix6d d_x = Matrix6d::Zero();
+};
+MountingEquation linearise_in_mounting(const RigidTransform& ins_b_from_ins_a,
+                                       const RigidTransform& lidar_b_from_lidar_a,
+                                       const RigidTransform& ins_from_lidar);
+
 /// A pose moved in its own body axes by [nu; omega].
 RigidTransform moved_in_body(const RigidTransform& world_from_body, const Vector6d& body_step);
 

@@ -28,15 +28,15 @@ std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs);
 struct NoisyPair {
   RigidTransform ins_b_from_ins_a, lidar_b_from_lidar_a;
   Matrix6d registration_information, registration_covariance;
-  Vector6d ins_variances_b;  ///< m^2, rad^2; with the drift since a
+  /// Errors of the INS poses, alike along all axes: of a, and of b with the drift since a.
+  double position_variances_m2 = 0.0, attitude_variance_a_rad2 = 0.0, attitude_variance_b_rad2 = 0.0;
 };
 std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
                                    const NoiseModel& noise);
 
 /// Squared Mahalanobis distances of the pairs' residuals under X, with the errors of both INS poses and of the
 /// registration.
-std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& ins_from_lidar,
-                               const NoiseModel& noise);
+std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& ins_from_lidar);
 
 /// How much larger residuals are than the noise model says, from squared Mahalanobis distances; at least 1. Judging
 /// pairs by the model alone would spiral: fewer pairs, less noise, fewer pairs.

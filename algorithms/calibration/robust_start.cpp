@@ -65,7 +65,7 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
   Vector6d side = Vector6d::Zero();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const NoisyPair& pair = pairs[k];
-    const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
+    const MountingEquation equation = linearise_in_mounting(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
     const Matrix6d weighted = weights[k] * equation.d_x.transpose() * pair.registration_information;
     hessian.noalias() += weighted * equation.d_x;
     side.noalias() -= weighted * equation.residual;
@@ -95,7 +95,7 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
   std::vector<std::vector<double>> tried_d2;
   const auto consider = [&](const RigidTransform& x) {
     tried.push_back(x);
-    tried_d2.push_back(distances2(noisy, x, noise));
+    tried_d2.push_back(distances2(noisy, x));
     ++start.passes;
   };
   if (nominal) consider(*nominal);
@@ -115,7 +115,7 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
     least = std::min(least, cost);
   }
   for (int iteration = 0; iteration < 20 && !progress.cancelled(); ++iteration) {
-    const std::vector<double> d2 = distances2(noisy, start.ins_from_lidar, noise);
+    const std::vector<double> d2 = distances2(noisy, start.ins_from_lidar);
     scale2 = residual_scale2(d2);
     const RigidTransform next = weighted_step(noisy, kernel_weights(d2, scale2), start.ins_from_lidar);
     ++start.passes;
