@@ -52,6 +52,12 @@ const std::vector<const char*>& file_phrases() {
           "Surfaces in the accumulated scans are %1 mm thick under the result and %2 mm under the nominal: the map "
           "contradicts the result. Look at the pairs and at the clock offset before using it."),
       QT_TRANSLATE_NOOP("remount::model",
+                        "The result lies %1 deg and %2 m from the nominal mounting. The LiDAR sits otherwise than "
+                        "assumed, or the nominal has other axes or signs."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The result lies %1 deg and %2 m from the nominal mounting. The inverse of the nominal is "
+                        "near: was lidar_from_ins given for ins_from_lidar?"),
+      QT_TRANSLATE_NOOP("remount::model",
                         "The column 'time' was rounded, as a spreadsheet does; GPS time is used, nothing is lost."),
       QT_TRANSLATE_NOOP(
           "remount::model",

@@ -9,6 +9,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/search/candidates.h"
 #include "model/attitude_check.h"
+#include "model/nominal_check.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/coarse_start.h"
 #include "model/pipeline/ground_stage.h"
@@ -327,6 +328,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   drop_clock_of_failed(output);
   report_clock(output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
+  report_nominal(input.nominal_ins_from_lidar, output.result, output.findings);
   return output;
 }
 
@@ -354,6 +356,7 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   forget_sharpness(solved);
   std::erase_if(solved.findings, [](const Finding& finding) { return finding.code == kClockOffset; });
   report_clock(solved.result, solved.findings);
+  report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
   output = std::move(solved);
   return true;
 }

@@ -4118,6 +4118,14 @@ Calibrate again (F5).</source>
         <translation>累积扫描中的表面，按结果厚 %1 毫米，按名义安装厚 %2 毫米：地图与结果矛盾。使用前请查看帧对和时钟偏差。</translation>
     </message>
     <message>
+        <source>The result lies %1 deg and %2 m from the nominal mounting. The LiDAR sits otherwise than assumed, or the nominal has other axes or signs.</source>
+        <translation>结果与名义安装相差 %1° 和 %2 米。激光雷达的安装与假设不同，或名义值的坐标轴或符号不同。</translation>
+    </message>
+    <message>
+        <source>The result lies %1 deg and %2 m from the nominal mounting. The inverse of the nominal is near: was lidar_from_ins given for ins_from_lidar?</source>
+        <translation>结果与名义安装相差 %1° 和 %2 米。名义值的逆与结果接近：是否把 lidar_from_ins 当作 ins_from_lidar 给出了？</translation>
+    </message>
+    <message>
         <source>The column &apos;time&apos; was rounded, as a spreadsheet does; GPS time is used, nothing is lost.</source>
         <translation>“time” 列被舍入了（电子表格会这样）；改用 GPS 时间，没有损失。</translation>
     </message>
