@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <set>
+#include <string_view>
 
 #include "app/cli/verbs.h"
 #include "model/display_units.h"
@@ -10,11 +12,12 @@
 namespace remount {
 namespace {
 
-constexpr int kColumn = 22;
+constexpr std::size_t kColumn = 22;
 
-std::string padded(std::string text) {
-  if (text.size() < kColumn) text.append(kColumn - text.size(), ' ');
-  return text;
+std::string padded(std::string_view text) {
+  std::string cell(text);
+  cell.resize(std::max(cell.size(), kColumn), ' ');
+  return cell;
 }
 
 std::string value_of(const CalibrationResult& result, std::size_t i) {
