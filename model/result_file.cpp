@@ -171,12 +171,27 @@ std::vector<PairRecord> pair_records(const std::vector<Keyframe>& keyframes, con
   return records;
 }
 
-InputFile hash_input(const std::filesystem::path& path) {
+namespace {
+
+InputFile unhashed_input(const std::filesystem::path& path) {
   InputFile input;
   input.file = path.filename().string();
   std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
   input.bytes = ignored ? 0 : size;
+  return input;
+}
+
+void name_by_session(const Session& session, const std::filesystem::path& file, InputFile& input) {
+  input.session = session.name;
+  const std::filesystem::path relative = file.lexically_relative(session.path);
+  if (!relative.empty() && relative != "." && *relative.begin() != "..") input.file = relative.generic_string();
+}
+
+}  // namespace
+
+InputFile hash_input(const std::filesystem::path& path) {
+  InputFile input = unhashed_input(path);
   try {
     input.sha256 = sha256_of_file(path);
   } catch (const Error&) {
@@ -196,11 +211,19 @@ std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Sessi
     if (progress.cancelled()) return;
     const auto& [session, file] = files[i];
     inputs[i] = hash_input(file);
-    inputs[i].session = session->name;
-    const std::filesystem::path relative = file.lexically_relative(session->path);
-    if (!relative.empty() && relative != "." && *relative.begin() != "..") inputs[i].file = relative.generic_string();
+    name_by_session(*session, file, inputs[i]);
     progress.report("hashing inputs", ++done, files.size());
   });
+  return inputs;
+}
+
+std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  std::vector<InputFile> inputs;
+  for (const auto& session : sessions)
+    for (const std::filesystem::path& file : session->files) {
+      inputs.push_back(unhashed_input(file));
+      name_by_session(*session, file, inputs.back());
+    }
   return inputs;
 }
 

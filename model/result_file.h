@@ -50,6 +50,8 @@ struct InputFile {
 /// Hashes the files of all sessions; the order is theirs, whatever the number of threads.
 std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Session>>& sessions, int threads,
                                    Progress& progress);
+/// The same without their hashes: names and sizes alone, which takes no reading.
+std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const Session>>& sessions);
 /// "session/file" of the first file that is missing among `now`, or there with other bytes; empty where all are as they
 /// were.
 std::string changed_file(const std::vector<InputFile>& then, const std::vector<InputFile>& now);
