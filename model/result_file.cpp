@@ -147,7 +147,24 @@ DocumentNode strings_document(const std::vector<std::string>& strings) {
   return list;
 }
 
+DocumentNode findings_document(const std::vector<Finding>& findings) {
+  DocumentNode list = DocumentNode::sequence();
+  for (const Finding& finding : findings) {
+    DocumentNode& node = list.add(DocumentNode::map());
+    node.add("code", DocumentNode::string(finding.code));
+    node.add("severity", DocumentNode::string(to_string(finding.severity)));
+    node.add("where", DocumentNode::string(finding.where));
+    node.add("explanation", DocumentNode::string(finding.explanation));
+  }
+  return list;
+}
+
 }  // namespace
+
+std::string_view to_string(Severity severity) {
+  constexpr std::array<std::string_view, 3> kNames{"note", "warning", "problem"};
+  return kNames.at(static_cast<std::size_t>(severity));
+}
 
 std::string_view to_string(PairState state) {
   constexpr std::array<std::string_view, 3> kNames{"proposed", "accepted", "rejected"};
@@ -289,7 +306,7 @@ DocumentNode result_document(const ResultFile& file) {
            file.nominal_ins_from_lidar ? transform_document(*file.nominal_ins_from_lidar) : DocumentNode::null());
   root.add("map_sharpness", sharpness_document(file.sharpness));
   root.add("candidates", candidates_document(result.candidates));
-  root.add("findings", strings_document(file.findings));
+  root.add("findings", findings_document(file.findings));
   root.add("provenance", provenance_document(file));
   root.add("pair_list", pairs_document(file.pairs));
   return root;

@@ -67,7 +67,7 @@ struct ResultFile {
   std::optional<RigidTransform> nominal_ins_from_lidar;  ///< what the search started from
   std::vector<PairRecord> pairs;
   std::vector<NamedSharpness> sharpness;  ///< the map check; empty where there was none
-  std::vector<std::string> findings;      ///< warnings and problems met on the way, one sentence each
+  std::vector<Finding> findings;          ///< warnings and problems met on the way
   std::string version;                    ///< of the program that wrote it
   Settings settings;
   std::vector<InputFile> inputs;
