@@ -87,7 +87,9 @@ struct Alternative {
   const char* words;
 };
 constexpr std::array<Alternative, 4> kAlternatives{{
-    {other_way_up, "NED instead of ENU (or the other way round), or a heading from north instead of a yaw from east"},
+    {other_way_up,
+     "NED instead of ENU (or the other way round), or a heading from north instead of a yaw from east (this looks like "
+     "a compass heading)"},
     {inverse, "the inverse rotation"},
     {scalar_was_last, "a quaternion whose scalar part stands at the other end"},
     {scalar_was_first, "a quaternion whose scalar part stands at the other end"},

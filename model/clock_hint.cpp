@@ -41,18 +41,23 @@ std::string likely_cause(double difference_s, double slack_s) {
 
 }  // namespace
 
+std::string clock_difference(const TimeSpan& stream, const TimeSpan& reference) {
+  // Recordings usually begin together: the difference of their beginnings is nearest to that of the clocks.
+  const double difference_s = 1e-9 * (static_cast<double>(stream.first_ns) - static_cast<double>(reference.first_ns));
+  const double length_s =
+      1e-9 * std::min(static_cast<double>(stream.last_ns) - static_cast<double>(stream.first_ns),
+                      static_cast<double>(reference.last_ns) - static_cast<double>(reference.first_ns));
+  return "the beginnings are " + duration(std::abs(difference_s)) + " apart. " +
+         likely_cause(difference_s, std::min(length_s, 600.0));
+}
+
 std::string time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins) {
   const bool before = lidar.last_ns < ins.first_ns;
   const double apart_s = 1e-9 * (before ? static_cast<double>(ins.first_ns) - static_cast<double>(lidar.last_ns)
                                         : static_cast<double>(lidar.first_ns) - static_cast<double>(ins.last_ns));
-  // Recordings usually begin together: the difference of their beginnings is nearest to that of the clocks.
-  const double difference_s = 1e-9 * (static_cast<double>(lidar.first_ns) - static_cast<double>(ins.first_ns));
-  const double length_s = 1e-9 * std::min(static_cast<double>(lidar.last_ns) - static_cast<double>(lidar.first_ns),
-                                          static_cast<double>(ins.last_ns) - static_cast<double>(ins.first_ns));
   const std::string where = before ? " before the INS data begin" : " after the INS data end";
-  return "the LiDAR's times " + std::string(before ? "end " : "begin ") + duration(apart_s) + where +
-         ", and the beginnings are " + duration(std::abs(difference_s)) + " apart. " +
-         likely_cause(difference_s, std::min(length_s, 600.0));
+  return "the LiDAR's times " + std::string(before ? "end " : "begin ") + duration(apart_s) + where + ", and " +
+         clock_difference(lidar, ins);
 }
 
 }  // namespace remount

@@ -15,4 +15,7 @@ struct TimeSpan {
 /// ahead of UTC ...": for spans without a common instant. `lidar` and `ins` are on clocks that should be one.
 std::string time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins);
 
+/// "the beginnings are 18.000 s apart. GPS time is 18 s ahead of UTC ...": the same of any two streams.
+std::string clock_difference(const TimeSpan& stream, const TimeSpan& reference);
+
 }  // namespace remount

@@ -295,7 +295,7 @@ ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& ou
   file.pairs = pair_records(output.keyframes, output.pairs);
   file.sharpness = output.sharpness;
   for (const Finding& finding : output.findings)
-    if (finding.severity != Severity::Note) file.findings.push_back(finding.where + ": " + finding.explanation);
+    if (finding.severity != Severity::Note) file.findings.push_back(finding);
   file.version = kVersion;
   file.settings = input.settings;
   file.inputs = std::move(inputs);

@@ -147,7 +147,24 @@ DocumentNode strings_document(const std::vector<std::string>& strings) {
   return list;
 }
 
+DocumentNode findings_document(const std::vector<Finding>& findings) {
+  DocumentNode list = DocumentNode::sequence();
+  for (const Finding& finding : findings) {
+    DocumentNode& node = list.add(DocumentNode::map());
+    node.add("code", DocumentNode::string(finding.code));
+    node.add("severity", DocumentNode::string(to_string(finding.severity)));
+    node.add("where", DocumentNode::string(finding.where));
+    node.add("explanation", DocumentNode::string(finding.explanation));
+  }
+  return list;
+}
+
 }  // namespace
+
+std::string_view to_string(Severity severity) {
+  constexpr std::array<std::string_view, 3> kNames{"note", "warning", "problem"};
+  return kNames.at(static_cast<std::size_t>(severity));
+}
 
 std::string_view to_string(PairState state) {
   constexpr std::array<std::string_view, 3> kNames{"proposed", "accepted", "rejected"};
@@ -171,12 +188,27 @@ std::vector<PairRecord> pair_records(const std::vector<Keyframe>& keyframes, con
   return records;
 }
 
-InputFile hash_input(const std::filesystem::path& path) {
+namespace {
+
+InputFile unhashed_input(const std::filesystem::path& path) {
   InputFile input;
   input.file = path.filename().string();
   std::error_code ignored;
   const auto size = std::filesystem::file_size(path, ignored);
   input.bytes = ignored ? 0 : size;
+  return input;
+}
+
+void name_by_session(const Session& session, const std::filesystem::path& file, InputFile& input) {
+  input.session = session.name;
+  const std::filesystem::path relative = file.lexically_relative(session.path);
+  if (!relative.empty() && relative != "." && *relative.begin() != "..") input.file = relative.generic_string();
+}
+
+}  // namespace
+
+InputFile hash_input(const std::filesystem::path& path) {
+  InputFile input = unhashed_input(path);
   try {
     input.sha256 = sha256_of_file(path);
   } catch (const Error&) {
@@ -196,11 +228,19 @@ std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Sessi
     if (progress.cancelled()) return;
     const auto& [session, file] = files[i];
     inputs[i] = hash_input(file);
-    inputs[i].session = session->name;
-    const std::filesystem::path relative = file.lexically_relative(session->path);
-    if (!relative.empty() && relative != "." && *relative.begin() != "..") inputs[i].file = relative.generic_string();
+    name_by_session(*session, file, inputs[i]);
     progress.report("hashing inputs", ++done, files.size());
   });
+  return inputs;
+}
+
+std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  std::vector<InputFile> inputs;
+  for (const auto& session : sessions)
+    for (const std::filesystem::path& file : session->files) {
+      inputs.push_back(unhashed_input(file));
+      name_by_session(*session, file, inputs.back());
+    }
   return inputs;
 }
 
@@ -266,7 +306,7 @@ DocumentNode result_document(const ResultFile& file) {
            file.nominal_ins_from_lidar ? transform_document(*file.nominal_ins_from_lidar) : DocumentNode::null());
   root.add("map_sharpness", sharpness_document(file.sharpness));
   root.add("candidates", candidates_document(result.candidates));
-  root.add("findings", strings_document(file.findings));
+  root.add("findings", findings_document(file.findings));
   root.add("provenance", provenance_document(file));
   root.add("pair_list", pairs_document(file.pairs));
   return root;

@@ -50,6 +50,8 @@ struct InputFile {
 /// Hashes the files of all sessions; the order is theirs, whatever the number of threads.
 std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Session>>& sessions, int threads,
                                    Progress& progress);
+/// The same without their hashes: names and sizes alone, which takes no reading.
+std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const Session>>& sessions);
 /// "session/file" of the first file that is missing among `now`, or there with other bytes; empty where all are as they
 /// were.
 std::string changed_file(const std::vector<InputFile>& then, const std::vector<InputFile>& now);
@@ -65,7 +67,7 @@ struct ResultFile {
   std::optional<RigidTransform> nominal_ins_from_lidar;  ///< what the search started from
   std::vector<PairRecord> pairs;
   std::vector<NamedSharpness> sharpness;  ///< the map check; empty where there was none
-  std::vector<std::string> findings;      ///< warnings and problems met on the way, one sentence each
+  std::vector<Finding> findings;          ///< warnings and problems met on the way
   std::string version;                    ///< of the program that wrote it
   Settings settings;
   std::vector<InputFile> inputs;

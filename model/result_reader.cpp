@@ -27,6 +27,21 @@ std::vector<std::string> strings_of(const DocumentView& root, std::string_view k
   return strings;
 }
 
+/// Files of former versions hold sentences alone.
+std::vector<Finding> findings_of(const DocumentView& root) {
+  std::vector<Finding> findings;
+  if (!root.has("findings")) return findings;
+  for (const DocumentView& item : root.at("findings").items()) {
+    if (!item.is_map()) {
+      findings.push_back({Severity::Warning, "", "", item.string()});
+      continue;
+    }
+    findings.push_back({static_cast<Severity>(item.at("severity").choice({"note", "warning", "problem"})),
+                        item.at("code").string(), item.at("where").string(), item.at("explanation").string()});
+  }
+  return findings;
+}
+
 /// The six sigmas in the order of kParameterNames, NaN for null.
 std::array<double, 6> sigma_of(const DocumentView& view) {
   const auto translation = view.at("translation_m").items(), rotation = view.at("rotation_deg").items();
@@ -177,7 +192,7 @@ ResultFile result_from_document(const DocumentView& root) {
           {item.at("source").string(),
            {number_or(item.at("mean_map_entropy"), kNan), number_or(item.at("plane_thickness_m"), kNan),
             static_cast<std::size_t>(count_of(item.at("points")))}});
-  file.findings = strings_of(root, "findings");
+  file.findings = findings_of(root);
   read_provenance(root.at("provenance"), file);
   if (root.has("pair_list"))
     for (const DocumentView& item : root.at("pair_list").items()) file.pairs.push_back(pair_of(item));

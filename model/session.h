@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algorithms/cloud/point_cloud.h"
@@ -16,6 +17,9 @@
 namespace remount {
 
 enum class Severity { Note, Warning, Problem };
+
+/// "note", "warning", "problem".
+std::string_view to_string(Severity severity);
 
 /// Something the engineer should know about the data: what, where, and what to do about it.
 struct Finding {

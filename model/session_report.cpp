@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "model/checks/data_check.h"
 #include "model/clock_hint.h"
-#include "model/ins_findings.h"
 
 namespace remount {
 namespace {
@@ -68,6 +68,14 @@ void measure_motion(const Session& session, SessionReport& report) {
   }
 }
 
+/// What opening the session said already is not said again.
+void add_new(SessionReport& report, Finding finding) {
+  const bool known = std::any_of(report.findings.begin(), report.findings.end(), [&](const Finding& other) {
+    return other.code == finding.code && other.where == finding.where;
+  });
+  if (!known) report.findings.push_back(std::move(finding));
+}
+
 void sample_scans(const Session& session, SessionReport& report, Progress& progress) {
   if (!session.scans || session.scans->size() == 0) return;
   const std::size_t last = session.scans->size() - 1;
@@ -77,14 +85,14 @@ void sample_scans(const Session& session, SessionReport& report, Progress& progr
     try {
       report.points.push_back(session.scans->load(scan).size());
     } catch (const Error& error) {
-      report.findings.push_back({Severity::Warning, "bad-scan", error.where(), error.what_happened()});
+      add_new(report, {Severity::Warning, "bad-scan", error.where(), error.what_happened()});
     }
   }
 }
 
 void judge(const Session& session, SessionReport& report, const Progress& progress) {
   const auto problem = [&](const char* code, const std::string& text) {
-    report.findings.push_back({Severity::Problem, code, session.name, text});
+    add_new(report, {Severity::Problem, code, session.name, text});
   };
   if (report.lidar.count == 0 && report.ins.count == 0 && moves_without_ins(report))
     report.findings.push_back({Severity::Note, "no-lidar", session.name,
@@ -198,7 +206,7 @@ SessionReport report_session(const Session& session, Progress& progress) {
   }
   measure_motion(session, report);
   sample_scans(session, report, progress);
-  for (Finding& finding : ins_findings(session)) report.findings.push_back(std::move(finding));
+  for (Finding& finding : drive_findings(session)) add_new(report, std::move(finding));
   judge(session, report, progress);
   return report;
 }
@@ -227,9 +235,12 @@ std::string describe(const Session& session, const SessionReport& report) {
   }
   if (session.nominal_ins_from_lidar) text += "  nominal mounting: declared\n";
   constexpr const char* kSeverity[] = {"note", "warning", "problem"};
-  for (const Finding& finding : report.findings)
+  for (const Finding& finding : report.findings) {
     text += std::string("  ") + kSeverity[static_cast<int>(finding.severity)] + " [" + finding.code + "] " +
             finding.where + ": " + finding.explanation + "\n";
+    if (const FindingKind* kind = finding_kind(finding.code))
+      text += "    " + std::string(kind->meaning) + "\n    do: " + std::string(kind->remedy) + "\n";
+  }
   return text + usable_lines(report);
 }
 

@@ -7,7 +7,6 @@ namespace remount {
 const std::vector<const char*>& file_phrases() {
   static const std::vector<const char*> phrases{
       // findings and errors of readers, and what the system says of files
-      QT_TRANSLATE_NOOP("remount::model", "%1 of %2 samples are degraded and %3 invalid by the INS's own status."),
       QT_TRANSLATE_NOOP("remount::model", "%1 gaps, the longest %2 s; nothing is interpolated across them."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The INS moves at up to %1 m/s: its position jumps, or its stamps are wrong."),

@@ -2,6 +2,7 @@
 // tests/widgets/language_test.cpp.
 #include <QtGlobal>
 
+#include "widgets/check_phrases.h"
 #include "widgets/file_phrases.h"
 #include "widgets/method_phrases.h"
 #include "widgets/model_text.h"
@@ -9,7 +10,7 @@
 namespace remount {
 namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
-  for (const auto* others : {&file_phrases(), &method_phrases(), &method_option_phrases()})
+  for (const auto* others : {&check_phrases(), &file_phrases(), &method_phrases(), &method_option_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }

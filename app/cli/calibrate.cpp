@@ -5,13 +5,12 @@
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
+#include "app/cli/sessions.h"
 #include "app/cli/verbs.h"
 #include "model/io/atomic_save.h"
-#include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
 #include "model/methods/trajectory_method.h"
 #include "model/project.h"
-#include "model/session_frames.h"
 
 namespace remount {
 namespace {
@@ -25,19 +24,6 @@ struct CalibrateArguments {
   bool follow = false;
   double settled_s = 5.0;
 };
-
-/// What the sessions declare themselves, where they agree; a contradiction is for the user to decide.
-std::optional<RigidTransform> declared_nominal(const std::vector<std::shared_ptr<const Session>>& sessions) {
-  std::optional<RigidTransform> declared;
-  for (const auto& session : sessions) {
-    if (!session->nominal_ins_from_lidar) continue;
-    if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))
-      throw Error(ErrorCode::Contract, session->name,
-                  "declares another nominal mounting than the sessions before it; give --nominal");
-    declared = session->nominal_ins_from_lidar;
-  }
-  return declared;
-}
 
 MethodChoice method_named(const std::string& id) {
   const auto found = std::find(kMethodIds.begin(), kMethodIds.end(), id);
@@ -117,12 +103,9 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (!arguments.method.empty()) input.settings.run.method = method_named(arguments.method);
   input.threads = console.options().threads;
   const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console);
-  for (const std::filesystem::path& path : project.sessions)
-    input.sessions.push_back(std::make_shared<const Session>(open_session(path, console.progress())));
+  input.sessions = open_sessions(project.sessions, console);
   if (nominal) {
-    std::vector<std::string> doubts;
-    input.nominal_ins_from_lidar = in_axes_of(*nominal, common_axes(input.sessions), doubts);
-    for (const std::string& doubt : doubts) console.complain("warning: " + arguments.solve.nominal + ": " + doubt);
+    input.nominal_ins_from_lidar = nominal_in_axes(*nominal, arguments.solve.nominal, input.sessions, console);
   } else if (arguments.solve.nominal.empty()) {
     input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
     if (!input.nominal_ins_from_lidar) input.nominal_ins_from_lidar = declared_nominal(input.sessions);

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "algorithms/core/error.h"
+#include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
 #include "remount_version.h"
 
@@ -137,7 +138,9 @@ void Console::complain(std::string_view text) {
 
 void Console::report(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
-    const std::string text = finding.where + ": " + finding.explanation + " [" + finding.code + "]";
+    const FindingKind* kind = finding_kind(finding.code);
+    const std::string text = finding.where + ": " + finding.explanation + " [" + finding.code + "]" +
+                             (kind ? "\n  do: " + std::string(kind->remedy) : "");
     const std::scoped_lock lock(mutex_);
     clear_line();
     const bool note = finding.severity == Severity::Note;

@@ -47,7 +47,7 @@ int run_main(int argc, char** argv) {
   add_common_options(app, console);
   Run run;
   for (const auto add : {add_inspect, add_calibrate, add_solve, add_export, add_compare, add_report, add_obstacles,
-                         add_odometry, add_simulate, add_settings})
+                         add_odometry, add_batch, add_simulate, add_settings})
     add(app, console, run);
   try {
     app.parse(argc, argv);

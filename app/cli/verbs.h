@@ -20,6 +20,7 @@ void add_report(CLI::App& app, Console& console, Run& run);
 void add_obstacles(CLI::App& app, Console& console, Run& run);
 void add_odometry(CLI::App& app, Console& console, Run& run);
 void add_simulate(CLI::App& app, Console& console, Run& run);
+void add_batch(CLI::App& app, Console& console, Run& run);
 void add_settings(CLI::App& app, Console& console, Run& run);
 
 }  // namespace remount

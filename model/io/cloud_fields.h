@@ -70,6 +70,8 @@ class CloudBuilder {
 /// or byte. Memory taken is bounded by a small multiple of the file's size.
 PointCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
 PointCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
+/// LAS 1.2 to 1.4 in the frame of the sensor, with intensity and GPS time; classes and returns are not used.
+PointCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
 /// KITTI: x, y, z, reflectance as little-endian 32-bit floats.
 PointCloud parse_kitti_bin(std::string_view bytes, const std::filesystem::path& path);
 /// KITTI extract: x y z reflectance as text, one point a line.

@@ -19,12 +19,13 @@ CloudFormat recognise(std::string_view bytes, const std::filesystem::path& path)
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return CloudFormat::Ply;
   if (bytes.starts_with("# .PCD") || bytes.starts_with("VERSION") || bytes.starts_with("FIELDS"))
     return CloudFormat::Pcd;
+  if (bytes.starts_with("LASF")) return CloudFormat::Las;
   const std::string extension = lower_case(path.extension().string());
   if (extension == ".pcd") return CloudFormat::Pcd;
   if (extension == ".ply") return CloudFormat::Ply;
   if (extension == ".bin") return CloudFormat::KittiBin;
   if (extension == ".txt" || extension == ".xyz") return CloudFormat::XyziText;
-  throw Error(ErrorCode::Unsupported, path.string(), "is no PCD, PLY, KITTI .bin or .txt scan");
+  throw Error(ErrorCode::Unsupported, path.string(), "is no PCD, PLY, LAS, KITTI .bin or .txt scan");
 }
 
 template <class T>
@@ -90,6 +91,8 @@ PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, 
   switch (format == CloudFormat::Auto ? recognise(bytes, path) : format) {
     case CloudFormat::Ply:
       return parse_ply(bytes, path, stamp_ns);
+    case CloudFormat::Las:
+      return parse_las(bytes, path, stamp_ns);
     case CloudFormat::KittiBin:
       return parse_kitti_bin(bytes, path);
     case CloudFormat::XyziText:

@@ -8,13 +8,12 @@
 
 namespace remount {
 
-enum class CloudFormat { Auto, Pcd, Ply, KittiBin, XyziText };
+enum class CloudFormat { Auto, Pcd, Ply, KittiBin, XyziText, Las };
 
-/// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), KITTI .bin, or text
-/// `x y z reflectance`. Auto decides by content, then by extension. Points that are not finite or at zero range are
-/// left out and counted. Per-point times are taken relative to `stamp_ns` (Unix time of the scan; 0: not known), see
-/// CloudBuilder::finish.
-/// Throws Error naming file and line or byte.
+/// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), LAS, KITTI .bin, or
+/// text `x y z reflectance`. Auto decides by content, then by extension. Points that are not finite or at zero range
+/// are left out and counted. Per-point times are taken relative to `stamp_ns` (Unix time of the scan; 0: not known),
+/// see CloudBuilder::finish. Throws Error naming file and line or byte.
 PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format = CloudFormat::Auto);
 
 /// Binary PCD with x y z and those of intensity, ring (16 bits) and time (seconds from the stamp, float) that are

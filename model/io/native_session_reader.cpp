@@ -5,8 +5,10 @@
 #include <map>
 
 #include "model/io/csv_table.h"
+#include "model/io/gnss_log_reader.h"
 #include "model/io/input_file.h"
 #include "model/io/ins_table.h"
+#include "model/io/nmea_log.h"
 #include "model/io/parse_document.h"
 #include "model/io/pose_file.h"
 #include "model/io/pose_pairing.h"
@@ -146,7 +148,16 @@ std::optional<std::int64_t> stamp_from_name(std::string_view stem) {
 
 bool has_extension(const fs::path& file, CloudFormat format) {
   const std::string extension = lower_case(file.extension().string());
-  return extension == (format == CloudFormat::Pcd ? ".pcd" : format == CloudFormat::Ply ? ".ply" : ".bin");
+  switch (format) {
+    case CloudFormat::Pcd:
+      return extension == ".pcd";
+    case CloudFormat::Ply:
+      return extension == ".ply";
+    case CloudFormat::Las:
+      return extension == ".las";
+    default:
+      return extension == ".bin";
+  }
 }
 
 std::vector<ScanFile> scans_from_names(const fs::path& directory, CloudFormat format, std::vector<Finding>& findings) {
@@ -209,8 +220,10 @@ void read_timing(const DocumentView& node, Session& session) {
 
 void read_scans(const DocumentView& node, const fs::path& folder, Session& session) {
   node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
-  const auto format = choice<CloudFormat>(
-      node.at("type"), {{"pcd", CloudFormat::Pcd}, {"ply", CloudFormat::Ply}, {"kitti-bin", CloudFormat::KittiBin}});
+  const auto format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
+                                                            {"ply", CloudFormat::Ply},
+                                                            {"las", CloudFormat::Las},
+                                                            {"kitti-bin", CloudFormat::KittiBin}});
   const fs::path directory = folder / node.at("directory").string();
   if (!is_folder(directory)) node.at("directory").fail("there is no folder " + directory.string());
   const std::string stamps = node.at("stamps").string();
@@ -233,16 +246,24 @@ std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& fo
   const DocumentView& format = node.at("format");
   const auto pose_format = pose_format_from_string(format.string());
   if (!pose_format)
-    format.fail("'" + format.string().substr(0, 60) + "' is not one of: tum, eth-csv, aloam-csv, pose-lines");
+    format.fail("'" + format.string().substr(0, 60) +
+                "' is not one of: tum, eth-csv, aloam-csv, pose-lines, apollo-csv");
   session.files.push_back(folder / node.at("file").string());
   return read_pose_file(session.files.back(), *pose_format, session.findings);
 }
 
 void read_ins(const DocumentView& node, const fs::path& folder, Session& session) {
   node.allow_only({"file", "columns"});
+  const fs::path file = folder / node.at("file").string();
+  if (!node.has("columns") && recognise_nmea(file)) {
+    session.files.push_back(file);
+    session.ins = read_nmea(file, session.findings).ins;
+    if (session.ins.empty()) node.at("file").fail("has no attitude (PASHR or HDT): declare it as gnss");
+    return;
+  }
   const InsTableLayout layout = read_layout(node.at("columns"));
   if (!layout.quaternion) session.ins_axes = axes_of(layout.attitude);
-  session.files.push_back(folder / node.at("file").string());
+  session.files.push_back(file);
   session.ins = read_ins_table(session.files.back(), layout, session.findings);
 }
 
@@ -284,7 +305,7 @@ void read_sensors(const DocumentView& root, const fs::path& folder, Session& ses
     samples = read_table(session.files.back(), session.findings);
   };
   read("imu", session.imu, read_imu_table);
-  read("gnss", session.gnss, read_gnss_table);
+  read("gnss", session.gnss, read_gnss);
   read("wheels", session.wheels, read_wheel_table);
   read("barometer", session.barometer, read_barometer_table);
 }
@@ -337,7 +358,7 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
     read_ins(*ins, folder, session);
   } else if (const auto poses = find(root, "ins_poses")) {
     session.world_from_ins = read_poses(*poses, folder, session);
-    session.ins_axes.reset();
+    session.ins_axes = axes_of(*pose_format_from_string(poses->at("format").string()));
   }
   read_sensors(root, folder, session);
   progress.report("listing scans", 1, 2);

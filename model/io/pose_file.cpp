@@ -1,5 +1,6 @@
 #include "model/io/pose_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,8 +15,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"tum", "eth-csv", "aloam-csv", "pose-lines"};
+constexpr std::array<std::string_view, 5> kNames{"tum", "eth-csv", "aloam-csv", "pose-lines", "apollo-csv"};
+constexpr std::array<std::string_view, 9> kApolloColumns{"timestamp", "position_type", "qw", "qx", "qy", "qz", "x", "y",
+                                                         "z"};
 constexpr double kNotableDefect = 1e-3;
+/// NovAtel's position types with whole ambiguities, which Apollo's position_type holds.
+constexpr std::array<std::int64_t, 5> kFixedTypes{48, 49, 50, 56, 69};
 
 /// What turns a line into a pose. `place` is "file:line", for errors.
 class LineParser {
@@ -30,31 +35,35 @@ class LineParser {
         "pose.pose.orientation.y", "pose.pose.orientation.z", "pose.pose.orientation.w"};
     for (std::size_t i = 0; i < kColumns.size(); ++i) columns_[i] = header.require(kColumns[i], path_);
   }
+  /// The header line of Apollo's odometry; without one, columns in its order.
+  void read_apollo_header(const CsvHeader* header) {
+    for (std::size_t i = 0; i < kApolloColumns.size(); ++i)
+      columns_[i] = header != nullptr ? header->require(kApolloColumns[i], path_) : i;
+  }
 
   StampedPose parse(std::string_view line, std::size_t line_number) {
     line_ = line_number;
-    const bool csv = format_ == PoseFormat::EthCsv || format_ == PoseFormat::AloamCsv;
+    const bool csv = format_ != PoseFormat::Tum && format_ != PoseFormat::PoseLines;
     if (csv)
       split_csv(line, fields_);
     else
       split_blanks(line, fields_);
     if (format_ == PoseFormat::PoseLines) return parse_matrix();
+    if (format_ == PoseFormat::ApolloCsv) return parse_apollo();
     if (format_ != PoseFormat::AloamCsv)
       for (std::size_t i = 0; i < 8; ++i) columns_[i + 1] = i;
     StampedPose pose;
     pose.stamp_ns = format_ == PoseFormat::AloamCsv ? host_stamp() : seconds_stamp(field(columns_[1]));
     const std::size_t first = 2;
     const Eigen::Vector3d position(number(columns_[first]), number(columns_[first + 1]), number(columns_[first + 2]));
-    const Eigen::Quaterniond quaternion(number(columns_[first + 6]), number(columns_[first + 3]),
-                                        number(columns_[first + 4]), number(columns_[first + 5]));
-    if (std::abs(quaternion.norm() - 1.0) > 0.01)
-      throw Error(ErrorCode::Format, at_line(path_, line_),
-                  "the quaternion has length " + std::to_string(quaternion.norm()) + ", expected 1");
-    pose.pose = make_rigid(quaternion.normalized().toRotationMatrix(), position);
+    pose.pose = posed(Eigen::Quaterniond(number(columns_[first + 6]), number(columns_[first + 3]),
+                                         number(columns_[first + 4]), number(columns_[first + 5])),
+                      position);
     return pose;
   }
 
   double worst_defect() const { return worst_defect_; }
+  std::size_t not_fixed() const { return not_fixed_; }
 
  private:
   std::string_view field(std::size_t i) const {
@@ -78,6 +87,24 @@ class LineParser {
         *nanoseconds >= 1'000'000'000)
       throw Error(ErrorCode::Format, at_line(path_, line_), "header.stamp holds no seconds and nanoseconds");
     return *seconds * 1'000'000'000 + *nanoseconds;
+  }
+  RigidTransform posed(const Eigen::Quaterniond& quaternion, const Eigen::Vector3d& position) const {
+    if (std::abs(quaternion.norm() - 1.0) > 0.01)
+      throw Error(ErrorCode::Format, at_line(path_, line_),
+                  "the quaternion has length " + std::to_string(quaternion.norm()) + ", expected 1");
+    return make_rigid(quaternion.normalized().toRotationMatrix(), position);
+  }
+  StampedPose parse_apollo() {
+    std::array<double, 7> values{};  // qw, qx, qy, qz, x, y, z
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(columns_[i + 2]);
+    const auto type = parse_integer(field(columns_[1]));
+    if (!type)
+      throw Error(
+          ErrorCode::Format, at_line(path_, line_),
+          "'" + std::string(field(columns_[1]).substr(0, 40)) + "' is no position type, expected a whole number");
+    not_fixed_ += std::find(kFixedTypes.begin(), kFixedTypes.end(), *type) == kFixedTypes.end();
+    return {seconds_stamp(field(columns_[0])),
+            posed({values[0], values[1], values[2], values[3]}, {values[4], values[5], values[6]})};
   }
   StampedPose parse_matrix() {
     if (fields_.size() != 13)
@@ -107,7 +134,14 @@ class LineParser {
   std::vector<std::string_view> fields_;
   std::size_t line_ = 0;
   double worst_defect_ = 0.0;
+  std::size_t not_fixed_ = 0;
 };
+
+/// True where the line is the header of Apollo's odometry.
+bool is_apollo_header(std::string_view line) {
+  const CsvHeader header(line);
+  return std::all_of(kApolloColumns.begin(), kApolloColumns.end(), [&](auto name) { return header.has(name); });
+}
 
 bool all_numbers(const std::vector<std::string_view>& fields, std::size_t from) {
   for (std::size_t i = from; i < fields.size(); ++i)
@@ -119,6 +153,12 @@ std::optional<PoseFormat> recognise_line(std::string_view line) {
   std::vector<std::string_view> fields;
   split_csv(line, fields);
   if (fields.size() == 8 && all_numbers(fields, 0)) return PoseFormat::EthCsv;
+  if (is_apollo_header(line)) return PoseFormat::ApolloCsv;
+  if (fields.size() == 9 && all_numbers(fields, 0) && parse_integer(fields[1])) {
+    double norm = 0.0;
+    for (std::size_t i = 2; i < 6; ++i) norm += std::pow(*parse_number(fields[i]), 2);
+    if (std::abs(norm - 1.0) < 0.02) return PoseFormat::ApolloCsv;
+  }
   if (line.find("header.stamp.secs") != std::string_view::npos &&
       line.find("pose.pose.orientation.w") != std::string_view::npos)
     return PoseFormat::AloamCsv;
@@ -154,15 +194,49 @@ std::optional<PoseFormat> recognise_pose_file(const fs::path& path) {
   return std::nullopt;
 }
 
+std::optional<InsAxes> axes_of(PoseFormat format) {
+  return format == PoseFormat::ApolloCsv ? std::optional(InsAxes::RightForwardUp) : std::nullopt;
+}
+
+namespace {
+
+/// Reads the header line where the format has one, and says where the poses begin.
+void read_head(PoseFormat format, std::string_view text, const fs::path& path, LineParser& parser, LineReader& lines) {
+  std::string_view line;
+  if (format == PoseFormat::AloamCsv) {
+    if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");
+    parser.read_header(line);
+  } else if (format == PoseFormat::ApolloCsv) {
+    LineReader ahead(text);
+    const bool named = ahead.next(line) && is_apollo_header(line);
+    const CsvHeader header(line);
+    parser.read_apollo_header(named ? &header : nullptr);
+    if (named) lines.next(line);
+  }
+}
+
+/// UTM turns against true north away from the middle of its zone.
+void tell_apollo(const std::vector<StampedPose>& poses, std::size_t not_fixed, const fs::path& path,
+                 std::vector<Finding>& findings) {
+  findings.push_back(make_finding(
+      Severity::Note, "utm-poses", path.string(),
+      "Positions are taken to be UTM, and attitudes to be relative to true north, as Apollo's GNSS driver writes them: "
+      "away from the middle of a zone yaw of X is off by the grid convergence, up to some 2 degrees, which no residual "
+      "shows."));
+  if (not_fixed > 0)
+    findings.push_back(make_finding(Severity::Warning, "rtk-lost", path.string(),
+                                    std::to_string(not_fixed) + " of " + std::to_string(poses.size()) +
+                                        " positions are not fixed by their position type."));
+}
+
+}  // namespace
+
 std::vector<StampedPose> read_pose_file(const fs::path& path, PoseFormat format, std::vector<Finding>& findings) {
   const std::string text = read_regular_file(path);
   LineParser parser(format, path);
   LineReader lines(text);
   std::string_view line;
-  if (format == PoseFormat::AloamCsv) {
-    if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");
-    parser.read_header(line);
-  }
+  read_head(format, text, path, parser, lines);
   std::vector<StampedPose> poses;
   BadItems bad;
   while (lines.next(line)) {
@@ -182,6 +256,7 @@ std::vector<StampedPose> read_pose_file(const fs::path& path, PoseFormat format,
     findings.push_back(make_finding(Severity::Warning, "rotation-not-orthonormal", path.string(),
                                     "Rotations were off by up to " + std::to_string(parser.worst_defect()) +
                                         " in an entry; the nearest rotation is used."));
+  if (format == PoseFormat::ApolloCsv) tell_apollo(poses, parser.not_fixed(), path, findings);
   keep_ascending(poses, "pose", path.string(), findings);
   return poses;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "model/checks/data_check.h"
 #include "model/session.h"
 
 namespace remount {
@@ -26,7 +27,8 @@ class SessionReader {
 /// The built-in readers. Adding one: a file in this folder and a line in session_readers.cpp.
 const std::vector<std::unique_ptr<SessionReader>>& session_readers();
 
-/// Opens with the reader that is surest. Throws Error that names what each reader looks for where none recognises it.
-Session open_session(const std::filesystem::path& path, Progress& progress);
+/// Opens with the reader that is surest, and looks at what it read (model/checks): what is suspicious is among the
+/// session's findings. Throws Error that names what each reader looks for where none recognises it.
+Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at = LookAt::StreamsAndScans);
 
 }  // namespace remount

@@ -1,5 +1,5 @@
 #include "algorithms/core/error.h"
-#include "model/attitude_check.h"
+#include "model/io/gnss_log_reader.h"
 #include "model/io/kitti_raw_reader.h"
 #include "model/io/native_session_reader.h"
 #include "model/io/novatel_reader.h"
@@ -18,13 +18,14 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     list.push_back(std::make_unique<OpenCalibReader>());
     list.push_back(std::make_unique<NovatelReader>());
     list.push_back(std::make_unique<SmartlocReader>());
+    list.push_back(std::make_unique<GnssLogReader>());
     list.push_back(std::make_unique<PoseSessionReader>());
     return list;
   }();
   return readers;
 }
 
-Session open_session(const std::filesystem::path& path, Progress& progress) {
+Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw Error(ErrorCode::Io, path.string(), "does not exist");
   const SessionReader* best = nullptr;
@@ -35,7 +36,7 @@ Session open_session(const std::filesystem::path& path, Progress& progress) {
   }
   if (best) {
     Session session = best->open(path, progress);
-    for (Finding& finding : attitude_findings(session)) session.findings.push_back(std::move(finding));
+    for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
     return session;
   }
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)

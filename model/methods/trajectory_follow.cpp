@@ -29,7 +29,7 @@ std::size_t items_of(const Session& session) {
 std::shared_ptr<const Session> opened(const std::filesystem::path& path, std::string& problem) {
   try {
     Progress quiet;
-    auto session = std::make_shared<const Session>(open_session(path, quiet));
+    auto session = std::make_shared<const Session>(open_session(path, quiet, LookAt::Streams));
     problem.clear();
     return session;
   } catch (const Error& error) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "model/checks/data_check.h"
 #include "model/display_units.h"
 #include "model/io/base64.h"
 #include "model/report/plot_chart.h"
@@ -75,6 +76,7 @@ class Page {
   void write_pictures();
   void write_charts();
   void write_pairs();
+  void write_findings();
   void write_data();
   void write_settings();
   bool has_numbers() const { return is_usable(result_) || result_.status == Status::Inconsistent; }
@@ -277,13 +279,26 @@ void Page::write_pairs() {
   end_table();
 }
 
-void Page::write_data() {
-  std::vector<std::string> findings;
-  for (const std::string& finding : file_.findings) findings.push_back(sentence(finding));
-  if (!findings.empty()) {
-    heading(phrase("report", "Warnings"));
-    list(findings);
+void Page::write_findings() {
+  if (file_.findings.empty()) return;
+  heading(phrase("report", "Warnings"));
+  begin_table();
+  row({phrase("report", "code"), phrase("report", "where"), phrase("report", "what was found"),
+       phrase("report", "what it means, and what to do")},
+      "th", true);
+  for (const Finding& finding : file_.findings) {
+    const FindingKind* kind = finding_kind(finding.code);
+    html_ += "<tr>";
+    for (const std::string& cell :
+         {html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
+          kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : std::string("–")})
+      html_ += "<td class=\"text\" align=\"left\">" + cell + "</td>";
+    html_ += "</tr>\n";
   }
+  end_table();
+}
+
+void Page::write_data() {
   heading(phrase("report", "Data"));
   if (file_.inputs.empty())
     html_ += "<p class=\"weak\">" + phrase("report", "The files' hashes are not known.") + "</p>\n";
@@ -329,6 +344,7 @@ std::string Page::write() {
     write_pictures();
     write_pairs();
   }
+  write_findings();
   write_data();
   write_settings();
   return html_ + "</body></html>\n";

@@ -2728,6 +2728,10 @@ Everything else works.</source>
         <source>Session</source>
         <translation>数据</translation>
     </message>
+    <message>
+        <source>What to do: %1</source>
+        <translation>处理办法：%1</translation>
+    </message>
 </context>
 <context>
     <name>remount::SessionsPanel</name>
@@ -4044,10 +4048,6 @@ Calibrate again (F5).</source>
     <message>
         <source>was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last steps (aligning all clouds, sharpness of the map). Calibrate again for the rest.</source>
         <translation>在 %2 个帧对中有 %1 个完成配准时被取消：结果仅来自这些帧对，未执行最后的步骤（对齐全部点云、地图清晰度）。要处理其余帧对，请重新标定。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 samples are degraded and %3 invalid by the INS&apos;s own status.</source>
-        <translation>按 INS 自身的状态，%2 个样本中 %1 个降级，%3 个无效。</translation>
     </message>
     <message>
         <source>%1 gaps, the longest %2 s; nothing is interpolated across them.</source>
@@ -5937,6 +5937,322 @@ Calibrate again (F5).</source>
         <source>Barometer drift</source>
         <translation>气压计漂移</translation>
     </message>
+    <message>
+        <source>%1 of %2 samples are degraded and %3 invalid by the INS&apos;s own status, in %4 stretches, the longest of %5 s.</source>
+        <translation>%2 个样本中有 %1 个按 INS 自身的状态为降级，%3 个为无效，共 %4 段，最长 %5 秒。</translation>
+    </message>
+    <message>
+        <source>The position jumps %1 times, the farthest by %2 m at %3.</source>
+        <translation>位置跳变 %1 次，最大一次在 %3，为 %2 米。</translation>
+    </message>
+    <message>
+        <source>The stated error of the position grows from %1 m to %2 m in %3 stretches, %4 % of the drive: corrections (RTK) were lost.</source>
+        <translation>位置的标称误差从 %1 米增大到 %2 米，共 %3 段，占行程的 %4 %：差分改正（RTK）丢失。</translation>
+    </message>
+    <message>
+        <source>The drive would lie in the sea at latitude %1, longitude %2 degrees: these are radians that are taken for degrees.</source>
+        <translation>行程将位于海上纬度 %1 度、经度 %2 度处：这些是被当作度的弧度。</translation>
+    </message>
+    <message>
+        <source>The IMU turns %1 times as fast as the INS: degrees and radians are mixed up.</source>
+        <translation>IMU 的转动速度是 INS 的 %1 倍：度与弧度混淆了。</translation>
+    </message>
+    <message>
+        <source>The IMU reads a specific force of %1, where gravity alone is 9.8 m/s^2: these are units of g, or gravity was taken out.</source>
+        <translation>IMU 测得的比力为 %1，而仅重力就有 9.8 m/s^2：单位是 g，或者重力已被扣除。</translation>
+    </message>
+    <message>
+        <source>its times do not meet those of the INS or the LiDAR: %1</source>
+        <translation>其时间与 INS 或 LiDAR 的时间没有重叠：%1</translation>
+    </message>
+    <message>
+        <source>The scan has %1 points only; the usual one has %2.</source>
+        <translation>该扫描只有 %1 个点；通常的扫描有 %2 个点。</translation>
+    </message>
+    <message>
+        <source>%1 % of the points have no place (NaN, or no range) and are left out.</source>
+        <translation>%1 % 的点没有位置（NaN 或没有距离），已被舍去。</translation>
+    </message>
+    <message>
+        <source>In all %1 pairs that were looked at, the scans turn the other way round than the INS, with the ground below: the points are mirrored, one of their axes has the wrong sign.</source>
+        <translation>在检查过的全部 %1 个扫描对中，扫描的转向与 INS 相反，而地面在下方：点云是镜像的，其中一个轴的符号错误。</translation>
+    </message>
+    <message>
+        <source>NED instead of ENU (or the other way round), or a heading from north instead of a yaw from east (this looks like a compass heading)</source>
+        <translation>以 NED 代替 ENU（或相反），或以从北起算的航向代替从东起算的偏航角（这看起来像罗盘航向）</translation>
+    </message>
+    <message>
+        <source>Every relative motion of the INS is wrong; no result stands on it.</source>
+        <translation>INS 的每一个相对运动都是错误的；没有结果能以此为据。</translation>
+    </message>
+    <message>
+        <source>Declare the convention that the finding names; in session.yaml it is ins.columns.attitude.convention.</source>
+        <translation>请声明该条发现所指出的约定；在 session.yaml 中为 ins.columns.attitude.convention。</translation>
+    </message>
+    <message>
+        <source>Heading and direction of travel have nothing to do with each other.</source>
+        <translation>航向与行驶方向毫无关系。</translation>
+    </message>
+    <message>
+        <source>Look which column is the heading, and how it counts; set the mounting of the INS in the INS itself.</source>
+        <translation>请查看哪一列是航向、它如何计数；在 INS 内部设置其安装方式。</translation>
+    </message>
+    <message>
+        <source>Roll of the INS is off by half a turn, and that of the result with it.</source>
+        <translation>INS 的横滚角相差半圈，结果的横滚角也随之相差半圈。</translation>
+    </message>
+    <message>
+        <source>Declare the convention of the attitude (ENU or NED) as the INS has it.</source>
+        <translation>请按 INS 的实际情况声明姿态约定（ENU 或 NED）。</translation>
+    </message>
+    <message>
+        <source>Scans and INS have no instant in common: there is nothing to compare.</source>
+        <translation>扫描与 INS 没有共同的时刻：无从比较。</translation>
+    </message>
+    <message>
+        <source>Give data of the same drive, on one clock; declare the time scale (UTC, GPS) of each.</source>
+        <translation>请提供同一行程、同一时钟的数据；声明各自的时间系统（UTC、GPS）。</translation>
+    </message>
+    <message>
+        <source>The stream cannot be used: no sample of it belongs to the drive.</source>
+        <translation>该数据流无法使用：没有一个样本属于这次行程。</translation>
+    </message>
+    <message>
+        <source>Declare its time scale (UTC, GPS) and unit, or leave it out.</source>
+        <translation>请声明其时间系统（UTC、GPS）和单位，或者不使用它。</translation>
+    </message>
+    <message>
+        <source>Whatever else is stamped by the host&apos;s clock is off by as much against the INS.</source>
+        <translation>凡是由主机时钟打时间戳的其他数据，与 INS 也相差同样多。</translation>
+    </message>
+    <message>
+        <source>Synchronise the host with GPS (PTP, NTP, chrony); stamp scans by GPS time (PPS) where the LiDAR can.</source>
+        <translation>请使主机与 GPS 同步（PTP、NTP、chrony）；在 LiDAR 支持时用 GPS 时间（PPS）给扫描打时间戳。</translation>
+    </message>
+    <message>
+        <source>The host&apos;s clock cannot be judged.</source>
+        <translation>无法判断主机的时钟。</translation>
+    </message>
+    <message>
+        <source>Export the log again with all digits.</source>
+        <translation>请以全部位数重新导出日志。</translation>
+    </message>
+    <message>
+        <source>Poses and INS may belong to different instants.</source>
+        <translation>位姿与 INS 可能属于不同的时刻。</translation>
+    </message>
+    <message>
+        <source>Record a drive with several turns, on one clock.</source>
+        <translation>请在同一时钟上记录带有多次转弯的行程。</translation>
+    </message>
+    <message>
+        <source>The clocks were brought together by the turns of the drive, to some milliseconds.</source>
+        <translation>两个时钟是依据行程中的转弯对齐的，精度为若干毫秒。</translation>
+    </message>
+    <message>
+        <source>Synchronise the clocks before the next drive.</source>
+        <translation>下次行驶前请同步时钟。</translation>
+    </message>
+    <message>
+        <source>Only turns tell where the LiDAR sits: straight driving tells how it is turned, no more.</source>
+        <translation>只有转弯才能说明 LiDAR 的位置：直线行驶只能说明它的朝向。</translation>
+    </message>
+    <message>
+        <source>Drive at least one full turn to each side, a figure of eight for instance.</source>
+        <translation>请向左右两侧各至少转一整圈，例如走一个 8 字。</translation>
+    </message>
+    <message>
+        <source>Only tilting tells the height: on level ground it keeps the nominal value.</source>
+        <translation>只有倾斜才能说明高度：在平地上高度保持标称值。</translation>
+    </message>
+    <message>
+        <source>Drive over a ramp or a kerb, or measure the height and give it with --measured.</source>
+        <translation>请驶过坡道或路缘，或者测量高度并用 --measured 给出。</translation>
+    </message>
+    <message>
+        <source>No mounting turns a mirrored cloud into the world: no result can be right.</source>
+        <translation>没有任何安装方式能把镜像点云转到世界中：不可能有正确的结果。</translation>
+    </message>
+    <message>
+        <source>Give x forward, y left, z up or any other right-handed axes: turn the sign of y where the driver has y to the right.</source>
+        <translation>请给出 x 向前、y 向左、z 向上或其他右手坐标轴：若驱动程序的 y 向右，请改变 y 的符号。</translation>
+    </message>
+    <message>
+        <source>A pair across a jump tells of a motion that never was; it is rejected where that shows.</source>
+        <translation>跨越跳变的扫描对所说明的运动从未发生；在能看出时它会被拒绝。</translation>
+    </message>
+    <message>
+        <source>See whether RTK was lost there or the filter was reset; reject the pairs across it, or use a log that was processed afterwards (PPK).</source>
+        <translation>请查看该处是否丢失 RTK 或滤波器被重置；拒绝跨越它的扫描对，或使用事后处理（PPK）的日志。</translation>
+    </message>
+    <message>
+        <source>Scans that fall into a gap of the INS have no motion to be compared with, and are not used.</source>
+        <translation>落在 INS 缺口中的扫描没有可比较的运动，因此不被使用。</translation>
+    </message>
+    <message>
+        <source>Look for messages that the recorder drops (disk, network, buffers); record again where much is missing.</source>
+        <translation>请检查记录程序丢失的消息（磁盘、网络、缓冲区）；缺失较多时请重新记录。</translation>
+    </message>
+    <message>
+        <source>The INS doubts its own solution there: it may be off by more than it claims.</source>
+        <translation>INS 对其自身的解有怀疑：实际误差可能大于它所声称的。</translation>
+    </message>
+    <message>
+        <source>Record under open sky after the INS has finished aligning, or leave that part of the drive out.</source>
+        <translation>请在 INS 完成对准之后在开阔天空下记录，或舍去该段行程。</translation>
+    </message>
+    <message>
+        <source>A solution that stands still while the vehicle moves makes pairs that contradict all others.</source>
+        <translation>车辆行驶而解保持不动时，得到的扫描对与所有其他扫描对矛盾。</translation>
+    </message>
+    <message>
+        <source>Wait until the INS has aligned before you drive, and see whether the log or its driver stalled.</source>
+        <translation>请在 INS 对准之后再行驶，并检查日志或其驱动程序是否停滞。</translation>
+    </message>
+    <message>
+        <source>Scans that are listed are not there, and take no part.</source>
+        <translation>列出的扫描不存在，因此不参与计算。</translation>
+    </message>
+    <message>
+        <source>Copy the recording again, whole.</source>
+        <translation>请重新完整地复制记录。</translation>
+    </message>
+    <message>
+        <source>Scans without a time cannot be used.</source>
+        <translation>没有时间的扫描无法使用。</translation>
+    </message>
+    <message>
+        <source>Copy the file of stamps again, as it was recorded.</source>
+        <translation>请按记录时的原样重新复制时间戳文件。</translation>
+    </message>
+    <message>
+        <source>Positions far from all others are glitches of the receiver, and left out.</source>
+        <translation>远离所有其他位置的位置是接收机的偶发错误，已被舍去。</translation>
+    </message>
+    <message>
+        <source>Nothing, where they are few; otherwise the log holds more than one drive.</source>
+        <translation>数量很少时无须处理；否则该日志包含不止一次行程。</translation>
+    </message>
+    <message>
+        <source>Files whose names are no stamps are left out.</source>
+        <translation>名称不是时间戳的文件已被舍去。</translation>
+    </message>
+    <message>
+        <source>Name scans by their time, or give a table of stamps.</source>
+        <translation>请用时间给扫描命名，或提供时间戳表。</translation>
+    </message>
+    <message>
+        <source>Lines that are damaged are left out.</source>
+        <translation>损坏的行已被舍去。</translation>
+    </message>
+    <message>
+        <source>Export the log again where they are many.</source>
+        <translation>损坏的行较多时请重新导出日志。</translation>
+    </message>
+    <message>
+        <source>Positions drift while corrections are missing, and jump when they come back.</source>
+        <translation>缺少差分改正时位置会漂移，恢复时会跳变。</translation>
+    </message>
+    <message>
+        <source>Check the link to the corrections; record under open sky, or process the log afterwards (PPK).</source>
+        <translation>请检查差分改正的链路；在开阔天空下记录，或事后处理日志（PPK）。</translation>
+    </message>
+    <message>
+        <source>Few points do not hold a scan in place: its pairs are rejected or loose.</source>
+        <translation>点数太少无法固定扫描的位置：它的扫描对会被拒绝或不牢固。</translation>
+    </message>
+    <message>
+        <source>See whether the sensor was blocked, or packets were lost; record sweeps whole.</source>
+        <translation>请检查传感器是否被遮挡或是否丢包；请完整记录每一圈扫描。</translation>
+    </message>
+    <message>
+        <source>Points without a place are left out, nothing else is.</source>
+        <translation>只舍去没有位置的点，其余不受影响。</translation>
+    </message>
+    <message>
+        <source>Nothing, where they are beams without a return; otherwise check the driver of the sensor.</source>
+        <translation>若是没有回波的光束则无须处理；否则请检查传感器的驱动程序。</translation>
+    </message>
+    <message>
+        <source>A scan that cannot be read takes no part.</source>
+        <translation>无法读取的扫描不参与计算。</translation>
+    </message>
+    <message>
+        <source>Copy or export the scan again.</source>
+        <translation>请重新复制或导出该扫描。</translation>
+    </message>
+    <message>
+        <source>Of entries with one stamp only the first is used.</source>
+        <translation>时间戳相同的条目只使用第一条。</translation>
+    </message>
+    <message>
+        <source>See whether two recorders write into one log, or whether stamps are rounded.</source>
+        <translation>请检查是否有两个记录程序写入同一日志，或时间戳是否被舍入。</translation>
+    </message>
+    <message>
+        <source>Entries that go back in time are left out; where they belong is not known.</source>
+        <translation>时间倒退的条目已被舍去；无法知道它们属于何处。</translation>
+    </message>
+    <message>
+        <source>Check the clock of the recorder: it was set while it recorded, or messages were put in order of arrival.</source>
+        <translation>请检查记录程序的时钟：记录期间时钟被调整过，或消息按到达顺序排列。</translation>
+    </message>
+    <message>
+        <source>Entries without a possible time are left out.</source>
+        <translation>没有可能时间的条目已被舍去。</translation>
+    </message>
+    <message>
+        <source>Declare the unit of the stamps (s, ms, us, ns) as the log has it.</source>
+        <translation>请按日志的实际情况声明时间戳的单位（s、ms、us、ns）。</translation>
+    </message>
+    <message>
+        <source>Angles in the wrong unit make every attitude wrong.</source>
+        <translation>角度单位错误会使每个姿态都错误。</translation>
+    </message>
+    <message>
+        <source>Declare attitude: {unit: deg} or {unit: rad} as the log has it.</source>
+        <translation>请按日志的实际情况声明 attitude: {unit: deg} 或 {unit: rad}。</translation>
+    </message>
+    <message>
+        <source>The whole drive shrinks to centimetres, and nothing agrees with the LiDAR.</source>
+        <translation>整个行程缩小到厘米级，与 LiDAR 毫不相符。</translation>
+    </message>
+    <message>
+        <source>Declare the unit of latitude and longitude as the log has it.</source>
+        <translation>请按日志的实际情况声明纬度和经度的单位。</translation>
+    </message>
+    <message>
+        <source>Odometry that lives on the IMU turns dozens of times too far, or hardly.</source>
+        <translation>依赖 IMU 的里程计会转过头几十倍，或几乎不转。</translation>
+    </message>
+    <message>
+        <source>Declare the unit of the angular rate as the log has it.</source>
+        <translation>请按日志的实际情况声明角速度的单位。</translation>
+    </message>
+    <message>
+        <source>The direction of gravity is found, but forces are taken for a tenth of what they are.</source>
+        <translation>重力方向可以找到，但比力被当作实际的十分之一。</translation>
+    </message>
+    <message>
+        <source>Declare the unit of the specific force; record raw values, with gravity in them.</source>
+        <translation>请声明比力的单位；记录包含重力的原始值。</translation>
+    </message>
+    <message>
+        <source>Roll and pitch are guesses: of the mounting only yaw, and x and y, can be relied on.</source>
+        <translation>横滚角和俯仰角是猜测的：安装参数中只有偏航角以及 x 和 y 可以信赖。</translation>
+    </message>
+    <message>
+        <source>Log PASHR as well, or use an INS.</source>
+        <translation>请同时记录 PASHR，或使用 INS。</translation>
+    </message>
+    <message>
+        <source>Yaw of the result is off by as much as the grid turns against true north there.</source>
+        <translation>结果的偏航角会偏差当地坐标网格相对真北的转角。</translation>
+    </message>
+    <message>
+        <source>Give latitude and longitude where you have them, or turn the poses by the grid convergence.</source>
+        <translation>若有经纬度请提供经纬度，或按子午线收敛角转动位姿。</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -6476,6 +6792,22 @@ Then calibrate: F5.</source>
     <message>
         <source>Method</source>
         <translation>方法</translation>
+    </message>
+    <message>
+        <source>code</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>what was found</source>
+        <translation>发现</translation>
+    </message>
+    <message>
+        <source>what it means, and what to do</source>
+        <translation>含义与处理办法</translation>
     </message>
 </context>
 </TS>

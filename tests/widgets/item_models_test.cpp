@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QSignalSpy>
 
+#include "model/checks/data_check.h"
 #include "tests/widgets/support/sample_world.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_filter.h"
@@ -106,6 +107,18 @@ TEST(session_list_model, lists_findings_beneath_their_session) {
   ASSERT_EQ(model.rowCount(second), 1);
   EXPECT_EQ(model.session_of(model.index(0, 0, second)), 1);
   EXPECT_TRUE(model.index(0, 0, second).data().toString().contains("ins.csv:212"));
+}
+
+TEST(session_list_model, a_finding_tells_its_code_what_it_means_and_what_to_do) {
+  Session session = testing::sample_session("drive1");
+  session.findings = {{Severity::Warning, "ins-jump", "INS", "The position jumps 2 times."}};
+  SessionListModel model;
+  model.show_sessions({std::make_shared<const Session>(session)});
+  const QString told = model.index(0, 0, model.index(0, 0)).data(Qt::ToolTipRole).toString();
+  const FindingKind& kind = *finding_kind("ins-jump");
+  for (const QString& part : {QStringLiteral("[ins-jump]"), QStringLiteral("The position jumps 2 times."),
+                              QString::fromUtf8(kind.meaning.data()), QString::fromUtf8(kind.remedy.data())})
+    EXPECT_TRUE(told.contains(part)) << part.toStdString() << "\n" << told.toStdString();
 }
 
 TEST(candidate_table_model, the_row_that_became_the_result_is_marked_and_no_other) {

@@ -24,6 +24,7 @@
 #include <set>
 
 #include "app/gui/window_host.h"
+#include "model/checks/data_check.h"
 #include "model/methods/calibration_method.h"
 #include "model/settings.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -158,6 +159,16 @@ TEST(languages, every_method_is_named_and_says_what_it_needs) {
     for (const std::string_view text : {method.title, method.needs})
       EXPECT_TRUE(known.contains(QString::fromStdString(std::string(text))))
           << "add to widgets/method_phrases.cpp: " << text;
+}
+
+TEST(languages, every_code_of_a_finding_says_what_it_means_and_what_to_do) {
+  std::set<QString> known;
+  for (const char* phrase : model_phrases()) known.insert(QString::fromUtf8(phrase));
+  for (const DataCheck& check : data_checks())
+    for (const FindingKind& kind : check.kinds)
+      for (const std::string_view text : {kind.meaning, kind.remedy})
+        EXPECT_TRUE(known.contains(QString::fromStdString(std::string(text))))
+            << "add to widgets/check_phrases.cpp: " << text;
 }
 
 TEST(languages, every_option_is_named_and_explained) {

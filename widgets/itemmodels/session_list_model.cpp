@@ -3,6 +3,7 @@
 #include <QBrush>
 #include <algorithm>
 
+#include "model/checks/data_check.h"
 #include "widgets/model_text.h"
 #include "widgets/theme.h"
 
@@ -22,6 +23,15 @@ Severity worst(const Session& session) {
   Severity severity = Severity::Note;
   for (const Finding& finding : session.findings) severity = std::max(severity, finding.severity);
   return severity;
+}
+
+/// What was found, what it means and what to do.
+QString told_in_full(const Finding& finding) {
+  QString text = QString::fromStdString(finding.where) + '\n' + model_text(finding.explanation);
+  if (const FindingKind* kind = finding_kind(finding.code))
+    text += "\n\n" + model_text(kind->meaning) + '\n' +
+            SessionListModel::tr("What to do: %1").arg(model_text(kind->remedy));
+  return text + "\n[" + QString::fromStdString(finding.code) + ']';
 }
 
 }  // namespace
@@ -88,7 +98,7 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::DisplayRole)
     return severity_sign(finding.severity) + ' ' + QString::fromStdString(finding.where) + QStringLiteral(": ") +
            explanation;
-  if (role == Qt::ToolTipRole) return QString::fromStdString(finding.where) + '\n' + explanation;
+  if (role == Qt::ToolTipRole) return told_in_full(finding);
   if (role == Qt::ForegroundRole) return QBrush(severity_color(finding.severity, palette_));
   return {};
 }

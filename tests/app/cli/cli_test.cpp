@@ -12,7 +12,6 @@
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <thread>
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/exporters/exporter.h"
@@ -21,16 +20,6 @@
 
 namespace remount {
 namespace {
-
-/// Asks until the answer is yes, for a minute at most.
-template <class Question>
-bool eventually(Question&& question) {
-  for (int i = 0; i < 6000; ++i) {
-    if (question()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return false;
-}
 
 class cli : public ProgramFixture<cli> {
  protected:
@@ -332,16 +321,8 @@ TEST_F(cli, logs_and_stays_silent_without_a_terminal) {
 TEST_F(cli, a_stop_signal_cancels_cleanly) {
   // Long enough that the signal always comes in the middle.
   ASSERT_EQ(run("simulate street " + path("long") + " --duration-s 12 --beams 48 --azimuth-steps 900").code, 0);
-  const std::string drive = path("long"), output = path("cancelled.yaml"), error = path("err2.txt"),
-                    log = path("cancelled.log");
-  const pid_t child = ::fork();
-  if (child == 0) {
-    if (std::freopen(error.c_str(), "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr)
-      ::_exit(99);
-    ::execl(REMOUNT_CLI, REMOUNT_CLI, "calibrate", drive.c_str(), "-o", output.c_str(), "--log", log.c_str(),
-            static_cast<char*>(nullptr));
-    ::_exit(98);
-  }
+  const std::string output = path("cancelled.yaml"), error = path("err2.txt"), log = path("cancelled.log");
+  const pid_t child = start({"calibrate", path("long"), "-o", output, "--log", log}, error);
   ASSERT_TRUE(eventually([&] { return text_of(log).find("registering") != std::string::npos; })) << text_of(log);
   ::kill(child, SIGTERM);
   const auto asked = std::chrono::steady_clock::now();

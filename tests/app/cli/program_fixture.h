@@ -5,11 +5,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace remount {
 
@@ -23,6 +27,16 @@ inline std::string text_of(const std::filesystem::path& path) {
   std::ostringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+/// Asks until the answer is yes, for a minute at most.
+template <class Question>
+bool eventually(Question&& question) {
+  for (int i = 0; i < 6000; ++i) {
+    if (question()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
 }
 
 /// Each Suite has a folder, which goes when its tests are done.
@@ -46,6 +60,23 @@ class ProgramFixture : public ::testing::Test {
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(path("out.txt")),
             text_of(path("err.txt"))};
+  }
+
+  /// The program without waiting for it, in a process group of its own, as a shell starts it.
+  static pid_t start(const std::vector<std::string>& words, const std::string& error_file) {
+    std::vector<char*> arguments{const_cast<char*>(REMOUNT_CLI)};
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child != 0) {
+      ::setpgid(child, child);
+      return child;
+    }
+    ::setpgid(0, 0);
+    if (std::freopen(error_file.c_str(), "w", stderr) == nullptr || std::freopen("/dev/null", "w", stdout) == nullptr)
+      ::_exit(99);
+    ::execv(REMOUNT_CLI, arguments.data());
+    ::_exit(98);
   }
 
   inline static std::filesystem::path folder_;

@@ -7,8 +7,10 @@
 #include <chrono>
 #include <iostream>
 
+#include "model/batch/fleet.h"
 #include "model/io/motion_pairs_file.h"
 #include "model/settings_file.h"
+#include "tests/model/io/las_bytes.h"
 #include "tests/model/io/mutator.h"
 #include "tests/model/io/sample_inputs.h"
 
@@ -147,6 +149,39 @@ TEST_F(mutated_input, of_kitti_bin) {
   run("kitti bin", of_cloud("a.bin", bytes));
 }
 TEST_F(mutated_input, of_xyzi_text) { run("xyzi text", of_cloud("a.txt", "1 2 3 0.5\n4 5 6 0.25\n7 8 9 1\n")); }
+TEST_F(mutated_input, of_las) {
+  LasOptions options;
+  options.times = {300'000'000.25, 300'000'000.34};
+  run("las 1.2", of_cloud("a.las", las(options)));
+  options.minor = 4, options.format = 6;
+  run("las 1.4", of_cloud("a.las", las(options)));
+}
+TEST_F(mutated_input, of_gnss_logs) {
+  const Bytes lidar = poses(" ", 40);
+  Bytes nmea = "$GPRMC,122600.00,A,,,,,,,130920,,,A\n";
+  for (int i = 0; i < 12; ++i)
+    nmea += "$GPGGA,12264" + std::to_string(i % 10) +
+            ".00,4846.10,N,00911.50,E,4,12,0.8,250.0,M,48.0,M,,\n$PASHR,12264" + std::to_string(i % 10) +
+            ".00,350.0,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1\n";
+  run("nmea", of_files({{"gnss.nmea", nmea}, {"lidar.txt", lidar}}));
+  Bytes gpx = "<gpx version=\"1.1\"><trk><trkseg>\n";
+  for (int i = 0; i < 6; ++i)
+    gpx += "<trkpt lat=\"48.5\" lon=\"9.25\"><ele>310</ele><time>2020-09-13T12:26:4" + std::to_string(i) +
+           "Z</time></trkpt>\n";
+  run("gpx", of_files({{"track.gpx", gpx + "</trkseg></trk></gpx>\n"}, {"lidar.txt", lidar}}));
+}
+TEST_F(mutated_input, of_apollo_odometry) {
+  Bytes text = "timestamp,position_type,qw,qx,qy,qz,x,y,z\n";
+  for (int i = 0; i < 20; ++i)
+    text += std::to_string(1600000000 + i) + ",56,1,0,0,0," + std::to_string(586000 + i) + ",4405000,31\n";
+  run("apollo odometry", of_files({{"ins.csv", text}, {"lidar.txt", poses(" ", 40)}}));
+}
+TEST_F(mutated_input, of_fleets) {
+  run("fleet", of_one_file("fleet.yaml",
+                           "format: remount-fleet/1\nresults: r\ndrift: {sigmas: 3}\nsettings: {pairing: {max_gap_s: "
+                           "3}}\nvehicles:\n  - {name: v, nominal: [1, 2, 3, 4, 5, 6], sessions: [a, [b, c]]}\n",
+                           [](const fs::path& path) { load_fleet(path); }));
+}
 TEST_F(mutated_input, of_motion_pairs) {
   run("motion pairs", of_one_file("pairs.csv", motion_pairs(5), [](const fs::path& path) { read_motion_pairs(path); }));
 }

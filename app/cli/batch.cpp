@@ -1,0 +1,130 @@
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "algorithms/core/error.h"
+#include "app/cli/batch_job.h"
+#include "app/cli/batch_run.h"
+#include "app/cli/verbs.h"
+#include "model/batch/fleet_table.h"
+#include "model/io/atomic_save.h"
+#include "model/io/output_file.h"
+#include "model/session_report.h"
+
+namespace remount {
+namespace {
+
+struct BatchArguments {
+  std::string fleet, csv, html;
+  std::size_t job = 0;      ///< from 1; 0: all
+  std::size_t at_once = 0;  ///< 0: one per core
+  bool table = false, count = false;
+};
+
+/// Tables are made to be replaced; a recording that was named by a slip of the hand is not.
+void write_table(const Fleet& fleet, const std::vector<FleetRow>& rows, const BatchArguments& arguments,
+                 Console& console) {
+  make_directories(fleet.results);
+  const std::filesystem::path csv =
+      arguments.csv.empty() ? fleet.results / "fleet.csv" : std::filesystem::path(arguments.csv);
+  const std::filesystem::path html =
+      arguments.html.empty() ? fleet.results / "fleet.html" : std::filesystem::path(arguments.html);
+  check_replaces_its_like(csv, kFleetCsvMark);
+  check_replaces_its_like(html, "<!DOCTYPE html>");
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  save_atomically(csv, fleet_csv(fleet, rows));
+  save_atomically(html,
+                  fleet_html(fleet, rows, utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count())));
+  console.print("table: " + csv.string() + ", " + html.string());
+}
+
+/// Prints and writes the table. Says aloud which mountings have drifted; true where any has.
+bool collect(const Fleet& fleet, const BatchArguments& arguments, Console& console, std::vector<FleetRow>& rows) {
+  rows = fleet_rows(fleet);
+  console.print(fleet_text(fleet, rows));
+  write_table(fleet, rows, arguments, console);
+  bool drift = false;
+  for (const FleetRow& row : rows) {
+    if (row.drift.empty()) continue;
+    console.complain("alarm: " + title_of(fleet, fleet.jobs[row.job]) + ": " + row.drift);
+    drift = true;
+  }
+  return drift;
+}
+
+int show_table(const Fleet& fleet, const BatchArguments& arguments, Console& console) {
+  std::vector<FleetRow> rows;
+  const bool drift = collect(fleet, arguments, console, rows);
+  if (std::any_of(rows.begin(), rows.end(), [](const FleetRow& row) { return row.state == JobState::Failed; }))
+    return kUnreadable;
+  const bool all_solved = std::all_of(rows.begin(), rows.end(), [](const FleetRow& row) {
+    return row.state == JobState::Done && is_usable(*row.result);
+  });
+  return all_solved && !drift ? kSolved : kNoResult;
+}
+
+int run_all(const Fleet& fleet, const BatchArguments& arguments, Console& console) {
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t at_once = std::min(arguments.at_once > 0 ? arguments.at_once : cores, fleet.jobs.size());
+  const int threads = console.options().threads > 0 ? console.options().threads
+                                                    : static_cast<int>(std::max<std::size_t>(1, cores / at_once));
+  make_directories(fleet.results);
+  const BatchEnd end = run_jobs(fleet, at_once, threads, console);
+  if (end.cancelled) {
+    console.complain("stopped: the same command goes on where this one was");
+    return kNoResult;
+  }
+  std::vector<FleetRow> rows;
+  const bool drift = collect(fleet, arguments, console, rows);
+  if (end.unreadable > 0) return kUnreadable;
+  return end.no_result > 0 || drift ? kNoResult : kSolved;
+}
+
+int batch(const BatchArguments& arguments, Console& console) {
+  const Fleet fleet = load_fleet(arguments.fleet);
+  if (arguments.count) {
+    console.print(std::to_string(fleet.jobs.size()));
+    return kSolved;
+  }
+  if (arguments.job > fleet.jobs.size())
+    throw Error(ErrorCode::Contract, "--job " + std::to_string(arguments.job),
+                "expected 1 to " + std::to_string(fleet.jobs.size()) + ", for so many jobs are in " + arguments.fleet);
+  if (arguments.job > 0) return run_job(fleet, fleet.jobs[arguments.job - 1], console);
+  return arguments.table ? show_table(fleet, arguments, console) : run_all(fleet, arguments, console);
+}
+
+}  // namespace
+
+void add_batch(CLI::App& app, Console& console, Run& run) {
+  const auto arguments = std::make_shared<BatchArguments>();
+  CLI::App* verb =
+      app.add_subcommand("batch", "Calibrate many sessions, one process each; what is done already is not done again");
+  verb->add_option("fleet", arguments->fleet, "Vehicles with their sessions, settings and nominal (YAML)")
+      ->type_name("FLEET")
+      ->required();
+  CLI::Option* jobs = verb->add_option("--jobs", arguments->at_once, "How many at a time; 0: one per core")
+                          ->check(CLI::Range(0, 1024))
+                          ->type_name("N");
+  CLI::Option* job = verb->add_option("--job", arguments->job, "Only the K-th job, in this process: for a scheduler")
+                         ->check(CLI::Range(1, 100000))
+                         ->type_name("K");
+  CLI::Option* table = verb->add_flag("--table", arguments->table, "Run nothing; collect what is there into the table");
+  CLI::Option* count = verb->add_flag("--count", arguments->count, "Print how many jobs there are, and nothing else");
+  verb->add_option("--csv", arguments->csv, "Write the table here instead of fleet.csv in the folder of results")
+      ->type_name("FILE")
+      ->excludes(job);
+  verb->add_option("--html", arguments->html, "The same as a page, instead of fleet.html")
+      ->type_name("FILE")
+      ->excludes(job);
+  job->excludes(jobs)->excludes(table)->excludes(count);
+  table->excludes(jobs)->excludes(count);
+  count->excludes(jobs);
+  verb->footer(
+      "Exit codes: 0 all solved and no drift; 2 a job could not be run; 3 a job has no usable result, a mounting has "
+      "drifted, or it was stopped. Of --job: those of calibrate.");
+  verb->callback([arguments, &console, &run] { run = [arguments, &console] { return batch(*arguments, console); }; });
+}
+
+}  // namespace remount

@@ -1,0 +1,125 @@
+#include "app/cli/batch_job.h"
+
+#include <chrono>
+#include <new>
+#include <optional>
+#include <thread>
+
+#include "algorithms/core/error.h"
+#include "app/cli/arguments.h"
+#include "app/cli/finish.h"
+#include "app/cli/sessions.h"
+#include "model/batch/job_state.h"
+#include "model/io/atomic_save.h"
+#include "model/io/file_lock.h"
+#include "model/io/input_file.h"
+#include "model/methods/calibration_method.h"
+#include "model/project.h"
+
+namespace remount {
+namespace {
+
+/// Nothing where cancelled while waiting.
+std::optional<FileLock> wait_for_lock(const FleetJob& job, Console& console) {
+  bool told = false;
+  while (!console.cancelled()) {
+    if (std::optional<FileLock> lock = FileLock::take(job.lock, this_process())) return lock;
+    if (!told) console.print("waiting for " + lock_holder(job.lock) + ", which is at this job");
+    told = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  return std::nullopt;
+}
+
+/// Temporary files of a process that was killed while it saved; nobody else saves here while the lock is held.
+void sweep_leftovers(const FleetJob& job) {
+  for (const std::filesystem::path& saved : {job.result, job.failure}) {
+    const std::string begin = saved.filename().string() + ".";
+    for (const std::filesystem::path& file : files_in(saved.parent_path())) {
+      const std::string name = file.filename().string();
+      std::error_code none;
+      if (name.starts_with(begin) && name.size() == begin.size() + 6) std::filesystem::remove(file, none);
+    }
+  }
+}
+
+PipelineInput input_of(const FleetVehicle& vehicle, const FleetJob& job, Console& console) {
+  PipelineInput input;
+  input.settings = vehicle.settings;
+  input.threads = console.options().threads;
+  SolveArguments arguments;
+  arguments.nominal = vehicle.nominal;
+  const std::optional<ReadMounting> nominal = arguments.nominal_mounting(console);
+  input.sessions = open_sessions(job.sessions, console);
+  if (nominal)
+    input.nominal_ins_from_lidar = nominal_in_axes(*nominal, vehicle.nominal, input.sessions, console);
+  else if (vehicle.nominal.empty())
+    input.nominal_ins_from_lidar = declared_nominal(input.sessions);
+  return input;
+}
+
+int cancelled(const FleetJob& job, Console& console) {
+  console.complain("cancelled: " + job.name + " is to be run again");
+  return kNoResult;
+}
+
+void forget_failure(const FleetJob& job) {
+  std::error_code none;
+  std::filesystem::remove(job.failure, none);
+}
+
+int calibrate_job(const FleetJob& job, const PipelineInput& input, std::int64_t started_ns, Console& console) {
+  check_can_save(job.result);
+  std::vector<InputFile> inputs = hash_inputs(input.sessions, input.threads, console.progress());
+  if (console.cancelled()) return cancelled(job, console);
+  const PipelineOutput output = calibrate(input, console.progress());
+  if (output.result.status == Status::Cancelled) return cancelled(job, console);
+  // Otherwise the hashes might be of other bytes than the result.
+  if (const std::string file = file_written_since(input.sessions, started_ns); !file.empty())
+    throw Error(ErrorCode::Io, file,
+                "was written or removed while it was calibrated: run the job again when the recording is complete");
+  console.report(output.findings);
+  const int code = finish(make_result_file(input, output, std::move(inputs)), job.result.string(), console);
+  forget_failure(job);
+  return code;
+}
+
+int stored_answer(const FleetJob& job, Console& console) {
+  forget_failure(job);  // of a run before this result
+  const CalibrationResult result = load_result(job.result).result;
+  console.print(job.name + ": done already, " + std::string(to_string(result.status)) + ", " + job.result.string());
+  return is_usable(result) ? kSolved : kNoResult;
+}
+
+void note_failure(const FleetJob& job, const std::string& message) {
+  try {
+    save_atomically(job.failure, message + "\n");
+  } catch (const Error&) {
+    // It is told where it is caught; where nothing can be written here, nothing more can be done about it.
+  }
+}
+
+}  // namespace
+
+int run_job(const Fleet& fleet, const FleetJob& job, Console& console) {
+  make_job_folder(job);
+  const std::optional<FileLock> lock = wait_for_lock(job, console);
+  if (!lock) return cancelled(job, console);
+  sweep_leftovers(job);
+  try {
+    const PipelineInput input = input_of(fleet.vehicles.at(job.vehicle), job, console);
+    const std::string reason = why_not_done(job, input, console.progress());
+    if (console.cancelled()) return cancelled(job, console);
+    if (reason.empty()) return stored_answer(job, console);
+    console.print(title_of(fleet, job) + ": " + reason);
+    return calibrate_job(job, input, lock->taken_ns(), console);
+  } catch (const Error& error) {
+    note_failure(job, error.what());
+    throw;
+  } catch (const std::bad_alloc&) {
+    note_failure(job, "there is not enough memory");
+    throw;
+  }
+}
+
+}  // namespace remount

@@ -1,0 +1,166 @@
+#include "app/cli/batch_run.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <thread>
+
+#include "algorithms/core/error.h"
+#include "model/io/atomic_save.h"
+#include "model/io/input_file.h"
+
+namespace remount {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+std::vector<std::string> command_of(const Fleet& fleet, std::size_t job, int threads) {
+  return {"remount-cli", "batch",     fleet.path.string(),     "--job", std::to_string(job + 1),
+          "--quiet",     "--threads", std::to_string(threads), "--log", fleet.jobs[job].log.string()};
+}
+
+/// In the child, between fork and exec: system calls alone.
+[[noreturn]] void become(char* const* arguments, pid_t parent) {
+  // Ctrl-C on the terminal is for the parent, which tells its children once: a second signal would end them at once.
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) ::_exit(kNoResult);
+  const int nothing = ::open("/dev/null", O_RDWR);
+  if (nothing >= 0)
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) ::dup2(nothing, descriptor);
+  ::execv("/proc/self/exe", arguments);
+  ::_exit(kUnreadable);
+}
+
+pid_t start(const std::vector<std::string>& command) {
+  std::vector<char*> arguments;
+  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  const pid_t parent = ::getpid(), child = ::fork();
+  if (child == 0) become(arguments.data(), parent);
+  if (child < 0)
+    throw Error(ErrorCode::Io, command.front(), std::string("no process can be started: ") + std::strerror(errno));
+  return child;
+}
+
+/// The processes that run, and what became of those that have ended.
+class Jobs {
+ public:
+  Jobs(const Fleet& fleet, int threads, Console& console) : fleet_(fleet), threads_(threads), console_(console) {}
+  ~Jobs() {
+    stop();
+    while (!running_.empty() && collect()) continue;
+  }
+  Jobs(const Jobs&) = delete;
+  Jobs& operator=(const Jobs&) = delete;
+
+  std::size_t running() const { return running_.size(); }
+  const BatchEnd& end() const { return end_; }
+
+  void start_next(std::size_t job) {
+    try {
+      make_job_folder(fleet_.jobs[job]);
+      running_[start(command_of(fleet_, job, threads_))] = {job, Clock::now()};
+    } catch (const Error& error) {
+      console_.complain(title_of(fleet_, fleet_.jobs[job]) + ": " + error.what());
+      ++told_;
+      ++end_.unreadable;
+    }
+  }
+  void stop() {
+    if (!stopped_)
+      for (const auto& [process, job] : running_) ::kill(process, SIGTERM);
+    stopped_ = stopped_ || !running_.empty();
+  }
+  /// Waits a little for one that ends; false where none is left to wait for.
+  bool collect() {
+    int status = 0;
+    const pid_t process = ::waitpid(-1, &status, WNOHANG);
+    if (process < 0 && errno != EINTR) return false;
+    if (process <= 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    else if (const auto found = running_.find(process); found != running_.end())
+      tell(found->second, status), running_.erase(found);
+    return true;
+  }
+
+ private:
+  struct Running {
+    std::size_t job = 0;
+    Clock::time_point since;
+  };
+
+  void tell(const Running& running, int status) {
+    const FleetJob& job = fleet_.jobs[running.job];
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (code < 0) {
+      const std::string died =
+          "its process died of signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
+      if (!stopped_) note(job, died);
+    }
+    ++told_;
+    char line[64];
+    std::snprintf(line, sizeof line, "[%zu/%zu] %zu  ", told_, fleet_.jobs.size(), running.job + 1);
+    char took[32];
+    std::snprintf(took, sizeof took, " (%.1f s)", std::chrono::duration<double>(Clock::now() - running.since).count());
+    const std::string text = line + title_of(fleet_, job) + ": " + outcome(job, code) + took;
+    code == kSolved ? console_.print(text) : console_.complain(text);
+    if (stopped_) return;
+    if (code == kNoResult) ++end_.no_result;
+    if (code != kSolved && code != kNoResult) ++end_.unreadable;
+  }
+
+  /// A process that dies cannot say so itself.
+  static void note(const FleetJob& job, const std::string& message) {
+    try {
+      save_atomically(job.failure, message + "\n");
+    } catch (const Error&) {
+      // The line that is printed says it too.
+    }
+  }
+
+  std::string outcome(const FleetJob& job, int code) const {
+    if (code == kSolved) return "solved";
+    if (stopped_) return "stopped";
+    if (code == kNoResult) return "no usable result, see " + job.result.string();
+    if (is_file(job.failure)) return "failed: " + std::string(trimmed(read_file_head(job.failure, 2000)));
+    return "failed with exit code " + std::to_string(code) + ", see " + job.log.string();
+  }
+
+  const Fleet& fleet_;
+  int threads_ = 0;
+  Console& console_;
+  std::map<pid_t, Running> running_;
+  std::size_t told_ = 0;
+  bool stopped_ = false;
+  BatchEnd end_;
+};
+
+}  // namespace
+
+BatchEnd run_jobs(const Fleet& fleet, std::size_t at_once, int threads, Console& console) {
+  Jobs jobs(fleet, threads, console);
+  std::size_t next = 0;
+  while (next < fleet.jobs.size() || jobs.running() > 0) {
+    if (console.cancelled()) {
+      jobs.stop();
+      next = fleet.jobs.size();
+    }
+    while (next < fleet.jobs.size() && jobs.running() < at_once) jobs.start_next(next++);
+    if (jobs.running() > 0 && !jobs.collect()) break;
+  }
+  BatchEnd end = jobs.end();
+  end.cancelled = console.cancelled();
+  return end;
+}
+
+}  // namespace remount

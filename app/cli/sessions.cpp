@@ -1,0 +1,36 @@
+#include "app/cli/sessions.h"
+
+#include "algorithms/core/error.h"
+#include "model/io/session_reader.h"
+#include "model/session_frames.h"
+
+namespace remount {
+
+Sessions open_sessions(const std::vector<std::filesystem::path>& paths, Console& console) {
+  Sessions sessions;
+  for (const std::filesystem::path& path : paths)
+    sessions.push_back(std::make_shared<const Session>(open_session(path, console.progress())));
+  return sessions;
+}
+
+std::optional<RigidTransform> declared_nominal(const Sessions& sessions) {
+  std::optional<RigidTransform> declared;
+  for (const auto& session : sessions) {
+    if (!session->nominal_ins_from_lidar) continue;
+    if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))
+      throw Error(ErrorCode::Contract, session->name,
+                  "declares another nominal mounting than the sessions before it; give --nominal");
+    declared = session->nominal_ins_from_lidar;
+  }
+  return declared;
+}
+
+RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& text, const Sessions& sessions,
+                               Console& console) {
+  std::vector<std::string> doubts;
+  const RigidTransform nominal = in_axes_of(mounting, common_axes(sessions), doubts);
+  for (const std::string& doubt : doubts) console.complain("warning: " + text + ": " + doubt);
+  return nominal;
+}
+
+}  // namespace remount

@@ -1,0 +1,29 @@
+// What every verb that calibrates begins with: sessions that are opened, and the mounting to start from.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/console.h"
+#include "model/exporters/exporter.h"
+#include "model/session.h"
+
+namespace remount {
+
+using Sessions = std::vector<std::shared_ptr<const Session>>;
+
+/// Throws Error for the first that cannot be opened.
+Sessions open_sessions(const std::vector<std::filesystem::path>& paths, Console& console);
+
+/// What the sessions declare themselves, where they do. Throws Error(Contract) where they contradict each other: that
+/// is for the user to decide.
+std::optional<RigidTransform> declared_nominal(const Sessions& sessions);
+
+/// A mounting that was given as `text`, in the axes of the sessions. Warns of what its file leaves open.
+RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& text, const Sessions& sessions,
+                               Console& console);
+
+}  // namespace remount

@@ -1,0 +1,24 @@
+// Whether a job of a fleet is done: what there is already need not be calibrated again.
+#pragma once
+
+#include <string>
+
+#include "model/batch/fleet.h"
+#include "model/pipeline.h"
+#include "model/result_file.h"
+
+namespace remount {
+
+/// Why what made `stored` is not what `settings` and `nominal_ins_from_lidar` ask for now: another version of the
+/// program, settings or a nominal that have changed, a run that was cancelled. Empty where nothing is.
+std::string why_other_job(const ResultFile& stored, const Settings& settings,
+                          const std::optional<RigidTransform>& nominal_ins_from_lidar);
+
+/// Why the job must run (again); empty where its result answers `input` as it is now. Files that have not been written
+/// since the result was are taken to be unchanged; others are compared by their hashes.
+std::string why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress);
+
+/// "session/file" of the first input that was written at `since_ns` (ns since 1970) or later; empty where none was.
+std::string file_written_since(const std::vector<std::shared_ptr<const Session>>& sessions, std::int64_t since_ns);
+
+}  // namespace remount

@@ -1,0 +1,20 @@
+// The checks that are built in, one file each.
+#pragma once
+
+#include "model/checks/data_check.h"
+
+namespace remount {
+
+DataCheck ins_solution_check();
+DataCheck ins_jump_check();
+DataCheck rtk_check();
+DataCheck drive_variety_check();
+DataCheck attitude_data_check();
+DataCheck unit_check();
+DataCheck clock_check();
+DataCheck stamp_check();
+DataCheck scan_check();
+DataCheck handedness_check();
+DataCheck reading_check();
+
+}  // namespace remount

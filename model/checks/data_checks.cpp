@@ -1,0 +1,50 @@
+#include "model/checks/builtin.h"
+#include "model/checks/data_check.h"
+#include "model/session_frames.h"
+
+namespace remount {
+namespace {
+
+bool matches(std::string_view pattern, std::string_view code) {
+  if (pattern.starts_with('*')) return code.ends_with(pattern.substr(1));
+  if (pattern.ends_with('*')) return code.starts_with(pattern.substr(0, pattern.size() - 1));
+  return pattern == code;
+}
+
+}  // namespace
+
+const std::vector<DataCheck>& data_checks() {
+  static const std::vector<DataCheck> checks{
+      ins_solution_check(), ins_jump_check(), rtk_check(),  drive_variety_check(), attitude_data_check(), unit_check(),
+      clock_check(),        stamp_check(),    scan_check(), handedness_check(),    reading_check(),
+  };
+  return checks;
+}
+
+const FindingKind* finding_kind(std::string_view code) {
+  for (const DataCheck& check : data_checks())
+    for (const FindingKind& kind : check.kinds)
+      if (matches(kind.code, code)) return &kind;
+  return nullptr;
+}
+
+std::vector<Finding> drive_findings(const Session& session) {
+  std::vector<Finding> findings;
+  const CheckedSession checked{session, metric_poses(session)};
+  for (const DataCheck& check : data_checks())
+    if (check.look != nullptr && check.of_the_drive) check.look(checked, findings, Progress());
+  return findings;
+}
+
+std::vector<Finding> data_findings(const Session& session, LookAt look_at, const Progress& progress) {
+  std::vector<Finding> findings;
+  const CheckedSession checked{session, metric_poses(session)};
+  for (const DataCheck& check : data_checks()) {
+    if (progress.cancelled()) break;
+    if (check.look != nullptr && !check.of_the_drive && (look_at == LookAt::StreamsAndScans || !check.reads_scans))
+      check.look(checked, findings, progress);
+  }
+  return findings;
+}
+
+}  // namespace remount

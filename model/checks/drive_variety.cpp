@@ -1,0 +1,91 @@
+// Whether the drive moves in the ways that a calibration needs.
+#include <cmath>
+
+#include "algorithms/geometry/rotation.h"
+#include "model/checks/builtin.h"
+#include "model/checks/check_text.h"
+
+namespace remount {
+namespace {
+
+constexpr double kLittleTurning_deg = 20.0;
+constexpr double kLittleTilt_deg = 1.0;
+
+struct Variety {
+  double turned_deg = 0.0;      ///< sum of the turns about any axis
+  double tilt_range_deg = 0.0;  ///< of the direction of the INS's z axis: what makes height observable
+};
+
+/// A pose at most every 0.2 s: noise of the single sample must not pass for motion.
+std::vector<StampedPose> thinned(const std::vector<StampedPose>& poses) {
+  std::vector<StampedPose> kept;
+  for (const StampedPose& pose : poses)
+    if (kept.empty() || pose.stamp_ns - kept.back().stamp_ns >= 200'000'000) kept.push_back(pose);
+  if (!poses.empty() && kept.back().stamp_ns != poses.back().stamp_ns) kept.push_back(poses.back());
+  return kept;
+}
+
+Variety variety_of(const std::vector<StampedPose>& world_from_ins) {
+  Variety variety;
+  Eigen::Vector3d lowest = Eigen::Vector3d::Constant(1.0), highest = Eigen::Vector3d::Constant(-1.0);
+  const std::vector<StampedPose> poses = thinned(world_from_ins);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const Eigen::Vector3d up = poses[i].pose.linear().col(2);
+    lowest = lowest.cwiseMin(up);
+    highest = highest.cwiseMax(up);
+    if (i == 0) continue;
+    const Eigen::Vector3d turn = so3_log(poses[i].pose.linear() * poses[i - 1].pose.linear().transpose());
+    variety.turned_deg += radians_to_degrees(turn.norm());
+  }
+  if (!poses.empty())
+    variety.tilt_range_deg = radians_to_degrees(std::asin(std::min(1.0, (highest - lowest).maxCoeff())));
+  return variety;
+}
+
+/// The poses while the LiDAR is recorded.
+std::vector<StampedPose> during_lidar(const CheckedSession& checked) {
+  const Session& session = checked.session;
+  std::int64_t from_ns = 0, to_ns = -1;
+  if (session.scans && session.scans->size() > 0) {
+    from_ns = session.scans->stamp_ns(0);
+    to_ns = session.scans->stamp_ns(session.scans->size() - 1);
+  } else if (!session.odometry_from_lidar.empty()) {
+    from_ns = session.odometry_from_lidar.front().stamp_ns;
+    to_ns = session.odometry_from_lidar.back().stamp_ns;
+  }
+  std::vector<StampedPose> kept;
+  for (const StampedPose& pose : checked.poses)
+    if (pose.stamp_ns >= from_ns && pose.stamp_ns <= to_ns) kept.push_back(pose);
+  return kept;
+}
+
+void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+  const std::vector<StampedPose> shared = during_lidar(checked);
+  if (shared.size() < 2) return;
+  const Variety variety = variety_of(shared);
+  if (variety.turned_deg < kLittleTurning_deg)
+    findings.push_back(
+        {Severity::Warning, "little-turning", checked.session.name,
+         check_text("The vehicle turns by %.1f degrees in all: the position of the LiDAR will not be observable from "
+                    "this drive alone. Drive a figure of eight.",
+                    variety.turned_deg)});
+  else if (variety.tilt_range_deg < kLittleTilt_deg)
+    findings.push_back({Severity::Note, "flat-driving", checked.session.name,
+                        check_text("The vehicle tilts by %.2f degrees only: the height of the LiDAR will hardly be "
+                                   "observable. Drive over a ramp.",
+                                   variety.tilt_range_deg)});
+}
+
+}  // namespace
+
+DataCheck drive_variety_check() {
+  return {{{"little-turning", "Only turns tell where the LiDAR sits: straight driving tells how it is turned, no more.",
+            "Drive at least one full turn to each side, a figure of eight for instance."},
+           {"flat-driving", "Only tilting tells the height: on level ground it keeps the nominal value.",
+            "Drive over a ramp or a kerb, or measure the height and give it with --measured."}},
+          look,
+          false,
+          true};
+}
+
+}  // namespace remount

@@ -1,0 +1,103 @@
+// Left-handed clouds: one axis of the points has the wrong sign. Seen in a mirror, the world turns the other way round
+// than the INS does, while the ground stays below.
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/cloud/objects.h"
+#include "algorithms/core/error.h"
+#include "algorithms/geometry/rotation.h"
+#include "algorithms/registration/registration.h"
+#include "algorithms/trajectory/motion_track.h"
+#include "model/attitude_check.h"
+#include "model/checks/builtin.h"
+#include "model/checks/check_text.h"
+
+namespace remount {
+namespace {
+
+constexpr double kLeastTurn_rad = 6.0 * kPi / 180.0, kMostTurn_rad = 20.0 * kPi / 180.0;
+constexpr double kFarthest_m = 8.0;
+constexpr double kAlike = 0.4;  ///< how far the two turns may differ in size, as a share
+constexpr std::size_t kMostPairs = 6, kEnoughUpright = 2, kEnoughMirrored = 3;
+
+struct TurningPair {
+  std::size_t scan_a = 0, scan_b = 0;
+  double turn_rad = 0.0;  ///< of the INS from a to b, about the vertical, to the left positive
+};
+
+/// Pairs of scans between which the vehicle turns clearly and moves little; spread over the drive.
+std::vector<TurningPair> turning_pairs(const CheckedSession& checked) {
+  const ScanSource& scans = *checked.session.scans;
+  const MotionTrack track(checked.poses);
+  std::vector<std::optional<RigidTransform>> at(scans.size());
+  for (std::size_t i = 0; i < scans.size(); ++i) at[i] = track.at(scans.stamp_ns(i));
+  std::vector<TurningPair> pairs;
+  for (std::size_t a = 0; a < scans.size(); ++a) {
+    for (std::size_t b = a + 1; at[a] && b < std::min(a + 60, scans.size()); ++b) {
+      if (!at[b]) continue;
+      const double turn = (at[a]->linear() * so3_log(at[a]->linear().transpose() * at[b]->linear())).z();
+      if ((at[b]->translation() - at[a]->translation()).norm() > kFarthest_m || std::abs(turn) > kMostTurn_rad) break;
+      if (std::abs(turn) < kLeastTurn_rad) continue;
+      pairs.push_back({a, b, turn});
+      a = b;
+      break;
+    }
+  }
+  std::vector<TurningPair> spread;
+  for (std::size_t i = 0; i < std::min(kMostPairs, pairs.size()); ++i)
+    spread.push_back(pairs[i * pairs.size() / std::min(kMostPairs, pairs.size())]);
+  return spread;
+}
+
+/// Turn of the LiDAR from a to b about the direction away from the ground; nothing where the scans do not tell.
+std::optional<double> lidar_turn_rad(const CheckedSession& checked, const TurningPair& pair, const Progress& progress) {
+  const RegistrationOptions options;
+  try {
+    const PointCloud cloud_a = checked.session.scans->load(pair.scan_a);
+    const PointCloud cloud_b = checked.session.scans->load(pair.scan_b);
+    const GroundPlane ground = estimate_ground_plane(cloud_a, Eigen::Vector3f::Zero());
+    if (!ground.found) return std::nullopt;
+    const PreparedCloud a(cloud_a, options, {}, progress), b(cloud_b, options, {}, progress);
+    const RegistrationResult aligned = align_scans(b, a, RigidTransform::Identity(), options, progress);
+    if (!aligned.quality.failure.empty()) return std::nullopt;
+    return so3_log(aligned.target_from_source.linear()).dot(ground.up_in_lidar.cast<double>());
+  } catch (const Error&) {
+    return std::nullopt;  // said where scans are read
+  }
+}
+
+bool attitude_is_to_blame(const Session& session) {
+  const std::vector<Finding> findings = attitude_findings(session);
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return finding.severity != Severity::Note; });
+}
+
+void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
+  if (!checked.session.scans || checked.session.scans->size() < 2 || checked.poses.size() < 2) return;
+  std::size_t upright = 0, mirrored = 0;
+  for (const TurningPair& pair : turning_pairs(checked)) {
+    if (progress.cancelled()) return;
+    const std::optional<double> turn = lidar_turn_rad(checked, pair, progress);
+    if (!turn || std::abs(std::abs(*turn) - std::abs(pair.turn_rad)) > kAlike * std::abs(pair.turn_rad)) continue;
+    (*turn > 0.0) == (pair.turn_rad > 0.0) ? ++upright : ++mirrored;
+    if (upright >= kEnoughUpright) return;
+  }
+  if (mirrored < kEnoughMirrored || upright > 0 || attitude_is_to_blame(checked.session)) return;
+  findings.push_back(
+      {Severity::Problem, "cloud-left-handed", "scans",
+       check_text("In all %zu pairs that were looked at, the scans turn the other way round than the INS, "
+                  "with the ground below: the points are mirrored, one of their axes has the wrong sign.",
+                  mirrored)});
+}
+
+}  // namespace
+
+DataCheck handedness_check() {
+  return {{{"cloud-left-handed", "No mounting turns a mirrored cloud into the world: no result can be right.",
+            "Give x forward, y left, z up or any other right-handed axes: turn the sign of y where the driver has y to "
+            "the right."}},
+          look,
+          true};
+}
+
+}  // namespace remount

@@ -1,0 +1,90 @@
+// What the INS says of itself, and where it says nothing: status, gaps, one solution over and over.
+#include <algorithm>
+
+#include "model/checks/builtin.h"
+#include "model/checks/check_text.h"
+
+namespace remount {
+namespace {
+
+constexpr double kShortestGap_s = 0.1;
+constexpr double kFrozen_s = 1.0;
+
+double longest_frozen_s(const std::vector<StampedPose>& poses) {
+  double longest = 0.0;
+  std::size_t since = 0;
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    if (!(poses[i].pose.matrix() == poses[since].pose.matrix())) since = i;
+    longest = std::max(longest, seconds_between(poses[since].stamp_ns, poses[i].stamp_ns));
+  }
+  return longest;
+}
+
+/// Stretches of samples that the INS itself does not call good.
+struct Doubted {
+  std::size_t degraded = 0, invalid = 0, stretches = 0;
+  double longest_s = 0.0;
+};
+
+Doubted doubted(const std::vector<InsSample>& ins) {
+  Doubted found;
+  std::size_t since = 0;
+  bool within = false;
+  for (std::size_t i = 0; i < ins.size(); ++i) {
+    found.degraded += ins[i].quality == InsQuality::Degraded;
+    found.invalid += ins[i].quality == InsQuality::Invalid;
+    const bool bad = ins[i].quality == InsQuality::Degraded || ins[i].quality == InsQuality::Invalid;
+    if (bad && !within) ++found.stretches, since = i;
+    within = bad;
+    if (bad) found.longest_s = std::max(found.longest_s, seconds_between(ins[since].stamp_ns, ins[i].stamp_ns));
+  }
+  return found;
+}
+
+void report_status(const std::vector<InsSample>& ins, std::vector<Finding>& findings) {
+  const Doubted found = doubted(ins);
+  if (found.degraded + found.invalid == 0) return;
+  findings.push_back({found.invalid > 0 ? Severity::Warning : Severity::Note, "ins-status", "INS",
+                      check_text("%zu of %zu samples are degraded and %zu invalid by the INS's own status, in %zu "
+                                 "stretches, the longest of %.1f s.",
+                                 found.degraded, ins.size(), found.invalid, found.stretches, found.longest_s)});
+}
+
+void report_gaps(const std::vector<StampedPose>& poses, std::vector<Finding>& findings) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < poses.size(); ++i)
+    steps.push_back(seconds_between(poses[i - 1].stamp_ns, poses[i].stamp_ns));
+  if (steps.empty()) return;
+  const double longest_allowed = std::max(3.0 * median_of(steps), kShortestGap_s);
+  const auto gaps = std::count_if(steps.begin(), steps.end(), [&](double step) { return step > longest_allowed; });
+  if (gaps == 0) return;
+  findings.push_back({Severity::Warning, "ins-gaps", "INS",
+                      check_text("%td gaps, the longest %.3f s; nothing is interpolated across them.", gaps,
+                                 *std::max_element(steps.begin(), steps.end()))});
+}
+
+void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+  report_status(checked.session.ins, findings);
+  report_gaps(checked.poses, findings);
+  const double frozen_s = longest_frozen_s(checked.poses);
+  if (frozen_s > kFrozen_s)
+    findings.push_back(
+        {Severity::Warning, "ins-frozen", "INS",
+         check_text("The INS repeats one solution for %.1f s; was it still aligning, or did the log stall?",
+                    frozen_s)});
+}
+
+}  // namespace
+
+DataCheck ins_solution_check() {
+  return {
+      {{"ins-gaps", "Scans that fall into a gap of the INS have no motion to be compared with, and are not used.",
+        "Look for messages that the recorder drops (disk, network, buffers); record again where much is missing."},
+       {"ins-status", "The INS doubts its own solution there: it may be off by more than it claims.",
+        "Record under open sky after the INS has finished aligning, or leave that part of the drive out."},
+       {"ins-frozen", "A solution that stands still while the vehicle moves makes pairs that contradict all others.",
+        "Wait until the INS has aligned before you drive, and see whether the log or its driver stalled."}},
+      look};
+}
+
+}  // namespace remount

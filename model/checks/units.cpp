@@ -1,0 +1,89 @@
+// Degrees taken for radians and the like, as far as the motion gives them away.
+#include <cmath>
+
+#include "algorithms/geometry/rotation.h"
+#include "model/checks/builtin.h"
+#include "model/checks/check_text.h"
+
+namespace remount {
+namespace {
+
+constexpr double kDegreesPerRadian = 57.29578;
+constexpr double kGravity_mps2 = 9.81;
+
+/// Radians that are taken for degrees shrink the Earth: all of it lies within a few degrees of where Greenwich meets
+/// the equator, in the open sea.
+void check_positions(const std::vector<InsSample>& ins, std::vector<Finding>& findings) {
+  if (ins.empty()) return;
+  const double latitude_deg = radians_to_degrees(ins.front().latitude_rad);
+  const double longitude_deg = radians_to_degrees(ins.front().longitude_rad);
+  if (std::abs(latitude_deg) > 0.5 * kPi || std::abs(longitude_deg) > kPi) return;
+  if (latitude_deg == 0.0 && longitude_deg == 0.0) return;  // a local frame that was given a place
+  findings.push_back({Severity::Problem, "position-unit", "INS",
+                      check_text("The drive would lie in the sea at latitude %.4f, longitude %.4f degrees: these are "
+                                 "radians that are taken for degrees.",
+                                 latitude_deg, longitude_deg)});
+}
+
+/// Root mean square over the stretch that both cover; NaN where there is none.
+double rms_rate(const std::vector<StampedPose>& poses) {
+  double sum = 0.0, time_s = 0.0;
+  for (std::size_t from = 0, i = 1; i < poses.size(); ++i) {
+    const double step_s = seconds_between(poses[from].stamp_ns, poses[i].stamp_ns);
+    if (step_s < 0.2) continue;
+    const double turn = so3_log(poses[from].pose.linear().transpose() * poses[i].pose.linear()).norm();
+    sum += turn * turn / step_s;
+    time_s += step_s;
+    from = i;
+  }
+  return time_s > 0.0 ? std::sqrt(sum / time_s) : std::nan("");
+}
+
+void check_imu(const CheckedSession& checked, std::vector<Finding>& findings) {
+  const std::vector<ImuSample>& imu = checked.session.imu;
+  if (imu.size() < 100) return;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const ImuSample& sample : imu) mean += sample.angular_rate_radps / static_cast<double>(imu.size());
+  double rates = 0.0;
+  std::vector<double> forces;
+  for (const ImuSample& sample : imu) {
+    rates += (sample.angular_rate_radps - mean).squaredNorm() / static_cast<double>(imu.size());
+    if (const double force = sample.specific_force_mps2.norm(); std::isfinite(force)) forces.push_back(force);
+  }
+  const double imu_rate = std::sqrt(rates), ins_rate = rms_rate(checked.poses);
+  // A vehicle that hardly turns tells nothing: noise is all that the IMU has.
+  const double ratio = ins_rate > 0.05 ? imu_rate / ins_rate : 1.0;
+  if (ratio > 0.4 * kDegreesPerRadian || ratio < 2.5 / kDegreesPerRadian)
+    findings.push_back(
+        {Severity::Problem, "imu-rate-unit", "IMU",
+         check_text("The IMU turns %.3g times as fast as the INS: degrees and radians are mixed up.", ratio)});
+  if (forces.empty()) return;
+  const double force = median_of(forces);
+  if (force < 0.15 * kGravity_mps2)
+    findings.push_back(
+        {Severity::Problem, "imu-force-unit", "IMU",
+         check_text("The IMU reads a specific force of %.2f, where gravity alone is 9.8 m/s^2: these are "
+                    "units of g, or gravity was taken out.",
+                    force)});
+}
+
+void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+  check_positions(checked.session.ins, findings);
+  check_imu(checked, findings);
+}
+
+}  // namespace
+
+DataCheck unit_check() {
+  return {{{"angle-unit", "Angles in the wrong unit make every attitude wrong.",
+            "Declare attitude: {unit: deg} or {unit: rad} as the log has it."},
+           {"position-unit", "The whole drive shrinks to centimetres, and nothing agrees with the LiDAR.",
+            "Declare the unit of latitude and longitude as the log has it."},
+           {"imu-rate-unit", "Odometry that lives on the IMU turns dozens of times too far, or hardly.",
+            "Declare the unit of the angular rate as the log has it."},
+           {"imu-force-unit", "The direction of gravity is found, but forces are taken for a tenth of what they are.",
+            "Declare the unit of the specific force; record raw values, with gravity in them."}},
+          look};
+}
+
+}  // namespace remount

@@ -1,0 +1,96 @@
+#include "model/io/gnss_log_reader.h"
+
+#include "algorithms/core/error.h"
+#include "model/io/gpx_track.h"
+#include "model/io/input_file.h"
+#include "model/io/nmea_log.h"
+#include "model/io/pose_file.h"
+#include "model/io/pose_pairing.h"
+#include "model/io/sensor_tables.h"
+#include "model/io/stream_tools.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Contents {
+  std::vector<fs::path> nmea, gpx;
+  std::vector<std::pair<fs::path, PoseFormat>> poses;
+};
+
+Contents examine(const fs::path& path) {
+  Contents contents;
+  const std::vector<fs::path> files = is_file(path) ? std::vector<fs::path>{path} : files_in(path);
+  for (const fs::path& file : files) {
+    if (recognise_nmea(file))
+      contents.nmea.push_back(file);
+    else if (recognise_gpx(file))
+      contents.gpx.push_back(file);
+    else if (const auto poses = recognise_pose_file(file))
+      contents.poses.emplace_back(file, *poses);
+  }
+  return contents;
+}
+
+/// The only one of a kind. Throws Error(Unsupported) that names two where there are several.
+template <class Item, class Name>
+const Item& only(const std::vector<Item>& items, const fs::path& folder, const char* what, Name&& name) {
+  if (items.size() > 1)
+    throw Error(ErrorCode::Unsupported, folder.string(),
+                std::string("holds several ") + what + ": " + name(items[0]) + " and " + name(items[1]) +
+                    "; put each drive into a folder of its own, or name the files in a session.yaml");
+  return items.front();
+}
+
+}  // namespace
+
+int GnssLogReader::probe(const fs::path& path) const {
+  if (!is_file(path) && !is_folder(path)) return 0;
+  const Contents contents = examine(path);
+  if (contents.nmea.empty() && contents.gpx.empty()) return 0;
+  return contents.poses.empty() ? 50 : 75;
+}
+
+Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
+  const Contents contents = examine(path);
+  Session session;
+  session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  session.path = path;
+  session.format = id();
+  progress.report("reading GNSS", 0, 2);
+  const auto file_name = [](const fs::path& file) { return file.filename().string(); };
+  if (!contents.nmea.empty()) {
+    session.files.push_back(only(contents.nmea, path, "NMEA logs", file_name));
+    NmeaLog log = read_nmea(session.files.back(), session.findings);
+    session.gnss = std::move(log.fixes);
+    session.ins = std::move(log.ins);
+  } else if (!contents.gpx.empty()) {
+    session.files.push_back(only(contents.gpx, path, "GPX tracks", file_name));
+    session.gnss = read_gpx(session.files.back(), session.findings);
+  } else {
+    throw Error(ErrorCode::Format, path.string(), "holds neither an NMEA log nor a GPX track");
+  }
+  progress.report("reading poses", 1, 2);
+  if (contents.poses.empty()) {
+    session.findings.push_back(make_finding(Severity::Problem, "one-stream", path.string(),
+                                            "A GNSS log is half a session: put it into a folder with LiDAR poses, or "
+                                            "declare it with the scans in a session.yaml."));
+    return session;
+  }
+  const auto& [file, format] =
+      only(contents.poses, path, "files of LiDAR poses", [&](const auto& poses) { return file_name(poses.first); });
+  session.odometry_from_lidar = read_pose_file(file, format, session.findings);
+  session.files.push_back(file);
+  if (!session.ins.empty()) align_lidar_clock(session, ClockUse::Shared);
+  return session;
+}
+
+std::vector<GnssFix> read_gnss(const fs::path& path, std::vector<Finding>& findings) {
+  if (recognise_nmea(path)) return read_nmea(path, findings).fixes;
+  if (recognise_gpx(path)) return read_gpx(path, findings);
+  return read_gnss_table(path, findings);
+}
+
+}  // namespace remount

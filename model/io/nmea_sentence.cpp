@@ -1,0 +1,65 @@
+#include "model/io/nmea_sentence.h"
+
+#include <cmath>
+
+#include "algorithms/geometry/rotation.h"
+#include "model/io/input_file.h"
+
+namespace remount {
+namespace {
+
+std::optional<unsigned> hexadecimal(std::string_view two) {
+  unsigned value = 0;
+  if (two.size() != 2) return std::nullopt;
+  for (const char c : two) {
+    const char lower = static_cast<char>(c | 0x20);
+    const bool digit = c >= '0' && c <= '9', letter = lower >= 'a' && lower <= 'f';
+    if (!digit && !letter) return std::nullopt;
+    value = value * 16 + static_cast<unsigned>(digit ? c - '0' : lower - 'a' + 10);
+  }
+  return value;
+}
+
+}  // namespace
+
+NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence) {
+  const std::size_t begin = line.find('$');
+  if (begin == std::string_view::npos) return NmeaLine::NoSentence;
+  line = trimmed(line.substr(begin + 1));
+  if (const std::size_t star = line.rfind('*'); star != std::string_view::npos) {
+    unsigned sum = 0;
+    for (const char c : line.substr(0, star)) sum ^= static_cast<unsigned char>(c);
+    if (hexadecimal(line.substr(star + 1)) != sum) return NmeaLine::WrongChecksum;
+    line = line.substr(0, star);
+  }
+  split_csv(line, sentence.fields);
+  const std::string_view head = sentence.fields.empty() ? std::string_view{} : sentence.fields.front();
+  if (head.size() != 5) return NmeaLine::NoSentence;
+  sentence.type = head.front() == 'P' ? head : head.substr(2);
+  sentence.fields.erase(sentence.fields.begin());
+  return NmeaLine::Sentence;
+}
+
+std::optional<std::int64_t> nmea_time_ns(std::string_view text) {
+  if (text.size() < 6) return std::nullopt;
+  const auto hours = parse_integer(text.substr(0, 2)), minutes = parse_integer(text.substr(2, 2));
+  const auto seconds_ns = parse_seconds_ns(text.substr(4));
+  if (!hours || !minutes || !seconds_ns || *hours < 0 || *hours > 23 || *minutes < 0 || *minutes > 59 ||
+      *seconds_ns < 0 || *seconds_ns >= 61'000'000'000)
+    return std::nullopt;
+  return (*hours * 3600 + *minutes * 60) * 1'000'000'000 + *seconds_ns;
+}
+
+std::optional<double> nmea_angle_rad(std::string_view text, std::string_view side) {
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const bool latitude = side == "N" || side == "S";
+  if (point < 3 || !(latitude || side == "E" || side == "W")) return std::nullopt;
+  const auto degrees = parse_integer(text.substr(0, point - 2));
+  const auto minutes = parse_number(text.substr(point - 2));
+  if (!degrees || !minutes || *degrees < 0 || *degrees > (latitude ? 90 : 180) || *minutes < 0.0 || *minutes >= 60.0)
+    return std::nullopt;
+  const double angle = degrees_to_radians(static_cast<double>(*degrees) + *minutes / 60.0);
+  return side == "S" || side == "W" ? -angle : angle;
+}
+
+}  // namespace remount

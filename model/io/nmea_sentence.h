@@ -1,0 +1,28 @@
+// One sentence of NMEA 0183.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace remount {
+
+struct NmeaSentence {
+  std::string_view type;                 ///< "GGA" of any talker, "PASHR" of its own
+  std::vector<std::string_view> fields;  ///< after the type
+  std::string_view field(std::size_t i) const { return i < fields.size() ? fields[i] : std::string_view{}; }
+};
+
+enum class NmeaLine { Sentence, NoSentence, WrongChecksum };
+
+/// Takes the sentence out of a line, which may have something before its '$'. The views lead into `line`.
+NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence);
+
+/// "hhmmss.sss" as ns since midnight; nothing where it is none.
+std::optional<std::int64_t> nmea_time_ns(std::string_view text);
+
+/// "ddmm.mmmm" (or "dddmm.mmmm") with N, S, E or W, in radians; nothing where it is none.
+std::optional<double> nmea_angle_rad(std::string_view text, std::string_view side);
+
+}  // namespace remount

@@ -1,0 +1,159 @@
+#include "model/batch/fleet_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "model/batch/fleet_table.h"
+#include "model/io/csv_table.h"
+#include "model/io/input_file.h"
+#include "model/result_file.h"
+#include "remount_version.h"
+#include "tests/model/io/temporary_folder.h"
+
+namespace remount {
+namespace {
+
+/// A vehicle whose jobs have results that the test writes.
+class fleet_rows_of : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_.path() / "fleet.yaml")
+        << "format: remount-fleet/1\ndrift: {sigmas: 3.5, translation_m: 0.02, rotation_deg: 0.2}\nvehicles:\n"
+           "  - {name: \"bus, 12\", last: before.yaml, sessions: [mon, tue, wed]}\n"
+           "  - {name: bus 13, sessions: [mon]}\n";
+    fleet_ = load_fleet(folder_.path() / "fleet.yaml");
+  }
+
+  static ResultFile result(double x_m, double yaw_deg, double sigma) {
+    ResultFile file;
+    file.version = kVersion;
+    file.ins_axes = InsAxes::ForwardLeftUp;
+    file.result.status = Status::Ok;
+    file.result.ins_from_lidar = rigid_from_six({x_m, -0.2, 0.7, degrees_to_radians(yaw_deg), 0.0, 0.0});
+    file.result.observed.fill(true);
+    file.result.covariance = sigma * sigma * Matrix6d::Identity();
+    return file;
+  }
+  void make(std::size_t job, const ResultFile& file) {
+    make_job_folder(fleet_.jobs[job]);
+    save_result(file, fleet_.jobs[job].result);
+  }
+
+  TemporaryFolder folder_;
+  Fleet fleet_;
+};
+
+TEST_F(fleet_rows_of, a_change_is_drift_where_it_exceeds_both_the_combined_sigma_and_the_threshold) {
+  save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
+  make(0, result(1.015, 10.1, 0.001));  // 10.6 sigma, but below both thresholds
+  make(1, result(1.115, 10.1, 0.05));   // 0.1 m, but 2 sigma
+  make(2, result(1.215, 179.9, 0.001));
+  const std::vector<FleetRow> rows = fleet_rows(fleet_);
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].compared_with, "before.yaml");
+  EXPECT_NEAR(rows[0].change.difference[0], 0.015, 1e-12);
+  EXPECT_NEAR(rows[0].change.sigma[0], 0.001 * std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(rows[0].drift, "") << "less than the threshold";
+  EXPECT_EQ(rows[1].compared_with, "mon");
+  EXPECT_EQ(rows[1].drift, "") << "less than the sigmas allow";
+  EXPECT_NE(rows[2].drift.find("yaw has changed by +169.8"), std::string::npos) << rows[2].drift;
+  EXPECT_NE(rows[2].drift.find("since tue"), std::string::npos) << rows[2].drift;
+  EXPECT_EQ(rows[2].drift.find("x has"), std::string::npos) << "0.1 m at a combined sigma of 0.05 m: " << rows[2].drift;
+  EXPECT_EQ(rows[3].state, JobState::Waiting);
+  EXPECT_EQ(rows[3].compared_with, "") << "the vehicles are not compared with each other";
+  std::printf("drift: %s\n", rows[2].drift.c_str());
+}
+
+TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
+  make(0, result(1.0, 10.0, 0.001));
+  ResultFile failed = result(9.0, 90.0, 0.001), flat = result(1.001, 70.0, 0.001);
+  failed.result.status = Status::NotConverged;
+  failed.result.message = "It went in circles.";
+  flat.result.status = Status::Degenerate;
+  flat.result.observed[3] = false;
+  flat.result.covariance.row(3).setConstant(std::nan(""));
+  flat.result.covariance.col(3).setConstant(std::nan(""));
+  make(1, failed);
+  make(2, flat);
+  std::ofstream(folder_.path() / "before.yaml") << "format: something else\n";
+  const std::vector<FleetRow> rows = fleet_rows(fleet_);
+  EXPECT_NE(rows[0].comparison.find("before.yaml:1"), std::string::npos) << rows[0].comparison;
+  EXPECT_EQ(rows[1].state, JobState::Done);
+  EXPECT_EQ(rows[1].message, "It went in circles.");
+  EXPECT_EQ(rows[1].drift, "");
+  EXPECT_EQ(rows[2].compared_with, "mon") << "the one in between has nothing to use";
+  EXPECT_NEAR(rows[2].change.difference[0], 0.001, 1e-12);
+  EXPECT_TRUE(std::isnan(rows[2].change.difference[3]));
+  EXPECT_EQ(rows[2].drift, "") << "yaw is not observed";
+}
+
+TEST_F(fleet_rows_of, failures_damaged_results_and_other_settings_are_told_apart) {
+  make(0, result(1.0, 10.0, 0.001));
+  std::ofstream(fleet_.jobs[0].failure) << "tue/ins.csv: does not exist\n";
+  make(1, result(1.0, 10.0, 0.001));
+  std::filesystem::resize_file(fleet_.jobs[1].result, 300);
+  ResultFile other = result(1.0, 10.0, 0.001), old = other;
+  other.settings.pairing.max_gap_s = 7.0;
+  make(2, other);
+  old.version = "0.0.1";
+  make(3, old);
+  const std::vector<FleetRow> rows = fleet_rows(fleet_);
+  EXPECT_EQ(rows[0].state, JobState::Failed);
+  EXPECT_EQ(rows[0].message, "tue/ins.csv: does not exist");
+  EXPECT_FALSE(rows[0].result) << "it is of what is no longer there";
+  EXPECT_EQ(rows[1].state, JobState::Failed);
+  EXPECT_NE(rows[1].message.find(fleet_.jobs[1].result.string()), std::string::npos) << rows[1].message;
+  EXPECT_EQ(rows[2].state, JobState::OutOfDate);
+  EXPECT_NE(rows[2].message.find("pairing.max_gap_s 7, now"), std::string::npos) << rows[2].message;
+  EXPECT_EQ(rows[3].state, JobState::OutOfDate);
+  EXPECT_NE(rows[3].message.find("0.0.1"), std::string::npos) << rows[3].message;
+  EXPECT_EQ(fleet_counts(rows), "4 jobs: 0 solved, 2 failed, 2 out of date; no drift");
+}
+
+TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
+  save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
+  make(0, result(1.1, 10.0, 0.001));
+  ResultFile flat = result(1.1, 10.0, 0.001);
+  flat.result.status = Status::Degenerate;
+  flat.result.observed[2] = false;
+  make(1, flat);
+  make_job_folder(fleet_.jobs[2]);
+  std::ofstream(fleet_.jobs[2].failure) << "a \"bad\" file,\nwith two lines & <tags>\n";
+  const std::vector<FleetRow> rows = fleet_rows(fleet_);
+
+  const std::string csv = fleet_csv(fleet_, rows);
+  EXPECT_EQ(csv.rfind(kFleetCsvMark, 0), 0U);
+  LineReader lines(csv);
+  std::string_view line;
+  ASSERT_TRUE(lines.next(line));
+  const CsvHeader header(line);
+  std::vector<std::string_view> cells;
+  ASSERT_TRUE(lines.next(line));
+  split_csv(line, cells);
+  ASSERT_EQ(cells.size(), header.size()) << line;
+  const auto cell = [&](const char* name) { return std::string(cells.at(header.require(name, "fleet.csv"))); };
+  EXPECT_EQ(cell("vehicle"), "bus, 12");
+  EXPECT_EQ(cell("status"), "ok");
+  EXPECT_NEAR(std::stod(cell("x_m")), 1.1, 1e-12);
+  EXPECT_NEAR(std::stod(cell("yaw_sigma_deg")), radians_to_degrees(0.001), 1e-9);
+  EXPECT_NEAR(std::stod(cell("change_x_m")), 0.1, 1e-12);
+  EXPECT_EQ(cell("drift"), "yes");
+  ASSERT_TRUE(lines.next(line));
+  split_csv(line, cells);
+  EXPECT_EQ(cell("z_m"), "") << "not observed";
+  EXPECT_EQ(cell("drift"), "no");
+  EXPECT_NE(csv.find("\"a \"\"bad\"\" file,\nwith two lines & <tags>\""), std::string::npos) << csv;
+
+  const std::string html = fleet_html(fleet_, rows, "2026-11-22 05:00:00 UTC");
+  EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0U);
+  for (const char* expected : {"<tr class=\"drift\">", "<tr class=\"failed\">", "1.1000 ± 0.0010", "not observed",
+                               "two lines &amp; &lt;tags&gt;", "4 jobs: 2 solved, 1 failed, 1 waiting; drift in 1"})
+    EXPECT_NE(html.find(expected), std::string::npos) << expected << "\n" << html;
+  EXPECT_EQ(html.find("<tags>"), std::string::npos);
+  EXPECT_NE(fleet_text(fleet_, rows).find("DRIFT: x has changed by +0.1000 m"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace remount

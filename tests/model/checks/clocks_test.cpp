@@ -1,0 +1,35 @@
+#include <gtest/gtest.h>
+
+#include "model/checks/builtin.h"
+#include "tests/model/checks/check_fixture.h"
+
+namespace remount {
+namespace {
+
+TEST(clock_check, streams_that_do_not_meet_are_named_with_what_is_likely) {
+  EXPECT_TRUE(found_by(clock_check(), good_drive()).empty());
+  Session leap = good_drive();
+  for (StampedPose& pose : leap.odometry_from_lidar) pose.stamp_ns += 18'000'000'000;
+  const std::vector<Finding> findings = found_by(clock_check(), leap);
+  ASSERT_TRUE(has_code(findings, "clocks-apart"));
+  EXPECT_EQ(findings[0].severity, Severity::Problem);
+  EXPECT_NE(findings[0].explanation.find("likely leap seconds"), std::string::npos) << findings[0].explanation;
+}
+
+TEST(clock_check, a_sensor_on_another_clock_is_named) {
+  Session session = good_drive();
+  for (int i = 0; i < 1000; ++i) {
+    ImuSample sample;
+    sample.stamp_ns = session.ins.front().stamp_ns - 315'964'800'000'000'000 + i * 10'000'000LL;
+    session.imu.push_back(sample);
+    session.wheels.push_back({session.ins.front().stamp_ns + i * 10'000'000LL, 5.0, 5.0});
+  }
+  const std::vector<Finding> findings = found_by(clock_check(), session);
+  ASSERT_EQ(findings.size(), 1U) << "the wheels are on the clock of the INS";
+  EXPECT_EQ(findings[0].code, "sensor-clock");
+  EXPECT_EQ(findings[0].where, "IMU");
+  EXPECT_NE(findings[0].explanation.find("counts from 1980"), std::string::npos) << findings[0].explanation;
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "model/io/session_reader.h"
+#include "model/report/report.h"
+#include "model/session_report.h"
+#include "tests/model/checks/check_fixture.h"
+#include "tests/model/io/temporary_folder.h"
+
+namespace remount {
+namespace {
+
+TEST(data_checks, every_code_stands_once_with_what_it_means_and_what_to_do) {
+  std::set<std::string_view> codes;
+  for (const DataCheck& check : data_checks())
+    for (const FindingKind& kind : check.kinds) {
+      EXPECT_TRUE(codes.insert(kind.code).second) << kind.code << " stands twice";
+      EXPECT_TRUE(kind.meaning.ends_with('.')) << kind.code;
+      EXPECT_TRUE(kind.remedy.ends_with('.')) << kind.code;
+      EXPECT_EQ(finding_kind(kind.code), &kind) << kind.code << " is hidden by a pattern before it";
+    }
+  std::printf("%zu codes in %zu checks\n", codes.size(), data_checks().size());
+}
+
+TEST(data_checks, streams_of_any_name_have_the_code_of_their_trouble) {
+  for (const char* code : {"ins-reversed-stamps", "wheels-duplicate-stamps", "scans-impossible-stamps", "bad-imu",
+                           "ins-gaps", "cloud-left-handed", "host-clock", "angle-unit"})
+    EXPECT_NE(finding_kind(code), nullptr) << code;
+  EXPECT_EQ(finding_kind("deskew-on"), nullptr);
+  EXPECT_EQ(finding_kind(""), nullptr);
+}
+
+TEST(data_checks, inspect_and_report_tell_code_meaning_and_remedy) {
+  Session session = good_drive();
+  session.ins.erase(session.ins.begin() + 100, session.ins.begin() + 150);
+  session.findings = data_findings(session, LookAt::StreamsAndScans, Progress());
+  const FindingKind& kind = *finding_kind("ins-gaps");
+  Progress progress;
+  const std::string inspected = describe(session, report_session(session, progress));
+  Report report;
+  report.file.findings = session.findings;
+  const std::string page = report_html(report);
+  for (const std::string_view part :
+       {std::string_view("ins-gaps"), std::string_view("1 gaps, the longest 1.020 s"), kind.meaning, kind.remedy}) {
+    EXPECT_TRUE(contains(inspected, part)) << part << "\n" << inspected;
+    EXPECT_TRUE(contains(page, part)) << part << "\n" << page;
+  }
+}
+
+// A check that cries wolf is worse than none: recorded data that calibrate well have no problem.
+TEST(data_checks, recorded_drives_raise_no_problem) {
+  SKIP_WITHOUT(shared_data());
+  std::size_t opened = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_data())) {
+    if (!entry.is_directory()) continue;
+    Progress progress;
+    const Session session = [&]() -> Session {
+      try {
+        return open_session(entry.path(), progress);
+      } catch (const Error&) {
+        return {};
+      }
+    }();
+    if (session.format.empty()) continue;
+    ++opened;
+    for (const Finding& finding : session.findings) {
+      std::printf("%s: %s [%s]\n", entry.path().filename().c_str(), finding.explanation.c_str(), finding.code.c_str());
+      EXPECT_NE(finding.severity, Severity::Problem) << entry.path() << ": " << finding.explanation;
+    }
+  }
+  EXPECT_GT(opened, 0U);
+}
+
+}  // namespace
+}  // namespace remount

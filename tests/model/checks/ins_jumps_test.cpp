@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "model/checks/builtin.h"
+#include "model/simulator/simulator.h"
+#include "tests/model/checks/check_fixture.h"
+
+namespace remount {
+namespace {
+
+constexpr double kEarthRadius_m = 6.37e6;
+
+TEST(ins_jump_check, a_step_of_half_a_metre_is_named_with_its_size_and_time) {
+  Session jump = good_drive();
+  for (std::size_t i = 250; i < jump.ins.size(); ++i) jump.ins[i].latitude_rad += 0.5 / kEarthRadius_m;
+  for (std::size_t i = 350; i < jump.ins.size(); ++i) jump.ins[i].height_m -= 1.25;
+  const std::string said = said_of(found_by(ins_jump_check(), jump), "ins-jump");
+  EXPECT_EQ(said, "The position jumps 2 times, the farthest by 1.25 m at 2020-09-13 12:26:47.000 UTC.");
+}
+
+TEST(ins_jump_check, a_jump_far_away_is_named) {
+  Session jump = good_drive();
+  for (std::size_t i = 250; i < 500; ++i) jump.ins[i].latitude_rad += 1e-4;
+  EXPECT_TRUE(has_code(found_by(ins_jump_check(), jump), "ins-jump"));
+}
+
+TEST(ins_jump_check, noise_braking_and_gaps_are_no_jumps) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0.0, 0.05);
+  Session noisy = good_drive();
+  for (InsSample& sample : noisy.ins) sample.latitude_rad += noise(random) / kEarthRadius_m;
+  EXPECT_EQ(said_of(found_by(ins_jump_check(), noisy), "ins-jump"), "") << "0.05 m of white noise";
+  Session braking = good_drive();
+  for (std::size_t i = 0; i < braking.ins.size(); ++i) {
+    const double time_s = 0.02 * static_cast<double>(i), stop_s = 5.0;
+    const double travelled_m = time_s < stop_s ? 20.0 * time_s
+                                               : 20.0 * stop_s + 20.0 * std::min(time_s - stop_s, 2.0) -
+                                                     5.0 * std::pow(std::min(time_s - stop_s, 2.0), 2);
+    braking.ins[i].latitude_rad = 0.85 + travelled_m / kEarthRadius_m;
+  }
+  EXPECT_EQ(said_of(found_by(ins_jump_check(), braking), "ins-jump"), "") << "at 10 m/s^2";
+  Session gap = good_drive();
+  gap.ins.erase(gap.ins.begin() + 100, gap.ins.begin() + 200);
+  EXPECT_EQ(said_of(found_by(ins_jump_check(), gap), "ins-jump"), "") << "which ins-gaps names";
+}
+
+TEST(ins_jump_check, simulated_drives_do_not_jump) {
+  for (const ScenarioKind scenario :
+       {ScenarioKind::Street, ScenarioKind::ParkingRamp, ScenarioKind::FigureEight, ScenarioKind::Hill}) {
+    SimulationOptions options;
+    options.scenario = scenario;
+    options.duration_s = 10.0;
+    options.beams = 2;
+    options.azimuth_steps = 20;
+    EXPECT_EQ(said_of(found_by(ins_jump_check(), simulate_drive(options).session), "ins-jump"), "");
+  }
+}
+
+}  // namespace
+}  // namespace remount

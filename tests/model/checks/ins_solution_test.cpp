@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include "model/checks/builtin.h"
+#include "tests/model/checks/check_fixture.h"
+
+namespace remount {
+namespace {
+
+TEST(ins_solution_check, nothing_is_wrong_with_a_good_drive) {
+  EXPECT_TRUE(data_findings(good_drive(), LookAt::StreamsAndScans, Progress()).empty())
+      << data_findings(good_drive(), LookAt::Streams, Progress())[0].explanation;
+  EXPECT_TRUE(data_findings(Session{}, LookAt::StreamsAndScans, Progress()).empty());
+}
+
+TEST(ins_solution_check, gaps_frozen_solutions_and_status) {
+  Session gap = good_drive();
+  gap.ins.erase(gap.ins.begin() + 100, gap.ins.begin() + 150);
+  EXPECT_EQ(said_of(found_by(ins_solution_check(), gap), "ins-gaps"),
+            "1 gaps, the longest 1.020 s; nothing is interpolated across them.");
+  Session frozen = good_drive();
+  for (std::size_t i = 200; i < 300; ++i) {
+    const std::int64_t stamp_ns = frozen.ins[i].stamp_ns;
+    frozen.ins[i] = frozen.ins[200];
+    frozen.ins[i].stamp_ns = stamp_ns;
+  }
+  EXPECT_TRUE(has_code(found_by(ins_solution_check(), frozen), "ins-frozen"));
+  Session status = good_drive();
+  status.ins[7].quality = InsQuality::Invalid;
+  for (std::size_t i = 100; i < 151; ++i) status.ins[i].quality = InsQuality::Degraded;
+  const std::vector<Finding> findings = found_by(ins_solution_check(), status);
+  EXPECT_EQ(
+      said_of(findings, "ins-status"),
+      "51 of 500 samples are degraded and 1 invalid by the INS's own status, in 2 stretches, the longest of 1.0 s.");
+  EXPECT_EQ(findings.at(0).severity, Severity::Warning);
+}
+
+TEST(drive_variety_check, too_little_motion_is_named) {
+  EXPECT_TRUE(has_code(found_by(drive_variety_check(), good_drive(2, 0)), "little-turning"));
+  EXPECT_FALSE(has_code(found_by(drive_variety_check(), good_drive(90, 0)), "little-turning"));
+  EXPECT_TRUE(has_code(found_by(drive_variety_check(), good_drive(90, 0.1)), "flat-driving"));
+}
+
+}  // namespace
+}  // namespace remount

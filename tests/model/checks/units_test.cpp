@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include "model/checks/builtin.h"
+#include "model/simulator/simulator.h"
+#include "tests/model/checks/check_fixture.h"
+
+namespace remount {
+namespace {
+
+Session drive_with_imu() {
+  SimulationOptions options;
+  options.scenario = ScenarioKind::FigureEight;
+  options.duration_s = 15.0;
+  options.beams = 2;
+  options.azimuth_steps = 20;
+  return simulate_drive(options).session;
+}
+
+TEST(unit_check, right_units_pass) {
+  const Session session = drive_with_imu();
+  ASSERT_GT(session.imu.size(), 100U);
+  EXPECT_TRUE(found_by(unit_check(), session).empty()) << found_by(unit_check(), session)[0].explanation;
+  EXPECT_TRUE(found_by(unit_check(), good_drive()).empty());
+}
+
+TEST(unit_check, radians_that_are_taken_for_degrees_lie_in_the_sea) {
+  Session session = good_drive();
+  for (InsSample& sample : session.ins) {
+    sample.latitude_rad = degrees_to_radians(sample.latitude_rad);
+    sample.longitude_rad = degrees_to_radians(sample.longitude_rad);
+  }
+  const std::vector<Finding> findings = found_by(unit_check(), session);
+  ASSERT_TRUE(has_code(findings, "position-unit"));
+  EXPECT_EQ(findings[0].severity, Severity::Problem);
+  EXPECT_NE(findings[0].explanation.find("latitude 0.8500"), std::string::npos) << findings[0].explanation;
+}
+
+TEST(unit_check, rates_in_degrees_and_forces_in_g_are_named) {
+  Session degrees = drive_with_imu(), shrunk = degrees, in_g = degrees;
+  for (ImuSample& sample : degrees.imu) sample.angular_rate_radps *= 180.0 / kPi;
+  for (ImuSample& sample : shrunk.imu) sample.angular_rate_radps *= kPi / 180.0;
+  for (ImuSample& sample : in_g.imu) sample.specific_force_mps2 /= 9.81;
+  std::printf("degrees: %s\n", said_of(found_by(unit_check(), degrees), "imu-rate-unit").c_str());
+  EXPECT_TRUE(has_code(found_by(unit_check(), degrees), "imu-rate-unit"));
+  EXPECT_TRUE(has_code(found_by(unit_check(), shrunk), "imu-rate-unit"));
+  EXPECT_TRUE(has_code(found_by(unit_check(), in_g), "imu-force-unit"));
+  EXPECT_FALSE(has_code(found_by(unit_check(), in_g), "imu-rate-unit"));
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include "model/io/cloud_file.h"
+#include "model/io/session_reader.h"
+#include "model/io/time_stamp.h"
+#include "tests/model/io/las_bytes.h"
+#include "tests/model/io/temporary_folder.h"
+
+namespace remount {
+namespace {
+
+class las_file : public ::testing::Test {
+ protected:
+  PointCloud load(const std::string& bytes, std::int64_t stamp_ns = 0) {
+    return load_cloud(folder_.write("scan.las", bytes), stamp_ns);
+  }
+  std::string refused(const std::string& bytes) {
+    return error_of([&] { load(bytes); });
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(las_file, every_version_and_point_format_gives_its_points) {
+  for (int minor = 2; minor <= 4; ++minor)
+    for (int format = 0; format <= (minor == 4 ? 10 : minor == 3 ? 5 : 3); ++format)
+      for (const int extra_bytes : {0, 7}) {
+        LasOptions options;
+        options.minor = minor, options.format = format, options.extra_bytes = extra_bytes;
+        const PointCloud cloud = load(las(options));
+        ASSERT_EQ(cloud.size(), 2U) << minor << " " << format;
+        EXPECT_NEAR((cloud.points[1] - Eigen::Vector3f(-4, 5.001f, -6)).norm(), 0.0, 1e-6) << minor << " " << format;
+        EXPECT_EQ(cloud.intensity[1], 101.0f);
+        EXPECT_TRUE(cloud.time_from_stamp_s.empty()) << "all at one time is no time";
+      }
+}
+
+TEST_F(las_file, times_of_both_kinds_become_relative_to_the_stamp) {
+  const std::int64_t gps_ns = 1'300'000'000'250'000'000;
+  const std::int64_t stamp_ns = unix_ns_from_gps_ns(gps_ns);
+  for (const int format : {1, 6}) {
+    LasOptions options;
+    options.minor = 4, options.format = format;
+    options.times = {300'000'000.25, 300'000'000.34};
+    const PointCloud whole = load(las(options), stamp_ns);
+    ASSERT_EQ(whole.time_from_stamp_s.size(), 2U);
+    EXPECT_NEAR(whole.time_from_stamp_s[0], 0.0, 1e-4);
+    EXPECT_NEAR(whole.time_from_stamp_s[1], 0.09, 1e-4);
+    options.whole_gps_time = false;
+    const double week_s = std::fmod(1'300'000'000.25, 604800.0);
+    options.times = {week_s, week_s + 0.09};
+    const PointCloud week = load(las(options), stamp_ns);
+    ASSERT_EQ(week.time_from_stamp_s.size(), 2U);
+    EXPECT_NEAR(week.time_from_stamp_s[0], 0.0, 1e-4);
+    EXPECT_NEAR(week.time_from_stamp_s[1], 0.09, 1e-4);
+  }
+}
+
+TEST_F(las_file, damaged_files_are_refused_with_the_place) {
+  const std::string good = las({});
+  EXPECT_TRUE(contains(refused(good.substr(0, 100)), "byte 100: ends within the header"))
+      << refused(good.substr(0, 100));
+  EXPECT_TRUE(contains(refused(good.substr(0, good.size() - 1)), "byte 96: 2 points of 28 bytes"));
+  const auto changed = [&](std::size_t at, auto value) {
+    std::string bytes = good;
+    put(bytes, at, value);
+    return refused(bytes);
+  };
+  EXPECT_TRUE(contains(changed(25, std::uint8_t{1}), "is LAS 1.1, expected 1.2 to 1.4"));
+  EXPECT_TRUE(contains(changed(104, std::uint8_t{11}), "point format 11"));
+  EXPECT_TRUE(contains(changed(104, std::uint8_t{0x81}), "is compressed (LAZ)"));
+  EXPECT_TRUE(contains(changed(105, std::uint16_t{27}), "format 1 has at least 28"));
+  EXPECT_TRUE(contains(changed(107, std::uint32_t{4'000'000'000}), "4000000000 points"));
+  EXPECT_TRUE(contains(changed(131, 0.0), "the scale is 0"));
+  EXPECT_TRUE(contains(changed(96, std::uint32_t{10}), "from byte 10"));
+  LasOptions map;
+  map.offset_m = 5'400'000.0;
+  map.points = {{5'400'001, 5'400'002, 5'400'003}};
+  EXPECT_TRUE(contains(refused(las(map)), "coordinates of a map (up to 5400003 m)")) << refused(las(map));
+  EXPECT_TRUE(load(las({.points = {}})).points.empty());
+}
+
+TEST_F(las_file, is_a_scan_of_a_native_session) {
+  folder_.write("scans/1600000000.0.las", las({}));
+  folder_.write("scans/1600000000.1.las", las({}));
+  folder_.write("poses.txt", "1600000000 0 0 0 0 0 0 1\n1600000001 1 0 0 0 0 0 1\n");
+  folder_.write(
+      "session.yaml",
+      "format: remount-session/1\nname: las\nscans: {directory: scans, type: las, stamps: from-names, timing: "
+      "instant}\nins_poses: {file: poses.txt, format: tum}\n");
+  Progress progress;
+  const Session session = open_session(folder_.path(), progress);
+  ASSERT_EQ(session.scans->size(), 2U);
+  EXPECT_EQ(session.scans->load(1).size(), 2U);
+}
+
+}  // namespace
+}  // namespace remount

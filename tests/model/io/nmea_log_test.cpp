@@ -1,0 +1,157 @@
+#include "model/io/nmea_log.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "model/io/gnss_log_reader.h"
+#include "model/io/gpx_track.h"
+#include "model/io/time_stamp.h"
+#include "tests/model/io/temporary_folder.h"
+
+namespace remount {
+namespace {
+
+std::string sentence(const std::string& body) {
+  unsigned sum = 0;
+  for (const char c : body) sum ^= static_cast<unsigned char>(c);
+  char text[8];
+  std::snprintf(text, sizeof text, "*%02X\r\n", sum);
+  return "$" + body + text;
+}
+
+std::string text_of(const char* pattern, auto... values) {
+  char text[200];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+/// A turn to the right at 10 Hz that begins `seconds` after midnight, northern and western hemisphere.
+std::string log_of(int samples, double seconds, bool attitude, bool heading, const std::string& quality = "4") {
+  std::string log = sentence("GPRMC,235958.00,A,,,,,,,211126,,,A");
+  for (int i = 0; i < samples; ++i) {
+    const double now = std::fmod(seconds + 0.1 * i, 86400.0);
+    const std::string time =
+        text_of("%02d%02d%05.2f", static_cast<int>(now / 3600), static_cast<int>(now / 60) % 60, std::fmod(now, 60.0));
+    log += sentence("GNGGA," + time + text_of(",4846.%05d,N,00911.50000,W,", 10000 + 10 * i) + quality +
+                    ",12,0.8,250.0,M,48.0,M,,");
+    log += sentence("GNGST," + time + ",,,,,0.011,0.012,0.023");
+    if (attitude)
+      log += sentence("PASHR," + time + text_of(",%06.2f,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1", 350.0 + 0.5 * i));
+    if (heading) log += sentence("GNHDT," + text_of("%.2f", 350.0 + 0.5 * i) + ",T");
+  }
+  return log;
+}
+
+class nmea_log : public ::testing::Test {
+ protected:
+  NmeaLog read(const std::string& text) {
+    findings_.clear();
+    return read_nmea(folder_.write("log.nmea", text), findings_);
+  }
+  bool told(const std::string& code) const {
+    for (const Finding& finding : findings_)
+      if (finding.code == code) return true;
+    return false;
+  }
+  TemporaryFolder folder_;
+  std::vector<Finding> findings_;
+};
+
+TEST_F(nmea_log, positions_over_midnight_with_their_stated_errors) {
+  const NmeaLog log = read(log_of(20, 86399.0, false, false));
+  ASSERT_EQ(log.fixes.size(), 20U);
+  EXPECT_EQ(log.fixes[0].stamp_ns, *parse_date_ns("2026-11-21 23:59:59.0"));
+  EXPECT_EQ(log.fixes[10].stamp_ns, *parse_date_ns("2026-11-22 00:00:00.0"));
+  EXPECT_NEAR(radians_to_degrees(log.fixes[0].latitude_rad), 48.0 + 46.1 / 60.0, 1e-9);
+  EXPECT_NEAR(radians_to_degrees(log.fixes[0].longitude_rad), -(9.0 + 11.5 / 60.0), 1e-9);
+  EXPECT_DOUBLE_EQ(log.fixes[0].height_m, 298.0) << "above the ellipsoid";
+  EXPECT_NEAR(log.fixes[0].covariance_enu_m2(0, 0), 0.012 * 0.012, 1e-12) << "east";
+  EXPECT_NEAR(log.fixes[0].covariance_enu_m2(1, 1), 0.011 * 0.011, 1e-12) << "north";
+  EXPECT_TRUE(log.ins.empty());
+  EXPECT_TRUE(findings_.empty()) << findings_[0].explanation;
+}
+
+TEST_F(nmea_log, pashr_gives_the_attitude_and_hdt_a_heading_with_a_warning) {
+  const NmeaLog full = read(log_of(20, 100.0, true, true));
+  ASSERT_EQ(full.ins.size(), 20U);
+  const AttitudeAngles angles = angles_from(full.ins[4].enu_from_ins, AttitudeConvention::Heading);
+  EXPECT_NEAR(radians_to_degrees(angles.yaw_rad), 352.0, 1e-6);
+  EXPECT_NEAR(radians_to_degrees(angles.pitch_rad), -1.0, 1e-6);
+  EXPECT_NEAR(radians_to_degrees(angles.roll_rad), 2.0, 1e-6);
+  EXPECT_NEAR(radians_to_degrees(full.ins[4].sigma.attitude_rad.z()), 0.2, 1e-9);
+  EXPECT_EQ(full.ins[4].quality, InsQuality::Good);
+  EXPECT_FALSE(told("heading-alone"));
+  const NmeaLog heading = read(log_of(20, 100.0, false, true));
+  ASSERT_GE(heading.ins.size(), 19U);
+  EXPECT_TRUE(told("heading-alone"));
+  EXPECT_GT(heading.ins[3].sigma.attitude_rad.x(), degrees_to_radians(1.0)) << "roll is not known";
+  EXPECT_EQ(read(log_of(20, 100.0, true, false, "5")).ins[0].quality, InsQuality::Degraded);
+}
+
+TEST_F(nmea_log, damage_is_named_and_the_rest_is_read) {
+  std::string text = log_of(20, 100.0, true, false);
+  text[text.find("4846.1005") + 5] = '7';
+  EXPECT_EQ(read(text).fixes.size(), 19U);
+  ASSERT_TRUE(told("bad-nmea"));
+  EXPECT_TRUE(contains(findings_[0].explanation, "log.nmea:")) << findings_[0].explanation;
+  EXPECT_TRUE(contains(findings_[0].explanation, "the checksum is wrong")) << findings_[0].explanation;
+  std::string undated = log_of(20, 100.0, true, false);
+  undated.erase(0, undated.find('\n') + 1);
+  EXPECT_ERROR(read(undated), "holds no date: GGA tells the time of day alone");
+  EXPECT_ERROR(read(sentence("GPRMC,000000.00,A,,,,,,,221126,,,A")), "holds no GGA sentence with a fix");
+  EXPECT_ERROR(read(sentence("GPGGA,000000.00,4860.0,N,00911.0,E,4,12,0.8,250.0,M,48.0,M,,")), "GGA without usable");
+}
+
+TEST_F(nmea_log, gpx_tracks_are_fixes_with_an_assumed_error) {
+  const std::string head = "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\">\n<trk><trkseg>\n";
+  const std::string text =
+      head +
+      "<trkpt lat=\"48.5\" lon='-9.25'><ele>310.5</ele><time>2026-11-22T10:00:00.5Z</time></trkpt>\n"
+      "<trkpt lat=\"48.6\" lon=\"-9.25\"><time>2026-11-22T11:00:01+01:00</time></trkpt>\n"
+      "<trkpt lat=\"north\" lon=\"1\"><time>2026-11-22T10:00:02Z</time></trkpt>\n</trkseg></trk></gpx>\n";
+  const auto path = folder_.write("drive.gpx", text);
+  EXPECT_TRUE(recognise_gpx(path));
+  const std::vector<GnssFix> fixes = read_gpx(path, findings_);
+  ASSERT_EQ(fixes.size(), 2U);
+  EXPECT_NEAR(radians_to_degrees(fixes[0].latitude_rad), 48.5, 1e-12);
+  EXPECT_NEAR(radians_to_degrees(fixes[0].longitude_rad), -9.25, 1e-12);
+  EXPECT_DOUBLE_EQ(fixes[0].height_m, 310.5);
+  EXPECT_EQ(fixes[1].stamp_ns - fixes[0].stamp_ns, 500'000'000) << "an hour east of Greenwich";
+  for (const char* code : {"bad-gpx", "height-missing", "gnss-sigma-assumed"}) EXPECT_TRUE(told(code)) << code;
+  EXPECT_TRUE(contains(findings_[0].explanation, "drive.gpx:6")) << findings_[0].explanation;
+  EXPECT_ERROR(read_gpx(folder_.write("none.gpx", head), findings_), "holds no track point with a time");
+  EXPECT_ERROR(read_gpx(folder_.write("cut.gpx", head + "<trkpt lat=\"1\""), findings_), "does not end");
+}
+
+TEST_F(nmea_log, opens_as_a_session_alone_with_poses_and_from_a_manifest) {
+  Progress progress;
+  std::string poses;
+  const double start_s = 1e-9 * static_cast<double>(*parse_date_ns("2026-11-22 00:01:40"));
+  for (int i = 0; i < 40; ++i) poses += text_of("%.3f %d 0 0 0 0 0 1\n", start_s + 0.05 * i, i);
+  folder_.write("drive/odometry.txt", poses);
+  std::string text = log_of(40, 100.0, true, false);
+  text.replace(0, text.find('\n') + 1, sentence("GPRMC,000100.00,A,,,,,,,221126,,,A"));
+  const auto log = folder_.write("drive/gnss.log", text);
+  const Session alone = open_session(log, progress);
+  EXPECT_EQ(alone.format, "gnss-log");
+  EXPECT_EQ(alone.gnss.size(), 40U);
+  const Session both = open_session(folder_.path() / "drive", progress);
+  EXPECT_EQ(both.format, "gnss-log");
+  EXPECT_EQ(both.ins.size(), 40U);
+  EXPECT_EQ(both.odometry_from_lidar.size(), 40U);
+  EXPECT_EQ(both.files.size(), 2U);
+  const std::string manifest = "format: remount-session/1\nname: d\nlidar_poses: {file: odometry.txt, format: tum}\n";
+  folder_.write("drive/session.yaml", manifest + "ins: {file: gnss.log}\ngnss: {file: gnss.log}\n");
+  const Session declared = open_session(folder_.path() / "drive", progress);
+  EXPECT_EQ(declared.format, "native");
+  EXPECT_EQ(declared.ins.size(), 40U);
+  EXPECT_EQ(declared.gnss.size(), 40U);
+  folder_.write("drive/plain.log", log_of(40, 100.0, false, false));
+  folder_.write("drive/session.yaml", manifest + "ins: {file: plain.log}\n");
+  EXPECT_ERROR(open_session(folder_.path() / "drive", progress), "has no attitude (PASHR or HDT)");
+}
+
+}  // namespace
+}  // namespace remount
