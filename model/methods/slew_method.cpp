@@ -9,7 +9,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/trajectory/motion_track.h"
 #include "model/methods/builtin.h"
-#include "model/methods/scan_times.h"
+#include "model/scan_times.h"
 
 namespace remount {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "model/scan_times.h"
 
 namespace remount {
 namespace {
@@ -14,17 +14,6 @@ namespace {
 constexpr std::int64_t kAll = std::numeric_limits<std::int64_t>::max();
 
 std::string named(const Session& session) { return session.path.empty() ? session.name : session.path.string(); }
-
-// Times of a scan's points where its motion is to be compensated; empty otherwise.
-std::vector<float> point_times(const Session& session, const PointCloud& cloud, DeskewMode mode) {
-  if (mode == DeskewMode::Off) return {};
-  if (session.scan_timing == ScanTiming::PerPoint && cloud.time_from_stamp_s.size() == cloud.size())
-    return cloud.time_from_stamp_s;
-  const bool sweep = session.scan_timing == ScanTiming::SweepAzimuth &&
-                     (session.sweep.certain || mode == DeskewMode::On) && !cloud.points.empty();
-  if (!sweep) return {};
-  return sweep_times(cloud, session.sweep.period_s, session.sweep.stamp_azimuth_rad, session.sweep.clockwise);
-}
 
 // Somebody's poses state no errors: those of the options.
 std::vector<OdometryPose> given_poses(const std::vector<StampedPose>& odometry_from_lidar, std::size_t count,
@@ -102,7 +91,7 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
         if (odometry.unreadable++ == 0) odometry.first_unreadable = failures[i];
         continue;
       }
-      const OdometryPose pose = running_->push(clouds[i], point_times(session, clouds[i], settings_.run.deskew),
+      const OdometryPose pose = running_->push(clouds[i], scan_times(session, clouds[i], settings_.run.deskew),
                                                session.scans->stamp_ns(first + i), progress);
       if (!pose.aligned && odometry.unaligned++ == 0)
         odometry.first_unaligned = session.scans->name(first + i) + ": " + pose.problem;

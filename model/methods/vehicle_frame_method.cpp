@@ -8,7 +8,7 @@
 #include "algorithms/trajectory/motion_track.h"
 #include "model/methods/antenna_on_vehicle.h"
 #include "model/methods/builtin.h"
-#include "model/methods/scan_times.h"
+#include "model/scan_times.h"
 #include "model/session_frames.h"
 
 namespace remount {
