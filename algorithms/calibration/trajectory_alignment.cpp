@@ -79,6 +79,23 @@ void keep_what_is_open(const TrajectoryProblem& problem, const TrajectoryOptions
   set_values(outcome.solution.state, outcome.answer);
 }
 
+// Angles measured by hand are linear about where X starts: once more about where it came to lie. What the drive shows
+// is then no longer expected at the start, or it would draw what is held with it.
+void solve_about_x(const TrajectoryProblem& usable, const TrajectoryOptions& options, const SolveOptions& judged_by,
+                   const Progress& progress, TrajectoryPrior& prior, TrajectorySolution& solution) {
+  const RigidTransform x = solution.state.ins_from_lidar;
+  const std::array<bool, 6> observed =
+      describe_trajectory(usable, options, judged_by, solution, prior, false).result.observed;
+  const std::array<bool, 6> measured = usable.measured.parameters();
+  prior = weak_trajectory_prior(usable, options, x);
+  for (int i = 0; i < 3; ++i)
+    if (observed[static_cast<std::size_t>(i)] && !measured[static_cast<std::size_t>(i)])
+      prior.ins_from_lidar.translation()[i] = x.translation()[i];
+  TrajectoryApproach approach;
+  approach.graduated = false;
+  solution = solve_trajectory(usable, options, solution, prior, approach, progress);
+}
+
 TrajectorySnapshot snapshot_of(const CalibrationResult& result, double time_s) {
   TrajectorySnapshot out;
   out.time_s = time_s;
@@ -275,18 +292,8 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
   outcome.solution = start_trajectory(usable, options, progress);
   TrajectoryPrior prior = weak_trajectory_prior(usable, options, outcome.solution.state.ins_from_lidar);
   outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, {}, progress);
-  if (!problem.measured.rows(outcome.solution.state.ins_from_lidar).empty() && has_ins(usable)) {
-    // Angles measured by hand are linear about where X starts: once more about where it came to lie.
-    // What the drive shows is no longer expected at the start, or it would draw what is held with it.
-    const RigidTransform& x = outcome.solution.state.ins_from_lidar;
-    const std::array<bool, 6> observed =
-        describe_trajectory(usable, options, judged_by, outcome.solution, prior, false).result.observed;
-    prior = weak_trajectory_prior(usable, options, x);
-    for (int i = 0; i < 3; ++i)
-      if (observed[static_cast<std::size_t>(i)] && !problem.measured.parameters()[static_cast<std::size_t>(i)])
-        prior.ins_from_lidar.translation()[i] = x.translation()[i];
-    outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, {.graduated = false}, progress);
-  }
+  if (!usable.measured.rows(outcome.solution.state.ins_from_lidar).empty() && has_ins(usable))
+    solve_about_x(usable, options, judged_by, progress, prior, outcome.solution);
   outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, prior, true);
   if (progress.cancelled()) {
     outcome.answer = without_numbers(Status::Cancelled, "Cancelled.");
