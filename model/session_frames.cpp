@@ -1,7 +1,8 @@
 #include "model/session_frames.h"
 
-#include <GeographicLib/LocalCartesian.hpp>
 #include <algorithm>
+
+#include "algorithms/geometry/local_level.h"
 
 namespace remount {
 
@@ -22,15 +23,10 @@ RigidTransform forward_left_up_from(const std::optional<InsAxes>& axes) {
 std::vector<StampedPose> metric_poses(const Session& session) {
   if (session.ins.empty()) return session.world_from_ins;
   const InsSample& first = session.ins.front();
-  const GeographicLib::LocalCartesian local(radians_to_degrees(first.latitude_rad),
-                                            radians_to_degrees(first.longitude_rad), first.height_m);
+  const LocalLevel level(first.latitude_rad, first.longitude_rad, first.height_m);
   std::vector<StampedPose> poses;
-  for (const InsSample& sample : session.ins) {
-    Eigen::Vector3d position;
-    local.Forward(radians_to_degrees(sample.latitude_rad), radians_to_degrees(sample.longitude_rad), sample.height_m,
-                  position.x(), position.y(), position.z());
-    poses.push_back({sample.stamp_ns, make_rigid(sample.enu_from_ins.toRotationMatrix(), position)});
-  }
+  poses.reserve(session.ins.size());
+  for (const InsSample& sample : session.ins) poses.push_back({sample.stamp_ns, level.enu_from_ins(sample)});
   return poses;
 }
 

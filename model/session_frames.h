@@ -16,7 +16,8 @@ std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Sessi
 /// axes that are not known.
 RigidTransform forward_left_up_from(const std::optional<InsAxes>& axes);
 
-/// Poses of the INS in a metric frame: east, north, up about the first sample, or the poses of the file.
+/// Poses of the INS in a metric frame: east, north, up of the first sample, positions and attitudes alike, or the poses
+/// of the file.
 std::vector<StampedPose> metric_poses(const Session& session);
 
 }  // namespace remount

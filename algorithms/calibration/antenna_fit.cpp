@@ -247,56 +247,79 @@ WholeDrive integrate_all(const WheelImuSignals& sensed, const std::vector<Stampe
   return drive;
 }
 
+// What the rounds of the fit carry along.
+struct Running {
+  State state;
+  double bias_radps = 0.0;
+  CommonMatrix covariance = CommonMatrix::Zero();  // for errors of unit size
+  std::vector<Vector2d> residuals;
+};
+
+std::vector<Placement> placed(const std::vector<Point>& points) {
+  std::vector<Placement> windows;
+  for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
+    while (last < points.size() && points[last].window == points[first].window) ++last;
+    windows.push_back(place(points, first, last));
+  }
+  return windows;
+}
+
+// Rounds until the unknowns stand still. False, with the reason, where nothing can be found.
+bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
+              const Eigen::Vector3d& z_in_imu, double window_s, Progress& progress, Running& running, AntennaFit& fit) {
+  constexpr int kRounds = 30;
+  constexpr std::size_t kFewest = 30;
+  for (int round = 0; round < kRounds; ++round) {
+    progress.report("integrating wheels and yaw rate", static_cast<std::size_t>(round), kRounds);
+    const std::vector<Point> points =
+        points_of(sensed, positions, z_in_imu, window_s, running.bias_radps, fit.distance_m, progress);
+    if (progress.cancelled()) {
+      fit.why = "cancelled";
+      return false;
+    }
+    fit.positions = points.size();
+    if (points.size() < kFewest) {
+      fit.why = "only " + std::to_string(points.size()) + " positions lie within the wheel speeds and yaw rates";
+      return false;
+    }
+    if (running.state.windows.empty()) running.state.windows = placed(points);
+    const double step = improve(points, running.state, running.covariance, running.residuals);
+    running.bias_radps += running.state.bias_change_radps;
+    running.state.bias_change_radps = 0.0;
+    if (round > 2 && step < 1e-7) break;
+  }
+  return true;
+}
+
+void describe(const Running& running, AntennaFit& fit) {
+  double sum = 0.0;
+  for (const Vector2d& r : running.residuals) sum += r.squaredNorm();
+  const double count = static_cast<double>(running.residuals.size());
+  const double unknowns = kCommon + kOfWindow * static_cast<double>(running.state.windows.size());
+  const double variance = sum / std::max(1.0, 2.0 * count - unknowns);
+  const CommonMatrix covariance = variance * lasting(running.residuals) * running.covariance;
+  fit.found = covariance.allFinite();
+  fit.antenna_in_vehicle_m = running.state.lever_m;
+  fit.covariance_m2 = covariance.topLeftCorner<2, 2>();
+  fit.yaw_rate_bias_radps = running.bias_radps;
+  fit.yaw_rate_bias_sigma_radps = std::sqrt(covariance(2, 2));
+  fit.wheel_scale = std::exp(running.state.log_scale);
+  fit.wheel_scale_sigma = fit.wheel_scale * std::sqrt(covariance(3, 3));
+  fit.rms_m = std::sqrt(sum / count);
+  fit.windows = static_cast<int>(running.state.windows.size());
+}
+
 }  // namespace
 
 AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
                        const Eigen::Matrix3d& vehicle_from_imu, double window_s, Progress& progress) {
   AntennaFit fit;
   const Eigen::Vector3d z_in_imu = vehicle_from_imu.row(2).transpose();
-  constexpr int kRounds = 30;
-  constexpr std::size_t kFewest = 30;
-  State state;
-  CommonMatrix covariance = CommonMatrix::Zero();
-  std::vector<Vector2d> residuals;
-  double bias_radps = 0.0;
-  for (int round = 0; round < kRounds; ++round) {
-    progress.report("integrating wheels and yaw rate", static_cast<std::size_t>(round), kRounds);
-    const std::vector<Point> points =
-        points_of(sensed, positions, z_in_imu, window_s, bias_radps, fit.distance_m, progress);
-    if (progress.cancelled()) {
-      fit.why = "cancelled";
-      return fit;
-    }
-    fit.positions = points.size();
-    if (points.size() < kFewest) {
-      fit.why = "only " + std::to_string(points.size()) + " positions lie within the wheel speeds and yaw rates";
-      return fit;
-    }
-    if (state.windows.empty())
-      for (std::size_t first = 0, last = 0; first < points.size(); first = last) {
-        while (last < points.size() && points[last].window == points[first].window) ++last;
-        state.windows.push_back(place(points, first, last));
-      }
-    const double step = improve(points, state, covariance, residuals);
-    bias_radps += state.bias_change_radps;
-    state.bias_change_radps = 0.0;
-    if (round > 2 && step < 1e-7) break;
-  }
-  double sum = 0.0;
-  for (const Vector2d& r : residuals) sum += r.squaredNorm();
-  const double unknowns = kCommon + kOfWindow * static_cast<double>(state.windows.size());
-  const double variance = sum / std::max(1.0, 2.0 * static_cast<double>(residuals.size()) - unknowns);
-  covariance *= variance * lasting(residuals);
-  fit.found = covariance.allFinite();
-  fit.antenna_in_vehicle_m = state.lever_m;
-  fit.covariance_m2 = covariance.topLeftCorner<2, 2>();
-  fit.yaw_rate_bias_radps = bias_radps;
-  fit.yaw_rate_bias_sigma_radps = std::sqrt(covariance(2, 2));
-  fit.wheel_scale = std::exp(state.log_scale);
-  fit.wheel_scale_sigma = fit.wheel_scale * std::sqrt(covariance(3, 3));
-  fit.rms_m = std::sqrt(sum / static_cast<double>(residuals.size()));
-  fit.windows = static_cast<int>(state.windows.size());
-  WholeDrive drive = integrate_all(sensed, positions, z_in_imu, bias_radps, fit.wheel_scale, state.lever_m, progress);
+  Running running;
+  if (!converge(sensed, positions, z_in_imu, window_s, progress, running, fit)) return fit;
+  describe(running, fit);
+  WholeDrive drive = integrate_all(sensed, positions, z_in_imu, fit.yaw_rate_bias_radps, fit.wheel_scale,
+                                   fit.antenna_in_vehicle_m, progress);
   fit.integrated = std::move(drive.integrated);
   fit.end_error_m = drive.end_error_m;
   fit.integrated_m = drive.way_m;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/trajectory_condense.h"
 #include "algorithms/calibration/trajectory_start.h"
 #include "algorithms/core/error.h"
 
@@ -29,6 +30,7 @@ double travelled_m(const TrajectorySession& session) {
 }
 
 bool says_something(const TrajectorySession& session) {
+  if (!session.past.empty()) return true;
   const auto seen = std::count_if(session.epochs.begin(), session.epochs.end(),
                                   [](const TrajectoryEpoch& epoch) { return epoch.ins || epoch.antenna; });
   return static_cast<std::size_t>(seen) >= kFewestEpochs && travelled_m(session) > kLeastTravel_m;
@@ -77,6 +79,23 @@ void keep_what_is_open(const TrajectoryProblem& problem, const TrajectoryOptions
   set_values(outcome.solution.state, outcome.answer);
 }
 
+// Angles measured by hand are linear about where X starts: once more about where it came to lie. What the drive shows
+// is then no longer expected at the start, or it would draw what is held with it.
+void solve_about_x(const TrajectoryProblem& usable, const TrajectoryOptions& options, const SolveOptions& judged_by,
+                   const Progress& progress, TrajectoryPrior& prior, TrajectorySolution& solution) {
+  const RigidTransform x = solution.state.ins_from_lidar;
+  const std::array<bool, 6> observed =
+      describe_trajectory(usable, options, judged_by, solution, prior, false).result.observed;
+  const std::array<bool, 6> measured = usable.measured.parameters();
+  prior = weak_trajectory_prior(usable, options, x);
+  for (int i = 0; i < 3; ++i)
+    if (observed[static_cast<std::size_t>(i)] && !measured[static_cast<std::size_t>(i)])
+      prior.ins_from_lidar.translation()[i] = x.translation()[i];
+  TrajectoryApproach approach;
+  approach.graduated = false;
+  solution = solve_trajectory(usable, options, solution, prior, approach, progress);
+}
+
 TrajectorySnapshot snapshot_of(const CalibrationResult& result, double time_s) {
   TrajectorySnapshot out;
   out.time_s = time_s;
@@ -98,6 +117,28 @@ void extend_state(const TrajectoryProblem& problem, TrajectoryState& state) {
   }
 }
 
+// What was linear about one X says little of another.
+bool moved_far(const TrajectoryProblem& problem, const TrajectoryState& state) {
+  constexpr double kFar_m = 1.0, kFar_rad = degrees_to_radians(1.0);
+  return std::any_of(problem.sessions.begin(), problem.sessions.end(), [&](const TrajectorySession& session) {
+    if (session.past.empty()) return false;
+    const Vector6d moved = difference(session.past.linearised_ins_from_lidar, state.ins_from_lidar);
+    return moved.head<3>().norm() > kFar_m || moved.tail<3>().norm() > kFar_rad;
+  });
+}
+
+std::vector<bool> that_say_something(const TrajectoryProblem& problem) {
+  std::vector<bool> takes_part;
+  for (const TrajectorySession& session : problem.sessions) takes_part.push_back(says_something(session));
+  return takes_part;
+}
+
+std::size_t epochs_in(const TrajectoryProblem& problem) {
+  std::size_t sum = 0;
+  for (const TrajectorySession& session : problem.sessions) sum += session.epochs.size();
+  return sum;
+}
+
 std::array<double, 6> as_array(const SixParameters& six) {
   return {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
 }
@@ -109,9 +150,11 @@ TrajectoryAligner::TrajectoryAligner(TrajectoryOptions options, SolveOptions jud
     : options_(options), judged_by_(judged_by) {
   problem_.nominal_ins_from_lidar = nominal_ins_from_lidar;
   problem_.estimate_clock = estimate_clock;
+  window_ = problem_;
 }
 
 std::size_t TrajectoryAligner::add_session(TrajectorySession session) {
+  window_.sessions.push_back(session);
   problem_.sessions.push_back(std::move(session));
   return problem_.sessions.size() - 1;
 }
@@ -122,6 +165,7 @@ void TrajectoryAligner::push(std::size_t session, TrajectoryEpoch epoch) {
   std::vector<TrajectoryEpoch>& epochs = problem_.sessions[session].epochs;
   if (!epochs.empty() && !(epoch.time_s > epochs.back().time_s))
     throw Error(ErrorCode::Contract, "session " + std::to_string(session), "epochs must ascend in time");
+  window_.sessions[session].epochs.push_back(epoch);
   epochs.push_back(std::move(epoch));
 }
 
@@ -132,14 +176,12 @@ double TrajectoryAligner::data_s() const {
   return sum;
 }
 
-std::size_t TrajectoryAligner::epochs() const {
-  std::size_t sum = 0;
-  for (const TrajectorySession& session : problem_.sessions) sum += session.epochs.size();
-  return sum;
-}
+std::size_t TrajectoryAligner::epochs() const { return epochs_in(problem_); }
+
+std::size_t TrajectoryAligner::open_epochs() const { return epochs_in(window_); }
 
 bool TrajectoryAligner::enough() const {
-  return std::any_of(problem_.sessions.begin(), problem_.sessions.end(), says_something);
+  return std::any_of(window_.sessions.begin(), window_.sessions.end(), says_something);
 }
 
 bool TrajectoryAligner::due(double after_s) const { return data_s() - updated_s_ >= after_s - 1e-6; }
@@ -167,18 +209,24 @@ bool TrajectoryAligner::stayed(const TrajectorySnapshot& now) const {
   return false;
 }
 
-bool TrajectoryAligner::solve_on(const TrajectoryProblem& usable, Running& running, const Progress& progress) const {
-  constexpr double kAnew = 1.5, kNoise = 1.15;
+bool TrajectoryAligner::starts_anew(const Running& running) const {
+  constexpr double kAnew = 1.5;
+  if (that_say_something(window_) != running.takes_part) return true;
+  if (static_cast<double>(epochs()) <= kAnew * static_cast<double>(running.at_start)) return false;
+  const bool condensed = std::any_of(window_.sessions.begin(), window_.sessions.end(),
+                                     [](const TrajectorySession& session) { return !session.past.empty(); });
+  return !condensed || running.doubtful;
+}
+
+bool TrajectoryAligner::solve_on(const TrajectoryProblem& usable, bool anew, Running& running,
+                                 const Progress& progress) const {
+  constexpr double kNoise = 1.15;
   const std::size_t count = epochs();
-  std::vector<bool> takes_part;
-  for (const TrajectorySession& session : usable.sessions) takes_part.push_back(!session.epochs.empty());
   TrajectoryApproach approach;
-  const bool anew =
-      takes_part != running.takes_part || static_cast<double>(count) > kAnew * static_cast<double>(running.at_start);
   if (anew) {
     running.solution = start_trajectory(usable, options_, progress);
     running.prior = weak_trajectory_prior(usable, options_, running.solution.state.ins_from_lidar);
-    running.takes_part = std::move(takes_part);
+    running.takes_part = that_say_something(usable);
     running.at_start = running.at_noise = count;
     ++running.cold_starts;
   } else {
@@ -189,22 +237,43 @@ bool TrajectoryAligner::solve_on(const TrajectoryProblem& usable, Running& runni
     approach.most_iterations = 4;
   }
   running.solution = solve_trajectory(usable, options_, running.solution, running.prior, approach, progress);
-  return !contradict(usable, options_, running.solution);
+  const bool answered = !contradict(usable, options_, running.solution);
+  running.doubtful = !answered || moved_far(usable, running.solution.state);
+  return answered;
+}
+
+void TrajectoryAligner::shorten(TrajectoryProblem& usable, TrajectoryProblem& window, Running& running) const {
+  constexpr std::size_t kMostOpen = 600, kKept = 300;
+  constexpr double kBlocks = 20.0;  // as many are needed for their scatter; they have their full length then
+  const double block_s = std::max(1e-3, judged_by_.bootstrap_block_s);
+  if (epochs_in(usable) <= kMostOpen || data_s() < kBlocks * block_s) return;
+  for (std::size_t s = 0; s < usable.sessions.size(); ++s) {
+    const std::size_t count = condense(s, kKept, options_, running.prior, block_s, usable, running.solution);
+    std::vector<TrajectoryEpoch>& epochs = window.sessions[s].epochs;
+    epochs.erase(epochs.begin(), epochs.begin() + static_cast<std::ptrdiff_t>(count));
+    window.sessions[s].past = usable.sessions[s].past;
+  }
 }
 
 TrajectorySnapshot TrajectoryAligner::update(const Progress& progress) {
   TrajectorySnapshot now;
   now.time_s = data_s();
-  Running next = running_;
   if (enough()) {
-    const TrajectoryProblem usable = usable_part(problem_);
-    if (solve_on(usable, next, progress))
+    Running next = running_;
+    const bool anew = starts_anew(next);
+    TrajectoryProblem window = anew ? problem_ : window_;
+    TrajectoryProblem usable = usable_part(window);
+    const bool answered = solve_on(usable, anew, next, progress);
+    if (answered)
       now = snapshot_of(describe_trajectory(usable, options_, judged_by_, next.solution, next.prior, false).result,
                         now.time_s);
     now.converged = now.known && stayed(now);
+    if (answered && !progress.cancelled()) shorten(usable, window, next);
+    if (progress.cancelled()) return {};
+    window_ = std::move(window);
+    running_ = std::move(next);
   }
   if (progress.cancelled()) return {};
-  running_ = std::move(next);
   updated_s_ = now.time_s;
   history_.push_back(now);
   return now;
@@ -221,8 +290,10 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
   }
   const TrajectoryProblem usable = usable_part(problem);
   outcome.solution = start_trajectory(usable, options, progress);
-  const TrajectoryPrior prior = weak_trajectory_prior(usable, options, outcome.solution.state.ins_from_lidar);
+  TrajectoryPrior prior = weak_trajectory_prior(usable, options, outcome.solution.state.ins_from_lidar);
   outcome.solution = solve_trajectory(usable, options, outcome.solution, prior, {}, progress);
+  if (!usable.measured.rows(outcome.solution.state.ins_from_lidar).empty() && has_ins(usable))
+    solve_about_x(usable, options, judged_by, progress, prior, outcome.solution);
   outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, prior, true);
   if (progress.cancelled()) {
     outcome.answer = without_numbers(Status::Cancelled, "Cancelled.");
@@ -255,6 +326,7 @@ TrajectoryOutcome align_trajectories(const TrajectoryProblem& problem, const Tra
                                      const SolveOptions& judged_by, std::size_t most_snapshots,
                                      std::vector<TrajectorySnapshot>& history, Progress& progress) {
   TrajectoryAligner aligner(options, judged_by, problem.nominal_ins_from_lidar, problem.estimate_clock);
+  aligner.set_measured(problem.measured);
   std::size_t total = 0, done = 0;
   for (const TrajectorySession& session : problem.sessions) total += session.epochs.size();
   const std::size_t step = most_snapshots > 0 ? std::max<std::size_t>(1, total / most_snapshots) : 0;

@@ -36,14 +36,17 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
 /// The time of the first of the last answers that are all converged; NaN where the last one is not.
 double converged_after_s(const std::vector<TrajectorySnapshot>& history);
 
-/// Takes epochs as they arrive. Each answer is a full solution of all data so far, warm from the one before: time per
-/// answer grows with the length of the drive, by some ten microseconds an epoch. `finish` starts anew, so that the end
-/// of a stream and a batch of the same data are the same. Not thread-safe.
+/// Takes epochs as they arrive. Each answer is warm from the one before and solves for the last minutes; what earlier
+/// epochs said is kept as linear equations (trajectory_condense.h), so that an answer takes as long after an hour as
+/// after some minutes. They are opened again where X turns out to be elsewhere than they were linearised at. `finish`
+/// starts anew from all data, so that the end of a stream and a batch of the same data are the same. Not thread-safe.
 class TrajectoryAligner {
  public:
   TrajectoryAligner(TrajectoryOptions options, SolveOptions judged_by,
                     std::optional<RigidTransform> nominal_ins_from_lidar, bool estimate_clock);
 
+  /// What is known of X beside the drives. Before the first answer.
+  void set_measured(const Measured& measured) { problem_.measured = window_.measured = measured; }
   /// The next session; epochs given are kept. Returns its index.
   std::size_t add_session(TrajectorySession session);
   /// Epochs of a session come in the order of their times, sessions one after the other or at once. Throws
@@ -61,6 +64,8 @@ class TrajectoryAligner {
   const std::vector<TrajectorySnapshot>& history() const { return history_; }
   /// How many answers started from nothing rather than from the one before.
   std::size_t cold_starts() const { return running_.cold_starts; }
+  /// Epochs that the next answer solves for.
+  std::size_t open_epochs() const;
 
  private:
   // The last solution, and what it was made from.
@@ -69,9 +74,13 @@ class TrajectoryAligner {
     TrajectoryPrior prior;
     std::vector<bool> takes_part;                             // sessions
     std::size_t at_start = 0, at_noise = 0, cold_starts = 0;  // the first two: epochs that were there
+    bool doubtful = false;                                    // the past may be linear about another X
   };
+  bool starts_anew(const Running& running) const;
   /// Improves `running`; false where what it leads to is no answer.
-  bool solve_on(const TrajectoryProblem& usable, Running& running, const Progress& progress) const;
+  bool solve_on(const TrajectoryProblem& usable, bool anew, Running& running, const Progress& progress) const;
+  /// Condenses what is old in both, of which `usable` is the part that `running` solves.
+  void shorten(TrajectoryProblem& usable, TrajectoryProblem& window, Running& running) const;
   double data_s() const;
   std::size_t epochs() const;
   bool enough() const;
@@ -79,7 +88,8 @@ class TrajectoryAligner {
 
   TrajectoryOptions options_;
   SolveOptions judged_by_;
-  TrajectoryProblem problem_;
+  TrajectoryProblem problem_;  // everything
+  TrajectoryProblem window_;   // the same with its older part condensed
   Running running_;
   double updated_s_ = 0.0;
   std::vector<TrajectorySnapshot> history_;

@@ -26,13 +26,16 @@ struct Evidence {
 
 MotionSummary motion_of(const TrajectoryProblem& problem) {
   std::vector<Pair> turns;
-  for (const TrajectorySession& session : problem.sessions)
-    for (const TrajectoryEpoch& epoch : session.epochs) {
+  for (const TrajectorySession& session : problem.sessions) {
+    std::vector<RigidTransform> poses = session.past.odometry_from_lidar;
+    for (const TrajectoryEpoch& epoch : session.epochs) poses.push_back(epoch.odometry_from_lidar);
+    for (const RigidTransform& pose : poses) {
       Pair turn;
       turn.state = PairState::Accepted;
-      turn.ins_b_from_ins_a = session.epochs.front().odometry_from_lidar.inverse() * epoch.odometry_from_lidar;
+      turn.ins_b_from_ins_a = poses.front().inverse() * pose;
       turns.push_back(turn);
     }
+  }
   return summarise_motion(turns);
 }
 
@@ -48,12 +51,16 @@ Matrix6d unseen(const TrajectoryProblem& problem) {
   return count > 0.0 ? Matrix6d(sum / (count * count)) : sum;
 }
 
+constexpr double kBlocks = 20.0;
+
 // Blocks of the options' length, shorter where a short drive would have fewer than twenty.
 double block_length_s(const Evidence& evidence) {
   double total_s = 0.0;
-  for (const TrajectorySession& session : evidence.problem.sessions)
+  for (const TrajectorySession& session : evidence.problem.sessions) {
+    total_s += session.past.duration_s;
     if (!session.epochs.empty()) total_s += session.epochs.back().time_s - session.epochs.front().time_s;
-  return std::clamp(total_s / 20.0, 1e-3, std::max(1e-3, evidence.judged_by.bootstrap_block_s));
+  }
+  return std::clamp(total_s / kBlocks, 1e-3, std::max(1e-3, evidence.judged_by.bootstrap_block_s));
 }
 
 // Sigmas as large as blocks of time scatter, where that is more.
@@ -110,9 +117,17 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   }
   const Matrix6d prior = weak_prior(evidence.problem.nominal_ins_from_lidar.has_value());
   const Matrix6d scatter = evidence.scatter.topLeftCorner<6, 6>();
-  const Matrix6d covariance = widened((information + prior).inverse(), scatter);
-  judge_parameters(covariance + unseen(evidence.problem), motion, evidence.judged_by, result);
+  const Measured& measured = evidence.problem.measured;
+  const Matrix6d beside = prior + measured.information(result.ins_from_lidar);
+  const Matrix6d covariance = widened((information + beside).inverse(), scatter) + unseen(evidence.problem);
+  judge_parameters(covariance, motion, evidence.judged_by, result);
+  result.measured = measured.parameters();
   set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);
+  const Matrix6d joint = (apparent + evidence.prior.information.topLeftCorner<6, 6>()).inverse();
+  for (const Contradiction& one : contradictions(measured, result.ins_from_lidar, joint, covariance)) {
+    add_doubt(one.doubt, "what was measured contradicts the drive", evidence.judged_by, result);
+    result.advice.push_back(one.text);
+  }
 }
 
 // The antenna's lever arm as six-dimensional information: nothing about axes.
@@ -347,6 +362,24 @@ void set_values(const TrajectoryState& state, TrajectoryAnswer& answer) {
   if (result.time_offset.applied) result.time_offset.offset_s = offset_s;
 }
 
+namespace {
+
+// What was measured by hand draws the prior towards itself, linear about x.
+void add_measured(const Measured& measured, const RigidTransform& x, TrajectoryPrior& prior) {
+  Matrix6d information = prior.information.topLeftCorner<6, 6>();
+  Vector6d pull = Vector6d::Zero();
+  const Vector6d away = difference(prior.ins_from_lidar, x);
+  for (const MeasuredRow& known : measured.rows(x)) {
+    const double weight = 1.0 / (known.sigma * known.sigma);
+    information += weight * known.row * known.row.transpose();
+    pull += weight * (known.residual + known.row.dot(away)) * known.row;
+  }
+  prior.ins_from_lidar = perturbed(prior.ins_from_lidar, information.ldlt().solve(pull));
+  prior.information.topLeftCorner<6, 6>() = information;
+}
+
+}  // namespace
+
 TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                       const RigidTransform& start_ins_from_lidar) {
   TrajectoryPrior prior;
@@ -356,6 +389,7 @@ TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const Tr
   prior.information.topLeftCorner<6, 6>() = weak_prior(problem.nominal_ins_from_lidar.has_value());
   prior.information.bottomRightCorner<3, 3>() =
       Eigen::Matrix3d::Identity() / (options.antenna_reach_m * options.antenna_reach_m);
+  add_measured(problem.measured, start_ins_from_lidar, prior);
   return prior;
 }
 

@@ -27,7 +27,7 @@ TrajectoryEquations::TrajectoryEquations(const TrajectoryProblem& problem, const
     }
     solvable_ = chains_[s].factor();
     if (!solvable_) return;
-    const BorderMatrix& border = chains_[s].reduced();
+    const BorderMatrix border = chains_[s].reduced() + problem.sessions[s].past.information;
     OwnMatrix own = border.bottomRightCorner<kOwnSize, kOwnSize>();
     own.diagonal() += own_prior_;
     own_inverse_.push_back(own.inverse());

@@ -4,7 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "algorithms/calibration/measured.h"
 #include "algorithms/calibration/trajectory_options.h"
+#include "algorithms/calibration/trajectory_past.h"
 #include "algorithms/geometry/rigid_transform.h"
 
 namespace remount {
@@ -38,6 +40,7 @@ struct TrajectoryEpoch {
 /// One drive: an odometry frame and a local level frame (ENU) of its own.
 struct TrajectorySession {
   std::vector<TrajectoryEpoch> epochs;
+  TrajectoryPast past;  ///< epochs before these; of a stream only
   /// Covariance of what this drive does to X under `perturbed` that no residual shows: constant attitude errors of the
   /// INS, surroundings that shift every scan alike.
   Matrix6d unseen = Matrix6d::Zero();
@@ -51,6 +54,7 @@ struct TrajectoryProblem {
   std::vector<TrajectorySession> sessions;
   std::optional<RigidTransform> nominal_ins_from_lidar;
   bool estimate_clock = false;  ///< t_ins = t_lidar + offset, one for each session
+  Measured measured;            ///< what is known of X beside the drives
 };
 
 /// Everything that is sought. `clock_s` also holds for GNSS fixes.
@@ -62,16 +66,24 @@ struct TrajectoryState {
   std::vector<double> clock_s;  ///< of each session
 };
 
+inline BorderPoint border_point(const TrajectoryState& state, std::size_t session) {
+  return {state.ins_from_lidar, state.antenna_in_lidar, state.scale[session], state.clock_s[session]};
+}
+
 inline bool has_ins(const TrajectoryProblem& problem) {
-  for (const TrajectorySession& session : problem.sessions)
+  for (const TrajectorySession& session : problem.sessions) {
+    if (session.past.has_ins) return true;
     for (const TrajectoryEpoch& epoch : session.epochs)
       if (epoch.ins) return true;
+  }
   return false;
 }
 inline bool has_antenna(const TrajectoryProblem& problem) {
-  for (const TrajectorySession& session : problem.sessions)
+  for (const TrajectorySession& session : problem.sessions) {
+    if (session.past.has_antenna) return true;
     for (const TrajectoryEpoch& epoch : session.epochs)
       if (epoch.antenna) return true;
+  }
   return false;
 }
 

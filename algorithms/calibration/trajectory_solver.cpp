@@ -38,6 +38,7 @@ double total_cost(const TrajectoryProblem& problem, const TrajectoryOptions& opt
     for (const TrajectoryTerm& term : trajectory_terms(problem.sessions[s], s, state))
       cost += kernel.cost(squared(term, noise), least_weight(term));
     cost += own_prior[0] * state.scale[s] * state.scale[s] + own_prior[1] * state.clock_s[s] * state.clock_s[s];
+    cost += problem.sessions[s].past.cost(border_point(state, s));
   }
   return cost;
 }
@@ -88,6 +89,7 @@ Step gauss_newton_step(const TrajectoryProblem& problem, const WeightedTerms& we
     }
     sides[s].border[kScaleAt] -= equations.own_prior()[0] * state.scale[s];
     sides[s].border[kClockAt] -= equations.own_prior()[1] * state.clock_s[s];
+    sides[s].border -= problem.sessions[s].past.pull_at(border_point(state, s));
   }
   const SharedVector shared = -prior.information * prior.distance(state);
   Step step;

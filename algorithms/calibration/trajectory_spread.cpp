@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <map>
 
 namespace remount {
 namespace {
@@ -32,6 +31,17 @@ SharedMatrix positive_part(const SharedMatrix& matrix) {
 
 }  // namespace
 
+BlockPulls block_pulls(const TrajectoryProblem& problem, const TrajectorySolution& solution,
+                       const WeightedTerms& weighted, const TrajectoryEquations& equations, double block_s) {
+  BlockPulls blocks;
+  for_each_pull(problem, solution, weighted, equations,
+                [&](std::size_t session, double time_s, const SharedVector& pull) {
+                  const auto [at, first] = blocks.try_emplace({session, static_cast<int>(time_s / block_s)}, pull);
+                  if (!first) at->second += pull;
+                });
+  return blocks;
+}
+
 SharedMatrix spurious_trajectory_information(const TrajectoryProblem& problem, const TrajectoryOptions& options,
                                              const TrajectorySolution& solution, const WeightedTerms& weighted,
                                              const TrajectoryEquations& equations,
@@ -56,21 +66,19 @@ SharedMatrix spurious_trajectory_information(const TrajectoryProblem& problem, c
     const TrajectoryEquations apart(problem, options, again, solution.noise, prior_information);
     if (apart.solvable()) sum += (apart.information() - equations.information()) / static_cast<double>(kSamples);
   }
+  for (const TrajectorySession& session : problem.sessions) sum += session.past.spurious;
   return positive_part(sum);
 }
 
 SharedMatrix scatter_of_blocks(const TrajectoryProblem& problem, const TrajectorySolution& solution,
                                const WeightedTerms& weighted, const TrajectoryEquations& equations,
                                const SharedMatrix& prior_information, double block_s) {
-  std::map<std::pair<std::size_t, int>, SharedVector> blocks;
-  for_each_pull(problem, solution, weighted, equations,
-                [&](std::size_t session, double time_s, const SharedVector& pull) {
-                  const auto [at, first] = blocks.try_emplace({session, static_cast<int>(time_s / block_s)}, pull);
-                  if (!first) at->second += pull;
-                });
+  const BlockPulls blocks = block_pulls(problem, solution, weighted, equations, block_s);
   SharedMatrix scatter = SharedMatrix::Zero();
-  for (const auto& [block, pull] : blocks) scatter += pull * pull.transpose();
-  const double count = static_cast<double>(blocks.size());
+  double count = 0.0;
+  for (const auto& [block, pull] : blocks) scatter += pull * pull.transpose(), count += 1.0;
+  for (const TrajectorySession& session : problem.sessions)
+    scatter += session.past.scatter, count += session.past.blocks;
   if (count < 2.0) return SharedMatrix::Zero();
   const SharedMatrix covariance = (equations.information() + prior_information).inverse();
   return count / (count - 1.0) * covariance * scatter * covariance;

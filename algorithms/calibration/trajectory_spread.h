@@ -1,6 +1,8 @@
 // How trajectory alignment's information comes about: by noise, by blocks of time, by sessions.
 #pragma once
 
+#include <map>
+
 #include "algorithms/calibration/session_agreement.h"
 #include "algorithms/calibration/trajectory_solver.h"
 
@@ -12,6 +14,11 @@ SharedMatrix spurious_trajectory_information(const TrajectoryProblem& problem, c
                                              const TrajectorySolution& solution, const WeightedTerms& weighted,
                                              const TrajectoryEquations& equations,
                                              const SharedMatrix& prior_information);
+
+/// What each block of time of each session draws the shared unknowns by, poses and own unknowns following.
+using BlockPulls = std::map<std::pair<std::size_t, int>, SharedVector>;
+BlockPulls block_pulls(const TrajectoryProblem& problem, const TrajectorySolution& solution,
+                       const WeightedTerms& weighted, const TrajectoryEquations& equations, double block_s);
 
 /// Scatter of the shared unknowns as blocks of time show it (sandwich estimator: Huber 1967), whatever the correlation
 /// of the errors within a block.

@@ -8,15 +8,6 @@
 
 namespace remount {
 
-/// What is common to many poses: X under `perturbed` (0-5), the antenna in the LiDAR frame (6-8), and of each session
-/// the scale of its odometry (9) and its clock offset (10).
-inline constexpr int kSharedSize = 9, kOwnSize = 2, kBorderSize = kSharedSize + kOwnSize;
-inline constexpr int kAntennaAt = 6, kScaleAt = 9, kClockAt = 10;
-using SharedMatrix = Eigen::Matrix<double, kSharedSize, kSharedSize>;
-using SharedVector = Eigen::Matrix<double, kSharedSize, 1>;
-using BorderMatrix = Eigen::Matrix<double, kBorderSize, kBorderSize>;
-using BorderVector = Eigen::Matrix<double, kBorderSize, 1>;
-
 enum class TermKind { InsPosition, InsAttitude, Antenna, StepTranslation, StepRotation };
 inline constexpr std::size_t kTermKinds = 5;
 

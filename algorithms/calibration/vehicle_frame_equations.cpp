@@ -11,6 +11,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr int kUnknowns = VehicleFrameState::kUnknowns;
+constexpr int kLevelRow = 10;
 constexpr double kOutlierSigma = 3.0;
 constexpr double kLeastSigma = 1e-9;  // exact data: no division by zero
 
@@ -90,15 +91,12 @@ std::array<double, kResidualKinds> estimate_sigma(const VehicleFrameProblem& pro
 // How the vehicle leans from interval to interval is linked, and so is how it turns: what the level rows say of the IMU
 // counts for as many intervals as are independent.
 double lasting_of_level(const std::vector<Linearised>& rows) {
-  const auto score = [&](std::size_t i) {
-    const auto& jacobian = rows[i].jacobian;
-    return Eigen::Vector2d(jacobian(10, 12) * rows[i].residual[10], jacobian(11, 11) * rows[i].residual[11]);
-  };
+  const auto score = [&](std::size_t i) { return rows[i].jacobian(kLevelRow, 11) * rows[i].residual[kLevelRow]; };
   double power = 0.0, factor = 1.0;
-  for (std::size_t i = 0; i < rows.size(); ++i) power += score(i).squaredNorm();
+  for (std::size_t i = 0; i < rows.size(); ++i) power += score(i) * score(i);
   for (std::size_t lag = 1; lag < rows.size() / 4 && power > 0.0; ++lag) {
     double sum = 0.0;
-    for (std::size_t i = lag; i < rows.size(); ++i) sum += score(i).dot(score(i - lag));
+    for (std::size_t i = lag; i < rows.size(); ++i) sum += score(i) * score(i - lag);
     if (sum < 0.05 * power) break;
     factor += 2.0 * sum / power;
   }
@@ -266,7 +264,7 @@ IntervalResidual residual_of(const IntegratedInterval& interval, const VehicleFr
     residual.segment<3>(7) =
         so3_log(p.linear() * (s * *interval.interval->reference_begin_from_end * s.transpose()).transpose());
   }
-  residual.segment<2>(10) = turn_rad.head<2>();
+  residual[kLevelRow] = turn_rad.y();
   return residual;
 }
 

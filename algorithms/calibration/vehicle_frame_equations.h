@@ -39,13 +39,14 @@ IntegratedInterval integrated(const VehicleInterval& interval, const Eigen::Vect
 
 /// Kinds of residuals, each with a noise of its own that is estimated from them.
 enum ResidualKind { kWay, kTurn, kWheelDifference, kReferenceTurn, kLevel, kResidualKinds };
-inline constexpr std::array<int, kResidualKinds> kResidualRows{3, 3, 1, 3, 2};
-inline constexpr int kAllRows = 12;
+inline constexpr std::array<int, kResidualKinds> kResidualRows{3, 3, 1, 3, 1};
+inline constexpr int kAllRows = 11;
 using IntervalResidual = Eigen::Matrix<double, kAllRows, 1>;
 using IntervalJacobian = Eigen::Matrix<double, kAllRows, VehicleFrameState::kUnknowns>;
 
 /// P X = X Q in translation (m) and rotation (rad), wheel difference (m), turn against the reference (rad), and turn
-/// about axes other than the vehicle's z (rad), in this order.
+/// about the vehicle's y (rad), in this order. A turn about x is no error of the level: a road that climbs as it turns
+/// makes it, and the sensor's own way along the axis of its turn shows it.
 IntervalResidual residual_of(const IntegratedInterval& interval, const VehicleFrameState& state);
 /// By central differences: the closed forms of all blocks are smooth.
 IntervalJacobian jacobian_of(const IntegratedInterval& interval, const VehicleFrameState& state);

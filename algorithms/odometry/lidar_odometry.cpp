@@ -98,41 +98,43 @@ bool LidarOdometry::joins_map(const RigidTransform& odometry_from_lidar) const {
          so3_log(away.linear()).norm() > degrees_to_radians(options_.keyframe_angle_deg);
 }
 
-OdometryPose LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<const float> times_s,
-                                 std::int64_t stamp_ns, const Progress& progress,
-                                 const std::optional<RigidTransform>& predicted_step) {
+void LidarOdometry::start(const Scan& scan, std::int64_t stamp_ns, const Progress& progress) {
+  last_ = {};
+  last_.stamp_ns = stamp_ns;
+  first_cloud_ = scan.cloud;
+  first_times_s_.assign(scan.times_s.begin(), scan.times_s.end());
+  start_map(scan, velocity_, progress);
+}
+
+LidarOdometry::Attempt LidarOdometry::best_attempt(const Scan& scan, const RigidTransform& predicted,
+                                                   std::int64_t stamp_ns, const Progress& progress) {
   constexpr double kNewVelocity_mps = 0.15, kNewRate_radps = 0.015;
-  constexpr int kMostFailures = 3;
-  const Scan scan{cloud_in_lidar, times_s};
-  if (scans_++ == 0) {
-    last_ = {};
-    last_.stamp_ns = stamp_ns;
-    first_cloud_ = cloud_in_lidar;
-    first_times_s_.assign(times_s.begin(), times_s.end());
-    start_map(scan, velocity_, progress);
-    return last_;
-  }
-  if (stamp_ns <= last_.stamp_ns) throw Error(ErrorCode::Contract, "LiDAR odometry", "the stamps of scans must ascend");
-  const double step_s = static_cast<double>(stamp_ns - last_.stamp_ns) * 1e-9;
-  OdometryPose pose;
-  pose.stamp_ns = stamp_ns;
-  pose.map = last_.map;
-  pose.odometry_from_lidar = last_.odometry_from_lidar * predicted_step.value_or(motion(velocity_, step_s));
-  if (predicted_step) velocity_ = velocity_to(pose.odometry_from_lidar, stamp_ns);
-  Attempt best = attempt(scan, pose.odometry_from_lidar, velocity_, progress);
+  Attempt best = attempt(scan, predicted, velocity_, progress);
   // Scans that were compensated by a velocity that is not theirs are compensated again; so is the first one, which had
   // none.
+  const Scan first{first_cloud_, first_times_s_};
   const bool first_step = scans_ == 2 && !first_times_s_.empty();
   for (int repeat = 0; repeat < (first_step ? 3 : 1) && best.result.quality.failure.empty(); ++repeat) {
     const Vector6d found = velocity_to(best.odometry_from_lidar, stamp_ns);
     const Vector6d change = found - velocity_;
     const bool other = change.head<3>().norm() > kNewVelocity_mps || change.tail<3>().norm() > kNewRate_radps;
-    if (times_s.empty() || (!other && !first_step)) break;
+    if (scan.times_s.empty() || (!other && !first_step)) break;
+    if (first_step) start_map(first, found, progress);
+    Attempt again = attempt(scan, best.odometry_from_lidar, found, progress);
+    if (!again.result.quality.failure.empty()) {
+      // Times that make it worse: what fitted before is kept, with the map that it fitted.
+      if (first_step) start_map(first, velocity_, progress);
+      break;
+    }
     velocity_ = found;
-    if (first_step) start_map({first_cloud_, first_times_s_}, velocity_, progress);
-    best = attempt(scan, best.odometry_from_lidar, velocity_, progress);
+    best = std::move(again);
   }
   if (scans_ == 2) first_cloud_ = {};
+  return best;
+}
+
+OdometryPose LidarOdometry::accept(const Scan& scan, const Attempt& best, OdometryPose pose, const Progress& progress) {
+  constexpr int kMostFailures = 3;
   const RegistrationQuality& quality = best.result.quality;
   pose.rmse_m = quality.rmse_m;
   pose.overlap = quality.overlap;
@@ -143,7 +145,7 @@ OdometryPose LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<con
   if (pose.aligned) pose.odometry_from_lidar = best.odometry_from_lidar;
   pose.covariance = covariance_of(pose.aligned ? quality.information : Matrix6d(Matrix6d::Zero()), lidar_from_map);
   failures_ = pose.aligned ? 0 : failures_ + 1;
-  if (pose.aligned) velocity_ = velocity_to(pose.odometry_from_lidar, stamp_ns);
+  if (pose.aligned) velocity_ = velocity_to(pose.odometry_from_lidar, pose.stamp_ns);
   const bool lost = failures_ >= kMostFailures && !progress.cancelled();
   pose.map += lost ? 1 : 0;
   last_ = pose;
@@ -155,6 +157,25 @@ OdometryPose LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<con
     map_.insert(*best.cloud, pose.odometry_from_lidar, progress);
   }
   return pose;
+}
+
+OdometryPose LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<const float> times_s,
+                                 std::int64_t stamp_ns, const Progress& progress,
+                                 const std::optional<RigidTransform>& predicted_step) {
+  const Scan scan{cloud_in_lidar, times_s};
+  if (scans_++ == 0) {
+    start(scan, stamp_ns, progress);
+    return last_;
+  }
+  if (stamp_ns <= last_.stamp_ns) throw Error(ErrorCode::Contract, "LiDAR odometry", "the stamps of scans must ascend");
+  const double step_s = static_cast<double>(stamp_ns - last_.stamp_ns) * 1e-9;
+  OdometryPose pose;
+  pose.stamp_ns = stamp_ns;
+  pose.map = last_.map;
+  pose.odometry_from_lidar = last_.odometry_from_lidar * predicted_step.value_or(motion(velocity_, step_s));
+  if (predicted_step) velocity_ = velocity_to(pose.odometry_from_lidar, stamp_ns);
+  const Attempt best = best_attempt(scan, pose.odometry_from_lidar, stamp_ns, progress);
+  return accept(scan, best, std::move(pose), progress);
 }
 
 }  // namespace remount

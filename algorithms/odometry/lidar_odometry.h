@@ -36,7 +36,7 @@ class LidarOdometry {
   /// (before_from_here) where the caller knows the motion. `times_s`, from the stamp, of each point: motion within the
   /// scan is compensated by the odometry's own motion; empty: the scan is used as it is. Stamps must ascend: throws
   /// Error(Contract). A scan that cannot be aligned keeps its prediction and says so. Where `progress` is cancelled the
-  /// pose is the prediction too.
+  /// pose may be the prediction too.
   OdometryPose push(const PointCloud& cloud_in_lidar, std::span<const float> times_s, std::int64_t stamp_ns,
                     const Progress& progress, const std::optional<RigidTransform>& predicted_step = std::nullopt);
 
@@ -47,6 +47,10 @@ class LidarOdometry {
   Vector6d velocity_to(const RigidTransform& odometry_from_lidar, std::int64_t stamp_ns) const;
   Attempt attempt(const Scan& scan, const RigidTransform& start, const Vector6d& velocity,
                   const Progress& progress) const;
+  void start(const Scan& scan, std::int64_t stamp_ns, const Progress& progress);
+  Attempt best_attempt(const Scan& scan, const RigidTransform& predicted, std::int64_t stamp_ns,
+                       const Progress& progress);
+  OdometryPose accept(const Scan& scan, const Attempt& best, OdometryPose pose, const Progress& progress);
   void start_map(const Scan& scan, const Vector6d& velocity, const Progress& progress);
   bool joins_map(const RigidTransform& odometry_from_lidar) const;
 

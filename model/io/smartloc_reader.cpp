@@ -98,21 +98,45 @@ void read_truth(const fs::path& path, Session& session) {
 
 }  // namespace
 
-int SmartlocReader::probe(const fs::path& path) const {
-  if (!path.filename().string().ends_with(kInput) || !is_file(path)) return 0;
+namespace {
+
+bool is_input(const fs::path& file) {
+  if (!file.filename().string().ends_with(kInput) || !is_file(file)) return false;
   try {
-    const std::string head = read_file_head(path, 4096);
-    return head.starts_with("odom3 ") || head.starts_with("pseudorange3 ") ? 95 : 0;
+    const std::string head = read_file_head(file, 4096);
+    return head.starts_with("odom3 ") || head.starts_with("pseudorange3 ");
   } catch (const Error&) {
-    return 0;
+    return false;
   }
 }
 
-Session SmartlocReader::open(const fs::path& path, Progress& progress) const {
+/// The file itself, or those of a folder.
+std::vector<fs::path> inputs_at(const fs::path& path) {
+  std::vector<fs::path> inputs;
+  if (!is_folder(path)) {
+    if (is_input(path)) inputs.push_back(path);
+    return inputs;
+  }
+  for (const fs::path& file : files_in(path))
+    if (is_input(file)) inputs.push_back(file);
+  return inputs;
+}
+
+}  // namespace
+
+int SmartlocReader::probe(const fs::path& path) const { return inputs_at(path).empty() ? 0 : 95; }
+
+Session SmartlocReader::open(const fs::path& given, Progress& progress) const {
+  const std::vector<fs::path> inputs = inputs_at(given);
+  if (inputs.size() > 1)
+    throw Error(ErrorCode::Unsupported, given.string(),
+                "holds " + std::to_string(inputs.size()) + " drives; name one of them, as " +
+                    inputs.front().filename().string());
+  const fs::path path = inputs.empty() ? given : inputs.front();
   Session session;
   const std::string file = path.filename().string();
   session.name = file.ends_with(kInput) ? file.substr(0, file.size() - kInput.size()) : file;
-  session.path = path;
+  session.path = given;
   session.format = id();
   progress.report("reading odometry", 0, 2);
   read_odometry(path, session);

@@ -5,8 +5,8 @@
 
 namespace remount {
 
-/// Opens `<name>_Input.txt`, with `<name>_GT.txt` beside it where it is there. There is no LiDAR and no INS. What the
-/// streams of the session hold:
+/// Opens `<name>_Input.txt`, or a folder with one such file, with `<name>_GT.txt` beside it where it is there. There is
+/// no LiDAR and no INS. What the streams of the session hold:
 ///   wheels  speed of the vehicle (odom3, x) for both rear wheels alike: the data have no wheel for itself, so the
 ///           difference of the two says nothing about turning
 ///   imu     turn rates (odom3), in vehicle axes x forward, y left, z up; specific force is NaN, for there is none
@@ -17,7 +17,9 @@ class SmartlocReader final : public SessionReader {
  public:
   std::string_view id() const override { return "smartloc"; }
   std::string_view description() const override {
-    return "smartLoc: NAME_Input.txt with odom3 lines (wheel speed, turn rate), and NAME_GT.txt beside it";
+    return "smartLoc: NAME_Input.txt with odom3 lines (wheel speed, turn rate), or a folder with one, and NAME_GT.txt "
+           "beside "
+           "it";
   }
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;

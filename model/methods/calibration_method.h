@@ -27,6 +27,11 @@ const std::vector<CalibrationMethod>& calibration_methods();
 /// Throws Error(Contract) that names the methods where `id` is none of them.
 const CalibrationMethod& calibration_method(std::string_view id);
 
+/// Whether any value is given that was measured by hand.
+bool is_measured(const MeasuredOptions& measured);
+/// Throws Error(Contract) where one is, for a method whose result is in the frame of something else than the INS.
+void refuse_measured(const MeasuredOptions& measured, std::string_view method, std::string_view frame);
+
 /// The method that the settings choose. Throws as it does.
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress);
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "algorithms/core/error.h"
 #include "model/methods/builtin.h"
 
@@ -23,6 +25,19 @@ const CalibrationMethod& calibration_method(std::string_view id) {
     known += (known.empty() ? "" : ", ") + std::string(method.id);
   }
   throw Error(ErrorCode::Contract, "method " + std::string(id), "is not one of: " + known);
+}
+
+bool is_measured(const MeasuredOptions& measured) {
+  const std::array<bool, 6> parameters = Measured(measured, std::nullopt).parameters();
+  return measured.ins_height_sigma_m > 0.0 ||
+         std::any_of(parameters.begin(), parameters.end(), [](bool given) { return given; });
+}
+
+void refuse_measured(const MeasuredOptions& measured, std::string_view method, std::string_view frame) {
+  if (!is_measured(measured)) return;
+  throw Error(ErrorCode::Contract, "measured",
+              "values measured by hand are of the LiDAR in the INS frame, and the method '" + std::string(method) +
+                  "' finds it in that of the " + std::string(frame) + "; leave them out");
 }
 
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <future>
 
-#include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
+#include "model/io/native_session_writer.h"
+#include "model/scan_times.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -32,12 +32,7 @@ OdometryScan load_scan(const Session& session, std::size_t index, bool compensat
   OdometryScan scan;
   scan.stamp_ns = session.scans->stamp_ns(index);
   scan.cloud_in_lidar = session.scans->load(index);
-  if (!compensated) return scan;
-  if (session.scan_timing == ScanTiming::SweepAzimuth)
-    scan.time_from_stamp_s = sweep_times(scan.cloud_in_lidar, session.sweep.period_s, session.sweep.stamp_azimuth_rad,
-                                         session.sweep.clockwise);
-  else if (scan.cloud_in_lidar.time_from_stamp_s.size() == scan.cloud_in_lidar.size())
-    scan.time_from_stamp_s = scan.cloud_in_lidar.time_from_stamp_s;
+  if (compensated) scan.time_from_stamp_s = told_times(session, scan.cloud_in_lidar, true);
   return scan;
 }
 
@@ -233,18 +228,7 @@ std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run) {
 }
 
 std::string odometry_text(const std::vector<StampedPose>& poses) {
-  std::string text = "# t x y z qx qy qz qw: odometry from lidar, m\n";
-  for (const StampedPose& stamped : poses) {
-    const Eigen::Quaterniond q(stamped.pose.linear());
-    const Eigen::Vector3d t = stamped.pose.translation();
-    char line[256];
-    std::snprintf(line, sizeof line, "%lld.%09lld %.9f %.9f %.9f %.12f %.12f %.12f %.12f\n",
-                  static_cast<long long>(stamped.stamp_ns / 1000000000),
-                  static_cast<long long>(stamped.stamp_ns % 1000000000), t.x(), t.y(), t.z(), q.x(), q.y(), q.z(),
-                  q.w());
-    text += line;
-  }
-  return text;
+  return "# t x y z qx qy qz qw: odometry from lidar, m\n" + tum_text(poses);
 }
 
 }  // namespace remount

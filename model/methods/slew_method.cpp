@@ -9,7 +9,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/trajectory/motion_track.h"
 #include "model/methods/builtin.h"
-#include "model/methods/scan_times.h"
+#include "model/scan_times.h"
 
 namespace remount {
 namespace {
@@ -161,6 +161,7 @@ std::vector<RigidTransform> turn_poses(const Session& session, const Settings& s
 PipelineOutput run_slew(const PipelineInput& input, Progress& progress) {
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
   require_valid(input.settings);
+  refuse_measured(input.settings.measured, "slew", "machine");
   const Recordings recordings = recordings_of(input);
   if (!recordings[kTurn] || (!recordings[kTurn]->scans && recordings[kTurn]->odometry_from_lidar.empty()))
     throw Error(ErrorCode::Unsupported, recordings[kTurn] ? recordings[kTurn]->name : "slew",

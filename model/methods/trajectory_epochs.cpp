@@ -17,20 +17,30 @@ struct Positions {
   std::vector<std::int64_t> fix_stamps_ns;
 };
 
-Positions positions_of(const Session& session) {
+// Samples before a range that epochs within it may still hang on: smoothing, and how rough the track is.
+std::int64_t needed_since_ns(const EpochRange& range) {
+  constexpr std::int64_t kBefore_ns = 30'000'000'000;
+  return std::max(range.since_ns, std::numeric_limits<std::int64_t>::min() + kBefore_ns) - kBefore_ns;
+}
+
+Positions positions_of(const Session& session, std::int64_t since_ns) {
   Positions out;
   std::optional<LocalLevel> level;
   if (!session.ins.empty())
     level.emplace(session.ins.front().latitude_rad, session.ins.front().longitude_rad, session.ins.front().height_m);
   else if (!session.gnss.empty())
     level.emplace(session.gnss.front().latitude_rad, session.gnss.front().longitude_rad, session.gnss.front().height_m);
-  std::vector<StampedPose> poses = session.world_from_ins;
+  std::vector<StampedPose> poses;
+  for (const StampedPose& pose : session.world_from_ins)
+    if (pose.stamp_ns >= since_ns) poses.push_back(pose);
   for (const InsSample& sample : session.ins)
-    if (sample.quality != InsQuality::Invalid) poses.push_back({sample.stamp_ns, level->enu_from_ins(sample)});
+    if (sample.stamp_ns >= since_ns && sample.quality != InsQuality::Invalid)
+      poses.push_back({sample.stamp_ns, level->enu_from_ins(sample)});
   out.enu_from_ins = MotionTrack(poses);
   // Poses in somebody's world have no place on the globe that fixes could be brought to.
   if (!session.world_from_ins.empty()) return out;
   for (const GnssFix& fix : session.gnss) {
+    if (fix.stamp_ns < since_ns) continue;
     // No fix is exact, whatever its receiver states.
     constexpr double kLeast_m2 = 1e-6;
     out.fixes.push_back(
@@ -47,18 +57,20 @@ struct EpochStamp {
 };
 
 std::vector<EpochStamp> epoch_stamps(const std::vector<OdometryPose>& poses, const Positions& positions,
-                                     double interval_s, double clock_s, std::int64_t until_ns) {
+                                     double interval_s, double clock_s, const EpochRange& range) {
   std::vector<EpochStamp> stamps;
+  const auto within = [&range](std::int64_t stamp_ns) {
+    return stamp_ns >= range.since_ns && stamp_ns <= range.until_ns;
+  };
   const auto shift_ns = static_cast<std::int64_t>(std::llround(clock_s * 1e9));
   const auto interval_ns = static_cast<std::int64_t>(std::llround(interval_s * 1e9)) - 1'000'000;
   if (!positions.enu_from_ins.empty())
     for (const OdometryPose& pose : poses)
-      if (pose.stamp_ns <= until_ns && (stamps.empty() || pose.stamp_ns - stamps.back().stamp_ns >= interval_ns))
+      if (within(pose.stamp_ns) && (stamps.empty() || pose.stamp_ns - stamps.back().stamp_ns >= interval_ns))
         stamps.push_back({pose.stamp_ns, std::nullopt});
   for (std::size_t k = 0; k < positions.fixes.size(); ++k) {
     const std::int64_t stamp_ns = positions.fix_stamps_ns[k] - shift_ns;
-    if (!poses.empty() && stamp_ns >= poses.front().stamp_ns && stamp_ns <= poses.back().stamp_ns &&
-        stamp_ns <= until_ns)
+    if (!poses.empty() && stamp_ns >= poses.front().stamp_ns && stamp_ns <= poses.back().stamp_ns && within(stamp_ns))
       stamps.push_back({stamp_ns, k});
   }
   // A fix at the very stamp of a pose comes first, and stands for both.
@@ -150,60 +162,98 @@ void set_step(const Matrix6d& of_poses, double distance_m, double time_s, const 
   epoch.step_rotation_rad2.diagonal().array() += turn * turn + ins.attitude_drift * ins.attitude_drift * time_s;
 }
 
+// Makes the epochs of one session.
+class EpochMaker {
+ public:
+  EpochMaker(const Session& session, const SessionOdometry& odometry, const Settings& settings, double clock_s,
+             const EpochRange& range)
+      : poses_(odometry.poses),
+        options_(settings.trajectory),
+        positions_(positions_of(session, needed_since_ns(range))),
+        noise_(ins_noise(session, positions_.enu_from_ins, settings.solve)),
+        clock_s_(clock_s),
+        range_(range) {
+    std::vector<StampedPose> stamped;
+    for (const OdometryPose& pose : poses_)
+      if (pose.stamp_ns >= needed_since_ns(range)) stamped.push_back({pose.stamp_ns, pose.odometry_from_lidar});
+    track_ = MotionTrack(stamped);
+    // Fixes may come more often than poses of the INS are to be taken.
+    constexpr std::int64_t kSame_ns = 1'000'000;
+    ins_apart_ns_ = std::max(independent_after_ns(positions_.enu_from_ins),
+                             static_cast<std::int64_t>(std::llround(options_.state_interval_s * 1e9))) -
+                    kSame_ns;
+  }
+
+  void describe(TrajectorySession& out) const {
+    constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
+    out.doubtful_attitude_rad = noise_.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
+    out.ins_noise_stated = noise_.declared && !positions_.enu_from_ins.empty();
+    out.unseen = registration_limits();
+    out.unseen.diagonal().tail<3>().array() += noise_.bias_rad * noise_.bias_rad;
+  }
+
+  void add_epochs(std::vector<TrajectoryEpoch>& epochs) {
+    if (poses_.empty()) return;
+    for (const EpochStamp& stamp : epoch_stamps(poses_, positions_, options_.state_interval_s, clock_s_, range_)) {
+      std::optional<TrajectoryEpoch> epoch = epoch_at(stamp);
+      if (!epoch) continue;
+      if (!epochs.empty()) link(epochs.back(), stamp.stamp_ns, *epoch);
+      epochs.push_back(std::move(*epoch));
+    }
+  }
+
+ private:
+  // Nothing where neither INS nor GNSS says anything, or the LiDAR's pose is not known.
+  std::optional<TrajectoryEpoch> epoch_at(const EpochStamp& stamp) {
+    const std::optional<RigidTransform> lidar = track_.at(stamp.stamp_ns);
+    if (!lidar) return std::nullopt;
+    const std::int64_t on_ins_clock_ns = stamp.stamp_ns + static_cast<std::int64_t>(std::llround(clock_s_ * 1e9));
+    TrajectoryEpoch epoch;
+    epoch.time_s = static_cast<double>(stamp.stamp_ns - poses_.front().stamp_ns) * 1e-9;
+    epoch.odometry_from_lidar = *lidar;
+    epoch.lidar_velocity = track_.body_velocity(stamp.stamp_ns).value_or(Vector6d::Zero());
+    if (stamp.fix) epoch.antenna = positions_.fixes[*stamp.fix];
+    const std::optional<Passage> passage = positions_.enu_from_ins.around(on_ins_clock_ns);
+    if (passage && (!last_ins_ns_ || stamp.stamp_ns - *last_ins_ns_ >= ins_apart_ns_)) {
+      epoch.ins = InsObservation{passage->pose(),
+                                 positions_.enu_from_ins.body_velocity(on_ins_clock_ns).value_or(Vector6d::Zero()),
+                                 noise_.position_m, noise_.attitude_rad};
+      last_ins_ns_ = stamp.stamp_ns;
+    }
+    if (!epoch.ins && !epoch.antenna) return std::nullopt;
+    return epoch;
+  }
+
+  // What the odometry says of the motion since the epoch before.
+  void link(const TrajectoryEpoch& before, std::int64_t stamp_ns, TrajectoryEpoch& epoch) const {
+    const auto before_ns = poses_.front().stamp_ns + static_cast<std::int64_t>(std::llround(before.time_s * 1e9));
+    const double distance_m =
+        (epoch.odometry_from_lidar.translation() - before.odometry_from_lidar.translation()).norm();
+    const OdometryPose& from = nearest_pose(poses_, before_ns);
+    const OdometryPose& to = nearest_pose(poses_, stamp_ns);
+    set_step(from.covariance + to.covariance + lost_between(poses_, from.stamp_ns, to.stamp_ns), distance_m,
+             epoch.time_s - before.time_s, noise_, options_, epoch);
+  }
+
+  const std::vector<OdometryPose>& poses_;
+  const TrajectoryOptions& options_;
+  Positions positions_;
+  InsNoise noise_;
+  double clock_s_;
+  EpochRange range_;
+  MotionTrack track_;
+  std::int64_t ins_apart_ns_ = 0;
+  std::optional<std::int64_t> last_ins_ns_;
+};
+
 }  // namespace
 
 TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
-                                     double clock_s, std::int64_t until_ns) {
+                                     double clock_s, const EpochRange& range) {
   TrajectorySession out;
-  const Positions positions = positions_of(session);
-  const InsNoise noise = ins_noise(session, positions.enu_from_ins, settings.solve);
-  constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
-  out.doubtful_attitude_rad = noise.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
-  out.ins_noise_stated = noise.declared && !positions.enu_from_ins.empty();
-  out.unseen = registration_limits();
-  out.unseen.diagonal().tail<3>().array() += noise.bias_rad * noise.bias_rad;
-  if (odometry.poses.empty()) return out;
-  std::vector<StampedPose> poses;
-  for (const OdometryPose& pose : odometry.poses) poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
-  const MotionTrack track(poses);
-  const auto shift_ns = static_cast<std::int64_t>(std::llround(clock_s * 1e9));
-  // Fixes may come more often than poses of the INS are to be taken.
-  constexpr std::int64_t kSame_ns = 1'000'000;
-  const std::int64_t ins_apart_ns =
-      std::max(independent_after_ns(positions.enu_from_ins),
-               static_cast<std::int64_t>(std::llround(settings.trajectory.state_interval_s * 1e9))) -
-      kSame_ns;
-  std::optional<std::int64_t> last_ins_ns;
-  for (const EpochStamp& stamp :
-       epoch_stamps(odometry.poses, positions, settings.trajectory.state_interval_s, clock_s, until_ns)) {
-    const std::optional<RigidTransform> lidar = track.at(stamp.stamp_ns);
-    if (!lidar) continue;
-    TrajectoryEpoch epoch;
-    epoch.time_s = static_cast<double>(stamp.stamp_ns - odometry.poses.front().stamp_ns) * 1e-9;
-    epoch.odometry_from_lidar = *lidar;
-    epoch.lidar_velocity = track.body_velocity(stamp.stamp_ns).value_or(Vector6d::Zero());
-    if (stamp.fix) epoch.antenna = positions.fixes[*stamp.fix];
-    const std::optional<Passage> passage = positions.enu_from_ins.around(stamp.stamp_ns + shift_ns);
-    if (passage && (!last_ins_ns || stamp.stamp_ns - *last_ins_ns >= ins_apart_ns)) {
-      epoch.ins = InsObservation{
-          passage->pose(), positions.enu_from_ins.body_velocity(stamp.stamp_ns + shift_ns).value_or(Vector6d::Zero()),
-          noise.position_m, noise.attitude_rad};
-      last_ins_ns = stamp.stamp_ns;
-    }
-    if (!epoch.ins && !epoch.antenna) continue;
-    if (!out.epochs.empty()) {
-      const TrajectoryEpoch& before = out.epochs.back();
-      const auto before_ns =
-          odometry.poses.front().stamp_ns + static_cast<std::int64_t>(std::llround(before.time_s * 1e9));
-      const double distance_m =
-          (epoch.odometry_from_lidar.translation() - before.odometry_from_lidar.translation()).norm();
-      const OdometryPose& from = nearest_pose(odometry.poses, before_ns);
-      const OdometryPose& to = nearest_pose(odometry.poses, stamp.stamp_ns);
-      set_step(from.covariance + to.covariance + lost_between(odometry.poses, from.stamp_ns, to.stamp_ns), distance_m,
-               epoch.time_s - before.time_s, noise, settings.trajectory, epoch);
-    }
-    out.epochs.push_back(std::move(epoch));
-  }
+  EpochMaker maker(session, odometry, settings, clock_s, range);
+  maker.describe(out);
+  maker.add_epochs(out.epochs);
   return out;
 }
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "model/scan_times.h"
 
 namespace remount {
 namespace {
@@ -14,17 +14,6 @@ namespace {
 constexpr std::int64_t kAll = std::numeric_limits<std::int64_t>::max();
 
 std::string named(const Session& session) { return session.path.empty() ? session.name : session.path.string(); }
-
-// Times of a scan's points where its motion is to be compensated; empty otherwise.
-std::vector<float> point_times(const Session& session, const PointCloud& cloud, DeskewMode mode) {
-  if (mode == DeskewMode::Off) return {};
-  if (session.scan_timing == ScanTiming::PerPoint && cloud.time_from_stamp_s.size() == cloud.size())
-    return cloud.time_from_stamp_s;
-  const bool sweep = session.scan_timing == ScanTiming::SweepAzimuth &&
-                     (session.sweep.certain || mode == DeskewMode::On) && !cloud.points.empty();
-  if (!sweep) return {};
-  return sweep_times(cloud, session.sweep.period_s, session.sweep.stamp_azimuth_rad, session.sweep.clockwise);
-}
 
 // Somebody's poses state no errors: those of the options.
 std::vector<OdometryPose> given_poses(const std::vector<StampedPose>& odometry_from_lidar, std::size_t count,
@@ -65,7 +54,14 @@ TrajectoryFeed::TrajectoryFeed(const Settings& settings, std::optional<RigidTran
     : settings_(settings),
       nominal_(nominal_ins_from_lidar),
       threads_(threads),
-      aligner_(settings.trajectory, settings.solve, nominal_ins_from_lidar, settings.solve.apply_time_offset) {}
+      aligner_(settings.trajectory, settings.solve, nominal_ins_from_lidar, settings.solve.apply_time_offset) {
+  if (settings.measured.ins_height_sigma_m > 0.0)
+    throw Error(
+        ErrorCode::Contract, "measured.ins_height_m",
+        "is used with the ground in the scans, which the method 'trajectory' does not look for; measure z, pitch "
+        "and roll, or choose the method 'pairwise'");
+  aligner_.set_measured(Measured(settings.measured, std::nullopt));
+}
 
 void TrajectoryFeed::begin(const Session& session) {
   if (!has_scans(session) && session.odometry_from_lidar.empty())
@@ -76,7 +72,7 @@ void TrajectoryFeed::begin(const Session& session) {
   odometry_.emplace_back();
   from_scans_ = has_scans(session);
   running_ = std::make_unique<LidarOdometry>(settings_.lidar_odometry, settings_.registration);
-  TrajectorySession empty = trajectory_session(session, {}, settings_, 0.0, kAll);
+  TrajectorySession empty = trajectory_session(session, {}, settings_, 0.0);
   aligner_.add_session(std::move(empty));
 }
 
@@ -102,7 +98,7 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
         if (odometry.unreadable++ == 0) odometry.first_unreadable = failures[i];
         continue;
       }
-      const OdometryPose pose = running_->push(clouds[i], point_times(session, clouds[i], settings_.run.deskew),
+      const OdometryPose pose = running_->push(clouds[i], scan_times(session, clouds[i], settings_.run.deskew),
                                                session.scans->stamp_ns(first + i), progress);
       if (!pose.aligned && odometry.unaligned++ == 0)
         odometry.first_unaligned = session.scans->name(first + i) + ": " + pose.problem;
@@ -115,9 +111,15 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
 
 void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, double least_update_s, const Tell& tell,
                                  Progress& progress) {
-  const TrajectorySession now = trajectory_session(session, odometry_.back(), settings_, 0.0, until_ns);
   const std::size_t index = odometry_.size() - 1;
   const std::vector<TrajectoryEpoch>& had = aligner_.problem().sessions[index].epochs;
+  EpochRange range;
+  range.until_ns = until_ns;
+  // Of a long drive only what is new.
+  if (!had.empty())
+    range.since_ns =
+        odometry_.back().poses.front().stamp_ns + static_cast<std::int64_t>(std::llround(had.back().time_s * 1e9));
+  const TrajectorySession now = trajectory_session(session, odometry_.back(), settings_, 0.0, range);
   for (const TrajectoryEpoch& epoch : now.epochs) {
     if (progress.cancelled()) return;
     if (!had.empty() && epoch.time_s <= had.back().time_s + 1e-4) continue;
@@ -158,9 +160,10 @@ TrajectoryOutcome TrajectoryFeed::finish(const std::vector<std::shared_ptr<const
   for (int round = 0; round < kMostRounds; ++round) {
     problem_ = {};
     problem_.nominal_ins_from_lidar = nominal_;
+    problem_.measured = Measured(settings_.measured, std::nullopt);
     problem_.estimate_clock = settings_.solve.apply_time_offset;
     for (std::size_t s = 0; s < sessions.size(); ++s)
-      problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, clocks_s[s], kAll));
+      problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, clocks_s[s]));
     outcome = solve_alignment(problem_, settings_.trajectory, settings_.solve, progress);
     std::vector<double>& found_s = outcome.answer.result.session_time_offset_s;
     if (found_s.size() != clocks_s.size()) break;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,9 +35,13 @@ std::int64_t trajectory_reach_ns(const Session& session, const std::vector<Odome
 /// The epochs of a session: poses of the LiDAR, thinned, with the INS poses at their times and the GNSS fixes at
 /// theirs, in a local level frame (ENU) about the first fix. Times count from the first pose.
 /// @param clock_s t_ins = t_lidar + this
-/// @param until_ns nothing later than this is used
+struct EpochRange {
+  std::int64_t since_ns =
+      std::numeric_limits<std::int64_t>::min();  ///< the stamp of an epoch before, which is repeated
+  std::int64_t until_ns = std::numeric_limits<std::int64_t>::max();  ///< nothing later than this is used
+};
 TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
-                                     double clock_s, std::int64_t until_ns);
+                                     double clock_s, const EpochRange& range = {});
 
 /// Runs the odometry over scans as they come, and the alignment as far as all streams reach. Answers on the way come
 /// from the stream, the end from all data.

@@ -46,6 +46,15 @@ void add_coverage_finding(const Session& session, const SessionOdometry& odometr
                       "same time, on one clock."});
 }
 
+// Positions of an antenna have no axes in which a value could have been measured.
+void add_measured_finding(const Settings& settings, const CalibrationResult& result, std::vector<Finding>& findings) {
+  if (result.reference_frame != "antenna" || !is_measured(settings.measured)) return;
+  findings.push_back(
+      {Severity::Warning, "measured-unused", "measured",
+       "The values measured by hand are of the LiDAR in the INS frame; there is no INS, and they are not "
+       "used."});
+}
+
 void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>& findings) {
   if (outcome.outliers > 0)
     findings.push_back({20 * outcome.outliers > outcome.measurements ? Severity::Warning : Severity::Note,
@@ -81,6 +90,7 @@ PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFee
   output.compensation_ins_from_lidar = output.result.ins_from_lidar;
   const bool solved = output.result.status == Status::Ok || output.result.status == Status::Degenerate;
   if (!solved) return output;
+  add_measured_finding(input.settings, output.result, output.findings);
   add_outcome_findings(outcome, output.findings);
   output.plots = trajectory_plots(feed, outcome);
   return output;

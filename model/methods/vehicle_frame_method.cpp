@@ -8,7 +8,7 @@
 #include "algorithms/trajectory/motion_track.h"
 #include "model/methods/antenna_on_vehicle.h"
 #include "model/methods/builtin.h"
-#include "model/methods/scan_times.h"
+#include "model/scan_times.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -179,6 +179,7 @@ void report(const VehicleFrameResult& result, std::vector<Finding>& findings) {
 PipelineOutput run_vehicle_frame(const PipelineInput& input, Progress& progress) {
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
   require_valid(input.settings);
+  refuse_measured(input.settings.measured, "vehicle-frame", "vehicle");
   if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
   PipelineOutput output;
   output.method = "vehicle-frame";

@@ -5,6 +5,7 @@
 
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
+#include "model/scan_times.h"
 
 namespace remount {
 
@@ -18,14 +19,10 @@ PointCloud ScanStore::load(const Keyframe& keyframe) const {
   if (!session.scans) throw Error(ErrorCode::Contract, session.name, "the session has lidar poses and no scans");
   PointCloud cloud = session.scans->load(static_cast<std::size_t>(keyframe.scan));
   if (!compensation_ || cloud.points.empty()) return cloud;
-  std::vector<float> times;
-  if (session.scan_timing == ScanTiming::PerPoint && cloud.time_from_stamp_s.size() == cloud.size())
-    times = cloud.time_from_stamp_s;
-  else if (session.scan_timing == ScanTiming::SweepAzimuth &&
-           session_uses_sweep_[static_cast<std::size_t>(keyframe.session)])
-    times = sweep_times(cloud, session.sweep.period_s, session.sweep.stamp_azimuth_rad, session.sweep.clockwise);
-  else
-    return cloud;
+  const bool by_sweep = session.scan_timing == ScanTiming::SweepAzimuth &&
+                        session_uses_sweep_[static_cast<std::size_t>(keyframe.session)];
+  const std::vector<float> times = told_times(session, cloud, by_sweep);
+  if (times.empty()) return cloud;
   const auto passage = motion_.passage(keyframe.session, keyframe.stamp_ns);
   if (!passage) return cloud;
   const RigidTransform lidar_at_stamp_from_world = (passage->pose() * *compensation_).inverse();

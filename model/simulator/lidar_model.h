@@ -29,4 +29,10 @@ class SimulatedScanSource : public ScanSource {
   std::vector<double> elevations_rad_;
 };
 
+/// What simulated scans are taken from; null for scans of another origin.
+inline const Scene* scene_of(const std::shared_ptr<const ScanSource>& scans) {
+  const auto* source = dynamic_cast<const SimulatedScanSource*>(scans.get());
+  return source ? &source->scene() : nullptr;
+}
+
 }  // namespace remount

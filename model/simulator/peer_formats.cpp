@@ -1,5 +1,6 @@
 #include "model/simulator/peer_formats.h"
 
+#include <GeographicLib/Geocentric.hpp>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +14,8 @@
 #include "model/io/output_file.h"
 #include "model/io/time_stamp.h"
 #include "model/session_frames.h"
+#include "model/simulator/lidar_model.h"
+#include "model/simulator/local_earth.h"
 
 namespace remount {
 
@@ -78,6 +81,37 @@ std::string inspvaxa(const Session& session, const std::vector<StampedPose>& enu
   return "#" + body + crc;
 }
 
+/// A keyword, the time in seconds, numbers.
+std::string smartloc_line(const char* keyword, std::int64_t time_ns, std::initializer_list<double> values) {
+  char head[48];
+  std::snprintf(head, sizeof head, "%s %lld.%09lld", keyword, static_cast<long long>(time_ns / 1'000'000'000),
+                static_cast<long long>(time_ns % 1'000'000'000));
+  std::string line = head;
+  for (const double value : values) (line += ' ') += exact_text(value);
+  return line + '\n';
+}
+
+/// Linear between the samples about a stamp; held beyond them.
+Eigen::Vector3d rate_at(const std::vector<ImuSample>& imu, std::int64_t stamp_ns) {
+  const auto after =
+      std::lower_bound(imu.begin(), imu.end(), stamp_ns,
+                       [](const ImuSample& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; });
+  if (after == imu.end()) return imu.back().angular_rate_radps;
+  if (after == imu.begin() || after->stamp_ns == stamp_ns) return after->angular_rate_radps;
+  const auto before = after - 1;
+  const double share =
+      static_cast<double>(stamp_ns - before->stamp_ns) / static_cast<double>(after->stamp_ns - before->stamp_ns);
+  return (1.0 - share) * before->angular_rate_radps + share * after->angular_rate_radps;
+}
+
+Eigen::Vector3d earth_from(const EarthPlace& place) {
+  Eigen::Vector3d point;
+  GeographicLib::Geocentric::WGS84().Forward(radians_to_degrees(place.latitude_rad),
+                                             radians_to_degrees(place.longitude_rad), place.height_m, point.x(),
+                                             point.y(), point.z());
+  return point;
+}
+
 }  // namespace
 
 void write_opencalib_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
@@ -116,6 +150,37 @@ void write_novatel_drive(const SimulatedDrive& drive, const fs::path& folder) {
   for (std::size_t i = 0; i < enu_from_ins.size(); ++i) log += inspvaxa(drive.session, enu_from_ins, i);
   write_file(folder / "inspvax.txt", log);
   write_file(folder / "lidar_odometry.txt", tum_text(exact_odometry(drive)));
+}
+
+void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder) {
+  const Session& session = drive.session;
+  const Scene* scene = scene_of(session.scans);
+  if (!scene || session.wheels.empty() || session.imu.empty())
+    throw Error(
+        ErrorCode::Contract, "smartloc",
+        "this format holds wheel speeds and turn rates and nothing else; simulate a vehicle with wheels and IMU");
+  const SimulationOptions& options = scene->options();
+  const Eigen::Matrix3d vehicle_from_imu = (drive.sensors.vehicle_from_ins * drive.sensors.ins_from_imu).linear();
+  constexpr double kSideways2 = 9e-4;  // (m/s)^2; as the data set has it for a car
+  const double slip2 = std::pow(options.wheels.slip, 2) + std::pow(options.wheels.lasting_slip, 2);
+  const double rate2 = std::pow(degrees_to_radians(options.imu.gyro_noise_dps), 2);
+  const LocalEarth earth(options);
+  const std::int64_t first_ns = session.wheels.front().stamp_ns;
+  std::string input, truth;
+  for (const WheelSample& wheels : session.wheels) {
+    const double speed_mps = 0.5 * (wheels.rear_left_mps + wheels.rear_right_mps);
+    const Eigen::Vector3d rate = vehicle_from_imu * rate_at(session.imu, wheels.stamp_ns);
+    const double speed2 = 0.5 * (slip2 * speed_mps * speed_mps + std::pow(options.wheels.noise_mps, 2));
+    input += smartloc_line(
+        "odom3", wheels.stamp_ns - first_ns,
+        {speed_mps, 0.0, 0.0, rate.x(), rate.y(), rate.z(), speed2, kSideways2, kSideways2, rate2, rate2, rate2});
+    const double time_s = static_cast<double>(wheels.stamp_ns - kDriveStart_ns) * 1e-9;
+    const Eigen::Vector3d antenna = earth_from(earth.at(scene->enu_from_ins(time_s) * drive.sensors.antenna_in_ins_m));
+    truth += smartloc_line("point3", wheels.stamp_ns - first_ns,
+                           {antenna.x(), antenna.y(), antenna.z(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  }
+  write_file(folder / (session.name + "_Input.txt"), input);
+  write_file(folder / (session.name + "_GT.txt"), truth);
 }
 
 }  // namespace remount

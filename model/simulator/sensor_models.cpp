@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr std::uint64_t kImuNoise = 20, kImuBias = 21, kGnssNoise = 22, kGnssOutliers = 23, kWheelNoise = 24,
-                        kBarometerNoise = 25, kBarometerDrift = 26;
+                        kBarometerNoise = 25, kBarometerDrift = 26, kLastingSlip = 27;
 
 RandomStream stream(const SimulationOptions& options, std::uint64_t number) {
   return {static_cast<std::uint64_t>(options.seed), number};
@@ -48,6 +48,24 @@ std::vector<ImuErrors> imu_biases(const SimulationOptions& options, std::size_t 
   }
   return biases;
 }
+
+/// Slip of one wheel that dies away and comes anew: a Gauss-Markov process of the first order.
+class LastingSlip {
+ public:
+  explicit LastingSlip(const SimulatedWheelOptions& wheels)
+      : sigma_(wheels.lasting_slip), kept_(std::exp(-1.0 / (wheels.rate_hz * wheels.lasting_slip_s))) {}
+
+  /// Of the next sample; the first is drawn from the whole spread.
+  double next(double normal) {
+    slip_ = started_ ? kept_ * slip_ + std::sqrt(1.0 - kept_ * kept_) * sigma_ * normal : sigma_ * normal;
+    started_ = true;
+    return slip_;
+  }
+
+ private:
+  double sigma_, kept_, slip_ = 0.0;
+  bool started_ = false;
+};
 
 /// An error of `size_m` to twice that, in any direction.
 Vector3d outlier_m(RandomStream& random, double size_m) {
@@ -110,19 +128,21 @@ SimulatedGnss simulate_gnss(const Scene& scene) {
 std::vector<WheelSample> simulate_wheels(const Scene& scene) {
   const SimulationOptions& options = scene.options();
   const SimulatedWheelOptions& wheels = options.wheels;
-  RandomStream random = stream(options, kWheelNoise);
+  RandomStream random = stream(options, kWheelNoise), lasting = stream(options, kLastingSlip);
+  LastingSlip left_slip(wheels), right_slip(wheels);
   std::vector<WheelSample> samples;
   if (options.scenario == ScenarioKind::SlewYard) return samples;
   for (const double time_s : sample_times_s(options, wheels.rate_hz)) {
     const BodyMotion motion = body_motion(scene, RigidTransform::Identity(), time_s);
     const Vector3d velocity_in_vehicle = motion.road_from_body.linear().transpose() * motion.velocity_in_road_mps;
     const double turning_mps = 0.5 * kTrack_m * motion.rate_in_body_radps.z();
-    const auto measured = [&](double true_mps, double scale) {
-      const double slip = wheels.slip * random.normal(), noise_mps = wheels.noise_mps * random.normal();
+    const auto measured = [&](double true_mps, double scale, LastingSlip& lasting_slip) {
+      const double slip = wheels.slip * random.normal() + lasting_slip.next(lasting.normal());
+      const double noise_mps = wheels.noise_mps * random.normal();
       return true_mps * scale * (1.0 + slip) + noise_mps;
     };
-    const double left_mps = measured(velocity_in_vehicle.x() - turning_mps, wheels.left_scale);
-    const double right_mps = measured(velocity_in_vehicle.x() + turning_mps, wheels.right_scale);
+    const double left_mps = measured(velocity_in_vehicle.x() - turning_mps, wheels.left_scale, left_slip);
+    const double right_mps = measured(velocity_in_vehicle.x() + turning_mps, wheels.right_scale, right_slip);
     samples.push_back({stamp_ns(time_s), left_mps, right_mps});
   }
   return samples;

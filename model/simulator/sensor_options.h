@@ -100,6 +100,8 @@ struct SimulatedWheelOptions {
   double right_scale = 1.0;
   double slip = 0.002;
   double noise_mps = 0.01;
+  double lasting_slip = 0.0;
+  double lasting_slip_s = 10.0;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -110,6 +112,13 @@ struct SimulatedWheelOptions {
             self.right_scale);
     visitor({"wheels_slip", "", "1-sigma of slip in each sample, as a share of the speed.", 0.0, 1.0}, self.slip);
     visitor({"wheels_noise_mps", "m/s", "1-sigma of each sample.", 0.0, 10.0}, self.noise_mps);
+    visitor(
+        {"wheels_lasting_slip", "",
+         "1-sigma of slip that lasts, each wheel its own, as a share of the speed: load, tyres, the road.", 0.0, 0.5},
+        self.lasting_slip);
+    visitor(
+        {"wheels_lasting_slip_s", "s", "For how long: its correlation falls to a third in this time.", 0.01, 100000.0},
+        self.lasting_slip_s);
   }
 };
 

@@ -74,9 +74,12 @@ DocumentNode truth(const SimulatedDrive& drive, const std::string& format) {
   parameters.add("pitch_deg", DocumentNode::number(radians_to_degrees(six.pitch_rad)));
   parameters.add("roll_deg", DocumentNode::number(radians_to_degrees(six.roll_rad)));
   if (format == "native") add_sensors(drive, root);
-  if (const auto* source = dynamic_cast<const SimulatedScanSource*>(drive.session.scans.get())) {
+  // smartLoc speaks of no LiDAR and no INS, but of wheels and an antenna.
+  if (format == "smartloc")
+    root.add("antenna_in_vehicle_m", numbers(drive.sensors.vehicle_from_ins * drive.sensors.antenna_in_ins_m));
+  if (const Scene* scene = scene_of(drive.session.scans)) {
     DocumentNode& options = root.add("simulation", DocumentNode::map());
-    SimulationOptions::visit(source->scene().options(), OptionWriter{options});
+    SimulationOptions::visit(scene->options(), OptionWriter{options});
   }
   return root;
 }
@@ -104,7 +107,8 @@ void check_fits_kitti(const Session& session) {
 }  // namespace
 
 const std::vector<std::string>& drive_formats() {
-  static const std::vector<std::string> formats{"native", "kitti-raw", "opencalib", "novatel-inspvax", "poses"};
+  static const std::vector<std::string> formats{"native",          "kitti-raw", "opencalib",
+                                                "novatel-inspvax", "poses",     "smartloc"};
   return formats;
 }
 
@@ -121,6 +125,7 @@ void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std:
   if (format == "opencalib") write_opencalib_drive(drive, folder, threads, progress);
   if (format == "novatel-inspvax") write_novatel_drive(drive, folder);
   if (format == "poses") write_pose_drive(drive, folder);
+  if (format == "smartloc") write_smartloc_drive(drive, folder);
   if (!progress.cancelled()) write_file(folder / "truth.yaml", to_yaml(truth(drive, format)));
 }
 

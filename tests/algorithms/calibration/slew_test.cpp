@@ -133,10 +133,8 @@ TEST(slew, errors_with_the_origin_on_the_ground_and_a_first_scan_in_common_are_a
     }
     for (int i = 0; i < 6; ++i) {
       std::printf("  %s: chi2 / n = %.2f\n", kParameterNames[static_cast<std::size_t>(i)].data(), chi2[i]);
-      // 60 degrees of freedom: the 0.1% limits are 0.53 and 1.66. With the plane of the turn, the tilt of the first
-      // scan is in the residuals of the circle already, and pitch and roll are stated up to 1.7 times too wide.
-      const bool counted_twice = first == FirstPlane::Turn && i >= 4;
-      EXPECT_GT(chi2[i], counted_twice ? 0.30 : 0.50) << i;
+      // 60 degrees of freedom: the 0.1% limits are 0.53 and 1.66.
+      EXPECT_GT(chi2[i], 0.53) << i;
       EXPECT_LT(chi2[i], 1.66) << i;
     }
   }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "algorithms/core/error.h"
@@ -109,6 +111,37 @@ TEST(trajectory_alignment, positions_alone_give_the_lever_arm_and_say_so) {
   EXPECT_LT(chi2 / kSeeds, 1.35);
 }
 
+// Errors of a receiver last for many seconds: they must not count as independent.
+TEST(trajectory_alignment, errors_of_gnss_that_last_stay_within_the_stated_sigma) {
+  constexpr int kSeeds = 12;
+  for (const bool positions_only : {false, true})
+    for (const double lasting_s : {5.0, 30.0}) {
+      double chi2 = 0.0;
+      const int size = positions_only ? 3 : 6;
+      for (int seed = 1; seed <= kSeeds; ++seed) {
+        TrajectoryDriveOptions drive;
+        drive.duration_s = 120.0;
+        drive.lasting_s = lasting_s;
+        drive.ins = !positions_only;
+        drive.antenna = positions_only;
+        drive.seed = static_cast<unsigned>(seed);
+        const CalibrationResult result = solve(problem_of({drive})).answer.result;
+        RigidTransform truth = drive.ins_from_lidar;
+        if (positions_only) truth = make_rigid(Eigen::Matrix3d::Identity(), -drive.antenna_in_lidar);
+        const Eigen::VectorXd error = error_of(result, truth).head(size);
+        const Eigen::MatrixXd covariance = result.covariance.topLeftCorner(size, size);
+        ASSERT_TRUE(covariance.allFinite()) << result.message;
+        chi2 += error.dot(covariance.ldlt().solve(error)) / size;
+        if (seed == 1) print(positions_only ? "positions" : "poses", result, truth);
+      }
+      std::printf("  errors of %.0f s: chi-square per degree of freedom over %d seeds %.3f\n", lasting_s, kSeeds,
+                  chi2 / kSeeds);
+      // 36 and 72 degrees of freedom: the 1% limits are 0.53 and 1.63, 0.66 and 1.43.
+      EXPECT_LT(chi2 / kSeeds, positions_only ? 1.63 : 1.43);
+      EXPECT_GT(chi2 / kSeeds, positions_only ? 0.53 : 0.5);
+    }
+}
+
 TEST(trajectory_alignment, flat_and_straight_drives_leave_open_what_they_do_not_show) {
   TrajectoryDriveOptions flat;
   flat.slope_rad = 0.0;
@@ -138,6 +171,35 @@ TEST(trajectory_alignment, flat_and_straight_drives_leave_open_what_they_do_not_
   problem.sessions = {trajectory_session(straight)};
   const CalibrationResult antenna = solve(problem).answer.result;
   EXPECT_FALSE(antenna.observed[0] || antenna.observed[1] || antenna.observed[2]) << antenna.message;
+}
+
+TEST(trajectory_alignment, what_was_measured_by_hand_closes_what_the_drive_leaves_open) {
+  TrajectoryDriveOptions flat;
+  flat.slope_rad = 0.0;
+  TrajectoryProblem problem = problem_of({flat});
+  const SixParameters exact = six_from_rigid(flat.ins_from_lidar);
+  MeasuredOptions tape;
+  tape.z_m = exact.z_m + 0.008;
+  tape.z_sigma_m = 0.01;
+  problem.measured = Measured(tape, std::nullopt);
+  const CalibrationResult result = solve(problem).answer.result;
+  print("height by tape", result, flat.ins_from_lidar);
+  EXPECT_TRUE(result.measured[2] && !result.measured[0]);
+  ASSERT_TRUE(result.observed[2]) << result.message;
+  EXPECT_NEAR(result.ins_from_lidar.translation().z(), tape.z_m, tape.z_sigma_m);
+  EXPECT_NEAR(result.sigma(2).value(), 0.01, 0.002);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_LT(std::abs(error_of(result, flat.ins_from_lidar)[static_cast<int>(i)]), 3.5 * result.sigma(i).value());
+
+  // One that is wrong is named, and widens the sigma instead of ruling.
+  tape.yaw_deg = radians_to_degrees(exact.yaw_rad) + 3.0;
+  tape.yaw_sigma_deg = 0.1;
+  problem.measured = Measured(tape, std::nullopt);
+  const CalibrationResult wrong = solve(problem).answer.result;
+  print("with a wrong yaw", wrong, flat.ins_from_lidar);
+  const auto named = [](const std::string& text) { return text.find("yaw contradicts") != std::string::npos; };
+  EXPECT_TRUE(std::any_of(wrong.advice.begin(), wrong.advice.end(), named));
+  EXPECT_FALSE(wrong.observed[3] && std::abs(error_of(wrong, flat.ins_from_lidar)[3]) > 3.5 * wrong.sigma(3).value());
 }
 
 TEST(trajectory_alignment, gross_outliers_and_a_drifting_odometry_are_survived) {
@@ -208,6 +270,53 @@ TEST(trajectory_alignment, a_stream_ends_where_the_batch_does_and_says_when_it_c
   EXPECT_LT(streamed.converged_after_s, 100.0);
   EXPECT_THROW(aligner.push(0, problem.sessions.front().epochs.back()), Error);
   EXPECT_THROW(aligner.push(3, {}), Error);
+}
+
+// An hour must not cost more an answer than some minutes do, and say the same.
+TEST(trajectory_alignment, answers_of_a_long_stream_solve_for_its_last_minutes_and_say_what_all_of_it_says) {
+  for (const bool positions_only : {false, true}) {
+    TrajectoryDriveOptions drive;
+    drive.duration_s = 800.0;
+    drive.ins = !positions_only;
+    drive.antenna = positions_only;
+    drive.outliers = 0.05;
+    const TrajectoryProblem problem = problem_of({drive});
+    TrajectoryAligner aligner({}, {}, std::nullopt, false);
+    aligner.add_session({});
+    Progress progress;
+    std::size_t most_open = 0;
+    std::vector<double> took_ms;
+    for (const TrajectoryEpoch& epoch : problem.sessions.front().epochs) {
+      aligner.push(0, epoch);
+      if (!aligner.due(5.0)) continue;
+      const auto before = std::chrono::steady_clock::now();
+      aligner.update(progress);
+      took_ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count());
+      most_open = std::max(most_open, aligner.open_epochs());
+    }
+    const auto mean_ms = [&](std::size_t first, std::size_t last) {
+      double sum = 0.0;
+      for (std::size_t i = first; i < last; ++i) sum += took_ms[i] / static_cast<double>(last - first);
+      return sum;
+    };
+    const TrajectorySnapshot& last = aligner.history().back();
+    const CalibrationResult all = aligner.finish(progress).answer.result;
+    std::printf(
+        "  %zu epochs, at most %zu open, %zu cold starts; an answer took %.1f ms by minute 5, %.1f ms at the end\n",
+        problem.sessions.front().epochs.size(), most_open, aligner.cold_starts(), mean_ms(48, 60),
+        mean_ms(took_ms.size() - 12, took_ms.size()));
+    EXPECT_LE(most_open, 620u);
+    EXPECT_LT(aligner.cold_starts(), 14u);
+    const Vector6d apart = error_of(all, last.ins_from_lidar);
+    for (std::size_t i = 0; i < (positions_only ? 3 : 6); ++i) {
+      ASSERT_TRUE(last.observed[i] && all.observed[i]) << kParameterNames[i];
+      const double sigma = all.sigma(i).value();
+      std::printf("  %s: apart by %.2f sigma, sigma %.2f of that of all\n", std::string(kParameterNames[i]).c_str(),
+                  apart[static_cast<int>(i)] / sigma, last.sigma[i] / sigma);
+      EXPECT_LT(std::abs(apart[static_cast<int>(i)]), 0.5 * sigma) << kParameterNames[i];
+      EXPECT_NEAR(last.sigma[i] / sigma, 1.0, 0.25) << kParameterNames[i];
+    }
+  }
 }
 
 TEST(trajectory_alignment, a_session_that_says_nothing_makes_no_answer_start_anew) {

@@ -18,9 +18,10 @@ struct TrajectoryDriveOptions {
   double attitude_sigma_rad = degrees_to_radians(0.05);
   double step_sigma_m = 0.01;
   double step_sigma_rad = 5e-4;
-  double scale = 0.0;     ///< of the odometry: the truth is 1 + scale times shorter
-  double clock_s = 0.0;   ///< t_ins = t_lidar + clock
-  double outliers = 0.0;  ///< share of grossly wrong positions
+  double scale = 0.0;      ///< of the odometry: the truth is 1 + scale times shorter
+  double clock_s = 0.0;    ///< t_ins = t_lidar + clock
+  double outliers = 0.0;   ///< share of grossly wrong positions
+  double lasting_s = 0.0;  ///< for how long errors of positions last; 0: each is independent
   bool noise = true;
   bool ins = true, antenna = false;
   RigidTransform ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 0.03, -0.02, 0.015});
@@ -52,6 +53,14 @@ inline TrajectorySession trajectory_session(const TrajectoryDriveOptions& option
     return Eigen::Vector3d(sigma * Eigen::Vector3d(x, y, z));
   };
   const double on = options.noise ? 1.0 : 0.0;
+  // Gauss-Markov of the first order.
+  const double kept = options.lasting_s > 0.0 ? std::exp(-options.interval_s / options.lasting_s) : 0.0;
+  Eigen::Vector3d lasting = kept > 0.0 ? normal3(1.0) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  const auto position_error = [&](double sigma) {
+    const Eigen::Vector3d fresh = normal3(1.0);
+    lasting = kept > 0.0 ? Eigen::Vector3d(kept * lasting + std::sqrt(1.0 - kept * kept) * fresh) : fresh;
+    return Eigen::Vector3d(sigma * lasting);
+  };
   TrajectorySession session;
   RigidTransform odometry = RigidTransform::Identity();
   const auto count = static_cast<int>(options.duration_s / options.interval_s);
@@ -84,7 +93,7 @@ inline TrajectorySession trajectory_session(const TrajectoryDriveOptions& option
       ins.position_sigma_m = options.position_sigma_m;
       ins.attitude_sigma_rad = options.attitude_sigma_rad;
       ins.enu_from_ins = make_rigid(enu_from_ins.linear() * so3_exp(normal3(on * options.attitude_sigma_rad)),
-                                    enu_from_ins.translation() + normal3(on * options.position_sigma_m) + gross);
+                                    enu_from_ins.translation() + position_error(on * options.position_sigma_m) + gross);
       const RigidTransform rate = enu_from_ins.inverse() * after;
       ins.body_velocity << rate.translation() / d, so3_log(rate.linear()) / d;
       epoch.ins = ins;
@@ -93,7 +102,7 @@ inline TrajectorySession trajectory_session(const TrajectoryDriveOptions& option
       AntennaObservation fix;
       fix.covariance_enu_m2 =
           options.position_sigma_m * options.position_sigma_m * Eigen::Vector3d(1.0, 1.0, 4.0).asDiagonal();
-      Eigen::Vector3d error = normal3(on * options.position_sigma_m);
+      Eigen::Vector3d error = position_error(on * options.position_sigma_m);
       error.z() *= 2.0;
       fix.position_enu_m = seen * options.antenna_in_lidar + error + gross;
       epoch.antenna = fix;

@@ -15,6 +15,8 @@ struct WheelDriveOptions {
   double slope_rad = degrees_to_radians(5.0);  ///< amplitude of pitch
   double bank_rad = degrees_to_radians(2.0);   ///< amplitude of roll
   double turn_rad = 1.5;                       ///< amplitude of heading
+  double winding_radpm = 0.0;                  ///< heading that grows with the way
+  double climb_rad = 0.0;                      ///< slope that does not change; positive: uphill
   double imu_rate_hz = 100.0;
   double sensor_rate_hz = 10.0;
   double track_m = 1.6;
@@ -33,8 +35,9 @@ struct WheelDriveOptions {
 
 /// Attitude along the road, whatever the speed.
 inline Eigen::Matrix3d road_attitude(const WheelDriveOptions& options, double way_m) {
-  const double yaw = options.turn_rad * (std::sin(way_m / 31.0) + 0.4 * std::sin(way_m / 13.0 + 1.0));
-  const double pitch = options.slope_rad * std::sin(way_m / 17.0 + 0.3);
+  const double yaw =
+      options.turn_rad * (std::sin(way_m / 31.0) + 0.4 * std::sin(way_m / 13.0 + 1.0)) + options.winding_radpm * way_m;
+  const double pitch = -options.climb_rad + options.slope_rad * std::sin(way_m / 17.0 + 0.3);
   const double roll = options.bank_rad * std::sin(way_m / 11.0 + 2.0);
   return rotation_from_yaw_pitch_roll({yaw, pitch, roll});
 }

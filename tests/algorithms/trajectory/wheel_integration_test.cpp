@@ -30,6 +30,20 @@ TEST(wheel_integration, closed_form_beats_planar_twenty_times_on_two_kilometres_
   EXPECT_LT(error_m[0], error_m[1]);
 }
 
+// At the rate of a slow log and in tight turns: the arc within a step is then no tangent.
+TEST(wheel_integration, closed_form_beats_euler_at_a_low_rate_on_a_winding_road) {
+  for (const double rate_hz : {5.0, 10.0, 20.0}) {
+    WheelDriveOptions options;
+    options.imu_rate_hz = rate_hz;
+    options.winding_radpm = 1.0 / 15.0;
+    options.climb_rad = degrees_to_radians(4.0);
+    const double closed_m = end_error_m(options, WheelIntegration::ClosedForm);
+    const double euler_m = end_error_m(options, WheelIntegration::Euler);
+    std::printf("  end error after 2 km at %.0f Hz: closed form %.3f, Euler %.3f m\n", rate_hz, closed_m, euler_m);
+    EXPECT_LT(closed_m, euler_m / 3.0);
+  }
+}
+
 TEST(wheel_integration, planar_is_exact_where_the_ground_is_a_plane) {
   WheelDriveOptions options;
   options.duration_s = 60.0;

@@ -41,6 +41,19 @@ TEST(smartloc, speed_and_turn_rate_become_wheels_and_imu_and_the_truth_stands_in
   EXPECT_EQ(session.files.size(), 2u);
 }
 
+TEST(smartloc, a_folder_with_one_drive_is_that_drive) {
+  const TemporaryFolder folder;
+  folder.write("City_GT.txt", kTruth);
+  folder.write("City_Input.txt", kOdometry);
+  folder.write("Other_GT.txt", kTruth);
+  const Session session = open(folder.path());
+  EXPECT_EQ(session.format, "smartloc");
+  EXPECT_EQ(session.name, "City");
+  EXPECT_EQ(session.gnss.size(), 1u);
+  folder.write("Other_Input.txt", kOdometry);
+  EXPECT_ERROR(open(folder.path()), "holds 2 drives; name one of them, as City_Input.txt");
+}
+
 TEST(smartloc, the_truth_may_be_missing_and_damaged_lines_are_named) {
   const TemporaryFolder folder;
   const Session session = open(folder.write("City_Input.txt", kOdometry + "odom3 0.5 1 2\nodom3 x 1 0 0 0 0 0\n"));

@@ -27,6 +27,32 @@ TEST(calibration_methods, have_sections_that_the_settings_know) {
       EXPECT_EQ(std::count(sections.begin(), sections.end(), method.settings_section), 1) << method.id;
 }
 
+TEST(calibration_methods, that_do_not_find_the_lidar_in_the_ins_frame_refuse_what_was_measured_there) {
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>());
+  input.settings.measured.z_m = 1.7;
+  input.settings.measured.z_sigma_m = 0.01;
+  for (const char* id : {"vehicle-frame", "slew"}) {
+    Progress progress;
+    try {
+      calibration_method(id).run(input, progress);
+      FAIL() << id << " took it";
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find("measured"), std::string::npos) << error.what();
+    }
+  }
+  input.settings.measured = {};
+  input.settings.measured.ins_height_m = 0.6;
+  input.settings.measured.ins_height_sigma_m = 0.02;
+  Progress progress;
+  try {
+    calibration_method("trajectory").run(input, progress);
+    FAIL() << "trajectory took the height of the INS";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("ins_height"), std::string::npos) << error.what();
+  }
+}
+
 TEST(calibration_methods, that_are_unknown_are_answered_with_the_known_ones) {
   try {
     calibration_method("guess");

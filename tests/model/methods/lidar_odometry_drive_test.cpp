@@ -95,6 +95,28 @@ TEST(lidar_odometry_drive, empty_scans_keep_the_prediction_and_say_so) {
   EXPECT_THROW(odometry.push(second, {}, 5, {}), Error);
 }
 
+TEST(lidar_odometry_drive, point_times_that_make_it_worse_do_not_cost_the_alignment) {
+  const SimulatedDrive drive = street(1.0);
+  LidarOdometry odometry({}, {});
+  const auto& scans = *drive.session.scans;
+  const PointCloud first = scans.load(0), second = scans.load(1), third = scans.load(2);
+  odometry.push(first, first.time_from_stamp_s, scans.stamp_ns(0), {});
+  // Seconds away from each other: once the velocity is known, the scan is torn to pieces.
+  std::vector<float> nonsense_s;
+  for (std::size_t i = 0; i < second.size(); ++i)
+    nonsense_s.push_back(static_cast<float>(i * 7919 % 1000) / 500.0f - 1.0f);
+  const OdometryPose pose = odometry.push(second, nonsense_s, scans.stamp_ns(1), {});
+  EXPECT_TRUE(pose.aligned) << pose.problem;
+  const auto off_m = [&](const OdometryPose& found, std::size_t scan) {
+    const RigidTransform truth = true_lidar(drive, 0).inverse() * true_lidar(drive, scan);
+    return (found.odometry_from_lidar.translation() - truth.translation()).norm();
+  };
+  EXPECT_LT(off_m(pose, 1), 0.3);  // neither scan is compensated
+  const OdometryPose next = odometry.push(third, third.time_from_stamp_s, scans.stamp_ns(2), {});
+  EXPECT_TRUE(next.aligned) << next.problem;
+  EXPECT_LT(off_m(next, 2), 0.3);
+}
+
 TEST(lidar_odometry_drive, a_map_that_begins_anew_has_a_number_of_its_own) {
   const SimulatedDrive drive = street(1.0);
   LidarOdometry odometry({}, {});

@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/methods/trajectory_feed.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {
 namespace {
-
-constexpr std::int64_t kAll = std::numeric_limits<std::int64_t>::max();
 
 std::int64_t stamp_ns(double time_s) { return static_cast<std::int64_t>(std::llround(time_s * 1e9)); }
 
@@ -49,7 +46,7 @@ TEST(trajectory_epochs, a_step_across_a_new_map_knows_no_more_than_where_the_map
   odometry.poses[47].covariance = Matrix6d::Identity();
   odometry.poses[123].undetermined = "along the road";
   odometry.poses[123].covariance = Matrix6d::Identity();
-  const TrajectorySession session = trajectory_session(with_ins(100.0, 20.0), odometry, {}, 0.0, kAll);
+  const TrajectorySession session = trajectory_session(with_ins(100.0, 20.0), odometry, {}, 0.0);
   std::vector<double> uncertain_at_s;
   for (const TrajectoryEpoch& epoch : session.epochs)
     if (epoch.step_translation_m2(0, 0) > 0.9) uncertain_at_s.push_back(epoch.time_s);
@@ -61,8 +58,8 @@ TEST(trajectory_epochs, a_step_across_a_new_map_knows_no_more_than_where_the_map
 TEST(trajectory_epochs, poses_of_a_slow_ins_are_used_once) {
   Settings settings;
   settings.trajectory.state_interval_s = 0.2;
-  const TrajectorySession slow = trajectory_session(with_ins(1.0, 20.0), ten_a_second(20.0), settings, 0.0, kAll);
-  const TrajectorySession fast = trajectory_session(with_ins(100.0, 20.0), ten_a_second(20.0), settings, 0.0, kAll);
+  const TrajectorySession slow = trajectory_session(with_ins(1.0, 20.0), ten_a_second(20.0), settings, 0.0);
+  const TrajectorySession fast = trajectory_session(with_ins(100.0, 20.0), ten_a_second(20.0), settings, 0.0);
   EXPECT_GE(with_pose_of_ins(slow), 18u);
   EXPECT_LE(with_pose_of_ins(slow), 21u);
   EXPECT_GE(with_pose_of_ins(fast), 95u);
@@ -82,7 +79,7 @@ TEST(trajectory_epochs, frequent_fixes_do_not_multiply_the_ins) {
     odometry.poses.push_back(one);
   }
   const Settings settings;
-  const TrajectorySession session = trajectory_session(drive.session, odometry, settings, 0.0, kAll);
+  const TrajectorySession session = trajectory_session(drive.session, odometry, settings, 0.0);
   EXPECT_GT(session.epochs.size(), 150u);
   double last_s = -1e9;
   for (const TrajectoryEpoch& epoch : session.epochs) {
@@ -105,10 +102,32 @@ TEST(trajectory_epochs, without_an_ins_no_walk_of_an_ins_is_in_the_steps) {
   settings.trajectory.odometry_drift_percent = settings.trajectory.odometry_drift_deg = 0.0;
   session.ins_position_drift = 1.0;
   session.ins_attitude_drift = 1.0;
-  const TrajectorySession made = trajectory_session(session, odometry, settings, 0.0, kAll);
+  const TrajectorySession made = trajectory_session(session, odometry, settings, 0.0);
   ASSERT_GT(made.epochs.size(), 10u);
   EXPECT_LT(made.epochs[5].step_translation_m2(0, 0), 1e-5);
   EXPECT_LT(made.epochs[5].step_rotation_rad2(0, 0), 1e-5);
+}
+
+TEST(trajectory_epochs, a_later_range_gives_the_epochs_that_the_whole_gives_there) {
+  const Session session = with_ins(100.0, 120.0);
+  const SessionOdometry odometry = ten_a_second(120.0);
+  const TrajectorySession whole = trajectory_session(session, odometry, {}, 0.0);
+  EpochRange range;
+  range.since_ns = stamp_ns(80.0);
+  range.until_ns = stamp_ns(100.0);
+  const TrajectorySession part = trajectory_session(session, odometry, {}, 0.0, range);
+  ASSERT_EQ(part.epochs.size(), 41u);
+  for (std::size_t i = 0; i < part.epochs.size(); ++i) {
+    const TrajectoryEpoch &here = part.epochs[i], &there = whole.epochs[160 + i];
+    ASSERT_EQ(here.time_s, there.time_s);
+    ASSERT_EQ(here.odometry_from_lidar.matrix(), there.odometry_from_lidar.matrix());
+    ASSERT_TRUE(here.ins && there.ins);
+    ASSERT_LT(difference(here.ins->enu_from_ins, there.ins->enu_from_ins).norm(), 1e-9);
+    if (i > 0) {
+      ASSERT_EQ(here.step_translation_m2, there.step_translation_m2);
+      ASSERT_EQ(here.step_rotation_rad2, there.step_rotation_rad2);
+    }
+  }
 }
 
 TEST(trajectory_epochs, a_silent_stream_holds_back_for_seconds_and_an_unused_one_never) {

@@ -11,11 +11,10 @@
 #include "model/methods/calibration_method.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/recorded_drives.h"
 
 namespace remount {
 namespace {
-
-const std::filesystem::path kData = std::filesystem::path(REMOUNT_SOURCE_DIR) / ".." / "shared" / "data";
 
 SimulationOptions street(double duration_s) {
   SimulationOptions options;
@@ -52,6 +51,21 @@ Session with_poses(const SimulatedDrive& drive, double scale) {
   return session;
 }
 
+SimulatedDrive drive_with_fixes(double duration_s, double outlier_share) {
+  SimulationOptions options = street(duration_s);
+  options.gnss.rate_hz = 5.0;
+  options.gnss.noise_m = 0.02;
+  options.gnss.vertical_noise_m = 0.03;
+  options.gnss.outlier_share = outlier_share;
+  return simulate_drive(options);
+}
+
+PipelineOutput run_by_fixes(const SimulatedDrive& drive, double scale) {
+  Session session = with_poses(drive, scale);
+  session.ins.clear();
+  return run({session});
+}
+
 RigidTransform antenna_from_lidar(const SimulatedDrive& drive) {
   return make_rigid(Eigen::Matrix3d::Identity(), -(drive.ins_from_lidar.inverse() * drive.sensors.antenna_in_ins_m));
 }
@@ -82,14 +96,8 @@ TEST(trajectory_method, a_simulated_street_is_solved_from_its_scans_within_sigma
 }
 
 TEST(trajectory_method, positions_alone_give_the_lever_arm_of_the_antenna) {
-  SimulationOptions options = street(90.0);
-  options.gnss.rate_hz = 5.0;
-  options.gnss.noise_m = 0.02;
-  options.gnss.vertical_noise_m = 0.03;
-  const SimulatedDrive drive = simulate_drive(options);
-  Session session = with_poses(drive, 0.0);
-  session.ins.clear();
-  const PipelineOutput output = run({session});
+  const SimulatedDrive drive = drive_with_fixes(90.0, 0.0);
+  const PipelineOutput output = run_by_fixes(drive, 0.0);
   EXPECT_EQ(output.result.reference_frame, "antenna");
   EXPECT_EQ(output.result.status, Status::Degenerate);
   EXPECT_NE(output.result.message.find("lever arm"), std::string::npos) << output.result.message;
@@ -101,15 +109,8 @@ TEST(trajectory_method, positions_alone_give_the_lever_arm_of_the_antenna) {
 }
 
 TEST(trajectory_method, one_percent_of_drift_and_a_fifth_of_wrong_fixes_are_survived) {
-  SimulationOptions options = street(120.0);
-  options.gnss.rate_hz = 5.0;
-  options.gnss.noise_m = 0.02;
-  options.gnss.vertical_noise_m = 0.03;
-  options.gnss.outlier_share = 0.2;
-  const SimulatedDrive drive = simulate_drive(options);
-  Session session = with_poses(drive, 0.01);
-  session.ins.clear();
-  const PipelineOutput output = run({session});
+  const SimulatedDrive drive = drive_with_fixes(120.0, 0.2);
+  const PipelineOutput output = run_by_fixes(drive, 0.01);
   error_of(output.result, antenna_from_lidar(drive));
   ASSERT_TRUE(output.result.observed[0] && output.result.observed[1]) << output.result.message;
   expect_within_sigma(output.result, antenna_from_lidar(drive), 3.5);
@@ -161,15 +162,6 @@ TEST(trajectory_method, cancelled_runs_say_so) {
   stop.request_stop();
   Progress progress(stop.get_token());
   EXPECT_EQ(calibration_method("trajectory").run(input, progress).result.status, Status::Cancelled);
-}
-
-// As in tests/model/pipeline/real_drive_test.cpp.
-RigidTransform zxl19_reference() {
-  const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(degrees_to_radians(0.134), Eigen::Vector3d::UnitX()) *
-                                    Eigen::AngleAxisd(degrees_to_radians(0.619), Eigen::Vector3d::UnitY()) *
-                                    Eigen::AngleAxisd(degrees_to_radians(-90.443), Eigen::Vector3d::UnitZ()))
-                                       .toRotationMatrix();
-  return make_rigid(rotation, {-0.004, 0.379, 0.13});
 }
 
 TEST(trajectory_method, three_recorded_drives_agree_with_their_reference) {

@@ -93,6 +93,27 @@ TEST(vehicle_frame_method, poses_without_scale_get_one) {
   EXPECT_NEAR(output.quantities[0].value / 3.7, 1.0, 0.005);
 }
 
+TEST(vehicle_frame_method, scans_become_poses_by_the_lidars_own_odometry) {
+  SimulationOptions options;
+  options.scenario = ScenarioKind::Hill;
+  options.duration_s = 40.0;
+  options.speed_mps = 8.0;
+  options.beams = 16;
+  options.azimuth_steps = 450;
+  options.scan_rate_hz = 5.0;
+  const SimulatedDrive simulated_drive = simulate_drive(options);
+  const Drive drive{std::make_shared<Session>(simulated_drive.session),
+                    vehicle_from_ins(options.scenario) * simulated_drive.ins_from_lidar};
+  const PipelineOutput output = run(drive);
+  const CalibrationError error = error_of(output.result, drive.vehicle_from_lidar);
+  ASSERT_TRUE(output.result.status == Status::Ok || output.result.status == Status::Degenerate)
+      << output.result.message;
+  expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
+  for (const std::size_t i : {0u, 1u, 3u, 4u}) EXPECT_TRUE(output.result.observed[i]) << kParameterNames[i];
+  EXPECT_LT(error.rotation_deg, 0.3);
+  EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.1);
+}
+
 TEST(vehicle_frame_method, without_an_imu_the_ins_stands_in) {
   const Drive drive = simulated(ScenarioKind::Hill);
   drive.session->imu.clear();

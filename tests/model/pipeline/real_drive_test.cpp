@@ -5,11 +5,10 @@
 
 #include "model/io/session_reader.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/recorded_drives.h"
 
 namespace remount {
 namespace {
-
-const std::filesystem::path kData = std::filesystem::path(REMOUNT_SOURCE_DIR) / ".." / "shared" / "data";
 
 PipelineOutput calibrate(const std::vector<std::filesystem::path>& folders, const Settings& settings = {}) {
   Progress progress;
@@ -46,16 +45,6 @@ TEST(kitti, four_short_drives_without_nominal_agree_with_the_published_calibrati
     EXPECT_NE(pair.reason.find("contradicts the INS motion"), std::string::npos) << pair.reason;
   }
   EXPECT_GT(rejected, of_first / 2) << "the INS of the first drive contradicts its scans";
-}
-
-// The stated angles "yaw -90.443 pitch 0.619 roll 0.134" reproduce the drives' own motion pairs as Rx(roll) Ry(pitch)
-// Rz(yaw) (0.28 deg rms) and not as Rz Ry Rx (0.81 deg rms).
-RigidTransform zxl19_reference() {
-  const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(degrees_to_radians(0.134), Eigen::Vector3d::UnitX()) *
-                                    Eigen::AngleAxisd(degrees_to_radians(0.619), Eigen::Vector3d::UnitY()) *
-                                    Eigen::AngleAxisd(degrees_to_radians(-90.443), Eigen::Vector3d::UnitZ()))
-                                       .toRotationMatrix();
-  return make_rigid(rotation, {-0.004, 0.379, 0.13});
 }
 
 TEST(zxl19, three_drives_from_raw_logs_agree_with_the_reference_and_with_each_other) {

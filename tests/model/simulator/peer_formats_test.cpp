@@ -2,10 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iostream>
+
+#include "algorithms/geometry/local_level.h"
 #include "model/io/parse_document.h"
 #include "model/io/session_reader.h"
 #include "model/io/transform_document.h"
+#include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
+#include "model/simulator/scene.h"
 #include "tests/model/io/temporary_folder.h"
 
 namespace remount {
@@ -99,6 +105,68 @@ TEST(peer_formats, opencalib_folders_hold_scans_and_poses) {
     ASSERT_EQ(session.world_from_ins[i].stamp_ns, written[i].stamp_ns);
     ASSERT_LT((session.world_from_ins[i].pose.matrix() - written[i].pose.matrix()).norm(), 1e-9);
   }
+}
+
+TEST(peer_formats, smartloc_files_hold_speed_and_turn_rates_of_the_vehicle_and_the_true_antenna) {
+  SimulationOptions options = small_options();
+  options.wheels.noise_mps = options.wheels.slip = options.imu.gyro_noise_dps = options.imu.gyro_bias_dps = 0.0;
+  const SimulatedDrive drive = simulate_drive(options);
+  const TemporaryFolder folder;
+  const Session session = read_back(drive, "smartloc", folder);
+  ASSERT_EQ(session.wheels.size(), drive.session.wheels.size());
+  ASSERT_EQ(session.gnss.size(), session.wheels.size());
+  const Eigen::Matrix3d vehicle_from_imu = (drive.sensors.vehicle_from_ins * drive.sensors.ins_from_imu).linear();
+  const LocalLevel level(degrees_to_radians(options.latitude_deg), degrees_to_radians(options.longitude_deg),
+                         options.height_m);
+  const Scene scene(options);
+  for (std::size_t i = 0; i < session.wheels.size(); ++i) {
+    const WheelSample& written = drive.session.wheels[i];
+    ASSERT_EQ(session.wheels[i].stamp_ns, written.stamp_ns - drive.session.wheels.front().stamp_ns);
+    ASSERT_NEAR(session.wheels[i].rear_left_mps, 0.5 * (written.rear_left_mps + written.rear_right_mps), 1e-12);
+    // The IMU samples at these very times.
+    const ImuSample& imu = drive.session.imu[2 * i];
+    ASSERT_EQ(imu.stamp_ns, written.stamp_ns);
+    ASSERT_LT((session.imu[i].angular_rate_radps - vehicle_from_imu * imu.angular_rate_radps).norm(), 1e-12);
+    const double time_s = static_cast<double>(written.stamp_ns - kDriveStart_ns) * 1e-9;
+    const Eigen::Vector3d antenna = scene.enu_from_ins(time_s) * drive.sensors.antenna_in_ins_m;
+    ASSERT_LT((level.position_enu_m(session.gnss[i]) - antenna).norm(), 1e-6);
+  }
+}
+
+TEST(peer_formats, smartloc_drives_show_where_the_antenna_is) {
+  SimulationOptions options = small_options();
+  options.scenario = ScenarioKind::FigureEight;
+  options.duration_s = 90.0;
+  const SimulatedDrive drive = simulate_drive(options);
+  const TemporaryFolder folder;
+  PipelineInput input;
+  input.sessions = {std::make_shared<Session>(read_back(drive, "smartloc", folder))};
+  Progress progress;
+  const CalibrationResult result = calibration_method("vehicle-frame").run(input, progress).result;
+  const Eigen::Vector3d truth = drive.sensors.vehicle_from_ins * drive.sensors.antenna_in_ins_m;
+  const Eigen::Vector3d off = result.ins_from_lidar.translation() - truth;
+  std::cout << "    antenna off by " << off.x() << ", " << off.y() << " m; " << result.message << "\n";
+  for (const std::size_t i : {0u, 1u}) {
+    ASSERT_TRUE(result.observed[i]) << result.message;
+    EXPECT_LT(std::abs(off[static_cast<Eigen::Index>(i)]), std::max(0.02, 3.5 * result.sigma(i).value())) << i;
+  }
+}
+
+TEST(peer_formats, smartloc_refuses_a_machine_without_wheels) {
+  const TemporaryFolder folder;
+  Progress progress;
+  SimulationOptions options = small_options();
+  options.wheels.rate_hz = 0.0;
+  EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "a", "smartloc", 1, progress), "wheels and IMU");
+}
+
+TEST(peer_formats, every_format_that_is_read_is_written) {
+  std::vector<std::string> read;
+  for (const auto& reader : session_readers()) read.emplace_back(reader->id());
+  std::vector<std::string> written = drive_formats();
+  std::sort(read.begin(), read.end());
+  std::sort(written.begin(), written.end());
+  EXPECT_EQ(written, read);
 }
 
 TEST(peer_formats, opencalib_refuses_what_it_cannot_say) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "model/simulator/body_motion.h"
@@ -185,6 +186,32 @@ TEST(sensor_models, wheels_have_the_stated_scale_and_slip) {
   EXPECT_NEAR(left / 6.0, 1.02, 5e-4);
   EXPECT_NEAR(right / 6.0, 0.97, 5e-4);
   EXPECT_NEAR(std::sqrt(left2), std::hypot(0.02, 0.01 * 6.12), 0.002);
+}
+
+TEST(sensor_models, lasting_slip_has_the_stated_spread_and_dies_away_as_stated) {
+  SimulationOptions options = exact_options(ScenarioKind::Straight);
+  options.duration_s = 2000.0;
+  options.wheels.rate_hz = 20.0;
+  options.wheels.lasting_slip = 0.02;
+  options.wheels.lasting_slip_s = 4.0;
+  const std::vector<WheelSample> wheels = simulate_wheels(Scene(options));
+  std::vector<double> left, right;
+  for (const WheelSample& sample : wheels) {
+    left.push_back(sample.rear_left_mps / options.speed_mps - 1.0);
+    right.push_back(sample.rear_right_mps / options.speed_mps - 1.0);
+  }
+  const auto mean_product = [](const std::vector<double>& a, const std::vector<double>& b, std::size_t lag) {
+    double sum = 0.0;
+    for (std::size_t i = lag; i < a.size(); ++i) sum += a[i] * b[i - lag];
+    return sum / static_cast<double>(a.size() - lag);
+  };
+  const double power = mean_product(left, left, 0);
+  const double after_4_s = mean_product(left, left, 80) / power, across = mean_product(left, right, 0) / power;
+  std::printf("  sigma %.4f, correlation after 4 s %.3f, of the wheels %.3f\n", std::sqrt(power), after_4_s, across);
+  // Some 250 independent values: three sigma of their estimates.
+  EXPECT_NEAR(std::sqrt(power), 0.02, 0.003);
+  EXPECT_NEAR(after_4_s, std::exp(-1.0), 0.2);
+  EXPECT_NEAR(across, 0.0, 0.2);
 }
 
 TEST(sensor_models, gnss_is_the_antenna_with_the_stated_covariance_outliers_and_outage) {

@@ -1,0 +1,57 @@
+// What epochs of a long drive have said that are no longer solved for.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "algorithms/geometry/rigid_transform.h"
+
+namespace remount {
+
+/// What is common to many poses: X under `perturbed` (0-5), the antenna in the LiDAR frame (6-8), and of each session
+/// the scale of its odometry (9) and its clock offset (10).
+inline constexpr int kSharedSize = 9, kOwnSize = 2, kBorderSize = kSharedSize + kOwnSize;
+inline constexpr int kAntennaAt = 6, kScaleAt = 9, kClockAt = 10;
+using SharedMatrix = Eigen::Matrix<double, kSharedSize, kSharedSize>;
+using SharedVector = Eigen::Matrix<double, kSharedSize, 1>;
+using BorderMatrix = Eigen::Matrix<double, kBorderSize, kBorderSize>;
+using BorderVector = Eigen::Matrix<double, kBorderSize, 1>;
+
+/// A value of all of these.
+struct BorderPoint {
+  RigidTransform ins_from_lidar = RigidTransform::Identity();
+  Eigen::Vector3d antenna_in_lidar = Eigen::Vector3d::Zero();
+  double scale = 0.0, clock_s = 0.0;
+};
+
+inline BorderVector difference(const BorderPoint& from, const BorderPoint& to) {
+  BorderVector out;
+  out << difference(from.ins_from_lidar, to.ins_from_lidar), to.antenna_in_lidar - from.antenna_in_lidar,
+      to.scale - from.scale, to.clock_s - from.clock_s;
+  return out;
+}
+
+/// The first epochs of a session, with their poses eliminated: linear about where the solution was then, with the
+/// weights and the noise of that time.
+struct TrajectoryPast {
+  double duration_s = 0.0;  ///< 0: there is none
+  BorderPoint centre;
+  BorderMatrix information = BorderMatrix::Zero();
+  BorderVector pull = BorderVector::Zero();  ///< moving by d from the centre costs 2 pull . d + d . information d
+  RigidTransform linearised_ins_from_lidar = RigidTransform::Identity();  ///< of the oldest part
+  SharedMatrix scatter = SharedMatrix::Zero();                            ///< sum of squared pulls of blocks of time
+  double blocks = 0.0;                                                    ///< how many these are
+  SharedMatrix spurious = SharedMatrix::Zero();                           ///< see spurious_trajectory_information
+  bool has_ins = false, has_antenna = false;
+  std::vector<RigidTransform> odometry_from_lidar;  ///< thinned: how the vehicle turned
+
+  bool empty() const { return duration_s == 0.0; }
+  double cost(const BorderPoint& at) const {
+    const BorderVector away = difference(centre, at);
+    return away.dot(information * away) + 2.0 * pull.dot(away);
+  }
+  /// Half the slope of that cost.
+  BorderVector pull_at(const BorderPoint& at) const { return pull + information * difference(centre, at); }
+};
+
+}  // namespace remount

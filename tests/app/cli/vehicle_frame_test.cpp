@@ -1,0 +1,38 @@
+// Wheel speeds and turn rates alone, from the command line.
+#include <gtest/gtest.h>
+
+#include "tests/app/cli/program_fixture.h"
+#include "tests/support/recorded_drives.h"
+
+namespace remount {
+namespace {
+
+class cli_vehicle_frame : public ProgramFixture<cli_vehicle_frame> {
+ protected:
+  static void SetUpTestSuite() { make_folder_with_drive("--duration-s 0.5 --beams 1 --azimuth-steps 16"); }
+
+  /// Calibrates and returns the result file's text.
+  static std::string calibrated(const std::string& session, const std::string& result) {
+    const Outcome outcome = run("calibrate '" + session + "' --method vehicle-frame -o " + path(result));
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    return text_of(path(result));
+  }
+};
+
+TEST_F(cli_vehicle_frame, a_simulated_smartloc_drive_runs_end_to_end) {
+  const Outcome made = run("simulate figure-eight " + path("wheels") + " --format smartloc --duration-s 60");
+  ASSERT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(text_of(path("wheels/truth.yaml")).find("antenna_in_vehicle_m"), std::string::npos);
+  const std::string result = calibrated(path("wheels"), "wheels.yaml");
+  EXPECT_NE(result.find("x and y are observed"), std::string::npos) << result;
+  EXPECT_NE(result.find("wheel scale"), std::string::npos) << result;
+}
+
+TEST_F(cli_vehicle_frame, the_recorded_smartloc_folder_runs_end_to_end) {
+  if (!std::filesystem::exists(kData / "smartloc")) GTEST_SKIP() << "no recorded data at " << kData;
+  const std::string result = calibrated((kData / "smartloc").string(), "berlin.yaml");
+  EXPECT_NE(result.find("end error"), std::string::npos) << result;
+}
+
+}  // namespace
+}  // namespace remount
