@@ -31,6 +31,7 @@
 #include "widgets/panels/nominal_panel.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/path_view.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/panels/quality_view.h"
 #include "widgets/panels/range_panel.h"
@@ -110,7 +111,7 @@ void MainWindow::make_controllers() {
   });
   maps_ = new MapController(workbench_, *map_view_, this);
   checks_ = new QualityController(workbench_, *quality_, this);
-  method_control_ = new MethodController(workbench_, *method_chooser_, *method_, *comparison_, this);
+  method_control_ = new MethodController(workbench_, *method_chooser_, *method_, *paths_, *comparison_, this);
   connect(comparison_, &ComparisonView::add_requested, this, &MainWindow::ask_for_results);
   quality_->set_on_top(false);
   connect(quality_dock_, &QDockWidget::visibilityChanged, quality_, &QualityView::set_on_top);
