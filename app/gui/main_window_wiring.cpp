@@ -115,7 +115,7 @@ void MainWindow::make_controllers() {
   connect(comparison_, &ComparisonView::add_requested, this, &MainWindow::ask_for_results);
   quality_->set_on_top(false);
   connect(quality_dock_, &QDockWidget::visibilityChanged, quality_, &QualityView::set_on_top);
-  connect(quality_, &QualityView::looked_at, this, &MainWindow::show_state);
+  connect(quality_, &QualityView::confirmed, &workbench_, &Workbench::confirm);
   connect(checks_, &QualityController::map_requested, this, [this](MapX x) {
     map_view_->choose(x);
     views_->setCurrentWidget(map_view_);
@@ -212,7 +212,8 @@ void MainWindow::show_state() {
     idle_ = idle;
     progress_text(idle);
   }
-  if (!busy && !workbench_.solving() && workbench_.output() && quality_->seen()) workbench_.mark_checked();
+  quality_->show_confirmed(workbench_.confirmed(), workbench_.output() && is_usable(workbench_.output()->result) &&
+                                                       !busy && !workbench_.solving() && !workbench_.out_of_date());
   steps_->show_steps(describe_steps(workbench_));
   calibrate_->setEnabled(!busy);
   run_->setEnabled(!busy && !workbench_.sessions().empty());
