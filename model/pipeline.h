@@ -92,8 +92,9 @@ struct PairClouds {
 PairClouds load_pair_clouds(const PipelineInput& input, const PipelineOutput& output, int pair);
 
 /// The scan of one keyframe in its lidar frame, deskewed as for registration. Empty where the session has LiDAR poses
-/// and no scans; throws Error where it cannot be read.
-PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, int keyframe);
+/// and no scans, or where cancelled; throws Error where it cannot be read.
+PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, int keyframe,
+                              const Progress& progress);
 
 /// The keyframes' scans of one session for its accumulated map, deskewed as for registration.
 struct SessionScans {

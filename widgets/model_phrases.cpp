@@ -167,7 +167,7 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Max correspondence"),
       QT_TRANSLATE_NOOP("remount::model", "Max iterations"),
       QT_TRANSLATE_NOOP("remount::model", "Min overlap"),
-      QT_TRANSLATE_NOOP("remount::model", "Max rmse"),
+      QT_TRANSLATE_NOOP("remount::model", "Max RMSE"),
       QT_TRANSLATE_NOOP("remount::model", "Search when doubtful"),
       QT_TRANSLATE_NOOP("remount::model", "Search reach"),
       QT_TRANSLATE_NOOP("remount::model", "Mode"),

@@ -1,6 +1,7 @@
 #include "widgets/theme.h"
 
 #include <QCoreApplication>
+#include <QWidget>
 
 namespace remount {
 namespace {
@@ -65,6 +66,10 @@ QColor tinted(const QColor& color, const QPalette& palette) {
   constexpr double kShare = 0.16;
   const auto mix = [](int a, int b) { return static_cast<int>(a * kShare + b * (1.0 - kShare)); };
   return {mix(color.red(), base.red()), mix(color.green(), base.green()), mix(color.blue(), base.blue())};
+}
+
+void set_style(QWidget& widget, const QString& style_sheet) {
+  if (widget.styleSheet() != style_sheet) widget.setStyleSheet(style_sheet);
 }
 
 }  // namespace remount

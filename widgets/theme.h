@@ -8,6 +8,8 @@
 #include "algorithms/trajectory/pair.h"
 #include "model/session.h"
 
+class QWidget;
+
 namespace remount {
 
 bool is_dark(const QPalette& palette);
@@ -20,5 +22,7 @@ QColor warning_color(const QPalette& palette);
 QColor bad_color(const QPalette& palette);
 /// A background that carries `color` softly under text of the palette.
 QColor tinted(const QColor& color, const QPalette& palette);
+/// Sets a style sheet where it is another: the same one, set once more, styles the widget and all in it anew.
+void set_style(QWidget& widget, const QString& style_sheet);
 
 }  // namespace remount

@@ -57,6 +57,9 @@ struct TimeOffset {
   bool applied = false;
 };
 
+/// Sessions whose answers scatter more than so many times what their errors explain contradict one another: it is said.
+inline constexpr double kSessionsContradict = 2.0;
+
 struct CalibrationResult {
   Status status = Status::TooFewPairs;
   std::string message;              ///< one sentence for the user: what happened and why

@@ -17,7 +17,7 @@ void thin(std::vector<Plot>& plots, std::size_t most) {
   if (most < 2) return;
   for (Plot& plot : plots)
     for (Curve& curve : plot.curves)
-      for (std::vector<double>* values : {&curve.x, &curve.y, &curve.sigma}) keep_every(*values, most);
+      for (std::vector<double>* values : {&curve.x, &curve.y, &curve.sigma, &curve.z}) keep_every(*values, most);
 }
 
 }  // namespace remount

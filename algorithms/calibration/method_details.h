@@ -26,6 +26,8 @@ struct Curve {
   std::string name;
   std::vector<double> x, y, sigma;
   bool dots = false;  ///< single points instead of a line
+  /// m; empty, or as long as `y`: the heights of a way whose x and y are metres. The window shows it in space as well.
+  std::vector<double> z;
 };
 
 struct Plot {

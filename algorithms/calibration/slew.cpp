@@ -259,14 +259,16 @@ void name_quantities(const Pieces& pieces, SlewResult& result) {
 
 void draw(const SlewData& data, SlewResult& result) {
   const RigidTransform& machine_from_lidar = result.calibration.ins_from_lidar;
-  Curve poses{"LiDAR", {}, {}, {}, true}, circle{"fitted circle", {}, {}, {}, false},
-      centre{"slew axis", {}, {}, {}, true};
-  Curve off{"from the circle", {}, {}, {}, true}, high{"from its plane", {}, {}, {}, true};
+  Curve poses{"LiDAR", {}, {}, {}, true, {}}, circle{"fitted circle", {}, {}, {}, false, {}},
+      centre{"slew axis", {}, {}, {}, true, {}};
+  Curve off{"from the circle", {}, {}, {}, true, {}}, high{"from its plane", {}, {}, {}, true, {}};
   const Vector3d middle = machine_from_lidar * result.circle.centre_m;
+  const Vector3d axis = machine_from_lidar.linear() * result.circle.axis;
   for (const RigidTransform& pose : data.first_from_lidar) {
     const Vector3d at = machine_from_lidar * pose.translation();
     poses.x.push_back(at.x());
     poses.y.push_back(at.y());
+    poses.z.push_back(at.z());
     const Vector3d out = pose.translation() - result.circle.centre_m;
     const double along = out.dot(result.circle.axis);
     const double angle = std::atan2(at.y() - middle.y(), at.x() - middle.x());
@@ -277,11 +279,14 @@ void draw(const SlewData& data, SlewResult& result) {
   }
   for (int i = 0; i <= 180; ++i) {
     const double angle = 2.0 * kPi * i / 180.0;
-    circle.x.push_back(middle.x() + result.circle.radius_m * std::cos(angle));
-    circle.y.push_back(middle.y() + result.circle.radius_m * std::sin(angle));
+    const double x = result.circle.radius_m * std::cos(angle), y = result.circle.radius_m * std::sin(angle);
+    circle.x.push_back(middle.x() + x);
+    circle.y.push_back(middle.y() + y);
+    circle.z.push_back(middle.z() - (axis.x() * x + axis.y() * y) / axis.z());  // in the plane of the turn
   }
   centre.x = {middle.x()};
   centre.y = {middle.y()};
+  centre.z = {middle.z()};
   result.plots.push_back({"Turn of the LiDAR about the slew axis", "x (m)", "y (m)", true, {poses, circle, centre}});
   result.plots.push_back({"Distance from the fitted circle", "slew angle (deg)", "mm", false, {off, high}});
 }

@@ -121,8 +121,7 @@ Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& d
 }
 
 void add_disagreement_advice(CalibrationResult& result) {
-  constexpr double kWorthSaying = 2.0;
-  if (!(result.session_disagreement > kWorthSaying)) return;
+  if (!(result.session_disagreement > kSessionsContradict)) return;
   char text[240];
   std::snprintf(
       text, sizeof text,

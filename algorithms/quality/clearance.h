@@ -16,6 +16,8 @@ struct VehicleBox {
   double half_width_m = 1.0;
   double height_min_m = -0.5;  ///< lower is the ground
   double height_max_m = 2.0;   ///< higher are bridges and branches
+
+  bool operator==(const VehicleBox&) const = default;
 };
 
 enum class Side { Front, Rear, Left, Right };

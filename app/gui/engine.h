@@ -18,7 +18,7 @@ struct Engine {
   std::function<bool(const PipelineInput&, PipelineOutput&, const Progress&)> solve_at_once;
   /// May be empty: then there are no maps.
   std::function<SessionScans(const PipelineInput&, const PipelineOutput&, int, std::size_t, Progress&)> load_map_scans;
-  std::function<PointCloud(const PipelineInput&, const PipelineOutput&, int)> load_keyframe_scan;
+  std::function<PointCloud(const PipelineInput&, const PipelineOutput&, int, Progress&)> load_keyframe_scan;
   /// May be empty: then sessions are not compared.
   std::function<HoldOut(const PipelineInput&, const PipelineOutput&, Progress&)> check_hold_out;
   /// May be empty: then a result that moved keeps no map check.

@@ -40,6 +40,7 @@
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/path_view.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/panels/quality_view.h"
 #include "widgets/panels/range_panel.h"
@@ -182,10 +183,12 @@ void MainWindow::make_docks() {
   candidates_ = new CandidatesPanel(*candidate_model_);
   quality_ = new QualityView;
   method_ = new MethodView;
+  paths_ = new PathView;
   comparison_ = new ComparisonView;
   methods_ = new QTabWidget;
   methods_->setDocumentMode(true);
   methods_->addTab(method_, tr("Figures and plots"));
+  methods_->addTab(paths_, tr("In three dimensions"));
   methods_->addTab(comparison_, tr("Results compared"));
 
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);

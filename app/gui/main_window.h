@@ -40,6 +40,7 @@ class QualityView;
 class ComparisonView;
 class MethodController;
 class MethodView;
+class PathView;
 class RangePanel;
 class ReportMaker;
 class ResultPanel;
@@ -177,8 +178,9 @@ class MainWindow : public QMainWindow {
   QualityView* quality_ = nullptr;
   QComboBox* method_chooser_ = nullptr;
   MethodView* method_ = nullptr;
+  PathView* paths_ = nullptr;
   ComparisonView* comparison_ = nullptr;
-  QTabWidget* methods_ = nullptr;  // of the method, and results compared
+  QTabWidget* methods_ = nullptr;  // of the method, in space, and results compared
   MethodController* method_control_ = nullptr;
   QualityController* checks_ = nullptr;
   SessionsPanel* sessions_ = nullptr;

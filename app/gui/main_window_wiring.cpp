@@ -31,6 +31,7 @@
 #include "widgets/panels/nominal_panel.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/path_view.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/panels/quality_view.h"
 #include "widgets/panels/range_panel.h"
@@ -110,11 +111,11 @@ void MainWindow::make_controllers() {
   });
   maps_ = new MapController(workbench_, *map_view_, this);
   checks_ = new QualityController(workbench_, *quality_, this);
-  method_control_ = new MethodController(workbench_, *method_chooser_, *method_, *comparison_, this);
+  method_control_ = new MethodController(workbench_, *method_chooser_, *method_, *paths_, *comparison_, this);
   connect(comparison_, &ComparisonView::add_requested, this, &MainWindow::ask_for_results);
   quality_->set_on_top(false);
   connect(quality_dock_, &QDockWidget::visibilityChanged, quality_, &QualityView::set_on_top);
-  connect(quality_, &QualityView::looked_at, this, &MainWindow::show_state);
+  connect(quality_, &QualityView::confirmed, &workbench_, &Workbench::confirm);
   connect(checks_, &QualityController::map_requested, this, [this](MapX x) {
     map_view_->choose(x);
     views_->setCurrentWidget(map_view_);
@@ -211,7 +212,8 @@ void MainWindow::show_state() {
     idle_ = idle;
     progress_text(idle);
   }
-  if (!busy && !workbench_.solving() && workbench_.output() && quality_->seen()) workbench_.mark_checked();
+  quality_->show_confirmed(workbench_.confirmed(), workbench_.output() && is_usable(workbench_.output()->result) &&
+                                                       !busy && !workbench_.solving() && !workbench_.out_of_date());
   steps_->show_steps(describe_steps(workbench_));
   calibrate_->setEnabled(!busy);
   run_->setEnabled(!busy && !workbench_.sessions().empty());

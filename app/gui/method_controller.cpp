@@ -9,6 +9,7 @@
 #include "widgets/model_text.h"
 #include "widgets/panels/comparison_view.h"
 #include "widgets/panels/method_view.h"
+#include "widgets/panels/path_view.h"
 
 namespace remount {
 namespace {
@@ -21,9 +22,9 @@ QString title_of(const std::string& id) {
 
 }  // namespace
 
-MethodController::MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view,
+MethodController::MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, PathView& paths,
                                    ComparisonView& comparison, QObject* parent)
-    : QObject(parent), workbench_(workbench), chooser_(chooser), view_(view), comparison_(comparison) {
+    : QObject(parent), workbench_(workbench), chooser_(chooser), view_(view), paths_(paths), comparison_(comparison) {
   for (const CalibrationMethod& method : calibration_methods()) {
     chooser_.addItem(model_text(method.title));
     chooser_.setItemData(chooser_.count() - 1, tr("Needs: %1").arg(model_text(method.needs)), Qt::ToolTipRole);
@@ -52,6 +53,7 @@ void MethodController::show_output() {
   if (!output) {
     shown_.reset();
     view_.show_message(tr("After a calibration the figures and plots of its method are shown here."));
+    paths_.show_plots({}, tr("After a calibration the ways that its method found are shown here in space."));
     return show_comparison();
   }
   if (output == shown_) return;
@@ -61,6 +63,10 @@ void MethodController::show_output() {
     view_.show_message(title + QStringLiteral(". ") + tr("Its figures are in the other panels."));
   else
     view_.show_method(title, output->quantities, output->plots);
+  paths_.show_plots(output->plots,
+                    output->keyframes.empty()
+                        ? tr("The method drew nothing in space.")
+                        : tr("The method drew no way of its own: its scans are in the views \"Pair\" and \"Map\"."));
   if (is_usable(output->result)) {
     NamedResult& named = of_methods_[output->method];
     named.name = title_of(output->method).toStdString();

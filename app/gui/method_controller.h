@@ -14,13 +14,14 @@ namespace remount {
 
 class ComparisonView;
 class MethodView;
+class PathView;
 
 class MethodController : public QObject {
   Q_OBJECT
  public:
   /// `chooser` is filled with the methods; it edits the settings as the options form does.
-  MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, ComparisonView& comparison,
-                   QObject* parent = nullptr);
+  MethodController(Workbench& workbench, QComboBox& chooser, MethodView& view, PathView& paths,
+                   ComparisonView& comparison, QObject* parent = nullptr);
   /// Result files that are to stand beside the results of this window.
   void add_files(const QStringList& paths);
 
@@ -33,6 +34,7 @@ class MethodController : public QObject {
   Workbench& workbench_;
   QComboBox& chooser_;
   MethodView& view_;
+  PathView& paths_;
   ComparisonView& comparison_;
   std::map<std::string, NamedResult> of_methods_;  // the last usable result of each, of the sessions that are open
   std::vector<NamedResult> of_files_;

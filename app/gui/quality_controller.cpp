@@ -81,7 +81,10 @@ QualityController::QualityController(Workbench& workbench, QualityView& view, QO
   connect(&view_, &QualityView::looked_at, this, &QualityController::refresh);
   connect(&workbench_, &Workbench::state_changed, this, &QualityController::refresh);
   connect(view_.obstacles(), &ClearanceView::scan_chosen, this, &QualityController::refresh_obstacles);
-  connect(view_.obstacles(), &ClearanceView::box_edited, this, &remember_box);
+  connect(view_.obstacles(), &ClearanceView::box_edited, this, [this](const VehicleBox& box) {
+    remember_box(box);
+    measure_again();
+  });
   if (remembers()) view_.obstacles()->set_box(remembered_box());
   connect(view_.sharpness(), &SharpnessView::map_requested, this, &QualityController::map_requested);
 }
@@ -100,6 +103,7 @@ void QualityController::offer_scans(const OutputPtr& output) {
   for (std::size_t k = 0; output && k < output->keyframes.size(); ++k)
     ++counts.at(static_cast<std::size_t>(output->keyframes[k].session));
   view_.obstacles()->show_choices(output ? session_names(input) : QStringList(), counts);
+  view_.obstacles()->show_nominal_known(!output || output->nominal_known);
 }
 
 void QualityController::refresh_obstacles() {
@@ -107,12 +111,14 @@ void QualityController::refresh_obstacles() {
   ClearanceView& view = *view_.obstacles();
   offer_scans(output);
   const auto say = [&](const QString& text) {
+    jobs_.cancel(scan_job_);
     scan_of_ = {};
+    scan_ = nullptr;
     view.show_message(text);
   };
   if (!output) return say(tr("After a calibration the vehicle is shown here among the points of a scan."));
   if (!is_usable(output->result)) return say(tr("There is no result under which to look at obstacles."));
-  const ScanKey wanted{output, keyframe_at(*output, view.chosen_session(), view.chosen_keyframe())};
+  const ScanKey wanted{workbench_.solution(), keyframe_at(*output, view.chosen_session(), view.chosen_keyframe())};
   if (wanted.keyframe < 0) return say(tr("No scan of this session was used."));
   const bool settled = !workbench_.calibrating() && !workbench_.solving();
   if (!settled && !view.shows_scan()) view.show_message(tr("The scan is shown when the new solution is complete."));
@@ -125,23 +131,55 @@ void QualityController::start_scan(const ScanKey& wanted) {
   scan_of_ = wanted;
   if (!view_.obstacles()->shows_scan()) view_.obstacles()->show_message(tr("Reading the scan…"));
   scan_job_ = jobs_.start(
-      [this, wanted, input = workbench_.input_of_output(),
-       load = workbench_.engine().load_keyframe_scan](Progress&) -> JobRunner::Deliver {
-        const auto scan = scan_of_vehicle(load(input, *wanted.output, wanted.keyframe), input, *wanted.output);
-        const Keyframe& keyframe = wanted.output->keyframes[static_cast<std::size_t>(wanted.keyframe)];
-        return [this, wanted, scan, name = scan_name(input, keyframe)] {
-          if (wanted == scan_of_ && scan->after.empty())
-            view_.obstacles()->show_message(
-                tr("This session has no points: it may hold LiDAR poses instead of scans."));
-          else if (wanted == scan_of_)
-            view_.obstacles()->show_scan(name, scan);
+      [this, wanted, output = workbench_.output(), input = workbench_.input_of_output(), box = view_.obstacles()->box(),
+       load = workbench_.engine().load_keyframe_scan](Progress& progress) -> JobRunner::Deliver {
+        const PointCloud cloud = load(input, *output, wanted.keyframe, progress);
+        if (progress.cancelled()) return [this] { refresh_obstacles(); };
+        const auto scan = scan_of_vehicle(cloud, input, *output);
+        const auto measured = std::make_shared<const MeasuredScan>(measure_scan(*scan, box));
+        const Keyframe& keyframe = output->keyframes[static_cast<std::size_t>(wanted.keyframe)];
+        return [this, wanted, scan, measured, name = scan_name(input, keyframe)] {
+          if (wanted == scan_of_) take_scan(name, scan, measured);
           refresh_obstacles();
         };
       },
       [this, wanted](const JobFailure& failure) {
-        if (wanted == scan_of_) view_.obstacles()->show_message(in_words(failure));
+        if (wanted == scan_of_) {
+          scan_ = nullptr;
+          view_.obstacles()->show_message(in_words(failure));
+        }
         refresh_obstacles();
       });
+}
+
+void QualityController::take_scan(const QString& name, const std::shared_ptr<const VehicleScan>& scan,
+                                  const MeasuredScanPtr& measured) {
+  scan_ = scan->after.empty() ? nullptr : scan;
+  if (!scan_) {
+    view_.obstacles()->show_message(tr("This session has no points: it may hold LiDAR poses instead of scans."));
+    return;
+  }
+  scan_name_ = name;
+  measured_ = measured;
+  view_.obstacles()->show_scan(scan_name_, measured_);
+  measure_again();
+}
+
+void QualityController::measure_again() {
+  // One at a time, and always the last box that was typed.
+  if (!scan_ || measured_->box == view_.obstacles()->box() || jobs_.running(measure_job_)) return;
+  measure_job_ = jobs_.start(
+      [this, scan = scan_, box = view_.obstacles()->box()](Progress&) -> JobRunner::Deliver {
+        const auto measured = std::make_shared<const MeasuredScan>(measure_scan(*scan, box));
+        return [this, scan, measured] {
+          if (scan == scan_) {
+            measured_ = measured;
+            view_.obstacles()->show_scan(scan_name_, measured_);
+          }
+          measure_again();
+        };
+      },
+      [this](const JobFailure& failure) { view_.obstacles()->show_message(in_words(failure)); });
 }
 
 void QualityController::refresh_sharpness() {
@@ -162,6 +200,7 @@ QString QualityController::why_no_sharpness(const PipelineOutput& output) const 
     case MapCheck::SwitchedOff:
       return tr("Not compared: the map check is switched off in the options (run).");
     case MapCheck::Moved:
+      if (workbench_.checking_map()) return tr("X has moved: the map is being compared again…");
       return tr("Not compared since the last decision, which moved X. Calibrate again (F5).");
     case MapCheck::NoOverlap:
       return tr("Not compared: no stretch of eight scans that follow each other turns and overlaps.");
@@ -179,7 +218,7 @@ void QualityController::refresh_hold_out() {
   if (!output || output->pairs.empty() || workbench_.input_of_output().sessions.size() < 2) {
     jobs_.cancel(hold_out_job_);
     hold_out_job_ = 0;
-    hold_out_of_.reset();
+    hold_out_of_ = -1;
     const bool pairs = output && (!output->pairs.empty() || output->method == kPairwise);
     return view.show_message(output && !pairs
                                  ? tr("The method has no pairs: compare its result with those of others instead.")
@@ -188,13 +227,14 @@ void QualityController::refresh_hold_out() {
   }
   // A solution under way replaces the output soon.
   const bool settled = !workbench_.calibrating() && !workbench_.solving();
-  if (output != hold_out_of_ && settled && view_.seen() && view.isVisible() && workbench_.engine().check_hold_out)
+  if (workbench_.solution() != hold_out_of_ && settled && view_.seen() && view.isVisible() &&
+      workbench_.engine().check_hold_out)
     start_hold_out(output);
 }
 
 void QualityController::start_hold_out(const OutputPtr& output) {
   jobs_.cancel(hold_out_job_);
-  hold_out_of_ = output;
+  hold_out_of_ = workbench_.solution();
   view_.hold_out()->show_message(tr("Solving every session alone…"));
   auto job = std::make_shared<int>(0);
   hold_out_job_ = jobs_.start(

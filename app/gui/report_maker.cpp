@@ -127,7 +127,11 @@ void ReportMaker::draw_next() {
 
 QString ReportMaker::caption(std::size_t pair, PairAlignment alignment) const {
   // Residuals are known under the result alone.
-  if (alignment == PairAlignment::Before) return tr("Pair %1, from above, under the mounting before.").arg(pair);
+  if (alignment == PairAlignment::Before)
+    return (output_->nominal_known ? tr("Pair %1, from above, under the nominal mounting.")
+                                   : tr("Pair %1, from above, under the mounting that the calibration started from; no "
+                                        "nominal was given."))
+        .arg(pair);
   const PairRecord& record = report_.file.pairs.at(pair);
   return tr("Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.")
       .arg(pair)
@@ -145,11 +149,12 @@ void ReportMaker::write() {
        style = report_style()](Progress&) -> JobRunner::Deliver {
         for (const auto& [caption, picture] : drawn) report->pictures.push_back({caption, png_of(picture)});
         for (const auto& session : sessions) report->tracks.push_back(track_of(*session));
-        save_atomically(html_path.toStdString(), report_html(*report, style));
+        const std::string html = report_html(*report, style);
         const QByteArray pdf = on_qt_thread([&] { return make_pdf_(*report, style, title); });
         if (pdf.isEmpty()) throw Error(ErrorCode::Io, pdf_path.toStdString(), tr("could not be made").toStdString());
-        save_atomically(pdf_path.toStdString(),
-                        std::string_view(pdf.constData(), static_cast<std::size_t>(pdf.size())));
+        // Both or none: a new page beside an old PDF would pass for one report.
+        save_together({{html_path.toStdString(), html},
+                       {pdf_path.toStdString(), {pdf.constData(), static_cast<std::size_t>(pdf.size())}}});
         return [this, html_path, pdf_path] {
           busy_ = false;
           emit finished(html_path, pdf_path);

@@ -50,15 +50,15 @@ QString short_status(Status status) {
   return Words::tr("cancelled");
 }
 
-/// What speaks against the result without its residuals, before whether somebody has looked.
-StepInfo describe_check(const PipelineOutput& output, bool looked_at) {
-  constexpr double kContradict = 2.0;
+/// What speaks against the result without its residuals, before what the user says of it.
+StepInfo describe_check(const PipelineOutput& output, bool confirmed) {
   const bool less_sharp = std::any_of(output.findings.begin(), output.findings.end(),
                                       [](const Finding& finding) { return finding.code == kMapLessSharp; });
   if (less_sharp) return {StepState::Attention, Words::tr("map less sharp")};
-  if (output.result.session_disagreement > kContradict) return {StepState::Attention, Words::tr("sessions contradict")};
-  if (looked_at) return {StepState::Done, Words::tr("looked at")};
-  return {StepState::Next, Words::tr("see Quality")};
+  if (output.result.session_disagreement > kSessionsContradict)
+    return {StepState::Attention, Words::tr("sessions contradict")};
+  if (confirmed) return {StepState::Done, Words::tr("confirmed by you")};
+  return {StepState::Next, Words::tr("confirm in Quality")};
 }
 
 /// Pairs, alignment and review; methods without pairs need none of them.
@@ -116,7 +116,7 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     for (const Step which : {Step::Check, Step::Export}) step(which) = {StepState::Attention, Words::tr("out of date")};
     return steps;
   }
-  step(Step::Check) = describe_check(*output, workbench.checked());
+  step(Step::Check) = describe_check(*output, workbench.confirmed());
   step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, Words::tr("exported")}
                                             : StepInfo{StepState::Next, Words::tr("ready (Ctrl+E)")};
   return steps;

@@ -21,6 +21,8 @@ Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(
           });
   connect(this, &Workbench::sessions_changed, this, &Workbench::look_over_sessions);
   connect(&jobs_, &JobRunner::finished, this, &Workbench::state_changed);
+  connect(&map_pause_, &QTimer::timeout, this, &Workbench::check_map_again);
+  map_pause_.setSingleShot(true);
 }
 
 QStringList Workbench::session_names() const {
@@ -137,6 +139,8 @@ void Workbench::remove_session(int session) {
   jobs_.cancel(cloud_job_);
   solve_job_ = cloud_job_ = 0;
   output_ = output_before_ = output_solved_ = nullptr;  // pairs refer to sessions by number
+  ++solution_;
+  check_map_soon();
   undo_.clear();
   select_pair(-1);
   emit sessions_changed();
@@ -163,8 +167,9 @@ void Workbench::calibrate() {
     emit message(Severity::Problem, tr("Options"), lines.join('\n'));
     return;
   }
-  jobs_.cancel(solve_job_);
-  solve_job_ = 0;
+  for (const int job : {solve_job_, map_job_}) jobs_.cancel(job);
+  solve_job_ = map_job_ = 0;
+  map_pause_.stop();
   const PipelineInput input = input_of_next_run();
   stage_.clear();
   emit message(Severity::Note, {}, tr("Calibration started"));
@@ -197,8 +202,9 @@ void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared
     emit message(Severity::Note, {},
                  output_ ? tr("Cancelled. What was there before is kept.")
                          : tr("Cancelled before there was anything that could be kept."));
-    // The run had stopped the solution of the last decisions.
+    // The run had stopped the solution of the last decisions, or the map check.
     if (output_ && incomplete()) start_solve(solving_for_, FirstAnswer::None);
+    check_map_soon();
     return;
   }
   carry_over(input, decisions, *output);
@@ -215,7 +221,8 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   output_before_ = output_solved_;
   moved_by_.clear();
   output_ = output_solved_ = std::move(output);
-  data_changed_ = exported_ = checked_ = false;
+  data_changed_ = exported_ = confirmed_ = false;
+  ++solution_;
   undo_.clear();
   for (const Finding& finding : output_->findings)
     emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
@@ -323,9 +330,9 @@ void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lida
   mark_edited();
 }
 
-void Workbench::mark_checked() {
-  if (checked_) return;
-  checked_ = true;
+void Workbench::confirm(bool good) {
+  if (confirmed_ == good) return;
+  confirmed_ = good;
   emit state_changed();
 }
 

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QStringList>
+#include <QTimer>
 #include <QUndoStack>
 #include <deque>
 #include <map>
@@ -79,7 +80,11 @@ class Workbench : public QObject {
   bool out_of_date() const { return !changes_since_output().isEmpty(); }
   const QString& stage() const { return stage_; }  ///< of the running calibration
   bool exported() const { return exported_; }
-  bool checked() const { return checked_; }  ///< somebody looked at the quality of this result
+  bool confirmed() const { return confirmed_; }  ///< the user said that this result is good
+  /// Goes up with every other X; what only another map check or other words change keeps it.
+  int solution() const { return solution_; }
+  /// The map check of an X that a decision moved is under way, or begins soon.
+  bool checking_map() const { return map_pause_.isActive() || jobs_.running(map_job_); }
   /// Hashes of what was read, for provenance; made in the background after a calibration, empty until then.
   const std::vector<InputFile>& input_files() const { return input_files_; }
   QUndoStack& undo_stack() { return undo_; }
@@ -100,7 +105,7 @@ class Workbench : public QObject {
   void edit_nominal(const std::optional<RigidTransform>& ins_from_lidar);
   void use_result_as_nominal();
   void mark_exported();
-  void mark_checked();
+  void confirm(bool good);
   void say(Severity severity, const QString& where, const QString& what) { emit message(severity, where, what); }
 
   // Steps of undo commands; not undoable by themselves.
@@ -176,6 +181,8 @@ class Workbench : public QObject {
   void take_solution(OutputPtr solved, OutputPtr before, const Settings& settings);
   void take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output,
                           const Decisions& decisions);
+  void check_map_soon();
+  void check_map_again();
   void load_clouds();
   void look_over_sessions();  ///< in the background
   void hash_input_files();
@@ -206,10 +213,12 @@ class Workbench : public QObject {
   Decisions decisions_;
   std::vector<InputFile> input_files_;
   int selected_ = -1;
-  int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0;
+  int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0, map_job_ = 0;
+  int solution_ = 0;
+  QTimer map_pause_;           // while the user goes on deciding, the map is not read
   bool data_changed_ = false;  // the files on disk are not those that output_ was made from
   bool refining_ = false;
-  bool exported_ = false, checked_ = false;
+  bool exported_ = false, confirmed_ = false;
   bool recovered_ = false;  // from an autosave, and not saved since
   int revision_ = 0, saved_revision_ = 0;
   int project_ = 0;         // goes up where another project takes this one's place

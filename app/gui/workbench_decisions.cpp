@@ -152,10 +152,12 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, cons
       decisions_.erase(key);
   }
   output_ = std::move(changed);
-  if (counts)
+  if (counts) {
     start_solve(step, FirstAnswer::Moved);
-  else
+  } else {
     output_solved_ = output_;  // the reasons are other words for the same
+    check_map_soon();
+  }
   emit output_changed();
   mark_edited();
 }
@@ -168,7 +170,8 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
   else if (!solving_for_.endsWith(step))  // turning one knob is one edit
     solving_for_ += QStringLiteral("; ") + step;
   refining_ = false;
-  jobs_.cancel(solve_job_);
+  for (const int job : {solve_job_, map_job_}) jobs_.cancel(job);
+  map_pause_.stop();
   auto job = std::make_shared<int>(0);
   // What an earlier solution delivers after a later one was begun is dropped.
   const auto if_last = [this, job](auto take) {
@@ -203,6 +206,7 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
 
 void Workbench::take_ranking(OutputPtr answer) {
   output_ = std::move(answer);
+  ++solution_;
   emit output_changed();
 }
 
@@ -211,7 +215,9 @@ void Workbench::take_solution(OutputPtr solved, OutputPtr before, const Settings
   moved_by_ = solving_for_;
   output_ = output_solved_ = std::move(solved);
   run_input_.settings = settings;
-  exported_ = checked_ = false;
+  exported_ = confirmed_ = false;
+  ++solution_;
+  check_map_soon();
   emit output_changed();
   mark_edited();
 }
@@ -220,7 +226,8 @@ void Workbench::take_first_answer(OutputPtr answer, OutputPtr before) {
   output_ = std::move(answer);
   output_before_ = std::move(before);
   moved_by_ = solving_for_;
-  exported_ = checked_ = false;
+  exported_ = confirmed_ = false;
+  ++solution_;
   refining_ = true;
   emit output_changed();
   emit state_changed();

@@ -165,8 +165,9 @@ void Workbench::take_project(const ProjectToOpen& request, OpenedProject& opened
 
 void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, const Project& project,
                         OutputPtr output) {
-  for (int job : {solve_job_, cloud_job_, hash_job_}) jobs_.cancel(job);
-  solve_job_ = cloud_job_ = hash_job_ = 0;
+  for (int job : {solve_job_, cloud_job_, hash_job_, map_job_}) jobs_.cancel(job);
+  solve_job_ = cloud_job_ = hash_job_ = map_job_ = 0;
+  ++solution_;
   sessions_ = std::move(sessions);
   settings_ = project.settings;
   nominal_ins_from_lidar_ = project.nominal_ins_from_lidar;
@@ -185,7 +186,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   for (std::size_t i = 0; output_ && i < output_->pairs.size(); ++i)
     if (output_->pairs[i].decided_by == DecidedBy::User)
       decisions_[key_of(run_input_, *output_, output_->pairs[i])] = {output_->pairs[i].state, output_->pairs[i].reason};
-  data_changed_ = exported_ = checked_ = false;
+  data_changed_ = exported_ = confirmed_ = false;
   undo_.clear();
   emit sessions_changed();
   emit settings_changed();
@@ -195,6 +196,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   selected_ = -1;
   select_pair(output_ && !output_->pairs.empty() ? 0 : -1);
   if (output_) compare_input_files();
+  check_map_soon();
   if (output_ != output_solved_) start_solve(tr("decisions before it was saved"), FirstAnswer::None);
 }
 

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <system_error>
 
@@ -97,6 +98,29 @@ Target examined(const std::filesystem::path& path) {
   return {target, exists ? existing.st_mode & 07777 : 0666 & ~mask};
 }
 
+/// Everything is on the disk, under another name.
+class WrittenFile {
+ public:
+  WrittenFile(const std::filesystem::path& path, std::string_view bytes)
+      : path_(path), target_(examined(path)), temporary_(target_.path) {
+    if (::fchmod(temporary_.file().get(), target_.mode) != 0)
+      fail(path, "cannot be saved, its permissions cannot be set", errno);
+    write_in_full(temporary_.file().get(), bytes, path);
+    if (::fsync(temporary_.file().get()) != 0) fail(path, "cannot be saved", errno);
+    if (temporary_.file().close() != 0) fail(path, "cannot be saved", errno);
+  }
+  void replace() {
+    if (::rename(temporary_.name(), target_.path.c_str()) != 0) fail(path_, "cannot be saved", errno);
+    temporary_.renamed();
+    flush_folder(folder_of(target_.path));
+  }
+
+ private:
+  std::filesystem::path path_;
+  Target target_;
+  TemporaryFile temporary_;
+};
+
 }  // namespace
 
 void check_can_save(const std::filesystem::path& path) { const TemporaryFile removed_at_once(examined(path).path); }
@@ -111,17 +135,12 @@ void check_replaces_its_like(const std::filesystem::path& path, std::string_view
                     "\" in it): name another file, or remove it first");
 }
 
-void save_atomically(const std::filesystem::path& path, std::string_view bytes) {
-  const Target target = examined(path);
-  TemporaryFile temporary(target.path);
-  if (::fchmod(temporary.file().get(), target.mode) != 0)
-    fail(path, "cannot be saved, its permissions cannot be set", errno);
-  write_in_full(temporary.file().get(), bytes, path);
-  if (::fsync(temporary.file().get()) != 0) fail(path, "cannot be saved", errno);
-  if (temporary.file().close() != 0) fail(path, "cannot be saved", errno);
-  if (::rename(temporary.name(), target.path.c_str()) != 0) fail(path, "cannot be saved", errno);
-  temporary.renamed();
-  flush_folder(folder_of(target.path));
+void save_atomically(const std::filesystem::path& path, std::string_view bytes) { save_together({{path, bytes}}); }
+
+void save_together(const std::vector<BytesToSave>& files) {
+  std::vector<std::unique_ptr<WrittenFile>> written;
+  for (const BytesToSave& file : files) written.push_back(std::make_unique<WrittenFile>(file.path, file.bytes));
+  for (const auto& file : written) file->replace();
 }
 
 }  // namespace remount

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace remount {
 
@@ -11,6 +12,14 @@ namespace remount {
 /// Throws Error(Io) that names the path and the reason; the old file is then untouched. Refuses to replace anything
 /// that is not a regular file.
 void save_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+struct BytesToSave {
+  std::filesystem::path path;
+  std::string_view bytes;
+};
+/// Files that belong together: none is replaced before all are written in full and on the disk. Throws as
+/// save_atomically.
+void save_together(const std::vector<BytesToSave>& files);
 
 /// Throws now what save_atomically would throw for the path itself, before long work whose result is to be saved there:
 /// makes a temporary file beside it and removes it again.

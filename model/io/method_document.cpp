@@ -21,9 +21,11 @@ Curve curve_of(const DocumentView& view) {
   curve.x = column(view.at("x"));
   curve.y = column(view.at("y"));
   if (view.has("sigma")) curve.sigma = column(view.at("sigma"));
+  if (view.has("z")) curve.z = column(view.at("z"));
   if (curve.y.size() != curve.x.size()) view.at("y").fail("expected as many numbers as in x");
   if (!curve.sigma.empty() && curve.sigma.size() != curve.x.size())
     view.at("sigma").fail("expected as many numbers as in x");
+  if (!curve.z.empty() && curve.z.size() != curve.x.size()) view.at("z").fail("expected as many numbers as in x");
   return curve;
 }
 
@@ -74,6 +76,7 @@ DocumentNode plots_document(const std::vector<Plot>& plots) {
       item.add("x", DocumentNode::numbers(curve.x));
       item.add("y", DocumentNode::numbers(curve.y));
       if (!curve.sigma.empty()) item.add("sigma", DocumentNode::numbers(curve.sigma));
+      if (!curve.z.empty()) item.add("z", DocumentNode::numbers(curve.z));
     }
   }
   return list;

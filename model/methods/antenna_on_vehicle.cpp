@@ -72,7 +72,7 @@ Finding gap_of(const AntennaFit& fit, const std::string& session) {
 }
 
 Curve curve(const char* name, const std::vector<StampedPosition>& positions, bool dots) {
-  Curve out{name, {}, {}, {}, dots};
+  Curve out{name, {}, {}, {}, dots, {}};  // in the plane
   for (const StampedPosition& position : positions) {
     out.x.push_back(position.position_m.x());
     out.y.push_back(position.position_m.y());

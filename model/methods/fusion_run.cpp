@@ -196,8 +196,9 @@ FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidT
 }
 
 std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run) {
-  Curve path{session.name, {}, {}, {}, false}, height{"height", {}, {}, {}, false};
-  Curve pitch{"pitch", {}, {}, {}, false}, roll{"roll", {}, {}, {}, false}, residual{"residual", {}, {}, {}, false};
+  Curve path{session.name, {}, {}, {}, false, {}}, height{"height", {}, {}, {}, false, {}};
+  Curve pitch{"pitch", {}, {}, {}, false, {}}, roll{"roll", {}, {}, {}, false, {}},
+      residual{"residual", {}, {}, {}, false, {}};
   const std::vector<FusedScan>& scans = run.odometry.scans;
   for (const FusedScan& scan : scans) {
     const double t = static_cast<double>(scan.stamp_ns - scans.front().stamp_ns) * 1e-9;
@@ -205,6 +206,7 @@ std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run) {
     const YawPitchRoll angles = yaw_pitch_roll_from_rotation(scan.odometry_from_vehicle.linear());
     path.x.push_back(at.x());
     path.y.push_back(at.y());
+    path.z.push_back(at.z());
     for (Curve* curve : {&height, &pitch, &roll}) curve->x.push_back(t);
     height.y.push_back(at.z());
     height.sigma.push_back(std::sqrt(scan.covariance(2, 2)));

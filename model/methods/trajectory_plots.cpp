@@ -32,6 +32,7 @@ Plot parameters_against_time(const std::vector<TrajectorySnapshot>& history, boo
 void add_point(const Eigen::Vector3d& at, Curve& curve) {
   curve.x.push_back(at.x());
   curve.y.push_back(at.y());
+  curve.z.push_back(at.z());
 }
 
 // Three sigma of the horizontal position, around some of the fixes.
@@ -54,6 +55,7 @@ Curve ellipses(const TrajectorySession& session) {
           fixes[k]->position_enu_m.head<2>() + 3.0 * root * Eigen::Vector2d(std::cos(angle), std::sin(angle));
       curve.x.push_back(at.x());
       curve.y.push_back(at.y());
+      curve.z.push_back(fixes[k]->position_enu_m.z());
     }
   }
   return curve;

@@ -143,10 +143,11 @@ std::vector<Plot> plots_of(const Integrated& drive) {
   Plot height{"Height along the way", "way (m)", "z (m)", false, {}};
   Plot distance{"Distance from the sensor's trajectory", "way (m)", "m", false, {}};
   const auto add = [&](const char* name, const std::vector<RigidTransform>& poses, bool with_distance) {
-    Curve across{name, {}, {}, {}, false}, up = across, off = across;
+    Curve across{name, {}, {}, {}, false, {}}, up = across, off = across;
     for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
       across.x.push_back(poses[i].translation().x());
       across.y.push_back(poses[i].translation().y());
+      across.z.push_back(poses[i].translation().z());
       up.x.push_back(drive.way_m[i]);
       up.y.push_back(poses[i].translation().z());
       off.x.push_back(drive.way_m[i]);

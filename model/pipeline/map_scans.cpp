@@ -34,13 +34,16 @@ std::vector<Eigen::Vector3f> thinned(const std::vector<Eigen::Vector3f>& points,
 
 }  // namespace
 
-PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, int index) {
+PointCloud load_keyframe_scan(const PipelineInput& input, const PipelineOutput& output, int index,
+                              const Progress& progress) {
   const Keyframe& keyframe = output.keyframes.at(static_cast<std::size_t>(index));
   if (!input.sessions.at(static_cast<std::size_t>(keyframe.session))->scans) return {};
+  if (progress.cancelled()) return {};
   const DriveMotion motion = motion_as_solved(input, output);
   ScanStore store(motion, input.settings.registration, 0);
   compensate_as_solved(input, output, store);
-  return store.load(keyframe);
+  PointCloud cloud = store.load(keyframe, progress);
+  return progress.cancelled() ? PointCloud{} : cloud;
 }
 
 SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& output, int session,

@@ -14,11 +14,11 @@ void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const st
   session_uses_sweep_ = session_uses_sweep;
 }
 
-PointCloud ScanStore::load(const Keyframe& keyframe) const {
+PointCloud ScanStore::load(const Keyframe& keyframe, const Progress& progress) const {
   const Session& session = motion_.session(keyframe.session);
   if (!session.scans) throw Error(ErrorCode::Contract, session.name, "the session has lidar poses and no scans");
   PointCloud cloud = session.scans->load(static_cast<std::size_t>(keyframe.scan));
-  if (!compensation_ || cloud.points.empty()) return cloud;
+  if (!compensation_ || cloud.points.empty() || progress.cancelled()) return cloud;
   const bool by_sweep = session.scan_timing == ScanTiming::SweepAzimuth &&
                         session_uses_sweep_[static_cast<std::size_t>(keyframe.session)];
   const std::vector<float> times = told_times(session, cloud, by_sweep);
@@ -37,7 +37,7 @@ PointCloud ScanStore::load(const Keyframe& keyframe) const {
 
 std::shared_ptr<const PreparedCloud> ScanStore::prepare(const Keyframe& keyframe, const std::vector<LidarBox>& boxes,
                                                         const Progress& progress) const {
-  const PointCloud cloud = progress.cancelled() ? PointCloud{} : load(keyframe);
+  const PointCloud cloud = progress.cancelled() ? PointCloud{} : load(keyframe, progress);
   std::vector<bool> left_out;
   if (!boxes.empty() && !progress.cancelled()) {
     left_out.assign(cloud.size(), false);

@@ -30,8 +30,9 @@ class ScanStore {
   /// Motion within a scan is taken from the INS through this X; without a call scans are used as they are.
   void compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep);
 
-  /// The scan, compensated, in the lidar frame at its stamp. Throws Error where it cannot be read.
-  PointCloud load(const Keyframe& keyframe) const;
+  /// The scan, compensated, in the lidar frame at its stamp; not compensated where cancelled. Throws Error where it
+  /// cannot be read.
+  PointCloud load(const Keyframe& keyframe, const Progress& progress = {}) const;
 
   /// Prepared for registration without the points in `boxes`. `key` names the keyframe; the same key must come with the
   /// same arguments. Throws Error where the scan cannot be read. Empty where `progress` is cancelled; that is not kept,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string_view>
 
 #include "algorithms/geometry/rotation.h"
 
@@ -124,16 +125,30 @@ void draw_curve(const Curve& curve, const Frame& frame, const char* color, Drawi
   }
 }
 
+/// About how wide a text of 10 points is. Letters of Chinese are as wide as they are high; UTF-8 gives them three
+/// bytes.
+double width_of(std::string_view text) {
+  double width = 0.0;
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (byte < 0x80) width += 6.2;
+    if (byte >= 0xC0) width += byte < 0xE0 ? 6.2 : 10.5;  // others continue a letter
+  }
+  return width;
+}
+
 void draw_names(const Plot& plot, const Phrases& phrase, Drawing& drawing) {
   double at = kWidth - kRight;
   for (std::size_t i = plot.curves.size(); i-- > 0;) {
     const std::string name = phrase("plot", plot.curves[i].name.c_str());
-    drawing.shapes.push_back(DrawnText{{at, 27.0}, name, TextAnchor::End, 10.0, kColors[i % kColors.size()]});
-    at -= 6.2 * static_cast<double>(name.size()) + 14.0;
+    drawing.shapes.push_back(DrawnText{{at, 27.0}, name, TextAnchor::End, 10.0, curve_color(i)});
+    at -= width_of(name) + 14.0;
   }
 }
 
 }  // namespace
+
+const char* curve_color(std::size_t curve) { return kColors[curve % kColors.size()]; }
 
 Drawing plot_chart(const Plot& plot, const Phrases& phrase) {
   Drawing drawing;
@@ -152,8 +167,7 @@ Drawing plot_chart(const Plot& plot, const Phrases& phrase) {
   draw_axes(plot, frame, phrase, drawing);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
     draw_band(plot.curves[i], frame, kBands[i % kBands.size()], drawing);
-  for (std::size_t i = 0; i < plot.curves.size(); ++i)
-    draw_curve(plot.curves[i], frame, kColors[i % kColors.size()], drawing);
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) draw_curve(plot.curves[i], frame, curve_color(i), drawing);
   draw_names(plot, phrase, drawing);
   return drawing;
 }

@@ -10,6 +10,9 @@ namespace remount {
 /// What is not finite is left out and interrupts a line.
 Drawing plot_chart(const Plot& plot, const Phrases& phrase);
 
+/// "#rrggbb" of the curve at that place of a plot.
+const char* curve_color(std::size_t curve);
+
 /// A quantity for people: "1.0042 ± 0.0003", angles in degrees, "not observed" where it is not.
 std::string quantity_text(const NamedQuantity& quantity, const Phrases& phrase);
 

@@ -139,10 +139,6 @@
         <translation>俯视，前方朝右；以 INS 为原点，单位米。滚轮缩放，Home 显示近处。</translation>
     </message>
     <message>
-        <source>● before</source>
-        <translation>● 之前</translation>
-    </message>
-    <message>
         <source>● with the result</source>
         <translation>● 按结果</translation>
     </message>
@@ -262,16 +258,32 @@
         <translation>净距 [米]</translation>
     </message>
     <message>
-        <source>Before</source>
-        <translation>之前</translation>
-    </message>
-    <message>
         <source>With result</source>
         <translation>按结果</translation>
     </message>
     <message>
         <source>Difference</source>
         <translation>差</translation>
+    </message>
+    <message>
+        <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
+        <translation>没有给出名义安装：“起始”是程序自己的初始估计，并不是激光雷达原来的位置。</translation>
+    </message>
+    <message>
+        <source>nominal</source>
+        <translation>名义</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>名义</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起始</translation>
     </message>
 </context>
 <context>
@@ -1330,6 +1342,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Results (*.yaml *.yml *.json);;All files (*)</source>
         <translation>结果 (*.yaml *.yml *.json);;所有文件 (*)</translation>
     </message>
+    <message>
+        <source>In three dimensions</source>
+        <translation>三维视图</translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -1510,6 +1526,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Its figures are in the other panels.</source>
         <translation>其数值在其他面板中。</translation>
     </message>
+    <message>
+        <source>After a calibration the ways that its method found are shown here in space.</source>
+        <translation>标定之后，这里在空间中显示所用方法求得的轨迹。</translation>
+    </message>
+    <message>
+        <source>The method drew nothing in space.</source>
+        <translation>该方法没有可在空间中显示的内容。</translation>
+    </message>
+    <message>
+        <source>The method drew no way of its own: its scans are in the views &quot;Pair&quot; and &quot;Map&quot;.</source>
+        <translation>该方法没有自己的轨迹：它的扫描在“帧对”和“地图”视图中。</translation>
+    </message>
 </context>
 <context>
     <name>remount::MethodView</name>
@@ -1635,10 +1663,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>物体</translation>
     </message>
     <message>
-        <source>Before</source>
-        <translation>之前</translation>
-    </message>
-    <message>
         <source>With result</source>
         <translation>按结果</translation>
     </message>
@@ -1667,16 +1691,24 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>畅通（%1）</translation>
     </message>
     <message>
-        <source>Before: %1. With result: %2.</source>
-        <translation>之前：%1。按结果：%2。</translation>
-    </message>
-    <message>
         <source>The mounting changes the decision.</source>
         <translation>安装改变了判定。</translation>
     </message>
     <message>
         <source>Closer than the stop distance</source>
         <translation>比停车距离更近</translation>
+    </message>
+    <message>
+        <source>Nominal</source>
+        <translation>名义</translation>
+    </message>
+    <message>
+        <source>Start (no nominal was given)</source>
+        <translation>起始（没有给出名义安装）</translation>
+    </message>
+    <message>
+        <source>%1: %2. With result: %3.</source>
+        <translation>%1：%2。按结果：%3。</translation>
     </message>
 </context>
 <context>
@@ -2100,6 +2132,49 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
 </context>
 <context>
+    <name>remount::PathView</name>
+    <message>
+        <source>3-D view of the method</source>
+        <translation>方法的三维视图</translation>
+    </message>
+    <message>
+        <source>Colours of the ways</source>
+        <translation>各轨迹的颜色</translation>
+    </message>
+    <message>
+        <source>Plot in three dimensions</source>
+        <translation>三维显示的曲线图</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>适合窗口</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>俯视</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前视</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左视</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>轴测</translation>
+    </message>
+    <message>
+        <source>%1: x %2, y %3, z %4 m in %5.</source>
+        <translation>%1：x %2，y %3，z %4 m（%5）。</translation>
+    </message>
+    <message>
+        <source>the axes of the plot (%1; %2; up)</source>
+        <translation>曲线图的坐标轴（%1；%2；向上）</translation>
+    </message>
+</context>
+<context>
     <name>remount::PlotView</name>
     <message>
         <source>Plots of the method</source>
@@ -2274,6 +2349,10 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
         <source>The method has no pairs: compare its result with those of others instead.</source>
         <translation>该方法没有帧对：请改为与其他方法的结果比较。</translation>
     </message>
+    <message>
+        <source>X has moved: the map is being compared again…</source>
+        <translation>X 已移动：正在重新比较地图…</translation>
+    </message>
 </context>
 <context>
     <name>remount::QualityView</name>
@@ -2288,6 +2367,14 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
     <message>
         <source>Obstacles</source>
         <translation>障碍物</translation>
+    </message>
+    <message>
+        <source>Result confirmed</source>
+        <translation>结果已确认</translation>
+    </message>
+    <message>
+        <source>For you to tick when these pages have convinced you. The step &quot;Check&quot; is done then; another result is unconfirmed again.</source>
+        <translation>看过这些页面并已信服时请勾选。步骤“检查”随即完成；结果一变，又回到未确认。</translation>
     </message>
 </context>
 <context>
@@ -2415,12 +2502,16 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
         <translation>无法生成</translation>
     </message>
     <message>
-        <source>Pair %1, from above, under the mounting before.</source>
-        <translation>帧对 %1，俯视，按先前的安装。</translation>
-    </message>
-    <message>
         <source>Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.</source>
         <translation>帧对 %1，俯视，按结果。残差 %2 厘米、%3°，RMSE %4 厘米。</translation>
+    </message>
+    <message>
+        <source>Pair %1, from above, under the nominal mounting.</source>
+        <translation>帧对 %1，俯视，按名义安装。</translation>
+    </message>
+    <message>
+        <source>Pair %1, from above, under the mounting that the calibration started from; no nominal was given.</source>
+        <translation>帧对 %1，俯视，按标定起始时的安装；没有给出名义安装。</translation>
     </message>
 </context>
 <context>
@@ -2634,8 +2725,8 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
         <translation>… 正在补全：%1</translation>
     </message>
     <message>
-        <source>Map sharpness: not measured since the last decision. Calibrate again (F5).</source>
-        <translation>地图清晰度：上次决定之后尚未测量。请重新标定（F5）。</translation>
+        <source>Map sharpness: X has moved since it was measured; see Quality.</source>
+        <translation>地图清晰度：测量之后 X 已移动；见“质量”。</translation>
     </message>
 </context>
 <context>
@@ -3650,7 +3741,7 @@ Calibrate again (F5).</source>
         <translation>最小重叠</translation>
     </message>
     <message>
-        <source>Max rmse</source>
+        <source>Max RMSE</source>
         <translation>最大 RMSE</translation>
     </message>
     <message>
@@ -4522,27 +4613,27 @@ Calibrate again (F5).</source>
         <translation>INS 横滚</translation>
     </message>
     <message>
-        <source>Imu x</source>
+        <source>IMU x</source>
         <translation>IMU x</translation>
     </message>
     <message>
-        <source>Imu y</source>
+        <source>IMU y</source>
         <translation>IMU y</translation>
     </message>
     <message>
-        <source>Imu z</source>
+        <source>IMU z</source>
         <translation>IMU z</translation>
     </message>
     <message>
-        <source>Imu yaw</source>
+        <source>IMU yaw</source>
         <translation>IMU 偏航</translation>
     </message>
     <message>
-        <source>Imu pitch</source>
+        <source>IMU pitch</source>
         <translation>IMU 俯仰</translation>
     </message>
     <message>
-        <source>Imu roll</source>
+        <source>IMU roll</source>
         <translation>IMU 横滚</translation>
     </message>
     <message>
@@ -4558,7 +4649,7 @@ Calibrate again (F5).</source>
         <translation>间隔转角</translation>
     </message>
     <message>
-        <source>Imu mounting sigma</source>
+        <source>IMU mounting sigma</source>
         <translation>IMU 安装标准差</translation>
     </message>
     <message>
@@ -6425,16 +6516,16 @@ Calibrate again (F5).</source>
         <translation>数据互相矛盾</translation>
     </message>
     <message>
-        <source>looked at</source>
-        <translation>已查看</translation>
-    </message>
-    <message>
-        <source>see Quality</source>
-        <translation>查看“质量”</translation>
-    </message>
-    <message>
         <source>not needed</source>
         <translation>不需要</translation>
+    </message>
+    <message>
+        <source>confirmed by you</source>
+        <translation>您已确认</translation>
+    </message>
+    <message>
+        <source>confirm in Quality</source>
+        <translation>请在“质量”中确认</translation>
     </message>
 </context>
 <context>

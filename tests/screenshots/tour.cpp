@@ -7,6 +7,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTest>
 #include <cstdio>
 
@@ -20,6 +21,7 @@
 #include "widgets/panels/obstacle_dialog.h"
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pair_view.h"
+#include "widgets/panels/path_view.h"
 #include "widgets/panels/quality_view.h"
 
 namespace remount {
@@ -61,7 +63,7 @@ class Tour {
     decisions();
     dialogs();
     errors();
-    return exported() && saved_;
+    return exported() && other_method() && saved_;
   }
 
  private:
@@ -162,6 +164,20 @@ class Tour {
     QSignalSpy finished(&maker, &ReportMaker::finished);
     maker.make(request_.folder + QStringLiteral("/report.html"));
     return QTest::qWaitFor([&] { return finished.count() > 0; }, kPatience_ms) && QFile::exists(path);
+  }
+
+  bool other_method() {
+    workbench_.edit_option("run", "method", static_cast<int>(MethodChoice::Trajectory));
+    workbench_.calibrate();
+    if (!settled()) return false;
+    trigger("Ctrl+Shift+D");
+    window().resizeDocks({window().findChild<QDockWidget*>("methods")}, {2 * request_.size.height() / 5}, Qt::Vertical);
+    auto& pages = *qobject_cast<QTabWidget*>(window().findChild<PathView*>()->parentWidget()->parentWidget());
+    for (int page = 0; page < pages.count(); ++page) {
+      pages.setCurrentIndex(page);
+      save(window(), QStringLiteral("method-%1").arg(page + 1));
+    }
+    return true;
   }
 
   void trigger(const QString& key) {

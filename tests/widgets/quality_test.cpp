@@ -75,6 +75,8 @@ TEST(sharpness_view, marks_the_better_of_nominal_and_result) {
   EXPECT_TRUE(verdict_of(view).contains("became blunter"));
   view.show_sharpness({{"result", {-4.0, 0.035, 900}}, {"nominal", {-3.5, 0.0352, 900}}});
   EXPECT_TRUE(verdict_of(view).contains("No clear difference"));
+  EXPECT_EQ(cell(table_of(view), 0, 1), "35.0") << "a smaller number is no better by chance";
+  EXPECT_EQ(cell(table_of(view), 0, 2), "-4.000");
   view.show_sharpness({{"result", {-4.0, 0.020, 3}}, {"nominal", {-3.5, 0.035, 3}}});
   EXPECT_TRUE(verdict_of(view).contains("Too few places")) << verdict_of(view).toStdString();
 }
@@ -90,9 +92,13 @@ std::shared_ptr<const VehicleScan> courtyard() {
   return std::make_shared<const VehicleScan>(std::move(scan));
 }
 
+MeasuredScanPtr measured(const VehicleBox& box) {
+  return std::make_shared<const MeasuredScan>(measure_scan(*courtyard(), box));
+}
+
 TEST(clearance_view, tells_what_is_free_on_each_side_before_and_after) {
   ClearanceView view;
-  view.show_scan("scan7.pcd", courtyard());
+  view.show_scan("scan7.pcd", measured({}));
   const FigureTable& table = table_of(view);
   EXPECT_EQ(cell(table, 0, 1), "4.80");
   EXPECT_EQ(cell(table, 1, 1), "4.50");
@@ -106,7 +112,9 @@ TEST(clearance_view, tells_what_is_free_on_each_side_before_and_after) {
 TEST(clearance_view, follows_the_outline_and_the_heights) {
   ClearanceView view;
   QSignalSpy edited(&view, &ClearanceView::box_edited);
-  view.show_scan("scan7.pcd", courtyard());
+  QObject::connect(&view, &ClearanceView::box_edited,
+                   [&](const VehicleBox& box) { view.show_scan("scan7.pcd", measured(box)); });
+  view.show_scan("scan7.pcd", measured(view.box()));
   for (auto* spin : view.findChildren<QDoubleSpinBox*>()) {
     EXPECT_FALSE(spin->accessibleName().isEmpty());
     if (spin->accessibleName() == "Front") spin->setValue(2.5);
@@ -117,16 +125,30 @@ TEST(clearance_view, follows_the_outline_and_the_heights) {
   EXPECT_NEAR(view.box().height_min_m, -2.0, 1e-9);
   view.set_box({});
   EXPECT_EQ(edited.count(), 2) << "what the program sets is no edit";
-  EXPECT_EQ(cell(table_of(view), 1, 1), "4.50");
-  view.set_box({3.5, 1.5, 1.0, 10.0, 12.0});
+  view.show_scan("scan7.pcd", measured({3.5, 1.5, 1.0, 10.0, 12.0}));
   EXPECT_TRUE(view.plot()->message().contains("No points within the heights"));
+}
+
+TEST(clearance_view, names_what_the_result_is_compared_with) {
+  ClearanceView view;
+  const auto note = [&] {
+    for (const QLabel* label : view.findChildren<QLabel*>())
+      if (label->text().contains("No nominal mounting was given")) return !label->isHidden();
+    return false;
+  };
+  view.show_scan("scan7.pcd", measured({}));
+  EXPECT_EQ(cell(table_of(view), 0, 0), "Nominal");
+  EXPECT_FALSE(note());
+  view.show_nominal_known(false);
+  view.show_scan("scan7.pcd", measured({}));
+  EXPECT_EQ(cell(table_of(view), 0, 0), "Start") << "where the LiDAR was before is not known";
+  EXPECT_TRUE(note());
 }
 
 TEST(clearance_plot, draws_the_scan_under_both_mountings_and_zooms) {
   ClearancePlot plot;
   plot.resize(500, 320);
-  const auto scan = courtyard();
-  plot.show_scan("scan7.pcd", scan, {}, find_clearances(scan->before, {}), find_clearances(scan->after, {}));
+  plot.show_scan("scan7.pcd", measured({}));
   const double before = plot.pixels_per_m();
   const QPointF wall = plot.to_screen(8.0, 2.0);
   const QImage picture = plot.grab().toImage();
@@ -190,9 +212,28 @@ TEST_F(quality_page, shows_the_vehicle_among_the_points_of_a_scan) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return figures() != before; }, kPatience_ms)) << "x has moved by a centimetre";
 }
 
+TEST_F(quality_page, measures_in_the_background_whatever_was_typed_last) {
+  show();
+  look_at(view().obstacles());
+  calibrate_drive();
+  ClearanceView& page = *view().obstacles();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page.shows_scan(); }, kPatience_ms));
+  const QString before = cell(table_of(page), 1, 3);
+  QDoubleSpinBox* half_width = nullptr;
+  for (auto* spin : page.findChildren<QDoubleSpinBox*>())
+    if (spin->accessibleName() == "Half width") half_width = spin;
+  ASSERT_TRUE(half_width);
+  for (int step = 0; step < 5; ++step) half_width->stepUp();
+  EXPECT_EQ(cell(table_of(page), 1, 3), before) << "not on the window's thread";
+  const QString wider = QString::number(before.toDouble() - 0.5, 'f', 2);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return cell(table_of(page), 1, 3) == wider; }, kPatience_ms))
+      << cell(table_of(page), 1, 3).toStdString() << " instead of " << wider.toStdString();
+  EXPECT_EQ(cell(table_of(page), 0, 0), "Start") << "no nominal was given";
+}
+
 TEST(quality_failures, a_scan_that_cannot_be_read_is_said) {
   Engine engine = testing::sample_engine(2);
-  engine.load_keyframe_scan = [](const PipelineInput&, const PipelineOutput&, int) -> PointCloud {
+  engine.load_keyframe_scan = [](const PipelineInput&, const PipelineOutput&, int, Progress&) -> PointCloud {
     throw Error(ErrorCode::Io, "scan0.pcd", "cannot be read any more");
   };
   Workbench workbench(engine);
@@ -280,6 +321,39 @@ TEST(quality_sharpness, that_was_made_before_the_last_decision_says_what_to_do) 
   workbench.decide({1}, PairState::Rejected);
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("Calibrate again (F5)"); }, kPatience_ms));
+}
+
+TEST(quality_sharpness, is_compared_again_in_the_background_after_a_decision) {
+  Engine engine = testing::sample_engine(2);
+  std::atomic<int> checks = 0;
+  engine.solve_again = [solve = engine.solve_again](const PipelineInput& input, PipelineOutput& output,
+                                                    Progress& progress) {
+    output.map_check = MapCheck::Moved;
+    output.sharpness.clear();
+    return solve(input, output, progress);
+  };
+  engine.check_map = [&checks](const PipelineInput&, PipelineOutput& output, Progress&) {
+    ++checks;
+    output.map_check = MapCheck::Made;
+    output.sharpness = {{"result", {-4.0, 0.020, 900}}, {"nominal", {-3.5, 0.035, 900}}};
+  };
+  Workbench workbench(engine);
+  QualityView view;
+  const QualityController controller(workbench, view);
+  workbench.open({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  workbench.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
+  for (int pair = 1; pair < 5; ++pair) workbench.decide({pair}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.solving(); }, kPatience_ms));
+  EXPECT_TRUE(workbench.checking_map());
+  const int solution = workbench.solution();
+  EXPECT_TRUE(verdict_of(*view.sharpness()).contains("compared again")) << verdict_of(*view.sharpness()).toStdString();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("became sharper"); }, kPatience_ms))
+      << verdict_of(*view.sharpness()).toStdString();
+  EXPECT_EQ(checks, 1) << "once for all decisions";
+  EXPECT_FALSE(workbench.checking_map() || workbench.incomplete());
+  EXPECT_EQ(workbench.solution(), solution) << "X is the same: sessions are not compared anew";
 }
 
 }  // namespace

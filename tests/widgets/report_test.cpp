@@ -99,6 +99,9 @@ TEST_F(report_window, a_pdf_that_fails_is_a_failure_with_its_reason) {
     throw std::runtime_error("the paper is gone");
   });
   QSignalSpy finished(&maker, &ReportMaker::finished), failed(&maker, &ReportMaker::failed);
+  QFile before(folder.filePath("drive.html"));
+  ASSERT_TRUE(before.open(QIODevice::WriteOnly) && before.write("old") == 3);
+  before.close();
   maker.make(folder.filePath("drive.html"));
   ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() + failed.count() > 0; }, kPatience_ms));
   ASSERT_EQ(failed.count(), 1);
@@ -106,7 +109,7 @@ TEST_F(report_window, a_pdf_that_fails_is_a_failure_with_its_reason) {
   EXPECT_TRUE(failed.at(0).at(1).toString().contains("the paper is gone"))
       << failed.at(0).at(1).toString().toStdString();
   EXPECT_FALSE(maker.busy());
-  EXPECT_TRUE(QFile::exists(folder.filePath("drive.html"))) << "the page is whole";
+  EXPECT_EQ(contents(folder.filePath("drive.html")), "old") << "a new page would stand beside no PDF, or an old one";
   EXPECT_FALSE(QFile::exists(folder.filePath("drive.pdf")));
 }
 

@@ -12,6 +12,8 @@
 #include <cstdio>
 #include <fstream>
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include "app/gui/main_window.h"
 #include "model/simulator/simulator.h"
@@ -98,25 +100,21 @@ bool run_until(const std::function<bool()>& done, int patience_ms) {
   return done();
 }
 
-/// Without OpenGL, in a process of its own: drawing a frame in software is another matter.
-TEST(watchdog, child_loads_and_registers) {
-  if (qEnvironmentVariableIsEmpty("REMOUNT_WATCHDOG_CHILD")) GTEST_SKIP() << "started by the other test";
-  const QTemporaryDir folder;
+SimulatedDrive recorded_drive(const QString& path) {
   SimulationOptions options;
   options.duration_s = 20.0;
   options.scan_rate_hz = 5.0;
   options.beams = 24;
   options.azimuth_steps = 360;
   options.scenario = ScenarioKind::FigureEight;
-  const SimulatedDrive drive = simulate_drive(options);
+  SimulatedDrive drive = simulate_drive(options);
   Progress progress;
-  write_drive(drive, folder.filePath("drive").toStdString(), "native", 0, progress);
+  write_drive(drive, path.toStdString(), "native", 0, progress);
+  return drive;
+}
 
-  Workbench workbench(model_engine());
-  MainWindow window(workbench);
-  window.show();
-  window.keep_work_in(folder.path());
-  QTest::qWait(300);
+/// A hundred keyframes, five hundred pairs.
+void ask_for_many_pairs(Workbench& workbench) {
   Settings settings;
   settings.keyframes.distance_m = 0.01;
   settings.keyframes.minimum = 100;
@@ -124,34 +122,114 @@ TEST(watchdog, child_loads_and_registers) {
   settings.pairing.min_shared_objects = 0;
   for (const OptionField& field : option_fields(settings))
     if (field.section != "range") workbench.edit_option(field.section, field.name, field.value);
-  workbench.edit_nominal(drive.ins_from_lidar);
-  Watchdog watchdog;
-  const auto settled = [&] { return !workbench.opening() && !workbench.calibrating() && !workbench.solving(); };
-  watchdog.what = "opening";
-  window.open_paths({folder.filePath("drive")});
-  ASSERT_TRUE(run_until(settled, kPatience_ms));
-  watchdog.what = "calibrating";
-  workbench.calibrate();
-  ASSERT_TRUE(run_until(settled, kPatience_ms));
-  ASSERT_TRUE(workbench.output());
-  run_until([] { return false; }, 500);  // the result is shown, its files are hashed, it is autosaved
-  watchdog.what = "deciding";
-  for (const int pause_ms : {0, 5, 40, 120, 300, 1000}) {
-    // As fast as a key repeats, and slow enough for the first answer, or for the whole one, to come in between.
-    for (int pair = 0; pair < 4; ++pair) {
-      workbench.decide({10 * pair + pause_ms % 7}, PairState::Rejected);
-      if (pause_ms > 0) run_until([] { return false; }, pause_ms);
-    }
-    workbench.undo_stack().undo();
+}
+
+/// What a user does with the window while the watchdog looks on.
+class Day {
+ public:
+  explicit Day(const QString& folder) : folder_(folder), drive_(recorded_drive(folder + "/drive")) {
+    window_.show();
+    window_.keep_work_in(folder);
+    QTest::qWait(300);
+    ask_for_many_pairs(workbench_);
+    workbench_.edit_nominal(drive_.ins_from_lidar);
+    watchdog_.emplace();
   }
-  ASSERT_TRUE(run_until(settled, kPatience_ms));
-  run_until([] { return false; }, 500);
+  void open_and_calibrate() {
+    watchdog_->what = "opening";
+    window_.open_paths({folder_ + "/drive"});
+    ASSERT_TRUE(run_until([&] { return settled(); }, kPatience_ms));
+    watchdog_->what = "calibrating";
+    workbench_.calibrate();
+    ASSERT_TRUE(run_until([&] { return settled(); }, kPatience_ms));
+    ASSERT_TRUE(workbench_.output());
+    look_on(500);  // the result is shown, its files are hashed, it is autosaved
+  }
+  /// Returns after how many ms each decision had its first answer, sorted.
+  std::vector<double> decide_one_by_one(int decisions) {
+    std::vector<double> answered_ms;
+    QElapsedTimer since;
+    bool asked = false;
+    const auto watch = QObject::connect(&workbench_, &Workbench::output_changed, &window_, [&] {
+      if (!asked || (workbench_.solving() && !workbench_.refining())) return;
+      answered_ms.push_back(1e-6 * static_cast<double>(since.nsecsElapsed()));
+      asked = false;
+    });
+    watchdog_->what = "deciding";
+    for (int i = 0; i < decisions; ++i) {
+      asked = true;
+      since.start();
+      workbench_.decide({7 * i + 3}, PairState::Rejected);
+      run_until([&] { return !asked && settled(); }, kPatience_ms);
+    }
+    QObject::disconnect(watch);
+    std::sort(answered_ms.begin(), answered_ms.end());
+    return answered_ms;
+  }
+  void decide_quickly() {
+    watchdog_->what = "deciding quickly";
+    for (const int pause_ms : {0, 5, 40, 120, 300, 1000}) {
+      // As fast as a key repeats, and slow enough for the first answer, or for the whole one, to come in between.
+      for (int pair = 0; pair < 4; ++pair) {
+        workbench_.decide({10 * pair + pause_ms % 7}, PairState::Rejected);
+        if (pause_ms > 0) look_on(pause_ms);
+      }
+      workbench_.undo_stack().undo();
+    }
+    ASSERT_TRUE(run_until([&] { return settled(); }, kPatience_ms));
+    look_on(2000);  // the map is compared again
+  }
+  void save_and_open_project() {
+    const QString project = folder_ + "/job.remount";
+    watchdog_->what = "saving";
+    workbench_.save_project(project);
+    ASSERT_TRUE(run_until([&] { return !workbench_.unsaved(); }, kPatience_ms));
+    watchdog_->what = "opening a project";
+    for (int again = 0; again < 2; ++again) {
+      const int solution = workbench_.solution();
+      window_.open_paths({project});
+      ASSERT_TRUE(run_until([&] { return workbench_.solution() > solution && settled(); }, kPatience_ms));
+      look_on(500);
+    }
+  }
+  const Workbench& workbench() const { return workbench_; }
+  const Watchdog& watchdog() const { return *watchdog_; }
+
+ private:
+  bool settled() const { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); }
+  static void look_on(int for_ms) {
+    run_until([] { return false; }, for_ms);
+  }
+
+  QString folder_;
+  SimulatedDrive drive_;
+  Workbench workbench_{model_engine()};
+  MainWindow window_{workbench_};
+  std::optional<Watchdog> watchdog_;
+};
+
+/// Without OpenGL, in a process of its own: drawing a frame in software is another matter.
+TEST(watchdog, child_loads_and_registers) {
+  if (qEnvironmentVariableIsEmpty("REMOUNT_WATCHDOG_CHILD")) GTEST_SKIP() << "started by the other test";
+  const QTemporaryDir folder;
+  Day day(folder.path());
+  ASSERT_NO_FATAL_FAILURE(day.open_and_calibrate());
+  const std::vector<double> answered_ms = day.decide_one_by_one(12);
+  ASSERT_NO_FATAL_FAILURE(day.decide_quickly());
+  ASSERT_NO_FATAL_FAILURE(day.save_and_open_project());
+  const std::size_t scans = day.workbench().sessions().at(0)->scans->size(),
+                    pairs = day.workbench().output()->pairs.size();
+  const Watchdog& watchdog = day.watchdog();
+  ASSERT_EQ(answered_ms.size(), 12U);
+  std::printf("WATCHDOG decisions: first answer after %.0f ms (median), %.0f ms (longest)\n", answered_ms[6],
+              answered_ms.back());
   std::printf(
       "WATCHDOG scans %zu pairs %zu longest stall %.1f ms (%s); with waiting for a core %.1f ms; computed %.1f ms\n",
-      workbench.sessions().at(0)->scans->size(), workbench.output()->pairs.size(), watchdog.longest_own_ms(),
-      qPrintable(watchdog.at()), watchdog.longest_ms(), watchdog.longest_computed_ms());
-  EXPECT_GE(workbench.sessions().at(0)->scans->size(), 100U);
-  EXPECT_GE(workbench.output()->pairs.size(), 500U);
+      scans, pairs, watchdog.longest_own_ms(), qPrintable(watchdog.at()), watchdog.longest_ms(),
+      watchdog.longest_computed_ms());
+  EXPECT_GE(scans, 100U);
+  EXPECT_GE(pairs, 500U);
+  EXPECT_LT(answered_ms[6], 100.0);
   EXPECT_LT(watchdog.longest_computed_ms(), kLongestStall_ms) << "the loop computed";
   // On a machine whose cores are all taken a thread waits for its turn; that is no fault of the window.
   EXPECT_LT(watchdog.longest_own_ms(), kLongestStall_ms) << "the loop waited: " << watchdog.at().toStdString();
@@ -173,8 +251,8 @@ ChildRun run_child() {
   if (!child.waitForFinished(kPatience_ms)) return {-1, "not done in time"};
   const ChildRun run{child.exitCode(), child.readAll()};
   if (qEnvironmentVariableIsSet("REMOUNT_PROFILE")) std::printf("%s\n", run.said.constData());
-  const qsizetype line = run.said.indexOf("WATCHDOG");
-  if (line >= 0) std::printf("%s\n", run.said.mid(line, run.said.indexOf('\n', line) - line).constData());
+  for (const QByteArray& line : run.said.split('\n'))
+    if (line.startsWith("WATCHDOG")) std::printf("%s\n", line.constData());
   return run;
 }
 

@@ -1,6 +1,7 @@
 // What the window says follows the state of the work, and nothing of it is cut.
 #include <gtest/gtest.h>
 
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QListWidget>
@@ -16,6 +17,7 @@
 #include "widgets/panels/message_banner.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/progress_strip.h"
+#include "widgets/panels/quality_view.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/sessions_panel.h"
 #include "widgets/panels/welcome_panel.h"
@@ -64,27 +66,29 @@ TEST_F(window_state, a_result_that_is_out_of_date_is_nowhere_shown_as_solved_or_
   EXPECT_NE(step(Step::Export).state, StepState::Attention);
 }
 
-TEST_F(window_state, a_result_is_checked_once_its_quality_was_looked_at_and_what_speaks_against_it_is_said) {
+TEST_F(window_state, a_result_is_checked_when_the_user_says_so_and_what_speaks_against_it_is_said) {
   show();
+  auto& confirm = *child<QualityView>().findChild<QCheckBox*>();
+  EXPECT_FALSE(confirm.isEnabled()) << "there is nothing to confirm";
   calibrate_drive();
-  EXPECT_EQ(step(Step::Check).state, StepState::Next);
   trigger("Ctrl+Shift+B");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.checked(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return child<QualityView>().seen() && confirm.isEnabled(); }, kPatience_ms));
+  EXPECT_EQ(step(Step::Check).state, StepState::Next) << "a page that was open has convinced nobody yet";
+  QTest::keyClick(&confirm, Qt::Key_Space);
   EXPECT_EQ(step(Step::Check).state, StepState::Done);
-  for (auto* dock : window_.findChildren<QDockWidget*>())
-    if (dock->objectName() == "pairs") dock->raise();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return child<PairsPanel>().isVisible(); }, kPatience_ms));
+  EXPECT_EQ(step(Step::Check).detail, "confirmed by you");
   workbench_.decide({5}, PairState::Rejected);
   EXPECT_TRUE(QTest::qWaitFor([&] { return step(Step::Check).state == StepState::Next; }, kPatience_ms))
-      << "another result is to be looked at again";
+      << "another result is to be confirmed again";
   ASSERT_TRUE(settle());
+  EXPECT_FALSE(confirm.isChecked());
   PipelineOutput output = *workbench_.output();
-  output.result.session_disagreement = 3.0;
+  output.result.session_disagreement = 1.05 * kSessionsContradict;
   Project project;
   project.basis.session_count = 1;
   workbench_.restore(workbench_.sessions(), project, std::make_shared<const PipelineOutput>(output));
-  workbench_.mark_checked();
-  EXPECT_EQ(describe_steps(workbench_)[static_cast<std::size_t>(Step::Check)].detail, "sessions contradict");
+  workbench_.confirm(true);
+  EXPECT_EQ(step(Step::Check).detail, "sessions contradict");
 }
 
 class slow_window_state : public window_state {

@@ -25,17 +25,30 @@ ClearancePlot::ClearancePlot(QWidget* parent) : QWidget(parent) {
   setToolTip(tr("Seen from above, forward is right; metres from the INS. The wheel zooms, Home shows what is near."));
 }
 
-void ClearancePlot::show_scan(const QString& name, std::shared_ptr<const VehicleScan> scan, const VehicleBox& box,
-                              const Clearances& before, const Clearances& after) {
+MeasuredScan measure_scan(const VehicleScan& scan, const VehicleBox& box) {
+  const auto from_above = [&box](const std::vector<Eigen::Vector3f>& points_in_vehicle) {
+    std::vector<Eigen::Vector2f> places_m;
+    for (const Eigen::Vector3f& point : points_in_vehicle)
+      if (point.allFinite() && within_heights(point, box)) places_m.push_back(point.head<2>());
+    return places_m;
+  };
+  return {box, from_above(scan.before), from_above(scan.after), find_clearances(scan.before, box),
+          find_clearances(scan.after, box)};
+}
+
+void ClearancePlot::show_scan(const QString& name, MeasuredScanPtr scan) {
   name_ = name;
   scan_ = std::move(scan);
-  box_ = box;
-  before_ = before;
-  after_ = after;
-  message_ = before.obstacles + after.obstacles > 0 ? QString()
-             : box.height_min_m < box.height_max_m  ? tr("No points within the heights.")
-                                                    : tr("The lowest height lies above the highest: no point counts.");
+  const VehicleBox& box = scan_->box;
+  message_ = scan_->free_before.obstacles + scan_->free_after.obstacles > 0 ? QString()
+             : box.height_min_m < box.height_max_m                          ? tr("No points within the heights.")
+                                                   : tr("The lowest height lies above the highest: no point counts.");
   draw_points();
+}
+
+void ClearancePlot::name_before(const QString& words) {
+  before_name_ = words;
+  update();
 }
 
 void ClearancePlot::show_message(const QString& text) {
@@ -43,6 +56,11 @@ void ClearancePlot::show_message(const QString& text) {
   name_.clear();
   message_ = text;
   update();
+}
+
+const MeasuredScan& ClearancePlot::shown() const {
+  static const MeasuredScan nothing;
+  return scan_ ? *scan_ : nothing;
 }
 
 QRectF ClearancePlot::area() const {
@@ -54,16 +72,17 @@ double ClearancePlot::pixels_per_m() const {
   // What a planner looks at: the vehicle and as much around it as is free, within limits.
   constexpr double kLeast_m = 2.5, kMost_m = 6.0;
   double around_m = kLeast_m;
-  for (const Clearances* found : {&before_, &after_})
+  for (const Clearances* found : {&shown().free_before, &shown().free_after})
     for (const Clearance& side : found->sides)
       if (std::isfinite(side.distance_m)) around_m = std::max(around_m, 1.2 * side.distance_m);
   around_m = std::min(around_m, kMost_m);
-  const double length_m = box_.front_m + box_.rear_m + 2.0 * around_m, width_m = 2.0 * (box_.half_width_m + around_m);
+  const double length_m = shown().box.front_m + shown().box.rear_m + 2.0 * around_m,
+               width_m = 2.0 * (shown().box.half_width_m + around_m);
   return zoom_ * std::max(1.0, std::min(area().width() / length_m, area().height() / width_m));
 }
 
 QPointF ClearancePlot::to_screen(double x_m, double y_m) const {
-  const double middle_m = 0.5 * (box_.front_m - box_.rear_m);
+  const double middle_m = 0.5 * (shown().box.front_m - shown().box.rear_m);
   return area().center() + pixels_per_m() * QPointF(x_m - middle_m, -y_m);
 }
 
@@ -77,16 +96,26 @@ void ClearancePlot::draw_points() {
   painter.setClipRect(area());
   const double scale = pixels_per_m();
   const QPointF origin = to_screen(0.0, 0.0);
-  const auto draw = [&](const std::vector<Eigen::Vector3f>& points, const QColor& color) {
+  const double ratio = devicePixelRatioF();
+  const int columns = points_.width(), rows = points_.height();
+  const auto draw = [&](const std::vector<Eigen::Vector2f>& points_m, const QColor& color) {
+    // A wall gives thousands of points on one pixel: each pixel is drawn once.
+    std::vector<bool> drawn(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), false);
     std::vector<QPointF> places;
-    for (const Eigen::Vector3f& point : points)
-      if (point.allFinite() && within_heights(point, box_))
-        places.push_back(origin + scale * QPointF(point.x(), -point.y()));
+    for (const Eigen::Vector2f& point_m : points_m) {
+      const QPointF place = origin + scale * QPointF(point_m.x(), -point_m.y());
+      const double column = ratio * place.x(), row = ratio * place.y();
+      if (!(column >= 0.0 && column < columns && row >= 0.0 && row < rows)) continue;
+      auto pixel =
+          drawn[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
+      if (!pixel) places.push_back(place);
+      pixel = true;
+    }
     painter.setPen(QPen(color, 1.6));
     painter.drawPoints(places.data(), static_cast<int>(places.size()));
   };
-  draw(scan_->before, before_color(palette()));
-  draw(scan_->after, after_color(palette()));
+  draw(scan_->before_m, before_color(palette()));
+  draw(scan_->after_m, after_color(palette()));
 }
 
 void ClearancePlot::paintEvent(QPaintEvent*) {
@@ -98,8 +127,8 @@ void ClearancePlot::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(area());
     paint_vehicle(painter);
-    paint_clearances(painter, before_, before_color(palette()), -2.5);
-    paint_clearances(painter, after_, after_color(palette()), 2.5);
+    paint_clearances(painter, shown().free_before, before_color(palette()), -2.5);
+    paint_clearances(painter, shown().free_after, after_color(palette()), 2.5);
     painter.setClipping(false);
     painter.setRenderHint(QPainter::Antialiasing, false);
   }
@@ -136,7 +165,7 @@ void ClearancePlot::paint_grid(QPainter& painter) const {
   }
   const QRectF title(inside.left(), 2, inside.width(), line);
   painter.setPen(before_color(palette()));
-  const QString before = tr("● before"), after = tr("● with the result");
+  const QString before = QStringLiteral("● ") + before_name_, after = tr("● with the result");
   painter.drawText(title, Qt::AlignLeft, before);
   painter.setPen(after_color(palette()));
   painter.drawText(title.adjusted(fontMetrics().horizontalAdvance(before) + 14, 0, 0, 0), Qt::AlignLeft, after);
@@ -150,7 +179,8 @@ void ClearancePlot::paint_grid(QPainter& painter) const {
 }
 
 void ClearancePlot::paint_vehicle(QPainter& painter) const {
-  const QRectF outline(to_screen(-box_.rear_m, box_.half_width_m), to_screen(box_.front_m, -box_.half_width_m));
+  const VehicleBox& box = shown().box;
+  const QRectF outline(to_screen(-box.rear_m, box.half_width_m), to_screen(box.front_m, -box.half_width_m));
   painter.setPen(QPen(palette().color(QPalette::Text), 1.6));
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(outline);
@@ -166,13 +196,14 @@ void ClearancePlot::paint_vehicle(QPainter& painter) const {
 
 void ClearancePlot::paint_clearances(QPainter& painter, const Clearances& found, const QColor& color,
                                      double shift_px) const {
+  const VehicleBox& box = shown().box;
   painter.setPen(QPen(color, 1.8));
   for (std::size_t i = 0; i < found.sides.size(); ++i) {
     if (!std::isfinite(found.sides[i].distance_m)) continue;
     const Eigen::Vector3f& point = found.sides[i].point_in_vehicle;
     const bool along = i == static_cast<std::size_t>(Side::Front) || i == static_cast<std::size_t>(Side::Rear);
-    const double edge_x_m = std::clamp<double>(point.x(), -box_.rear_m, box_.front_m);
-    const double edge_y_m = std::clamp<double>(point.y(), -box_.half_width_m, box_.half_width_m);
+    const double edge_x_m = std::clamp<double>(point.x(), -box.rear_m, box.front_m);
+    const double edge_y_m = std::clamp<double>(point.y(), -box.half_width_m, box.half_width_m);
     const QPointF beside = along ? QPointF(0.0, shift_px) : QPointF(shift_px, 0.0);  // both stay to be seen
     const QPointF from = to_screen(edge_x_m, edge_y_m) + beside, to = to_screen(point.x(), point.y()) + beside;
     painter.drawLine(from, to);

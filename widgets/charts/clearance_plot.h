@@ -15,6 +15,17 @@ struct VehicleScan {
   std::vector<Eigen::Vector3f> before, after;  ///< m, under the mounting before and the new one
 };
 
+/// What of a scan counts for a vehicle: the points within its heights from above, and what is free around it.
+struct MeasuredScan {
+  VehicleBox box;
+  std::vector<Eigen::Vector2f> before_m, after_m;  ///< x forward, y left
+  Clearances free_before, free_after;
+};
+using MeasuredScanPtr = std::shared_ptr<const MeasuredScan>;
+
+/// Grows with the points of the scan; made on any thread.
+MeasuredScan measure_scan(const VehicleScan& scan, const VehicleBox& box);
+
 /// Colours of what is seen under either mounting; apart for the colour-blind, too.
 QColor before_color(const QPalette& palette);
 QColor after_color(const QPalette& palette);
@@ -24,8 +35,8 @@ class ClearancePlot : public QWidget {
   Q_OBJECT
  public:
   explicit ClearancePlot(QWidget* parent = nullptr);
-  void show_scan(const QString& name, std::shared_ptr<const VehicleScan> scan, const VehicleBox& box,
-                 const Clearances& before, const Clearances& after);
+  void show_scan(const QString& name, MeasuredScanPtr scan);
+  void name_before(const QString& words);              ///< the mounting that the result is compared with: "nominal"
   void show_message(const QString& text);              ///< instead of a scan
   const QString& name() const { return name_; }        ///< of the scan; empty where there is none
   const QString& message() const { return message_; }  ///< what stands in its place, or over it
@@ -44,16 +55,15 @@ class ClearancePlot : public QWidget {
 
  private:
   QRectF area() const;
+  const MeasuredScan& shown() const;  ///< an empty one where there is none
   void zoom(double factor);
   void draw_points();
   void paint_grid(QPainter& painter) const;
   void paint_vehicle(QPainter& painter) const;
   void paint_clearances(QPainter& painter, const Clearances& found, const QColor& color, double shift_px) const;
 
-  std::shared_ptr<const VehicleScan> scan_;
-  VehicleBox box_;
-  Clearances before_, after_;
-  QString name_, message_;
+  MeasuredScanPtr scan_;
+  QString name_, message_, before_name_;
   double zoom_ = 1.0;
   QPixmap points_;  // drawn once: a scan has a hundred thousand
 };

@@ -121,14 +121,19 @@ QString screen_suffix(const OptionField& field, AngleUnit unit) {
   return (unit == AngleUnit::Degrees ? QStringLiteral("°") : QStringLiteral(" rad")) + per;
 }
 
-QString option_label(const OptionField& field) {
-  QString label = field.name;
-  const QString unit = field.unit.section('/', 0, 0);  // "m" of "m/sqrt(s)", as names have it
-  if (!unit.isEmpty() && label.endsWith('_' + unit, Qt::CaseInsensitive)) label.chop(unit.size() + 1);
-  label.replace('_', ' ');
-  if (label.startsWith("ins ")) label.replace(0, 3, "INS");
+QString option_label(const QString& name, const QString& unit) {
+  QString label = name;
+  const QString plain = unit.section('/', 0, 0);  // "m" of "m/sqrt(s)", as names have it
+  if (!plain.isEmpty() && label.endsWith('_' + plain, Qt::CaseInsensitive)) label.chop(plain.size() + 1);
+  QStringList words = label.split('_', Qt::SkipEmptyParts);
+  for (QString& word : words)
+    for (const char* spelling : {"INS", "IMU", "GNSS", "LiDAR", "RMSE"})
+      if (word.compare(QLatin1String(spelling), Qt::CaseInsensitive) == 0) word = QLatin1String(spelling);
+  label = words.join(' ');
   if (!label.isEmpty()) label[0] = label[0].toUpper();
   return model_text(label);
 }
+
+QString option_label(const OptionField& field) { return option_label(field.name, field.unit); }
 
 }  // namespace remount

@@ -39,7 +39,8 @@ double on_screen(const OptionField& field, double value, AngleUnit unit = AngleU
 double from_screen(const OptionField& field, double shown, AngleUnit unit = AngleUnit::Degrees);
 QString screen_suffix(const OptionField& field, AngleUnit unit = AngleUnit::Degrees);
 
-/// "max_gap_s" -> "Max gap".
+/// "max_gap_s" -> "Max gap", "imu_yaw_deg" -> "IMU yaw".
+QString option_label(const QString& name, const QString& unit);
 QString option_label(const OptionField& field);
 
 }  // namespace remount

@@ -32,6 +32,10 @@ ClearanceView::ClearanceView(QWidget* parent)
     : QWidget(parent),
       plot_(new ClearancePlot(this)),
       table_(new FigureTable(tr("Distance of the nearest point on each side of the vehicle, metres"), this)),
+      start_(
+          new QLabel(tr("No nominal mounting was given: \"start\" is the program's own first estimate, not where the "
+                        "LiDAR was before."),
+                     this)),
       session_(new QComboBox(this)),
       keyframe_(new QSpinBox(this)) {
   table_->setToolTip(
@@ -42,6 +46,8 @@ ClearanceView::ClearanceView(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(make_controls());
   column->addWidget(table_, 1);
+  start_->setWordWrap(true);
+  column->addWidget(start_);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(plot_);
   splitter->addWidget(right);
@@ -52,6 +58,7 @@ ClearanceView::ClearanceView(QWidget* parent)
   page->setContentsMargins(4, 4, 4, 4);
   page->addWidget(splitter);
   set_box({});
+  show_nominal_known(true);
   show_message({});
 }
 
@@ -63,10 +70,7 @@ QDoubleSpinBox* ClearanceView::make_length(const QString& name, const QString& t
   spin->setKeyboardTracking(false);
   spin->setAccessibleName(name);
   spin->setToolTip(tool_tip);
-  connect(spin, &QDoubleSpinBox::valueChanged, this, [this] {
-    measure();
-    emit box_edited(box());
-  });
+  connect(spin, &QDoubleSpinBox::valueChanged, this, [this] { emit box_edited(box()); });
   return spin;
 }
 
@@ -123,7 +127,6 @@ void ClearanceView::set_box(const VehicleBox& box) {
     const QSignalBlocker quiet(spin);
     spin->setValue(value);
   }
-  measure();
 }
 
 void ClearanceView::show_choices(const QStringList& sessions, const std::vector<int>& keyframes) {
@@ -150,30 +153,35 @@ void ClearanceView::limit_keyframe() {
     editor->setEnabled(count > 0);
 }
 
+void ClearanceView::show_nominal_known(bool known) {
+  nominal_known_ = known;
+  plot_->name_before(known ? tr("nominal") : tr("start"));
+  start_->setVisible(!known && shows_scan_);
+}
+
 void ClearanceView::show_message(const QString& text) {
-  scan_.reset();
+  shows_scan_ = false;
   plot_->show_message(text);
   table_->hide();
+  start_->hide();
 }
 
-void ClearanceView::show_scan(const QString& name, std::shared_ptr<const VehicleScan> scan) {
-  name_ = name;
-  scan_ = std::move(scan);
+void ClearanceView::show_scan(const QString& name, const MeasuredScanPtr& scan) {
+  shows_scan_ = true;
+  plot_->show_scan(name, scan);
+  show_figures(scan->free_before, scan->free_after);
   table_->show();
-  measure();
+  start_->setVisible(!nominal_known_);
 }
 
-void ClearanceView::measure() {
-  if (!scan_) return;
-  const Clearances before = find_clearances(scan_->before, box()), after = find_clearances(scan_->after, box());
-  plot_->show_scan(name_, scan_, box(), before, after);
+void ClearanceView::show_figures(const Clearances& before, const Clearances& after) {
   const auto all = [](const Clearances& found) {
     return std::array<double, 5>{found.sides[0].distance_m, found.sides[1].distance_m, found.sides[2].distance_m,
                                  found.sides[3].distance_m, found.nearest.distance_m};
   };
   const std::array<double, 5> before_m = all(before), after_m = all(after);
-  std::vector<TableCell> was{{tr("Before"), {}, Verdict::Neutral}}, is{{tr("With result"), {}, Verdict::Neutral}},
-      change{{tr("Difference"), {}, Verdict::Neutral}};
+  std::vector<TableCell> was{{nominal_known_ ? tr("Nominal") : tr("Start"), {}, Verdict::Neutral}},
+      is{{tr("With result"), {}, Verdict::Neutral}}, change{{tr("Difference"), {}, Verdict::Neutral}};
   for (std::size_t i = 0; i < before_m.size(); ++i) {
     was.push_back(distance_cell(before_m[i]));
     is.push_back(distance_cell(after_m[i]));

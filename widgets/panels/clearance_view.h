@@ -8,6 +8,7 @@
 
 class QComboBox;
 class QDoubleSpinBox;
+class QLabel;
 class QSpinBox;
 
 namespace remount {
@@ -25,9 +26,12 @@ class ClearanceView : public QWidget {
   int chosen_keyframe() const;  ///< of that session, from 0
 
   void show_message(const QString& text);  ///< instead of a scan
-  void show_scan(const QString& name, std::shared_ptr<const VehicleScan> scan);
+  /// Its figures follow the scan's box, whatever is in the editors by now.
+  void show_scan(const QString& name, const MeasuredScanPtr& scan);
+  /// What the result is compared with: a nominal that was given, or where the program itself started from.
+  void show_nominal_known(bool known);
 
-  bool shows_scan() const { return scan_ != nullptr; }
+  bool shows_scan() const { return shows_scan_; }
 
   VehicleBox box() const;
   void set_box(const VehicleBox& box);  ///< without box_edited
@@ -35,19 +39,19 @@ class ClearanceView : public QWidget {
 
  signals:
   void scan_chosen();
-  void box_edited(const remount::VehicleBox& box);
+  void box_edited(const remount::VehicleBox& box);  ///< what is shown is to be measured again
 
  private:
   QDoubleSpinBox* make_length(const QString& name, const QString& tool_tip, double low_m, double high_m);
   QWidget* make_controls();
   void limit_keyframe();
-  void measure();
+  void show_figures(const Clearances& before, const Clearances& after);
 
   std::vector<int> keyframes_;
-  QString name_;
-  std::shared_ptr<const VehicleScan> scan_;
+  bool shows_scan_ = false, nominal_known_ = true;
   ClearancePlot* plot_;
   FigureTable* table_;
+  QLabel* start_;  ///< says what "start" means
   QComboBox* session_;
   QSpinBox* keyframe_;
   QDoubleSpinBox *front_, *rear_, *half_width_, *height_min_, *height_max_;

@@ -65,8 +65,8 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
 
 void ExportDialog::show_warning(const QString& warning) {
   const QColor color = warning_color(palette());
-  warning_->setStyleSheet(QStringLiteral("padding: 6px; border-left: 4px solid %1; background: %2")
-                              .arg(color.name(), tinted(color, palette()).name()));
+  set_style(*warning_, QStringLiteral("padding: 6px; border-left: 4px solid %1; background: %2")
+                           .arg(color.name(), tinted(color, palette()).name()));
   warning_->setText(QStringLiteral("▲  ") + warning);
   warning_->setVisible(!warning.isEmpty());
 }

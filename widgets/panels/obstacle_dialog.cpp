@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "widgets/forms/option_access.h"
 #include "widgets/model_text.h"
 #include "widgets/theme.h"
 
@@ -19,14 +20,7 @@ namespace {
 
 QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
 
-QString label_of(const OptionInfo& info) {
-  QString label = text(info.name);
-  if (!info.unit.empty() && label.endsWith('_' + text(info.unit), Qt::CaseInsensitive))
-    label.chop(static_cast<qsizetype>(info.unit.size()) + 1);
-  label.replace('_', ' ');
-  label[0] = label[0].toUpper();
-  return model_text(label);
-}
+QString label_of(const OptionInfo& info) { return option_label(text(info.name), text(info.unit)); }
 
 /// Adds one editor for each option; `changed` is called after the member has its new value.
 struct FormBuilder {
@@ -71,18 +65,19 @@ QString distance(double value_m) {
 
 ObstacleDialog::ObstacleDialog(const QString& scan, std::shared_ptr<const PairClouds> clouds,
                                const RigidTransform& nominal_ins_from_lidar,
-                               const RigidTransform& calibrated_ins_from_lidar, QWidget* parent)
+                               const RigidTransform& calibrated_ins_from_lidar, bool nominal_known, QWidget* parent)
     : QDialog(parent),
       clouds_(std::move(clouds)),
       nominal_ins_from_lidar_(nominal_ins_from_lidar),
       calibrated_ins_from_lidar_(calibrated_ins_from_lidar),
+      before_(nominal_known ? tr("Nominal") : tr("Start (no nominal was given)")),
       verdict_(new QLabel(this)),
       table_(new QTableWidget(this)) {
   setWindowTitle(tr("Obstacles in %1").arg(scan));
   verdict_->setWordWrap(true);
   verdict_->setAccessibleName(tr("Decision"));
   table_->setColumnCount(4);
-  table_->setHorizontalHeaderLabels({tr("Object"), tr("Before"), tr("With result"), tr("Difference")});
+  table_->setHorizontalHeaderLabels({tr("Object"), before_, tr("With result"), tr("Difference")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->verticalHeader()->hide();
@@ -128,9 +123,9 @@ void ObstacleDialog::check() {
   const QColor color = found.decision_differs()                              ? bad_color(palette())
                        : found.calibrated.decision == ObstacleDecision::Stop ? warning_color(palette())
                                                                              : good_color(palette());
-  verdict_->setStyleSheet(QStringLiteral("padding: 6px; border-left: 4px solid %1; background: %2")
-                              .arg(color.name(), tinted(color, palette()).name()));
-  QString verdict = tr("Before: %1. With result: %2.").arg(words(found.nominal), words(found.calibrated));
+  set_style(*verdict_, QStringLiteral("padding: 6px; border-left: 4px solid %1; background: %2")
+                           .arg(color.name(), tinted(color, palette()).name()));
+  QString verdict = tr("%1: %2. With result: %3.").arg(before_, words(found.nominal), words(found.calibrated));
   if (found.decision_differs()) verdict += ' ' + tr("The mounting changes the decision.");
   verdict_->setText(verdict);
   // The nearest decide: they come first. What is no obstacle has no distance and comes last.

@@ -15,9 +15,10 @@ namespace remount {
 class ObstacleDialog : public QDialog {
   Q_OBJECT
  public:
+  /// @param nominal_known false: `nominal_ins_from_lidar` is the program's own start, and is named so
   ObstacleDialog(const QString& scan, std::shared_ptr<const PairClouds> clouds,
                  const RigidTransform& nominal_ins_from_lidar, const RigidTransform& calibrated_ins_from_lidar,
-                 QWidget* parent = nullptr);
+                 bool nominal_known, QWidget* parent = nullptr);
 
  private:
   QWidget* make_form();
@@ -26,6 +27,7 @@ class ObstacleDialog : public QDialog {
   std::shared_ptr<const PairClouds> clouds_;  // scan b is checked
   RigidTransform nominal_ins_from_lidar_, calibrated_ins_from_lidar_;
   ObstacleOptions options_;
+  QString before_;  // the name of that mounting
   QLabel* verdict_;
   QTableWidget* table_;
 };

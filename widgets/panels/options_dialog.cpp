@@ -74,7 +74,7 @@ void OptionsDialog::show_settings(const Settings& settings) {
   QStringList problems;
   for (const std::string& problem : settings.check()) problems << QString::fromStdString(problem);
   problems_->setVisible(!problems.isEmpty());
-  problems_->setStyleSheet("color: " + bad_color(palette()).name());
+  set_style(*problems_, "color: " + bad_color(palette()).name());
   problems_->setText(problems.join('\n'));
 }
 

@@ -1,5 +1,8 @@
 #include "widgets/panels/quality_view.h"
 
+#include <QCheckBox>
+#include <QSignalBlocker>
+
 #include "widgets/panels/clearance_view.h"
 #include "widgets/panels/hold_out_view.h"
 #include "widgets/panels/sharpness_view.h"
@@ -7,12 +10,28 @@
 namespace remount {
 
 QualityView::QualityView(QWidget* parent)
-    : QTabWidget(parent), obstacles_(new ClearanceView), sharpness_(new SharpnessView), hold_out_(new HoldOutView) {
+    : QTabWidget(parent),
+      obstacles_(new ClearanceView),
+      sharpness_(new SharpnessView),
+      hold_out_(new HoldOutView),
+      confirm_(new QCheckBox(tr("Result confirmed"), this)) {
   setDocumentMode(true);
   addTab(obstacles_, tr("Obstacles"));
   addTab(sharpness_, tr("Map sharpness"));
   addTab(hold_out_, tr("Session against session"));
+  confirm_->setToolTip(
+      tr("For you to tick when these pages have convinced you. The step \"Check\" is done then; another result is "
+         "unconfirmed again."));
+  connect(confirm_, &QCheckBox::toggled, this, &QualityView::confirmed);
+  setCornerWidget(confirm_);
+  show_confirmed(false, false);
   connect(this, &QTabWidget::currentChanged, this, &QualityView::looked_at);
+}
+
+void QualityView::show_confirmed(bool confirmed, bool possible) {
+  const QSignalBlocker quiet(confirm_);
+  confirm_->setChecked(confirmed);
+  confirm_->setEnabled(possible);
 }
 
 void QualityView::set_on_top(bool on_top) {

@@ -226,10 +226,10 @@ void ResultPanel::show_standing(ResultStanding standing, const QString& note, co
 }
 
 void ResultPanel::show_status() {
-  note_->setStyleSheet("color: " + warning_color(palette()).name());
+  set_style(*note_, "color: " + warning_color(palette()).name());
   if (!shown_) {
     status_->setText(tr("No result yet"));
-    status_->setStyleSheet({});
+    set_style(*status_, {});
     words_->setText(next_);
     return;
   }
@@ -247,8 +247,8 @@ void ResultPanel::show_status() {
     color = palette().color(QPalette::Disabled, QPalette::WindowText);
   }
   status_->setText(title);
-  status_->setStyleSheet(QStringLiteral("font-weight: bold; padding: 5px; border-left: 4px solid %1; background: %2")
-                             .arg(color.name(), tinted(color, palette()).name()));
+  set_style(*status_, QStringLiteral("font-weight: bold; padding: 5px; border-left: 4px solid %1; background: %2")
+                          .arg(color.name(), tinted(color, palette()).name()));
 }
 
 void ResultPanel::changeEvent(QEvent* event) {
@@ -300,7 +300,7 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
     row.sigma->setText(!numbers ? QString()
                        : sigma  ? QStringLiteral("± %1").arg(spread, 0, 'f', 4)
                                 : tr("not observed"));
-    row.sigma->setStyleSheet(sigma || !numbers ? QString() : "color: " + warning_color(palette()).name());
+    set_style(*row.sigma, sigma || !numbers ? QString() : "color: " + warning_color(palette()).name());
     row.sigma->setToolTip(sigma || !numbers
                               ? (bootstrap > 0.0 ? tr("Bootstrap over blocks of time: ± %1").arg(bootstrap, 0, 'f', 4)
                                                  : tr("From the information of the solution"))
@@ -342,8 +342,7 @@ void ResultPanel::show_words(const PipelineOutput& output, bool decided_since) {
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   html += nominal_table(output) + sharpness_table(output);
   if (output.sharpness.empty() && decided_since && has_numbers(result.status))
-    html += "<p>" + tr("Map sharpness: not measured since the last decision. Calibrate again (F5).").toHtmlEscaped() +
-            "</p>";
+    html += "<p>" + tr("Map sharpness: X has moved since it was measured; see Quality.").toHtmlEscaped() + "</p>";
   words_->setText(html);
 }
 

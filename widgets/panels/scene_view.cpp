@@ -284,7 +284,8 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
 
 void SceneView::restyle() {
   // What is pressed must be seen in every style; some dark ones hardly shade it.
-  rows_->setStyleSheet(
+  set_style(
+      *rows_,
       QStringLiteral("QToolButton { padding: 4px 9px; } QToolButton:checked:enabled { background: %1; color: %2; }"
                      "QToolButton::menu-indicator { image: none; }")
           .arg(palette().color(QPalette::Highlight).name(), palette().color(QPalette::HighlightedText).name()));

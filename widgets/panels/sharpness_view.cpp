@@ -25,14 +25,15 @@ QString name_of(const NamedSharpness& named) {
   return SharpnessView::tr("candidate: %1").arg(model_text(named.source));
 }
 
-/// One number of a row; the better one of nominal and result is marked.
+/// One number of a row; that of nominal or result is marked where its map is clearly sharper, not merely by chance.
 TableCell figure(const std::vector<NamedSharpness>& all, const NamedSharpness& named, double MapSharpness::*member,
                  double scale, int decimals) {
   const double value = named.sharpness.*member;
   if (!std::isfinite(value)) return unknown_cell(SharpnessView::tr("The scans do not overlap enough."));
   const NamedSharpness *result = sharpness_of(all, "result"), *nominal = sharpness_of(all, "nominal");
   const NamedSharpness* other = &named == result ? nominal : &named == nominal ? result : nullptr;
-  const bool better = other && value < other->sharpness.*member;
+  const bool better =
+      other && value < other->sharpness.*member && compared(named.sharpness, other->sharpness) == SharperUnder::First;
   return {QString::number(scale * value, 'f', decimals), {}, better ? Verdict::Good : Verdict::Neutral};
 }
 

@@ -64,7 +64,8 @@ void StepBar::restyle() {
     buttons_[i]->setText(sign + QStringLiteral("  ") + titles[i] + '\n' + detail);
     buttons_[i]->setAccessibleName(tr("Step %1: %2, %3").arg(titles[i], state, detail));
     const bool plain = step.state == StepState::Waiting;
-    buttons_[i]->setStyleSheet(
+    set_style(
+        *buttons_[i],
         QStringLiteral(
             "QToolButton { border: none; border-bottom: 3px solid %1; padding: 4px 6px; background: %2; color: %3; }"
             "QToolButton:hover, QToolButton:focus { background: %4; }")

@@ -52,6 +52,15 @@ TEST_F(atomic_save, creates_and_replaces) {
   EXPECT_EQ(files(), 1U);
 }
 
+TEST_F(atomic_save, of_files_that_belong_together_replaces_all_or_none) {
+  save_together({{folder_ / "page", "one"}, {folder_ / "paper", "one"}});
+  EXPECT_THROW(save_together({{folder_ / "page", "two"}, {folder_ / "nowhere" / "paper", "two"}}), Error);
+  EXPECT_EQ(read_regular_file(folder_ / "page", 100), "one") << "the second cannot be written";
+  save_together({{folder_ / "page", "three"}, {folder_ / "paper", "three"}});
+  EXPECT_EQ(read_regular_file(folder_ / "page", 100) + read_regular_file(folder_ / "paper", 100), "threethree");
+  EXPECT_EQ(files(), 2U) << "no temporary file is left";
+}
+
 TEST_F(atomic_save, follows_a_link_and_keeps_it) {
   save_atomically(folder_ / "real", "one");
   std::filesystem::create_symlink("real", folder_ / "link");

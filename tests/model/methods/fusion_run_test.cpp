@@ -99,6 +99,7 @@ TEST(fusion_method, calibrates_from_its_poses_and_tells_of_them) {
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.15);
   ASSERT_EQ(output.plots.size(), 4u);
   EXPECT_TRUE(output.plots[0].equal_axes);
+  EXPECT_EQ(output.plots[0].curves[0].z.size(), output.plots[0].curves[0].x.size());
   EXPECT_EQ(output.plots[1].curves[0].sigma.size(), output.plots[1].curves[0].y.size());
   ASSERT_EQ(output.quantities.size(), 1u);
   EXPECT_NEAR(output.quantities[0].value, 12.0 * 6.0, 2.0);

@@ -1,6 +1,8 @@
 // The method on three recordings of a simulated excavator.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "algorithms/core/error.h"
 #include "tests/support/slew_recordings.h"
 
@@ -16,7 +18,12 @@ void expect_right(const Yard& yard, FirstPlane first) {
   EXPECT_EQ(output.result.reference_frame, "machine");
   EXPECT_LT(error.rotation_deg, 0.05);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.01);
-  EXPECT_EQ(output.plots.size(), 2u);
+  ASSERT_EQ(output.plots.size(), 2u);
+  const Curve &poses = output.plots[0].curves[0], &circle = output.plots[0].curves[1];
+  ASSERT_EQ(poses.z.size(), poses.x.size());
+  ASSERT_EQ(circle.z.size(), circle.x.size());
+  const auto [low, high] = std::minmax_element(circle.z.begin(), circle.z.end());
+  for (const double z_m : poses.z) EXPECT_TRUE(z_m > *low - 0.05 && z_m < *high + 0.05) << "off the circle in space";
 }
 
 TEST(slew_method, three_recordings_on_a_slope_give_rotation_and_slew_centre) {

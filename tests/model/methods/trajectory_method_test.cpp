@@ -78,6 +78,8 @@ void expect_plots(const PipelineOutput& output, std::size_t maps) {
       EXPECT_GT(curve.x.size(), 10u) << plot.title << ": " << curve.name;
     }
   EXPECT_TRUE(output.plots.back().equal_axes);
+  for (const Curve& curve : output.plots.back().curves)
+    EXPECT_EQ(curve.z.size(), curve.x.size()) << curve.name << ": a map is shown in space as well";
 }
 
 TEST(trajectory_method, a_simulated_street_is_solved_from_its_scans_within_sigma) {

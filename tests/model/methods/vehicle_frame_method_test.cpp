@@ -66,6 +66,7 @@ TEST(vehicle_frame_method, a_hilly_drive_determines_all_six_parameters) {
   EXPECT_LT(std::abs(error.z_m), 0.05);
   ASSERT_EQ(output.plots.size(), 3u);
   EXPECT_EQ(output.plots[0].curves.size(), 4u);
+  for (const Curve& curve : output.plots[0].curves) EXPECT_EQ(curve.z.size(), curve.x.size()) << curve.name;
   // The closed form stays with the sensor, planar integration does not.
   const auto& off = output.plots[2].curves;
   EXPECT_LT(off[0].y.back(), off[2].y.back());

@@ -197,7 +197,7 @@ HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
   return found;
 }
 
-Engine sample_engine(int stages) {
+Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at) {
   Engine engine;
   engine.open = [](const std::filesystem::path& path, Progress&) {
     if (path.string().find("drive") == std::string::npos)
@@ -205,10 +205,13 @@ Engine sample_engine(int stages) {
                   "is not a session of any known format. Expected a folder with session.yaml, or KITTI raw data.");
     return sample_session(path.filename().string());
   };
-  engine.run = [stages](const PipelineInput& input, Progress& progress) {
+  engine.run = [stages, hold_at](const PipelineInput& input, Progress& progress) {
     for (int i = 0; i < stages; ++i) {
-      progress.report("registering pairs", static_cast<std::size_t>(i), static_cast<std::size_t>(stages));
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      // Again and again: of reports that follow each other closely, some are left out.
+      do {
+        progress.report("registering pairs", static_cast<std::size_t>(i), static_cast<std::size_t>(stages));
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      } while (hold_at && *hold_at == i && !progress.cancelled());
       if (!progress.cancelled()) continue;
       PipelineOutput output = sample_output(input, 50);
       output.result = {};
@@ -269,7 +272,7 @@ Engine sample_engine(int stages) {
     }
     return map.points_recorded > most ? SessionScans{} : map;
   };
-  engine.load_keyframe_scan = [](const PipelineInput& input, const PipelineOutput& output, int keyframe) {
+  engine.load_keyframe_scan = [](const PipelineInput& input, const PipelineOutput& output, int keyframe, Progress&) {
     const Keyframe& chosen = output.keyframes.at(static_cast<std::size_t>(keyframe));
     return input.sessions.at(static_cast<std::size_t>(chosen.session))
         ->scans->load(static_cast<std::size_t>(chosen.scan));

@@ -1,6 +1,9 @@
 // A small street and a finished calibration of it, made in memory for tests of the window.
 #pragma once
 
+#include <atomic>
+#include <memory>
+
 #include "app/gui/engine.h"
 
 namespace remount::testing {
@@ -20,7 +23,8 @@ PipelineOutput sample_output(const PipelineInput& input, int pairs);
 HoldOut sample_hold_out(int sessions, double yaw_sigmas = 1.5);
 
 /// Opens paths that contain "drive", runs in `stages` reports of 5 ms, solves so that x moves by 1 mm with every
-/// pair that is not accepted.
-Engine sample_engine(int stages = 10);
+/// pair that is not accepted. Where `hold_at` names a stage, a run waits there until it is cancelled, or another or no
+/// stage is named.
+Engine sample_engine(int stages = 10, std::shared_ptr<const std::atomic<int>> hold_at = nullptr);
 
 }  // namespace remount::testing

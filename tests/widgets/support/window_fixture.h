@@ -17,7 +17,7 @@ constexpr int kPatience_ms = 20000;
 
 class WindowFixture : public ::testing::Test {
  protected:
-  explicit WindowFixture(int stages = 10) : workbench_(sample_engine(stages)), window_(workbench_) {}
+  explicit WindowFixture(int stages = 10) : workbench_(sample_engine(stages, hold_at_)), window_(workbench_) {}
 
   void show() {
     window_.show();
@@ -56,6 +56,7 @@ class WindowFixture : public ::testing::Test {
     widget.grab().save(QDir(folder).filePath(name + ".png"));
   }
 
+  std::shared_ptr<std::atomic<int>> hold_at_ = std::make_shared<std::atomic<int>>(-1);  ///< of the sample engine
   Workbench workbench_;
   MainWindow window_;
 };

@@ -1,0 +1,38 @@
+// The map check of an X that a decision moved, in the background.
+#include "app/gui/workbench.h"
+
+namespace remount {
+namespace {
+constexpr int kPause_ms = 800;  // it reads scans: whoever decides on does not wait for them
+}  // namespace
+
+void Workbench::check_map_soon() {
+  jobs_.cancel(map_job_);
+  map_job_ = 0;
+  map_pause_.stop();
+  const bool moved = output_ && output_ == output_solved_ && output_->map_check == MapCheck::Moved;
+  if (moved && is_usable(output_->result) && engine_.check_map) map_pause_.start(kPause_ms);
+}
+
+void Workbench::check_map_again() {
+  if (!output_ || output_ != output_solved_ || solving() || calibrating()) return;
+  auto job = std::make_shared<int>(0);
+  map_job_ = jobs_.start(
+      [this, job, input = run_input_, output = output_,
+       check = engine_.check_map](Progress& progress) -> JobRunner::Deliver {
+        auto checked = std::make_shared<PipelineOutput>(*output);
+        check(input, *checked, progress);
+        if (progress.cancelled()) return {};
+        return [this, job, output, checked] {
+          if (*job != map_job_ || output != output_) return;
+          // No edit: a project that was saved before is checked again when it is opened.
+          output_ = output_solved_ = checked;
+          emit output_changed();
+        };
+      },
+      report_failure());
+  *job = map_job_;
+  emit state_changed();
+}
+
+}  // namespace remount

@@ -1,0 +1,34 @@
+#include "model/report/plot_chart.h"
+
+#include <gtest/gtest.h>
+
+namespace remount {
+namespace {
+
+std::string english(const char*, const char* text) { return text; }
+
+/// Where the names of the curves stand, from the first to the last.
+std::vector<double> places_of_names(const std::vector<std::string>& names) {
+  Plot plot{"title", "x (m)", "y (m)", false, {}};
+  for (const std::string& name : names) plot.curves.push_back({name, {0.0, 1.0}, {0.0, 1.0}, {}, false, {}});
+  std::vector<double> places(names.size());
+  for (const auto& shape : plot_chart(plot, english).shapes)
+    if (const auto* text = std::get_if<DrawnText>(&shape))
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (text->text == names[i]) places[i] = text->base.x();
+  return places;
+}
+
+TEST(plot_chart, names_of_curves_are_as_far_apart_as_their_letters_need) {
+  const auto gap = [](const std::vector<double>& places) { return places[1] - places[0]; };
+  const double latin = gap(places_of_names({"first", "abcd"})), chinese = gap(places_of_names({"first", "轨迹对齐"})),
+               accents = gap(places_of_names({"first", "äöüß"}));
+  std::printf("names of four letters take %.1f (Latin), %.1f (Chinese), %.1f (accents) points\n", latin, chinese,
+              accents);
+  EXPECT_GT(chinese, 4 * 10.0) << "letters of 10 points must not overlap";
+  EXPECT_LT(chinese, 2.0 * latin) << "they have three bytes and not three widths";
+  EXPECT_DOUBLE_EQ(accents, latin);
+}
+
+}  // namespace
+}  // namespace remount
