@@ -1,5 +1,6 @@
 #include "algorithms/core/error.h"
 #include "model/attitude_check.h"
+#include "model/io/bag/bag_reader.h"
 #include "model/io/kitti_raw_reader.h"
 #include "model/io/native_session_reader.h"
 #include "model/io/novatel_reader.h"
@@ -19,12 +20,23 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     list.push_back(std::make_unique<NovatelReader>());
     list.push_back(std::make_unique<SmartlocReader>());
     list.push_back(std::make_unique<PoseSessionReader>());
+    list.push_back(std::make_unique<BagReader>());
     return list;
   }();
   return readers;
 }
 
-Session open_session(const std::filesystem::path& path, Progress& progress) {
+Session SessionReader::open_topics(const std::filesystem::path& path, const TopicChoice& topics,
+                                   Progress& progress) const {
+  if (!topics.empty())
+    throw Error(ErrorCode::Contract, path.string(),
+                "is a session of format " + std::string(id()) + ", which has no topics to choose from");
+  return open(path, progress);
+}
+
+Session open_session(const std::filesystem::path& path, Progress& progress) { return open_session(path, {}, progress); }
+
+Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw Error(ErrorCode::Io, path.string(), "does not exist");
   const SessionReader* best = nullptr;
@@ -34,7 +46,7 @@ Session open_session(const std::filesystem::path& path, Progress& progress) {
     if (score > best_score) best = reader.get(), best_score = score;
   }
   if (best) {
-    Session session = best->open(path, progress);
+    Session session = best->open_topics(path, topics, progress);
     for (Finding& finding : attitude_findings(session)) session.findings.push_back(std::move(finding));
     return session;
   }
