@@ -174,6 +174,17 @@ void add_setting_changes(const Settings& then, const Settings& now, std::vector<
     }
 }
 
+TopicChoice topics_from(const DocumentView& session) {
+  TopicChoice topics;
+  if (!session.has("topics")) return topics;
+  for (const DocumentView& item : session.at("topics").items()) try {
+      add_topic_choice(topics, item.string());
+    } catch (const Error& error) {
+      item.fail(error.what_happened());
+    }
+  return topics;
+}
+
 }  // namespace
 
 CalibrationBasis basis_of(const PipelineInput& input) {
@@ -236,8 +247,14 @@ void save_project(const Project& project, const std::filesystem::path& path) {
   root.add("format", DocumentNode::string(kFormat));
   root.add("version", DocumentNode::string(kVersion));
   DocumentNode& sessions = root.add("sessions", DocumentNode::sequence());
-  for (const std::filesystem::path& session : project.sessions)
-    sessions.add(DocumentNode::map()).add("path", DocumentNode::string(written_path(session, folder)));
+  for (std::size_t i = 0; i < project.sessions.size(); ++i) {
+    DocumentNode& session = sessions.add(DocumentNode::map());
+    session.add("path", DocumentNode::string(written_path(project.sessions[i], folder)));
+    const TopicChoice topics = project.topics_of(i);
+    if (topics.empty()) continue;
+    DocumentNode& chosen = session.add("topics", DocumentNode::sequence());
+    for (const auto& [role, topic] : topics) chosen.add(DocumentNode::string(role + "=" + topic));
+  }
   root.add("settings", settings_document(project.settings));
   root.add("nominal_ins_from_lidar",
            project.nominal_ins_from_lidar ? transform_document(*project.nominal_ins_from_lidar) : DocumentNode::null());
@@ -260,6 +277,7 @@ Project load_project(const std::filesystem::path& path) {
     const std::filesystem::path session = item.at("path").string();
     if (session.empty()) item.at("path").fail("is empty");
     project.sessions.push_back((folder / session).lexically_normal());
+    project.topics.push_back(topics_from(item));
   }
   project.settings = settings_from_document(root.at("settings"));
   if (!root.at("nominal_ins_from_lidar").is_null())

@@ -33,13 +33,16 @@ std::vector<std::string> changes_since(const CalibrationBasis& calibration, cons
 
 struct Project {
   std::vector<std::filesystem::path> sessions;  ///< absolute, or relative to the working directory
+  std::vector<TopicChoice> topics;              ///< of each session; may be shorter: of the others none were chosen
   Settings settings;
   std::optional<RigidTransform> nominal_ins_from_lidar;
   std::vector<PairVerdict> verdicts;
   std::optional<PipelineOutput> output;  ///< the last calibration, enough to review and solve again without scans
   bool solution_pending = false;  ///< `output` holds decisions that its result does not answer in full: solve again
-  CalibrationBasis basis;                ///< what `output` was made with
-  std::vector<InputFile> inputs;         ///< hashes of what that calibration read
+  CalibrationBasis basis;         ///< what `output` was made with
+  std::vector<InputFile> inputs;  ///< hashes of what that calibration read
+
+  TopicChoice topics_of(std::size_t session) const { return session < topics.size() ? topics[session] : TopicChoice{}; }
 
   /// changes_since of what is set in the project, and a pending solution; empty without a calibration.
   std::vector<std::string> changes_since_calibration() const;

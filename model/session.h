@@ -13,6 +13,7 @@
 #include "algorithms/trajectory/ins_sample.h"
 #include "algorithms/trajectory/sensor_samples.h"
 #include "model/io/attitude_convention.h"
+#include "model/topic_choice.h"
 
 namespace remount {
 
@@ -55,6 +56,15 @@ class ScanSource {
   virtual PointCloud load(std::size_t scan) const = 0;
 };
 
+/// A topic of a bag.
+struct SessionTopic {
+  std::string name, type;  ///< "/points", "sensor_msgs/PointCloud2"
+  std::size_t count = 0;
+  double rate_hz = 0.0;              ///< from the median step; 0 where there are fewer than two messages
+  std::vector<std::string> can_be;   ///< roles of kTopicRoles
+  std::vector<std::string> used_as;  ///< roles that it has in this session
+};
+
 /// One drive. Motion of the INS is either geodetic samples (`ins`) or poses in a metric world (`world_from_ins`);
 /// motion of the lidar comes either from scans or from poses of somebody's odometry (`odometry_from_lidar`).
 struct Session {
@@ -85,6 +95,8 @@ struct Session {
   double ins_position_drift = std::numeric_limits<double>::quiet_NaN();  ///< m per root of a second
   double ins_attitude_drift = std::numeric_limits<double>::quiet_NaN();  ///< rad per root of a second
   std::optional<RigidTransform> nominal_ins_from_lidar;
+  std::vector<SessionTopic> topics;          ///< of a bag, all of them; empty for other formats
+  TopicChoice topic_choice;                  ///< what was asked for; the other roles are suggestions
   std::vector<Finding> findings;             ///< of the reader: skipped lines, clock trouble, gaps
   std::vector<std::filesystem::path> files;  ///< what was read, for provenance hashes
 };

@@ -140,6 +140,26 @@ std::string usable_lines(const SessionReport& report) {
   return text + (untold.empty() ? "  usable: yes\n" : "  usable: in part, for " + told + "; not for " + untold + "\n");
 }
 
+/// The topics of a bag: count, rate, and what each is used as or could be.
+std::string topic_lines(const Session& session) {
+  std::string text = session.topics.empty() ? "" : "  topics:\n";
+  const auto joined = [](const std::vector<std::string>& words) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+    return list;
+  };
+  for (const SessionTopic& topic : session.topics) {
+    text += "    " + topic.name + " (" + topic.type + "): " + std::to_string(topic.count);
+    if (topic.rate_hz > 0.0) text += ", " + number(topic.rate_hz, 1) + " Hz";
+    if (!topic.used_as.empty())
+      text += ", used as " + joined(topic.used_as);
+    else if (!topic.can_be.empty())
+      text += ", not used; could be " + joined(topic.can_be);
+    text += "\n";
+  }
+  return text;
+}
+
 std::string stream_line(const std::string& name, const StreamReport& stream) {
   if (stream.count == 0) return "  " + name + ": none\n";
   std::string line = "  " + name + ": " + std::to_string(stream.count) + ", " + utc_text(stream.first_ns) + " to " +
@@ -212,7 +232,7 @@ SessionReport report_session(const Session& session, Progress& progress) {
 }
 
 std::string describe(const Session& session, const SessionReport& report) {
-  std::string text = session.path.string() + "\n  format: " + session.format + "\n";
+  std::string text = session.path.string() + "\n  format: " + session.format + "\n" + topic_lines(session);
   text += stream_line(session.scans ? "scans" : "LiDAR poses", report.lidar);
   text += stream_line(session.ins.empty() ? "INS poses" : "INS samples", report.ins);
   for (const auto& [name, stream] : {std::pair{"IMU", &report.imu},

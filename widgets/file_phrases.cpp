@@ -57,6 +57,30 @@ const std::vector<const char*>& file_phrases() {
                         "The result lies %1 deg and %2 m from the nominal mounting. The inverse of the nominal is "
                         "near: was lidar_from_ins given for ins_from_lidar?"),
       QT_TRANSLATE_NOOP("remount::model",
+                        "Of several topics this one serves as %1; not used: %2. --topic %3=TOPIC takes another."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The bag has no usable index (%1). It was read from the beginning: %2 messages in %3 chunks were found. %4"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The bag has no usable index (%1). It was read from the beginning: %2 messages were found; %3 "
+                        "bytes at the end are not readable.%4"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The database is damaged (%1): %2 messages were found, %3 belong to no topic."),
+      QT_TRANSLATE_NOOP("remount::model", "Parts of the bag are missing: %1."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The points have no times of their own: scans are taken to be compensated for motion already."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %1 s apart. "
+          "They are moved by that; what is left, the delays of the recording, shows as time offset."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The messages have no stamps; the times at which they were recorded are used. They are late by "
+                        "the delay of the recorder."),
+      QT_TRANSLATE_NOOP("remount::model", "The static transforms lead from %1 to %2; that serves as the nominal."),
+      QT_TRANSLATE_NOOP("remount::model", "The static transforms do not lead from %1 to %2."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 messages have no fix and %2 no orientation beside them; they are left out."),
+      QT_TRANSLATE_NOOP("remount::model",
                         "The column 'time' was rounded, as a spreadsheet does; GPS time is used, nothing is lost."),
       QT_TRANSLATE_NOOP(
           "remount::model",

@@ -137,6 +137,22 @@ void apply_measured(MeasuredOptions& options, const std::string& text) {
   *std::get<2>(*member) = *sigma;
 }
 
+void TopicArguments::add_to(CLI::App& verb) {
+  std::string roles;
+  for (const std::string_view role : kTopicRoles) roles += (roles.empty() ? "" : ", ") + std::string(role);
+  verb.add_option("--topic", topics,
+                  "Which topic of a bag serves as what: lidar=/points; " + roles +
+                      "; none leaves a role out; inspect lists the topics; may be repeated")
+      ->type_name("ROLE=TOPIC")
+      ->allow_extra_args(false);
+}
+
+TopicChoice TopicArguments::choice() const {
+  TopicChoice choice;
+  for (const std::string& text : topics) add_topic_choice(choice, text);
+  return choice;
+}
+
 void SolveArguments::add_to(CLI::App& verb) {
   verb.add_option("--nominal", nominal,
                   "Where the LiDAR was before: x,y,z,yaw,pitch,roll (m, degrees), or a result or exported file "

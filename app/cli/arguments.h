@@ -11,6 +11,7 @@
 #include "app/cli/console.h"
 #include "model/exporters/exporter.h"
 #include "model/settings.h"
+#include "model/topic_choice.h"
 
 namespace remount {
 
@@ -28,6 +29,15 @@ void apply_range(SearchRange& range, const std::string& text);
 /// Notes a measured value: "z=1.73,0.01" (m or degrees, with its sigma) or "ins-height=0.62,0.02".
 /// Throws Error(Contract).
 void apply_measured(MeasuredOptions& options, const std::string& text);
+
+/// Topics of bags, for verbs that open sessions.
+struct TopicArguments {
+  std::vector<std::string> topics;
+
+  void add_to(CLI::App& verb);
+  /// Throws Error(Contract).
+  TopicChoice choice() const;
+};
 
 /// Options that calibrate and solve have in common.
 struct SolveArguments {

@@ -50,7 +50,7 @@ PipelineInput input_of(const FleetVehicle& vehicle, const FleetJob& job, Console
   SolveArguments arguments;
   arguments.nominal = vehicle.nominal;
   const std::optional<ReadMounting> nominal = arguments.nominal_mounting(console);
-  input.sessions = open_sessions(job.sessions, console);
+  input.sessions = open_sessions(job.sessions, {}, console);
   if (nominal)
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, vehicle.nominal, input.sessions, console);
   else if (vehicle.nominal.empty())

@@ -18,6 +18,7 @@ namespace {
 struct CalibrateArguments {
   std::vector<std::string> sessions;
   SolveArguments solve;
+  TopicArguments topics;
   std::string project, save_project;
   std::string method;  ///< empty: as the settings say
   bool no_hashes = false;
@@ -73,6 +74,7 @@ int follow(const CalibrateArguments& arguments, Console& console) {
   FollowOptions options;
   options.settled_s = arguments.settled_s;
   options.declared_nominal = arguments.solve.nominal.empty();
+  options.topics = arguments.topics.choice();
   Progress finishing;  // Ctrl-C ends the following; its result is still worked out
   FollowedSession followed = follow_trajectory(
       arguments.sessions.front(), input, options,
@@ -89,7 +91,11 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (arguments.follow) return follow(arguments, console);
   Project project;
   if (!arguments.project.empty()) project = load_project(arguments.project);
-  for (const std::string& path : arguments.sessions) project.sessions.emplace_back(path);
+  project.topics.resize(project.sessions.size());
+  for (const std::string& path : arguments.sessions) {
+    project.sessions.emplace_back(path);
+    project.topics.push_back(arguments.topics.choice());
+  }
   if (project.sessions.empty())
     throw Error(ErrorCode::Contract, "calibrate", "no session is given; name one, or a --project that holds some");
   arguments.solve.check_output();
@@ -103,7 +109,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (!arguments.method.empty()) input.settings.run.method = method_named(arguments.method);
   input.threads = console.options().threads;
   const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console);
-  input.sessions = open_sessions(project.sessions, console);
+  input.sessions = open_sessions(project.sessions, project.topics, console);
   if (nominal) {
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, arguments.solve.nominal, input.sessions, console);
   } else if (arguments.solve.nominal.empty()) {
@@ -139,6 +145,7 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
   CLI::App* verb = app.add_subcommand("calibrate", "Calibrate from one or more recorded sessions of one vehicle");
   verb->add_option("sessions", arguments->sessions, "Session folders or logs")->type_name("SESSION");
   arguments->solve.add_to(*verb);
+  arguments->topics.add_to(*verb);
   std::vector<std::string> methods;
   std::string explained = "How:";
   for (const CalibrationMethod& method : calibration_methods()) {

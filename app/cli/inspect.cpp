@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "algorithms/core/error.h"
+#include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
 #include "model/io/session_reader.h"
 #include "model/session_report.h"
@@ -8,11 +9,17 @@
 namespace remount {
 namespace {
 
-int inspect(const std::vector<std::string>& paths, Console& console) {
+struct InspectArguments {
+  std::vector<std::string> paths;
+  TopicArguments topics;
+};
+
+int inspect(const InspectArguments& arguments, Console& console) {
   int code = kSolved;
-  for (const std::string& path : paths) {
+  const TopicChoice topics = arguments.topics.choice();
+  for (const std::string& path : arguments.paths) {
     try {
-      const Session session = open_session(path, console.progress());
+      const Session session = open_session(path, topics, console.progress());
       const SessionReport report = report_session(session, console.progress());
       console.print(describe(session, report));
       if (!report.usable && code == kSolved) code = kNoResult;
@@ -28,14 +35,15 @@ int inspect(const std::vector<std::string>& paths, Console& console) {
 }  // namespace
 
 void add_inspect(CLI::App& app, Console& console, Run& run) {
-  const auto paths = std::make_shared<std::vector<std::string>>();
+  const auto arguments = std::make_shared<InspectArguments>();
   CLI::App* verb = app.add_subcommand("inspect", "Say what a recording is, and whether it can be calibrated with");
-  verb->add_option("paths", *paths, "Session folders or logs")->type_name("PATH")->required();
+  verb->add_option("paths", arguments->paths, "Session folders or logs")->type_name("PATH")->required();
+  arguments->topics.add_to(*verb);
   std::string formats = "Exit code 3 where a session is readable but not usable.\nFormats:";
   for (const auto& reader : session_readers())
     formats += "\n  " + std::string(reader->id()) + ": " + std::string(reader->description());
   verb->footer(formats);
-  verb->callback([paths, &console, &run] { run = [paths, &console] { return inspect(*paths, console); }; });
+  verb->callback([arguments, &console, &run] { run = [arguments, &console] { return inspect(*arguments, console); }; });
 }
 
 }  // namespace remount

@@ -19,6 +19,7 @@ struct ObstacleArguments {
   std::string session, result, nominal;
   std::int64_t scan = 0;
   ObstacleOptions options;
+  TopicArguments topics;
 };
 
 std::string metres(double distance_m) {
@@ -59,7 +60,8 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
     return kNoResult;
   }
   for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
-  const auto session = std::make_shared<const Session>(open_session(arguments.session, console.progress()));
+  const auto session =
+      std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()));
   std::vector<std::string> doubts;
   const auto in_session = [&](const ReadMounting& mounting) { return in_axes_of(mounting, session->ins_axes, doubts); };
   const RigidTransform calibrated = in_session({result.result.ins_from_lidar, result.ins_axes});
@@ -90,6 +92,7 @@ void add_obstacles(CLI::App& app, Console& console, Run& run) {
           "Where the LiDAR was thought to be: x,y,z,yaw,pitch,roll (m, degrees), or a file; default: the result's, "
           "or the session's; without any, only the calibrated distances are given")
       ->type_name("SIX|FILE");
+  arguments->topics.add_to(*verb);
   ObstacleOptions::visit(arguments->options, OptionAdder{*verb});
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return obstacles(*arguments, console); }; });

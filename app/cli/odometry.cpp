@@ -16,6 +16,7 @@ namespace {
 struct OdometryArguments {
   std::string session, nominal, config, output;
   std::vector<std::string> assignments;
+  TopicArguments topics;
 };
 
 std::optional<RigidTransform> nominal_of(const OdometryArguments& arguments, const Session& session, Console& console) {
@@ -44,7 +45,7 @@ int odometry(const OdometryArguments& arguments, Console& console) {
   require_valid(settings);
   check_replaces_its_like(arguments.output, "# t x y z qx qy qz qw");
   check_can_save(arguments.output);
-  const Session session = open_session(arguments.session, console.progress());
+  const Session session = open_session(arguments.session, arguments.topics.choice(), console.progress());
   const FusionRun run = run_fusion_odometry(session, nominal_of(arguments, session, console), settings,
                                             console.options().threads, console.progress());
   console.report(run.findings);
@@ -71,6 +72,7 @@ void add_odometry(CLI::App& app, Console& console, Run& run) {
                    "Where the LiDAR sits: x,y,z,yaw,pitch,roll (m, degrees), a file, or none; default: as the session "
                    "declares it")
       ->type_name("SIX|FILE");
+  arguments->topics.add_to(*verb);
   verb->add_option("--config", arguments->config, "Settings (YAML)")->type_name("FILE");
   verb->add_option("--set", arguments->assignments, "A setting, as in fusion.barometer=false")->type_name("S.N=V");
   verb->callback(

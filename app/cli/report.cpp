@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "algorithms/core/error.h"
+#include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
 #include "model/io/atomic_save.h"
 #include "model/io/session_reader.h"
@@ -16,6 +17,7 @@ namespace {
 struct ReportArguments {
   std::string result, output;
   std::vector<std::string> sessions;
+  TopicArguments topics;
 };
 
 int write_report(const ReportArguments& arguments, Console& console) {
@@ -30,7 +32,7 @@ int write_report(const ReportArguments& arguments, Console& console) {
     throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which a report must not replace");
   check_replaces_its_like(arguments.output, "<!DOCTYPE html>");
   for (const std::string& path : arguments.sessions)
-    report.tracks.push_back(track_of(open_session(path, console.progress())));
+    report.tracks.push_back(track_of(open_session(path, arguments.topics.choice(), console.progress())));
   report.created =
       utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
                    .count());
@@ -47,6 +49,7 @@ void add_report(CLI::App& app, Console& console, Run& run) {
   CLI::App* verb = app.add_subcommand("report", "Write a report of a result as one HTML page");
   verb->add_option("result", arguments->result, "Result file (.yaml or .json)")->type_name("RESULT")->required();
   verb->add_option("sessions", arguments->sessions, "Sessions whose tracks are to be drawn")->type_name("SESSION");
+  arguments->topics.add_to(*verb);
   verb->add_option("-o,--output", arguments->output, "Page to write")->type_name("FILE")->required();
   verb->callback(
       [arguments, &console, &run] { run = [arguments, &console] { return write_report(*arguments, console); }; });

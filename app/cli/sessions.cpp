@@ -6,10 +6,13 @@
 
 namespace remount {
 
-Sessions open_sessions(const std::vector<std::filesystem::path>& paths, Console& console) {
+Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const std::vector<TopicChoice>& topics,
+                       Console& console) {
   Sessions sessions;
-  for (const std::filesystem::path& path : paths)
-    sessions.push_back(std::make_shared<const Session>(open_session(path, console.progress())));
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const TopicChoice chosen = i < topics.size() ? topics[i] : TopicChoice{};
+    sessions.push_back(std::make_shared<const Session>(open_session(paths[i], chosen, console.progress())));
+  }
   return sessions;
 }
 

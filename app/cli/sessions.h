@@ -10,13 +10,16 @@
 #include "app/cli/console.h"
 #include "model/exporters/exporter.h"
 #include "model/session.h"
+#include "model/topic_choice.h"
 
 namespace remount {
 
 using Sessions = std::vector<std::shared_ptr<const Session>>;
 
 /// Throws Error for the first that cannot be opened.
-Sessions open_sessions(const std::vector<std::filesystem::path>& paths, Console& console);
+/// @param topics of bags, for as many of the sessions as chose some
+Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const std::vector<TopicChoice>& topics,
+                       Console& console);
 
 /// What the sessions declare themselves, where they do. Throws Error(Contract) where they contradict each other: that
 /// is for the user to decide.

@@ -6,7 +6,10 @@
 namespace remount {
 
 Engine model_engine() {
-  return {open_session,   calibrate,          solve_again,    load_pair_clouds, solve_at_once,
+  const auto open = [](const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) {
+    return open_session(path, topics, progress);
+  };
+  return {open,           calibrate,          solve_again,    load_pair_clouds, solve_at_once,
           load_map_scans, load_keyframe_scan, check_hold_out, check_map};
 }
 

@@ -6,11 +6,12 @@
 
 #include "model/pipeline.h"
 #include "model/pipeline/hold_out.h"
+#include "model/topic_choice.h"
 
 namespace remount {
 
 struct Engine {
-  std::function<Session(const std::filesystem::path&, Progress&)> open;
+  std::function<Session(const std::filesystem::path&, const TopicChoice&, Progress&)> open;
   std::function<PipelineOutput(const PipelineInput&, Progress&)> run;
   std::function<bool(const PipelineInput&, PipelineOutput&, Progress&)> solve_again;  ///< false: cancelled
   std::function<PairClouds(const PipelineInput&, const PipelineOutput&, int)> load_pair_clouds;

@@ -72,7 +72,8 @@ void Workbench::open(const QStringList& paths) {
           // Several readers would count over each other: of several sessions, those that are open are counted.
           Progress quiet = progress.without_reports();
           try {
-            opened[i] = std::make_shared<const Session>(open(wanted[i], wanted.size() > 1 ? quiet : progress));
+            opened[i] =
+                std::make_shared<const Session>(open(wanted[i], TopicChoice{}, wanted.size() > 1 ? quiet : progress));
           } catch (const Error& error) {
             failures[i] = failure_of(error);
             if (failures[i].where.isEmpty()) failures[i].where = QString::fromStdString(wanted[i].string());

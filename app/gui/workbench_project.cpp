@@ -30,7 +30,7 @@ void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const En
   parallel_for(paths.size(), 0, [&](std::size_t i) {
     if (progress.cancelled()) return;
     try {
-      sessions[i] = std::make_shared<const Session>(engine.open(found[i], progress));
+      sessions[i] = std::make_shared<const Session>(engine.open(found[i], opened.project.topics_of(i), progress));
     } catch (const Error& error) {
       errors[i] = error;
     }
@@ -67,7 +67,10 @@ void write_snapshot(ProjectSnapshot snapshot, const QString& path) {
 
 ProjectSnapshot Workbench::snapshot() const {
   ProjectSnapshot snapshot;
-  for (const auto& session : sessions_) snapshot.project.sessions.push_back(session->path);
+  for (const auto& session : sessions_) {
+    snapshot.project.sessions.push_back(session->path);
+    snapshot.project.topics.push_back(session->topic_choice);
+  }
   snapshot.project.settings = settings_;
   snapshot.project.nominal_ins_from_lidar = nominal_ins_from_lidar_;
   if (output_) snapshot.project.basis = basis_of(run_input_);

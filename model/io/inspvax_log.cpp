@@ -29,37 +29,25 @@ struct Columns {
 constexpr Columns kAsciiColumns{0, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 18, 19, 20};
 constexpr std::size_t kAsciiFields = 23;
 
-InsQuality quality_of(std::string_view status) {
-  // Numbers in bag CSVs, names in ASCII logs (OEM6/OEM7 manuals, "Inertial Solution Status").
-  if (status == "3" || status == "INS_SOLUTION_GOOD") return InsQuality::Good;
-  if (status == "2" || status == "INS_HIGH_VARIANCE" || status == "6" || status == "INS_SOLUTION_FREE" ||
-      status == "7" || status == "INS_ALIGNMENT_COMPLETE")
-    return InsQuality::Degraded;
-  return InsQuality::Invalid;
-}
-
 InsSample sample_from(const std::vector<std::string_view>& fields, const Columns& columns, const fs::path& path,
                       std::size_t line) {
   const auto number = [&](std::size_t i, const char* what) { return require_number(fields[i], what, path, line); };
-  const auto radians = [&](std::size_t i, const char* what) { return degrees_to_radians(number(i, what)); };
-  InsSample sample;
-  sample.latitude_rad = radians(columns.latitude, "latitude");
-  sample.longitude_rad = radians(columns.longitude, "longitude");
-  sample.height_m = number(columns.height, "height") + number(columns.undulation, "undulation");
-  if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
-    throw Error(ErrorCode::Format, at_line(path, line), "latitude, longitude or height is not possible");
-  sample.enu_from_ins = enu_from_ins(
-      {radians(columns.azimuth, "azimuth"), radians(columns.pitch, "pitch"), radians(columns.roll, "roll")},
-      AttitudeConvention::NovAtel);
-  sample.sigma.position_enu_m = {number(columns.longitude_std, "longitude sigma"),
-                                 number(columns.latitude_std, "latitude sigma"),
-                                 number(columns.height_std, "height sigma")};
-  sample.sigma.attitude_rad =
-      axis_sigma_rad({radians(columns.azimuth_std, "azimuth sigma"), radians(columns.pitch_std, "pitch sigma"),
-                      radians(columns.roll_std, "roll sigma")},
-                     AttitudeConvention::NovAtel);
-  sample.quality = quality_of(fields[columns.status]);
-  return sample;
+  InspvaxValues values;
+  values.quality = inspvax_quality(fields[columns.status]);
+  values.latitude_deg = number(columns.latitude, "latitude");
+  values.longitude_deg = number(columns.longitude, "longitude");
+  values.height_m = number(columns.height, "height");
+  values.undulation_m = number(columns.undulation, "undulation");
+  values.azimuth_deg = number(columns.azimuth, "azimuth");
+  values.pitch_deg = number(columns.pitch, "pitch");
+  values.roll_deg = number(columns.roll, "roll");
+  values.longitude_std_m = number(columns.longitude_std, "longitude sigma");
+  values.latitude_std_m = number(columns.latitude_std, "latitude sigma");
+  values.height_std_m = number(columns.height_std, "height sigma");
+  values.azimuth_std_deg = number(columns.azimuth_std, "azimuth sigma");
+  values.pitch_std_deg = number(columns.pitch_std, "pitch sigma");
+  values.roll_std_deg = number(columns.roll_std, "roll sigma");
+  return ins_sample(values, at_line(path, line));
 }
 
 std::int64_t gps_stamp(std::string_view week_text, std::string_view time_text, std::int64_t unit_ns,
@@ -205,6 +193,34 @@ void read_csv(const std::string& text, const fs::path& path, InspvaxLog& log, Ba
 }
 
 }  // namespace
+
+InsQuality inspvax_quality(std::string_view status) {
+  // Numbers in bags and their CSVs, names in ASCII logs (OEM6/OEM7 manuals, "Inertial Solution Status").
+  if (status == "3" || status == "INS_SOLUTION_GOOD") return InsQuality::Good;
+  if (status == "2" || status == "INS_HIGH_VARIANCE" || status == "6" || status == "INS_SOLUTION_FREE" ||
+      status == "7" || status == "INS_ALIGNMENT_COMPLETE")
+    return InsQuality::Degraded;
+  return InsQuality::Invalid;
+}
+
+InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
+  InsSample sample;
+  sample.latitude_rad = degrees_to_radians(values.latitude_deg);
+  sample.longitude_rad = degrees_to_radians(values.longitude_deg);
+  sample.height_m = values.height_m + values.undulation_m;
+  if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
+    throw Error(ErrorCode::Format, where, "latitude, longitude or height is not possible");
+  sample.enu_from_ins = enu_from_ins({degrees_to_radians(values.azimuth_deg), degrees_to_radians(values.pitch_deg),
+                                      degrees_to_radians(values.roll_deg)},
+                                     AttitudeConvention::NovAtel);
+  sample.sigma.position_enu_m = {values.longitude_std_m, values.latitude_std_m, values.height_std_m};
+  sample.sigma.attitude_rad =
+      axis_sigma_rad({degrees_to_radians(values.azimuth_std_deg), degrees_to_radians(values.pitch_std_deg),
+                      degrees_to_radians(values.roll_std_deg)},
+                     AttitudeConvention::NovAtel);
+  sample.quality = values.quality;
+  return sample;
+}
 
 std::uint32_t novatel_crc32(std::string_view text) {
   // Reflected 0x04C11DB7 without the usual inversions before and after.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,21 @@ struct InspvaxLog {
 /// host's time column is not used; what it differs from GPS time is a finding ("host-clock"). Lines with a wrong CRC or
 /// broken fields are left out and counted in findings. Throws Error where the file cannot be read or no line is usable.
 InspvaxLog read_inspvax(const std::filesystem::path& path, InspvaxFormat format, std::vector<Finding>& findings);
+
+/// What one INSPVAX says, in its own units and conventions.
+struct InspvaxValues {
+  InsQuality quality = InsQuality::Unknown;
+  double latitude_deg = 0.0, longitude_deg = 0.0;
+  double height_m = 0.0;      ///< above mean sea level
+  double undulation_m = 0.0;  ///< of the geoid above the ellipsoid
+  double roll_deg = 0.0, pitch_deg = 0.0, azimuth_deg = 0.0;
+  double latitude_std_m = 0.0, longitude_std_m = 0.0, height_std_m = 0.0;
+  double roll_std_deg = 0.0, pitch_std_deg = 0.0, azimuth_std_deg = 0.0;
+};
+/// Without its stamp. Throws Error(Format) at `where` for a position that is not possible.
+InsSample ins_sample(const InspvaxValues& values, const std::string& where);
+/// Of the inertial solution status, by number or by name.
+InsQuality inspvax_quality(std::string_view status);
 
 /// NovAtel's CRC-32 of a log's text between '#' and '*'.
 std::uint32_t novatel_crc32(std::string_view text);

@@ -1,4 +1,5 @@
 #include "algorithms/core/error.h"
+#include "model/io/bag/bag_reader.h"
 #include "model/io/gnss_log_reader.h"
 #include "model/io/kitti_raw_reader.h"
 #include "model/io/native_session_reader.h"
@@ -20,12 +21,25 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
     list.push_back(std::make_unique<SmartlocReader>());
     list.push_back(std::make_unique<GnssLogReader>());
     list.push_back(std::make_unique<PoseSessionReader>());
+    list.push_back(std::make_unique<BagReader>());
     return list;
   }();
   return readers;
 }
 
+Session SessionReader::open_topics(const std::filesystem::path& path, const TopicChoice& topics,
+                                   Progress& progress) const {
+  if (!topics.empty())
+    throw Error(ErrorCode::Contract, path.string(),
+                "is a session of format " + std::string(id()) + ", which has no topics to choose from");
+  return open(path, progress);
+}
+
 Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at) {
+  return open_session(path, {}, progress, look_at);
+}
+
+Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw Error(ErrorCode::Io, path.string(), "does not exist");
   const SessionReader* best = nullptr;
@@ -35,7 +49,7 @@ Session open_session(const std::filesystem::path& path, Progress& progress, Look
     if (score > best_score) best = reader.get(), best_score = score;
   }
   if (best) {
-    Session session = best->open(path, progress);
+    Session session = best->open_topics(path, topics, progress);
     for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
     return session;
   }

@@ -96,6 +96,7 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
 template void keep_ascending(std::vector<InsSample>&, const std::string&, const std::string&, std::vector<Finding>&);
 template void keep_ascending(std::vector<StampedPose>&, const std::string&, const std::string&, std::vector<Finding>&);
 template void keep_ascending(std::vector<ScanFile>&, const std::string&, const std::string&, std::vector<Finding>&);
+template void keep_ascending(std::vector<IndexedScan>&, const std::string&, const std::string&, std::vector<Finding>&);
 template void keep_ascending(std::vector<ImuSample>&, const std::string&, const std::string&, std::vector<Finding>&);
 template void keep_ascending(std::vector<GnssFix>&, const std::string&, const std::string&, std::vector<Finding>&);
 template void keep_ascending(std::vector<WheelSample>&, const std::string&, const std::string&, std::vector<Finding>&);

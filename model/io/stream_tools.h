@@ -52,6 +52,12 @@ struct ScanFile {
   std::int64_t stamp_ns = 0;
 };
 
+/// A scan that is an item of something else: a message of a bag.
+struct IndexedScan {
+  std::size_t index = 0;
+  std::int64_t stamp_ns = 0;
+};
+
 /// Scans that are files, each with its stamp. load() reads the file every time: what is kept in memory is
 /// the pipeline's business (ScanStore).
 class FileScanSource final : public ScanSource {

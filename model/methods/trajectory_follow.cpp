@@ -26,10 +26,11 @@ std::size_t items_of(const Session& session) {
 }
 
 // The session as far as it is written; nothing while it cannot be opened, with the reason.
-std::shared_ptr<const Session> opened(const std::filesystem::path& path, std::string& problem) {
+std::shared_ptr<const Session> opened(const std::filesystem::path& path, const TopicChoice& topics,
+                                      std::string& problem) {
   try {
     Progress quiet;
-    auto session = std::make_shared<const Session>(open_session(path, quiet, LookAt::Streams));
+    auto session = std::make_shared<const Session>(open_session(path, topics, quiet, LookAt::Streams));
     problem.clear();
     return session;
   } catch (const Error& error) {
@@ -61,7 +62,7 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   std::size_t items = 0;
   Clock::time_point grown = Clock::now();
   while (!following.cancelled() && seconds_since(grown) < options.settled_s) {
-    const std::shared_ptr<const Session> now = opened(path, problem);
+    const std::shared_ptr<const Session> now = opened(path, options.topics, problem);
     if (now && items_of(*now) > items) {
       items = items_of(*now);
       grown = Clock::now();
@@ -74,7 +75,7 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
     wait(options.poll_s, following);
   }
   FollowedSession followed;
-  followed.session = opened(path, problem);
+  followed.session = opened(path, options.topics, problem);
   if (!followed.session) throw Error(ErrorCode::Io, path.string(), problem);
   with_session.sessions = {followed.session};
   if (!feed) begin(*followed.session);

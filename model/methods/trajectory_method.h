@@ -17,6 +17,7 @@ struct FollowOptions {
   double poll_s = 0.5;           ///< how often the files are looked at
   double settled_s = 5.0;        ///< a session that has not grown for so long is complete
   bool declared_nominal = true;  ///< where the input has no nominal, that of the session
+  TopicChoice topics;            ///< of a bag
 };
 
 /// What a followed session led to.

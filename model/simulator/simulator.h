@@ -35,14 +35,14 @@ struct SimulatedDrive {
 /// Throws Error(Contract) where an option is out of range.
 SimulatedDrive simulate_drive(const SimulationOptions& options);
 
-/// The formats that drives are written in, ids of session readers; native first.
+/// The formats that drives are written in: ids of session readers, "rosbag1" and "mcap"; native first.
 const std::vector<std::string>& drive_formats();
 
-/// Writes the drive as a session folder in one of those formats (see peer_formats.h for what they leave out). Also
-/// writes truth.yaml, of which `ins_from_lidar` is in the axes that the format's INS has.
-/// Deterministic for any number of threads. The folder is made; an existing one that is not empty is an Error. KITTI's
-/// LiDAR turns counter-clockwise while the vehicle moves, and its files have no place to say otherwise: a drive with
-/// another sense, or without motion distortion, is Error(Contract) for "kitti-raw".
+/// Writes the drive as a session folder in one of those formats (see peer_formats.h and bag_drive.h for what they leave
+/// out). Also writes truth.yaml, of which `ins_from_lidar` is in the axes that the format's INS has. Deterministic for
+/// any number of threads. The folder is made; an existing one that is not empty is an Error. KITTI's LiDAR turns
+/// counter-clockwise while the vehicle moves, and its files have no place to say otherwise: a drive with another sense,
+/// or without motion distortion, is Error(Contract) for "kitti-raw".
 void write_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                  int threads, Progress& progress);
 

@@ -6,6 +6,7 @@
 #include "model/io/output_file.h"
 #include "model/io/transform_document.h"
 #include "model/session_frames.h"
+#include "model/simulator/bag_drive.h"
 #include "model/simulator/lidar_model.h"
 #include "model/simulator/peer_formats.h"
 #include "model/simulator/simulator.h"
@@ -107,8 +108,8 @@ void check_fits_kitti(const Session& session) {
 }  // namespace
 
 const std::vector<std::string>& drive_formats() {
-  static const std::vector<std::string> formats{"native",          "kitti-raw", "opencalib",
-                                                "novatel-inspvax", "poses",     "smartloc"};
+  static const std::vector<std::string> formats{"native", "kitti-raw", "opencalib", "novatel-inspvax",
+                                                "poses",  "smartloc",  "rosbag1",   "mcap"};
   return formats;
 }
 
@@ -126,6 +127,7 @@ void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std:
   if (format == "novatel-inspvax") write_novatel_drive(drive, folder);
   if (format == "poses") write_pose_drive(drive, folder);
   if (format == "smartloc") write_smartloc_drive(drive, folder);
+  if (format == "rosbag1" || format == "mcap") write_bag_drive(drive, folder, format, threads, progress);
   if (!progress.cancelled()) write_file(folder / "truth.yaml", to_yaml(truth(drive, format)));
 }
 

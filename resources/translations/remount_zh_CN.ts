@@ -6344,6 +6344,50 @@ Calibrate again (F5).</source>
         <source>Give latitude and longitude where you have them, or turn the poses by the grid convergence.</source>
         <translation>若有经纬度请提供经纬度，或按子午线收敛角转动位姿。</translation>
     </message>
+    <message>
+        <source>The bag has no usable index (%1). It was read from the beginning: %2 messages in %3 chunks were found. %4</source>
+        <translation>bag 没有可用的索引（%1）。已从头读取：在 %3 个块中找到 %2 条消息。%4</translation>
+    </message>
+    <message>
+        <source>The bag has no usable index (%1). It was read from the beginning: %2 messages were found; %3 bytes at the end are not readable.%4</source>
+        <translation>bag 没有可用的索引（%1）。已从头读取：找到 %2 条消息；末尾 %3 字节无法读取。%4</translation>
+    </message>
+    <message>
+        <source>The database is damaged (%1): %2 messages were found, %3 belong to no topic.</source>
+        <translation>数据库已损坏（%1）：找到 %2 条消息，%3 条不属于任何话题。</translation>
+    </message>
+    <message>
+        <source>Parts of the bag are missing: %1.</source>
+        <translation>bag 缺少部分文件：%1。</translation>
+    </message>
+    <message>
+        <source>The points have no times of their own: scans are taken to be compensated for motion already.</source>
+        <translation>点没有各自的时间：视为扫描已做过运动补偿。</translation>
+    </message>
+    <message>
+        <source>The stamps are of another clock than the LiDAR&apos;s; by the recorder&apos;s clock they are %1 s apart. They are moved by that; what is left, the delays of the recording, shows as time offset.</source>
+        <translation>时间戳与激光雷达的不是同一时钟；按记录器的时钟相差 %1 秒。已按此移动；剩余部分（记录的延迟）表现为时间偏移。</translation>
+    </message>
+    <message>
+        <source>The messages have no stamps; the times at which they were recorded are used. They are late by the delay of the recorder.</source>
+        <translation>消息没有时间戳；使用记录时刻，它们因记录器的延迟而偏晚。</translation>
+    </message>
+    <message>
+        <source>The static transforms lead from %1 to %2; that serves as the nominal.</source>
+        <translation>静态变换由 %1 通到 %2；用作名义安装。</translation>
+    </message>
+    <message>
+        <source>The static transforms do not lead from %1 to %2.</source>
+        <translation>静态变换不能由 %1 通到 %2。</translation>
+    </message>
+    <message>
+        <source>%1 messages have no fix and %2 no orientation beside them; they are left out.</source>
+        <translation>%1 条消息没有定位，%2 条旁边没有姿态；均已略去。</translation>
+    </message>
+    <message>
+        <source>Of several topics this one serves as %1; not used: %2. --topic %3=TOPIC takes another.</source>
+        <translation>在多个话题中，此话题用作 %1；未使用：%2。--topic %3=TOPIC 可改用其他话题。</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>

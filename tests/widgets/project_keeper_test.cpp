@@ -22,7 +22,7 @@ using testing::kPatience_ms;
 /// Sessions that exist only where a folder of that name does.
 Engine engine_of_folders() {
   Engine engine = testing::sample_engine();
-  engine.open = [](const std::filesystem::path& path, Progress&) {
+  engine.open = [](const std::filesystem::path& path, const TopicChoice&, Progress&) {
     if (!std::filesystem::exists(path)) throw Error(ErrorCode::Io, path.string(), "is not there");
     Session session = testing::sample_session(path.filename().string());
     session.path = path;

@@ -107,6 +107,9 @@ class mutated_input : public ::testing::Test {
 };
 
 TEST_F(mutated_input, of_native_sessions) { run("native", native()); }
+TEST_F(mutated_input, of_rosbag1) { run("rosbag1", bag("rosbag1")); }
+TEST_F(mutated_input, of_mcap) { run("mcap", bag("mcap")); }
+TEST_F(mutated_input, of_rosbag2_databases) { run("rosbag2 database", sqlite_bag()); }
 TEST_F(mutated_input, of_smartloc) { run("smartloc", smartloc()); }
 TEST_F(mutated_input, of_kitti_extract) { run("kitti extract", kitti(false)); }
 TEST_F(mutated_input, of_kitti_sync) { run("kitti sync", kitti(true)); }

@@ -12,6 +12,7 @@
 #include "model/project.h"
 #include "model/session_report.h"
 #include "model/simulator/simulator.h"
+#include "tests/model/io/bag/sqlite_fixture.h"
 #include "tests/model/io/mutator.h"
 #include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
@@ -144,6 +145,37 @@ inline Subject kitti(bool sync) {
       break;
     }
   return subject;
+}
+
+/// A written drive as a bag, which is damaged in the middle of its chunks as well as in its index.
+inline Subject bag(const std::string& format) {
+  const TemporaryFolder folder;
+  Progress progress;
+  write_drive(tiny_drive(), folder.path() / "s", format, 1, progress);
+  Subject subject{all_files(folder.path() / "s"), {}, read_session};
+  for (const auto& [name, bytes] : subject.files)
+    if (name != "truth.yaml") subject.targets.push_back(name);
+  return subject;
+}
+
+/// The same drive as a database: its messages are those of an MCAP.
+inline Subject sqlite_bag() {
+  const TemporaryFolder folder;
+  Progress progress;
+  write_drive(tiny_drive(), folder.path() / "s", "mcap", 1, progress);
+  const auto mcap = open_bag(folder.path() / "s", progress);
+  std::vector<std::pair<std::string, std::string>> topics;
+  std::vector<bags::TestMessage> messages;
+  for (const BagTopic& topic : mcap->topics()) {
+    for (const BagEntry& entry : topic.entries)
+      messages.push_back({static_cast<std::uint32_t>(topics.size()), entry.log_time_ns, mcap->message(entry)});
+    topics.emplace_back(topic.name, topic.type);
+  }
+  const fs::path database = folder.path() / "drive.db3";
+  bags::write_database(database, topics, messages);
+  return {{{"drive.db3", bytes_of(database)}}, {"drive.db3"}, [](const fs::path& path) {
+            read_session(path / "drive.db3");
+          }};
 }
 
 inline Subject smartloc() {

@@ -199,7 +199,7 @@ HoldOut sample_hold_out(int sessions, double yaw_sigmas) {
 
 Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at) {
   Engine engine;
-  engine.open = [](const std::filesystem::path& path, Progress&) {
+  engine.open = [](const std::filesystem::path& path, const TopicChoice&, Progress&) {
     if (path.string().find("drive") == std::string::npos)
       throw Error(ErrorCode::Format, path.string(),
                   "is not a session of any known format. Expected a folder with session.yaml, or KITTI raw data.");

@@ -1,0 +1,123 @@
+#include "model/io/bag/bag_file.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "algorithms/core/error.h"
+#include "model/io/bag/mcap_file.h"
+#include "model/io/bag/rosbag1_file.h"
+#include "model/io/bag/split_bag.h"
+#include "model/io/bag/sqlite_bag.h"
+#include "model/io/input_file.h"
+#include "model/io/stream_tools.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kHeadBytes = 64;
+
+std::string head_of(const fs::path& path) {
+  try {
+    return read_file_head(path, kHeadBytes);
+  } catch (const Error&) {
+    return {};  // not readable: not recognised
+  }
+}
+
+/// SQLite keeps many other things: the name must say that this is a bag.
+bool is_bag(const fs::path& path) {
+  const std::string head = head_of(path);
+  return is_rosbag1(head) || is_mcap(head) || (is_sqlite(head) && lower_case(path.extension().string()) == ".db3");
+}
+
+/// The bags of a folder.
+std::vector<fs::path> bags_in(const fs::path& folder) {
+  std::vector<fs::path> bags;
+  for (const fs::path& file : files_in(folder))
+    if (is_bag(file)) bags.push_back(file);
+  return bags;
+}
+
+std::shared_ptr<const BagFile> open_only_bag(const fs::path& folder, Progress& progress) {
+  const std::vector<fs::path> bags = bags_in(folder);
+  if (bags.empty()) throw Error(ErrorCode::Format, folder.string(), "holds no bag");
+  if (bags.size() == 1) return open_bag(bags[0], progress);
+  std::string list;
+  for (std::size_t i = 0; i < std::min<std::size_t>(bags.size(), 20); ++i) list += "\n  " + bags[i].filename().string();
+  throw Error(ErrorCode::Unsupported, folder.string(),
+              "holds " + std::to_string(bags.size()) + " bags and no metadata.yaml; open them one by one:" + list);
+}
+
+std::shared_ptr<const BagFile> open_parts(const fs::path& folder, Progress& progress) {
+  std::vector<Finding> findings;
+  std::vector<std::shared_ptr<const BagFile>> parts;
+  std::optional<Error> first;
+  for (const fs::path& file : rosbag2_files(folder, findings)) try {
+      parts.push_back(open_bag(file, progress));
+    } catch (const Error& error) {
+      if (!first) first = error;
+      findings.push_back(make_finding(Severity::Warning, "bag-part-unreadable", file.string(), error.what_happened()));
+    }
+  if (parts.empty() && first) throw *first;
+  const auto bag = std::make_shared<SplitBag>(std::move(parts));
+  for (Finding& finding : findings) bag->add_finding(std::move(finding));
+  return bag;
+}
+
+}  // namespace
+
+std::size_t BagFile::topic(std::string name, std::string type, MessageEncoding encoding) {
+  if (const std::size_t middle = type.find("/msg/"); middle != std::string::npos) type.erase(middle, 4);
+  for (std::size_t i = 0; i < topics_.size(); ++i)
+    if (topics_[i].name == name && topics_[i].type == type && topics_[i].encoding == encoding) return i;
+  topics_.push_back({std::move(name), std::move(type), encoding, {}});
+  return topics_.size() - 1;
+}
+
+void BagFile::add_entry(std::size_t topic, const BagEntry& entry, std::uint64_t file_bytes, const std::string& where) {
+  // Small messages that are packed well may be more than the file has bytes for; not without end.
+  constexpr std::uint64_t kAlways = 2'000'000;
+  if (entry_count_ > kAlways + file_bytes / 6)
+    throw Error(ErrorCode::Format, where,
+                "the index names more than " + std::to_string(entry_count_) + " messages, too many for a file of " +
+                    std::to_string(file_bytes) + " bytes");
+  topics_[topic].entries.push_back(entry);
+  ++entry_count_;
+}
+
+void BagFile::forget_topics() {
+  topics_.clear();
+  entry_count_ = 0;
+}
+
+void BagFile::sort_topics() {
+  std::sort(topics_.begin(), topics_.end(),
+            [](const BagTopic& a, const BagTopic& b) { return std::tie(a.name, a.type) < std::tie(b.name, b.type); });
+  for (BagTopic& topic : topics_)
+    std::stable_sort(topic.entries.begin(), topic.entries.end(),
+                     [](const BagEntry& a, const BagEntry& b) { return a.log_time_ns < b.log_time_ns; });
+}
+
+std::shared_ptr<const BagFile> open_bag(const fs::path& path, Progress& progress) {
+  if (is_folder(path)) return is_rosbag2_folder(path) ? open_parts(path, progress) : open_only_bag(path, progress);
+  const std::string head = read_file_head(path, kHeadBytes);
+  if (is_rosbag1(head)) return std::make_shared<Rosbag1File>(path, progress);
+  if (is_mcap(head)) return std::make_shared<McapFile>(path, progress);
+  if (is_sqlite(head)) return std::make_shared<SqliteBag>(path, progress);
+  throw Error(ErrorCode::Format, path.string(),
+              "is no bag that is known: expected one of ROS 1, an MCAP or an SQLite database of ROS 2");
+}
+
+int probe_bag(const fs::path& path) {
+  if (is_file(path)) return is_bag(path) ? 95 : 0;
+  if (!is_folder(path)) return 0;
+  if (is_rosbag2_folder(path)) return 95;
+  const std::size_t bags = bags_in(path).size();
+  return bags == 0 ? 0 : bags == 1 ? 65 : 25;
+}
+
+}  // namespace remount

@@ -1,0 +1,189 @@
+#include "model/io/bag/bag_ins.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/io/stream_tools.h"
+
+namespace remount {
+namespace {
+
+constexpr double kSameClock_s = 0.5;  // delays of recorders are shorter, clocks that were not set are further apart
+
+/// By how much a stream is to be moved, 0 where it shares the LiDAR's clock.
+std::int64_t shift_ns(const StreamClock& stream, double lidar_behind_s) {
+  if (stream.readings.empty()) return 0;
+  const double apart_s = stream.behind_s() - lidar_behind_s;
+  return std::abs(apart_s) > kSameClock_s && std::abs(apart_s) < 4e9 ? std::llround(apart_s * 1e9) : 0;
+}
+
+void report_shift(std::int64_t by_ns, const std::string& where, std::vector<Finding>& findings) {
+  if (by_ns == 0) return;
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %.3f s apart. They "
+                "are moved by that; what is left, the delays of the recording, shows as time offset.",
+                static_cast<double>(by_ns) * 1e-9);
+  findings.push_back(make_finding(Severity::Warning, "clock-moved", where, text));
+}
+
+Eigen::Vector3d sigma_of(const Eigen::Vector3d& variance) {
+  return variance.minCoeff() > 0.0 ? Eigen::Vector3d(variance.cwiseSqrt())
+                                   : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+struct Attitude {
+  std::int64_t stamp_ns = 0;
+  Eigen::Quaterniond enu_from_ins = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d sigma_rad = Eigen::Vector3d::Zero();
+};
+
+std::vector<Attitude> attitudes_of(const ImuStream& stream) {
+  std::vector<Attitude> attitudes;
+  for (const ImuMessage& message : stream.messages) {
+    if (!message.orientation) continue;
+    // Glitches of the clock would make neighbours of what is far apart.
+    if (!attitudes.empty() && message.header.stamp_ns <= attitudes.back().stamp_ns) continue;
+    attitudes.push_back({message.header.stamp_ns, *message.orientation, sigma_of(message.orientation_variance_rad2)});
+  }
+  return attitudes;
+}
+
+GnssFix gnss_of(const FixMessage& message) {
+  GnssFix fix{message.header.stamp_ns, message.latitude_rad, message.longitude_rad, message.height_m, {}};
+  fix.covariance_enu_m2 = message.covariance_enu_m2.value_or(Eigen::Matrix3d::Identity());
+  return fix;
+}
+
+void add_gnss(const FixStream& stream, const std::string& where, Session& session) {
+  std::size_t unknown = 0, without_fix = 0;
+  for (const FixMessage& message : stream.messages) {
+    if (message.status < 0) {
+      ++without_fix;
+      continue;
+    }
+    unknown += !message.covariance_enu_m2;
+    session.gnss.push_back(gnss_of(message));
+  }
+  if (without_fix > 0)
+    session.findings.push_back(make_finding(Severity::Note, "no-fix", where,
+                                            std::to_string(without_fix) + " messages have no fix and are left out."));
+  if (unknown > 0)
+    session.findings.push_back(
+        make_finding(Severity::Note, "gnss-covariance-unknown", where,
+                     std::to_string(unknown) + " fixes do not state their covariance; a sigma of 1 m is assumed."));
+  if (!session.gnss.empty()) keep_ascending(session.gnss, "gnss", where, session.findings);
+}
+
+void add_imu(const ImuStream& stream, const std::string& where, Session& session) {
+  const Eigen::Vector3d unknown = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (const ImuMessage& message : stream.messages)
+    if (message.angular_rate_radps)
+      session.imu.push_back(
+          {message.header.stamp_ns, *message.angular_rate_radps, message.acceleration_mps2.value_or(unknown)});
+  if (!session.imu.empty()) keep_ascending(session.imu, "imu", where, session.findings);
+}
+
+}  // namespace
+
+void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std::vector<Finding>& findings) {
+  const StreamClock& lidar = s.scans.clock.readings.empty() ? s.lidar_poses.clock : s.scans.clock;
+  if (lidar.readings.empty()) return;
+  const double behind_s = lidar.behind_s();
+  const std::int64_t poses = shift_ns(s.ins_poses.clock, behind_s), inspvax = shift_ns(s.inspvax.clock, behind_s),
+                     device = shift_ns(s.attitude.clock, behind_s), gnss = shift_ns(s.gnss.clock, behind_s),
+                     imu = shift_ns(s.imu.clock, behind_s);
+  for (StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
+  for (InsSample& sample : s.inspvax.samples) sample.stamp_ns += inspvax;
+  // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
+  for (ImuMessage& message : s.attitude.messages) message.header.stamp_ns += device;
+  for (FixMessage& message : s.position.messages) message.header.stamp_ns += device;
+  for (FixMessage& message : s.gnss.messages) message.header.stamp_ns += gnss;
+  for (ImuMessage& message : s.imu.messages) message.header.stamp_ns += imu;
+  const auto report = [&](const std::optional<std::size_t>& topic, std::int64_t by_ns) {
+    if (topic) report_shift(by_ns, bag.files().front().string() + ": " + bag.topics()[*topic].name, findings);
+  };
+  report(roles.ins, poses + inspvax + device);  // one of them at most is there
+  if (roles.gnss != roles.ins_position) report(roles.gnss, gnss);
+  if (roles.imu != roles.ins) report(roles.imu, imu);
+}
+
+std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& attitude, const std::string& where,
+                                      std::vector<Finding>& findings) {
+  const std::vector<Attitude> attitudes = attitudes_of(attitude);
+  const double longest_gap_s = std::max(0.05, 3.0 * median_period_s(attitudes));
+  const bool tells_augmentation =
+      std::any_of(fixes.messages.begin(), fixes.messages.end(), [](const FixMessage& fix) { return fix.status == 2; });
+  std::vector<InsSample> ins;
+  std::size_t without_fix = 0, alone = 0;
+  for (const FixMessage& fix : fixes.messages) {
+    if (fix.status < 0) {
+      ++without_fix;
+      continue;
+    }
+    const std::int64_t stamp_ns = fix.header.stamp_ns;
+    const auto after = std::lower_bound(attitudes.begin(), attitudes.end(), stamp_ns,
+                                        [](const Attitude& a, std::int64_t stamp) { return a.stamp_ns < stamp; });
+    const bool exact = after != attitudes.end() && after->stamp_ns == stamp_ns;
+    const auto before = exact || after == attitudes.begin() ? after : after - 1;
+    if (after == attitudes.end() || (!exact && after == attitudes.begin()) ||
+        static_cast<double>(after->stamp_ns - before->stamp_ns) * 1e-9 > longest_gap_s) {
+      ++alone;
+      continue;
+    }
+    const double share = exact ? 0.0
+                               : static_cast<double>(stamp_ns - before->stamp_ns) /
+                                     static_cast<double>(after->stamp_ns - before->stamp_ns);
+    InsSample sample;
+    sample.stamp_ns = stamp_ns;
+    sample.latitude_rad = fix.latitude_rad;
+    sample.longitude_rad = fix.longitude_rad;
+    sample.height_m = fix.height_m;
+    sample.enu_from_ins = before->enu_from_ins.slerp(share, after->enu_from_ins).normalized();
+    if (fix.covariance_enu_m2) sample.sigma.position_enu_m = fix.covariance_enu_m2->diagonal().cwiseSqrt();
+    sample.sigma.attitude_rad = after->sigma_rad;
+    if (tells_augmentation) sample.quality = fix.status == 2 ? InsQuality::Good : InsQuality::Degraded;
+    ins.push_back(sample);
+  }
+  if (without_fix + alone > 0)
+    findings.push_back(make_finding(Severity::Warning, "ins-incomplete", where,
+                                    std::to_string(without_fix) + " messages have no fix and " + std::to_string(alone) +
+                                        " no orientation beside them; they are left out."));
+  return ins;
+}
+
+void add_ins(const BagFile& bag, const TopicRoles& roles, BagStreams& s, Session& session) {
+  const std::string file = bag.files().front().string();
+  const auto place = [&](std::size_t topic) { return file + ": " + bag.topics()[topic].name; };
+  share_lidar_clock(bag, roles, s, session.findings);
+  if (roles.ins && is_pose(message_kind(bag.topics()[*roles.ins].type))) {
+    session.world_from_ins = std::move(s.ins_poses.world_from_child);
+    if (message_kind(bag.topics()[*roles.ins].type) != MessageKind::Odometry) session.ins_axes.reset();
+    if (!session.world_from_ins.empty())
+      keep_ascending(session.world_from_ins, "ins", place(*roles.ins), session.findings);
+  } else if (roles.ins) {
+    const bool inspvax = message_kind(bag.topics()[*roles.ins].type) == MessageKind::Inspvax;
+    if (inspvax) session.ins_axes = InsAxes::RightForwardUp;
+    session.ins = inspvax ? std::move(s.inspvax.samples)
+                          : ins_from_fixes(s.position, s.attitude, place(*roles.ins), session.findings);
+    if (!session.ins.empty()) {
+      keep_near(session.ins, place(*roles.ins), session.findings);
+      keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
+    }
+    const double period_s = median_period_s(session.ins);
+    if (period_s > 0.21)
+      session.findings.push_back(make_finding(Severity::Warning, "ins-slow", place(*roles.ins),
+                                              "The INS has a position every " + std::to_string(period_s) +
+                                                  " s only; between them the motion is interpolated."));
+  }
+  if (roles.ins && session.ins.empty() && session.world_from_ins.empty())
+    throw Error(ErrorCode::Format, place(*roles.ins),
+                "no usable INS is in this topic" + std::string(roles.ins_position || !s.attitude.messages.size()
+                                                                   ? ""
+                                                                   : ": its orientations have no NavSatFix with them"));
+  if (roles.gnss) add_gnss(s.gnss, place(*roles.gnss), session);
+  if (roles.imu) add_imu(s.imu, place(*roles.imu), session);
+}
+
+}  // namespace remount

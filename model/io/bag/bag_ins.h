@@ -1,0 +1,22 @@
+// The INS of a session from the streams of a bag.
+#pragma once
+
+#include "model/io/bag/bag_streams.h"
+
+namespace remount {
+
+/// Moves what comes from INS, GNSS and IMU to the clock of the LiDAR where they are more than half a second apart. The
+/// recorder's clock tells: each stream is as far behind it as its clock is off and its messages are late.
+void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& streams,
+                       std::vector<Finding>& findings);
+
+/// Samples at the stamps of the fixes, attitude interpolated between the IMU's. Fixes without attitude beside them are
+/// left out, with a finding.
+std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& attitude, const std::string& where,
+                                      std::vector<Finding>& findings);
+
+/// Fills `ins` or `world_from_ins`, `ins_axes`, `gnss` and `imu` of the session. Throws Error where a stream that was
+/// chosen holds nothing usable.
+void add_ins(const BagFile& bag, const TopicRoles& roles, BagStreams& streams, Session& session);
+
+}  // namespace remount

@@ -1,0 +1,135 @@
+#include "model/io/bag/bag_reader.h"
+
+#include <algorithm>
+
+#include "model/io/bag/bag_ins.h"
+#include "model/io/bag/cloud_message.h"
+#include "model/io/bag/static_frames.h"
+#include "model/io/pose_pairing.h"
+#include "model/io/stream_tools.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Scans that are messages; each is read from the file when it is asked for.
+class BagScanSource final : public ScanSource {
+ public:
+  BagScanSource(std::shared_ptr<const BagFile> bag, std::size_t topic, std::vector<IndexedScan> scans)
+      : bag_(std::move(bag)), topic_(bag_->topics()[topic]), scans_(std::move(scans)) {}
+  std::size_t size() const override { return scans_.size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return at(scan).stamp_ns; }
+  std::string name(std::size_t scan) const override {
+    return topic_.name + ", message " + std::to_string(at(scan).index + 1);
+  }
+  PointCloud load(std::size_t scan) const override { return read(scan).cloud; }
+
+  CloudMessage read(std::size_t scan) const {
+    const BagEntry& entry = topic_.entries[at(scan).index];
+    const std::string bytes = bag_->message(entry);
+    MessageReader reader(bytes, topic_.encoding, bag_->files().front().string() + ": " + name(scan));
+    return read_cloud(reader, message_kind(topic_.type), at(scan).stamp_ns);
+  }
+
+ private:
+  const IndexedScan& at(std::size_t scan) const {
+    if (scan >= scans_.size())
+      throw Error(ErrorCode::Contract, "",
+                  "scan " + std::to_string(scan) + " of " + std::to_string(scans_.size()) + " does not exist");
+    return scans_[scan];
+  }
+
+  std::shared_ptr<const BagFile> bag_;
+  const BagTopic& topic_;
+  std::vector<IndexedScan> scans_;
+};
+
+/// Whether points have times, from the first scan (of three) that can be read.
+void judge_point_times(const BagScanSource& scans, Session& session) {
+  session.scan_timing = has_point_times(scans) ? ScanTiming::PerPoint : ScanTiming::Instant;
+  if (session.scan_timing == ScanTiming::Instant) {
+    session.findings.push_back(
+        make_finding(Severity::Note, "no-point-times", scans.name(0),
+                     "The points have no times of their own: scans are taken to be compensated for motion already."));
+    return;
+  }
+  for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3); ++i) try {
+      if (scans.read(i).points_have_another_clock)
+        session.findings.push_back(make_finding(
+            Severity::Warning, "point-clock", scans.name(i),
+            "The times of the points are of another clock than the scan's stamp (more than a second apart): the first "
+            "point is taken to be of the stamp. A time offset of up to one turn may remain."));
+      return;
+    } catch (const Error&) {
+      continue;  // becomes known when the scan is used
+    }
+}
+
+void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& roles, BagStreams& streams,
+               Session& session) {
+  if (!roles.lidar) return;
+  const std::string where = bag->files().front().string() + ": " + bag->topics()[*roles.lidar].name;
+  if (!streams.lidar_poses.world_from_child.empty()) {
+    session.odometry_from_lidar = std::move(streams.lidar_poses.world_from_child);
+    keep_ascending(session.odometry_from_lidar, "lidar", where, session.findings);
+    align_lidar_clock(session, ClockUse::Shared);
+    return;
+  }
+  std::vector<IndexedScan> scans = std::move(streams.scans.scans);
+  if (scans.empty()) throw Error(ErrorCode::Format, where, "no scan of this topic can be read");
+  keep_ascending(scans, "scan", where, session.findings);
+  const auto source = std::make_shared<const BagScanSource>(bag, *roles.lidar, std::move(scans));
+  judge_point_times(*source, session);
+  session.scans = source;
+}
+
+std::string ins_frame(const BagFile& bag, const TopicRoles& roles, const BagStreams& streams) {
+  if (!roles.ins) return {};
+  if (message_kind(bag.topics()[*roles.ins].type) == MessageKind::Imu)
+    return streams.attitude.messages.empty() ? std::string() : streams.attitude.messages.front().header.frame;
+  return streams.ins_poses.child_frame;
+}
+
+/// The mounting as the static transforms have it. INSPVAX has axes of its own, which no frame of ROS means.
+void add_nominal(const BagFile& bag, const BagStreams& streams, const std::string& ins, Session& session) {
+  const std::string& lidar = streams.scans.frame;
+  if (streams.static_transforms.empty() || ins.empty() || lidar.empty() || ins == lidar) return;
+  const auto ins_from_lidar = find_transform(streams.static_transforms, ins, lidar);
+  const std::string frames = "from " + lidar + " to " + ins;
+  if (ins_from_lidar) session.nominal_ins_from_lidar = *ins_from_lidar;
+  session.findings.push_back(
+      ins_from_lidar ? make_finding(Severity::Note, "nominal-found", bag.files().front().string(),
+                                    "The static transforms lead " + frames + "; that serves as the nominal.")
+                     : make_finding(Severity::Note, "nominal-not-found", bag.files().front().string(),
+                                    "The static transforms do not lead " + frames + "."));
+}
+
+}  // namespace
+
+int BagReader::probe(const fs::path& path) const { return probe_bag(path); }
+
+Session BagReader::open(const fs::path& path, Progress& progress) const { return open_topics(path, {}, progress); }
+
+Session BagReader::open_topics(const fs::path& path, const TopicChoice& topics, Progress& progress) const {
+  const std::shared_ptr<const BagFile> bag = open_bag(path, progress);
+  Session session;
+  session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  session.path = path;
+  session.format = id();
+  session.files = bag->files();
+  session.findings = bag->findings();
+  session.topic_choice = topics;
+  const TopicRoles roles = choose_topics(*bag, topics, session.findings);
+  session.topics = list_topics(*bag, roles);
+  BagStreams streams = read_streams(*bag, roles, session.findings, progress);
+  if (progress.cancelled()) return session;
+  const std::string frame = ins_frame(*bag, roles, streams);
+  add_ins(*bag, roles, streams, session);
+  add_nominal(*bag, streams, frame, session);
+  add_lidar(bag, roles, streams, session);
+  return session;
+}
+
+}  // namespace remount

@@ -1,0 +1,28 @@
+// Chunks of bags are compressed as a whole: bzip2 (ROS 1), LZ4 frames (ROS 1, MCAP), Zstandard (MCAP, ROS 2).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace remount {
+
+enum class ChunkCompression { None, Bzip2, Lz4, Zstd };
+
+/// Of a name as bags write it: "none" and "", "bz2", "lz4", "zstd". Throws Error(Unsupported) at `where` for others.
+ChunkCompression chunk_compression(std::string_view name, const std::string& where);
+
+enum class ChunkEnd {
+  Whole,  ///< anything but `size` bytes is an error
+  Cut,    ///< the file ends within the chunk: as much as can be unpacked
+};
+
+/// Unpacks up to `size` bytes; memory grows with what is there, not with what is promised. Bytes after the packed data
+/// are left alone. Throws Error(Format) at `where`.
+std::string unpack_chunk(ChunkCompression compression, std::string_view packed, std::uint64_t size, ChunkEnd end,
+                         const std::string& where);
+
+/// The inverse.
+std::string pack_chunk(ChunkCompression compression, std::string_view bytes);
+
+}  // namespace remount

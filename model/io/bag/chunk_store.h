@@ -1,0 +1,56 @@
+// The chunks of a bag, read and unpacked when they are asked for.
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "model/io/bag/chunk_codec.h"
+#include "model/io/random_access_file.h"
+
+namespace remount {
+
+/// A range of bytes: a part of the file, or an unpacked chunk.
+class ByteSource {
+ public:
+  virtual ~ByteSource() = default;
+  virtual std::uint64_t size() const = 0;
+  /// Throws Error(Format) where the range does not hold so many bytes from `offset` on.
+  virtual std::string read(std::uint64_t offset, std::uint64_t count) const = 0;
+  /// For messages.
+  virtual std::string place(std::uint64_t offset) const = 0;
+};
+
+struct BagChunk {
+  std::uint64_t offset = 0;        ///< of the packed data in the file
+  std::uint64_t packed_bytes = 0;  ///< as many as the file holds of them, where it was cut
+  std::uint64_t bytes = 0;         ///< unpacked, as the bag promises
+  ChunkCompression compression = ChunkCompression::None;
+  bool cut = false;  ///< the file ends within the chunk
+};
+
+/// Thread-safe once all chunks are added. Keeps the chunk that was unpacked last.
+class ChunkStore {
+ public:
+  explicit ChunkStore(const std::filesystem::path& path) : file_(std::make_shared<RandomAccessFile>(path)) {}
+
+  const RandomAccessFile& file() const { return *file_; }
+  std::size_t size() const { return chunks_.size(); }
+  void clear();
+
+  /// Its number. Throws Error(Format) where it does not lie within the file or promises more than could be in it.
+  std::uint32_t add(const BagChunk& chunk);
+
+  /// What a chunk holds unpacked; the whole file for kNoChunk. Throws Error where it cannot be read.
+  std::shared_ptr<const ByteSource> source(std::uint32_t chunk) const;
+
+ private:
+  std::shared_ptr<const RandomAccessFile> file_;
+  std::vector<BagChunk> chunks_;
+  mutable std::mutex mutex_;
+  mutable std::uint32_t kept_ = 0xffffffffU;
+  mutable std::shared_ptr<const ByteSource> kept_source_;
+};
+
+}  // namespace remount

@@ -1,0 +1,181 @@
+#include "model/io/bag/cloud_message.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "model/io/cloud_fields.h"
+#include "model/io/input_file.h"
+
+namespace remount {
+namespace {
+
+constexpr std::size_t kMaxFields = 512;
+
+[[noreturn]] void fail(const MessageReader& reader, const std::string& what) {
+  throw Error(ErrorCode::Format, reader.where(), what);
+}
+
+/// sensor_msgs/PointField's numbers of types.
+ScalarType scalar_type(unsigned datatype, const MessageReader& reader) {
+  constexpr ScalarType kTypes[] = {ScalarType::I8,  ScalarType::U8,  ScalarType::I16, ScalarType::U16,
+                                   ScalarType::I32, ScalarType::U32, ScalarType::F32, ScalarType::F64};
+  if (datatype < 1 || datatype > std::size(kTypes))
+    fail(reader, "a field of the cloud has type " + std::to_string(datatype) + ", expected 1 to 8");
+  return kTypes[datatype - 1];
+}
+
+/// sensor_msgs/PointCloud2 up to its points.
+struct Layout {
+  MessageHeader header;
+  std::uint64_t height = 0, width = 0, point_bytes = 0, row_bytes = 0;
+  std::vector<CloudField> fields;
+  bool big_endian = false;
+};
+
+Layout read_layout(MessageReader& reader) {
+  Layout layout;
+  layout.header = read_header(reader);
+  layout.height = reader.number<std::uint32_t>();
+  layout.width = reader.number<std::uint32_t>();
+  constexpr std::size_t kLeastBytes = 13;
+  const std::size_t fields = reader.sequence(kLeastBytes);
+  if (fields > kMaxFields) fail(reader, "the cloud has " + std::to_string(fields) + " fields, at most 512 are read");
+  for (std::size_t i = 0; i < fields; ++i) {
+    CloudField field;
+    field.name = lower_case(reader.string());
+    field.offset = reader.number<std::uint32_t>();
+    field.type = scalar_type(reader.number<std::uint8_t>(), reader);
+    field.count = std::max<std::uint32_t>(1, reader.number<std::uint32_t>());  // some drivers write 0 for one value
+    layout.fields.push_back(std::move(field));
+  }
+  layout.big_endian = reader.number<std::uint8_t>() != 0;
+  layout.point_bytes = reader.number<std::uint32_t>();
+  layout.row_bytes = reader.number<std::uint32_t>();
+  return layout;
+}
+
+/// Throws where a column that is used lies outside the point, or the rows outside the data.
+void check_layout(Layout& layout, const CloudColumns& columns, std::size_t data_bytes, const MessageReader& reader) {
+  for (const int column : {columns.x, columns.y, columns.z, columns.intensity, columns.ring, columns.time}) {
+    if (column < 0) continue;
+    const CloudField& field = layout.fields[static_cast<std::size_t>(column)];
+    if (field.offset + size_of(field.type) > layout.point_bytes)
+      fail(reader, "field " + field.name + " lies at byte " + std::to_string(field.offset) + " of a point of " +
+                       std::to_string(layout.point_bytes) + " bytes");
+  }
+  // 32 bits times 32 bits fit 64; a single row's length is written wrong by some drivers and not needed.
+  const std::uint64_t row = layout.width * layout.point_bytes;
+  if (layout.height <= 1) layout.row_bytes = row;
+  if (layout.row_bytes < row)
+    fail(reader, "a row has " + std::to_string(layout.row_bytes) + " bytes, expected " + std::to_string(row) + " for " +
+                     std::to_string(layout.width) + " points");
+  const bool empty = layout.height == 0 || row == 0;
+  if (!empty && (data_bytes < row || (layout.height - 1) > (data_bytes - row) / layout.row_bytes))
+    fail(reader, "the cloud promises " + std::to_string(layout.height) + " rows of " + std::to_string(row) +
+                     " bytes, " + std::to_string(data_bytes) + " bytes are there");
+  if (empty) layout.height = 0;
+}
+
+CloudBuilder read_points(MessageReader& reader, Layout& layout) {
+  const CloudColumns columns = find_cloud_columns(layout.fields, reader.where());
+  const std::string_view data = reader.byte_sequence();
+  check_layout(layout, columns, data.size(), reader);
+  const auto type_of = [&](int column) { return layout.fields[static_cast<std::size_t>(column)].type; };
+  CloudBuilder builder(columns, columns.time >= 0 ? type_of(columns.time) : ScalarType::F32,
+                       layout.height * layout.width);
+  const bool swap = layout.big_endian != (std::endian::native == std::endian::big);
+  for (std::uint64_t row = 0; row < layout.height; ++row)
+    for (std::uint64_t i = 0; i < layout.width; ++i) {
+      const char* point = data.data() + row * layout.row_bytes + i * layout.point_bytes;
+      const auto value = [&](int column) {
+        return read_scalar(point + layout.fields[static_cast<std::size_t>(column)].offset, type_of(column), swap);
+      };
+      RawPoint raw{value(columns.x), value(columns.y), value(columns.z)};
+      if (columns.intensity >= 0) raw.intensity = value(columns.intensity);
+      if (columns.ring >= 0) raw.ring = value(columns.ring);
+      if (columns.time >= 0) raw.time = value(columns.time);
+      builder.add(raw);
+    }
+  return builder;
+}
+
+struct LivoxHead {
+  MessageHeader header;
+  std::size_t points = 0;
+};
+
+LivoxHead read_livox_head(MessageReader& reader) {
+  LivoxHead head;
+  head.header = read_header(reader);
+  reader.number<std::uint64_t>();  // time of the first point, which the header's stamp is as well
+  head.points = reader.number<std::uint32_t>();
+  reader.skip(4);  // number of the sensor, reserved
+  return head;
+}
+
+CloudBuilder read_livox(MessageReader& reader) {
+  read_livox_head(reader);
+  constexpr std::size_t kLeastBytes = 19;
+  const std::size_t points = reader.sequence(kLeastBytes);
+  CloudColumns columns;
+  columns.x = columns.y = columns.z = columns.intensity = columns.ring = columns.time = 0;
+  CloudBuilder builder(columns, ScalarType::U32, points);
+  for (std::size_t i = 0; i < points; ++i) {
+    RawPoint raw;
+    raw.time = reader.number<std::uint32_t>();
+    raw.x = reader.number<float>();
+    raw.y = reader.number<float>();
+    raw.z = reader.number<float>();
+    raw.intensity = reader.number<std::uint8_t>();
+    reader.number<std::uint8_t>();  // tag
+    raw.ring = reader.number<std::uint8_t>();
+    builder.add(raw);
+  }
+  return builder;
+}
+
+/// Sensors that are not synchronised count from their start; those on PTP may be the leap seconds off.
+bool move_to_stamp(std::vector<float>& time_from_stamp_s) {
+  if (time_from_stamp_s.empty()) return false;
+  const auto [low, high] = std::minmax_element(time_from_stamp_s.begin(), time_from_stamp_s.end());
+  if (*low < 1.0f && *high > -1.0f) return false;
+  const float first = *low;
+  for (float& time : time_from_stamp_s) time -= first;
+  return true;
+}
+
+}  // namespace
+
+CloudMessage read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns) {
+  CloudMessage message;
+  if (kind == MessageKind::LivoxCustom) {
+    message.cloud = read_livox(reader).finish(stamp_ns);
+    return message;
+  }
+  Layout layout = read_layout(reader);
+  message.cloud = read_points(reader, layout).finish(stamp_ns);
+  message.points_have_another_clock = move_to_stamp(message.cloud.time_from_stamp_s);
+  return message;
+}
+
+CloudOutline read_cloud_outline(MessageReader& reader, MessageKind kind) {
+  CloudOutline outline;
+  if (kind == MessageKind::LivoxCustom) {
+    const LivoxHead head = read_livox_head(reader);
+    outline.header = head.header;
+    outline.points = head.points;
+    outline.timed = outline.ringed = true;
+    return outline;
+  }
+  const Layout layout = read_layout(reader);
+  const CloudColumns columns = find_cloud_columns(layout.fields, reader.where());
+  outline.header = layout.header;
+  outline.points = layout.height * layout.width;
+  outline.timed = columns.time >= 0;
+  outline.ringed = columns.ring >= 0;
+  return outline;
+}
+
+}  // namespace remount

@@ -1,0 +1,276 @@
+#include "model/io/bag/mcap_file.h"
+
+#include <algorithm>
+
+#include "model/io/bag/byte_reader.h"
+#include "model/io/stream_tools.h"
+
+namespace remount {
+namespace {
+
+constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
+constexpr std::uint64_t kRecordHead = 9;  // what it is, and the length of what follows
+constexpr std::uint64_t kFooterBytes = kRecordHead + 20;
+constexpr std::uint64_t kMessageHead = 22;  // channel, sequence, two times
+constexpr std::uint64_t kMaxDescription = std::uint64_t{16} << 20;
+
+enum Op : std::uint8_t {
+  kFooter = 2,
+  kSchema = 3,
+  kChannel = 4,
+  kMessage = 5,
+  kChunk = 6,
+  kMessageIndex = 7,
+  kChunkIndex = 8,
+  kStatistics = 11,
+  kDataEnd = 15
+};
+
+MessageEncoding encoding_of(std::string_view name) {
+  if (name == "ros1") return MessageEncoding::Ros1;
+  return name == "cdr" ? MessageEncoding::Cdr : MessageEncoding::Other;
+}
+
+}  // namespace
+
+struct McapFile::Record {
+  std::uint8_t op = 0;
+  std::string where;
+  std::uint64_t offset = 0;  ///< of its content
+  std::uint64_t bytes = 0;
+  std::uint64_t end() const { return offset + bytes; }
+
+  /// Of records that are small by what they mean.
+  std::string content(const ByteSource& source) const {
+    if (bytes > kMaxDescription)
+      throw Error(ErrorCode::Format, where,
+                  "a record promises " + std::to_string(bytes) + " bytes, at most " + std::to_string(kMaxDescription) +
+                      " are read of its kind");
+    return source.read(offset, bytes);
+  }
+};
+
+bool is_mcap(std::string_view head) { return head.starts_with(kMagic.substr(0, 5)); }
+
+/// `whole`: the content must lie within the source.
+McapFile::Record McapFile::read_record(const ByteSource& source, std::uint64_t offset, bool whole) {
+  Record record;
+  record.where = source.place(offset);
+  const std::string head = source.read(offset, kRecordHead);
+  ByteReader reader(head, record.where);
+  record.op = reader.number<std::uint8_t>();
+  record.bytes = reader.number<std::uint64_t>();
+  record.offset = offset + kRecordHead;
+  if (record.op == 0) throw Error(ErrorCode::Format, record.where, "no record begins with 0");
+  if (whole && record.bytes > source.size() - record.offset)
+    throw Error(ErrorCode::Format, record.where,
+                "a record promises " + std::to_string(record.bytes) + " bytes, " +
+                    std::to_string(source.size() - record.offset) + " are there");
+  return record;
+}
+
+McapFile::McapFile(const std::filesystem::path& path, Progress& progress) : chunks_(path) {
+  files_ = {path};
+  const RandomAccessFile& file = chunks_.file();
+  const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), kMagic.size()));
+  if (head != kMagic)
+    throw Error(ErrorCode::Unsupported, path.string(),
+                is_mcap(head) ? "is an MCAP of another version than 0" : "is no MCAP");
+  std::string why = "it has no summary";
+  try {
+    if (read_summary(progress)) {
+      sort_topics();
+      return;
+    }
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Format) throw;
+    why = error.what();
+  }
+  forget_all();
+  scan(why, progress);
+  sort_topics();
+}
+
+void McapFile::forget_all() {
+  forget_topics();
+  schemas_.clear();
+  topic_of_channel_.clear();
+  chunks_.clear();
+}
+
+void McapFile::add_schema(std::string_view content, const std::string& where) {
+  ByteReader reader(content, where);
+  const auto id = reader.number<std::uint16_t>();
+  if (id != 0) schemas_[id] = reader.string();
+}
+
+void McapFile::add_channel(std::string_view content, const std::string& where) {
+  ByteReader reader(content, where);
+  const auto id = reader.number<std::uint16_t>(), schema = reader.number<std::uint16_t>();
+  const std::string name(reader.string());
+  const MessageEncoding encoding = encoding_of(reader.string());
+  const auto type = schemas_.find(schema);
+  topic_of_channel_[id] = topic(name, type == schemas_.end() ? std::string() : type->second, encoding);
+}
+
+std::size_t McapFile::topic_of(std::uint16_t channel, const std::string& where) const {
+  const auto found = topic_of_channel_.find(channel);
+  if (found == topic_of_channel_.end())
+    throw Error(ErrorCode::Format, where, "channel " + std::to_string(channel) + " is not described");
+  return found->second;
+}
+
+BagChunk McapFile::chunk_at(std::uint64_t offset) const {
+  const auto whole = chunks_.source(kNoChunk);
+  const Record record = read_record(*whole, offset, false);
+  if (record.op != kChunk) throw Error(ErrorCode::Format, record.where, "the index says a chunk begins here");
+  constexpr std::uint64_t kHeadBytes = 128;  // times, sizes and the name of the compression
+  const std::string head = whole->read(record.offset, std::min(kHeadBytes, whole->size() - record.offset));
+  ByteReader reader(head, record.where);
+  reader.bytes(16);
+  BagChunk chunk;
+  chunk.bytes = reader.number<std::uint64_t>();
+  reader.number<std::uint32_t>();  // checksum
+  chunk.compression = chunk_compression(reader.string(), record.where);
+  chunk.packed_bytes = reader.number<std::uint64_t>();
+  chunk.offset = record.offset + reader.position();
+  if (chunk.packed_bytes > whole->size() - chunk.offset) {
+    chunk.cut = true;
+    chunk.packed_bytes = whole->size() - chunk.offset;
+  } else if (record.bytes > whole->size() - record.offset || chunk.offset + chunk.packed_bytes > record.end()) {
+    throw Error(ErrorCode::Format, record.where, "a chunk is longer than its record");
+  }
+  return chunk;
+}
+
+/// False where there is no summary, or one that does not lead to every message.
+bool McapFile::read_summary(Progress& progress) {
+  const auto whole = chunks_.source(kNoChunk);
+  const std::uint64_t tail = kFooterBytes + kMagic.size();
+  if (whole->size() < kMagic.size() + tail || whole->read(whole->size() - kMagic.size(), kMagic.size()) != kMagic)
+    throw Error(ErrorCode::Format, whole->place(whole->size()), "the file was not closed");
+  const Record footer = read_record(*whole, whole->size() - tail);
+  if (footer.op != kFooter) throw Error(ErrorCode::Format, footer.where, "expected the footer of the file");
+  const std::string content = footer.content(*whole);
+  const auto start = ByteReader(content, footer.where).number<std::uint64_t>();
+  if (start == 0) return false;
+  std::uint64_t promised = 0;
+  bool indexed = false;
+  for (std::uint64_t offset = start; offset < whole->size() - tail && !progress.cancelled();) {
+    const Record record = read_record(*whole, offset);
+    if (record.op == kSchema) add_schema(record.content(*whole), record.where);
+    if (record.op == kChannel) add_channel(record.content(*whole), record.where);
+    if (record.op == kStatistics) promised = ByteReader(record.content(*whole), record.where).number<std::uint64_t>();
+    if (record.op == kChunkIndex) {
+      indexed = true;
+      read_chunk_index(record.content(*whole), record.where);
+    }
+    offset = record.end();
+  }
+  return indexed && entry_count() >= promised;
+}
+
+void McapFile::read_chunk_index(std::string_view content, const std::string& where) {
+  ByteReader reader(content, where);
+  reader.bytes(16);
+  const auto start = reader.number<std::uint64_t>(), length = reader.number<std::uint64_t>();
+  const std::size_t indexes = reader.string().size() / 10;
+  const auto index_bytes = reader.number<std::uint64_t>();
+  const BagChunk described = chunk_at(start);
+  if (described.cut) throw Error(ErrorCode::Format, where, "a chunk reaches behind the end of the file");
+  const std::uint32_t chunk = chunks_.add(described);
+  if (indexes == 0) {
+    scan_chunk(chunk);
+    return;
+  }
+  const auto whole = chunks_.source(kNoChunk);
+  const std::uint64_t from = start + length;
+  if (from < start || from > whole->size() || index_bytes > whole->size() - from)
+    throw Error(ErrorCode::Format, where, "the indexes of a chunk lie behind the end of the file");
+  for (std::uint64_t offset = from; offset < from + index_bytes;) {
+    const Record record = read_record(*whole, offset);
+    if (record.op == kMessageIndex) read_message_index(whole->read(record.offset, record.bytes), chunk, record.where);
+    offset = record.end();
+  }
+}
+
+void McapFile::read_message_index(std::string_view content, std::uint32_t chunk, const std::string& where) {
+  ByteReader reader(content, where);
+  const std::size_t topic = topic_of(reader.number<std::uint16_t>(), where);
+  ByteReader items(reader.string(), where);
+  while (items.left() > 0) {
+    BagEntry entry;
+    entry.log_time_ns = items.number<std::int64_t>();
+    entry.offset = items.number<std::uint64_t>();
+    entry.chunk = chunk;
+    add_entry(topic, entry, chunks_.file().size(), where);
+  }
+}
+
+void McapFile::scan_record(const ByteSource& source, const Record& record, std::uint32_t chunk) {
+  if (record.op == kSchema) add_schema(record.content(source), record.where);
+  if (record.op == kChannel) add_channel(record.content(source), record.where);
+  if (record.op != kMessage) return;
+  const std::string head = source.read(record.offset, kMessageHead);
+  ByteReader reader(head, record.where);
+  const auto channel = reader.number<std::uint16_t>();
+  reader.number<std::uint32_t>();
+  BagEntry entry;
+  entry.log_time_ns = reader.number<std::int64_t>();
+  entry.offset = record.offset - kRecordHead;
+  entry.chunk = chunk;
+  add_entry(topic_of(channel, record.where), entry, chunks_.file().size(), record.where);
+}
+
+void McapFile::scan_chunk(std::uint32_t chunk) {
+  const auto source = chunks_.source(chunk);
+  for (std::uint64_t offset = 0; offset < source->size();) {
+    const Record record = read_record(*source, offset);
+    scan_record(*source, record, chunk);
+    offset = record.end();
+  }
+}
+
+void McapFile::scan(const std::string& why, Progress& progress) {
+  const auto whole = chunks_.source(kNoChunk);
+  bool complete = false;
+  std::size_t damaged = 0;
+  std::string first_damage;
+  std::uint64_t offset = kMagic.size();
+  while (offset < whole->size() && !complete && !progress.cancelled()) {
+    progress.report("reading a bag without an index, MB", offset >> 20, whole->size() >> 20);
+    const std::uint64_t at = offset;
+    try {
+      const Record record = read_record(*whole, at, false);
+      const bool cut = record.bytes > whole->size() - record.offset;
+      offset = cut ? whole->size() : record.end();
+      complete = record.op == kDataEnd || record.op == kFooter;
+      if (record.op == kChunk)
+        scan_chunk(chunks_.add(chunk_at(at)));
+      else if (!cut)
+        scan_record(*whole, record, kNoChunk);
+    } catch (const Error& error) {
+      if (damaged++ == 0) first_damage = error.what();
+      if (offset == at) break;  // where the next record begins is not known
+    }
+  }
+  if (complete && damaged == 0) return;  // that there is no index is nobody's fault
+  const std::string end = damaged > 0 ? " First that cannot be read: " + first_damage + "." : "";
+  if (entry_count() == 0)
+    throw Error(ErrorCode::Format, files_[0].string(), "the bag holds no readable message (" + why + ")." + end);
+  findings_.push_back(make_finding(
+      Severity::Warning, "bag-unindexed", files_[0].string(),
+      "The bag has no usable index (" + why + "). It was read from the beginning: " + std::to_string(entry_count()) +
+          " messages were found; " + std::to_string(whole->size() - std::min(offset, whole->size())) +
+          " bytes at the end are not readable." + end));
+}
+
+std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const {
+  const auto source = chunks_.source(entry.chunk);
+  const Record record = read_record(*source, entry.offset);
+  if (record.op != kMessage || record.bytes < kMessageHead)
+    throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
+  return source->read(record.offset + kMessageHead, std::min<std::uint64_t>(record.bytes - kMessageHead, at_most));
+}
+
+}  // namespace remount

@@ -1,0 +1,44 @@
+// MCAP, version 0: what ROS 2 records today, and what bags of ROS 1 are converted to.
+#pragma once
+
+#include <map>
+
+#include "model/io/bag/bag_file.h"
+#include "model/io/bag/chunk_store.h"
+
+namespace remount {
+
+/// True where the file begins as an MCAP does.
+bool is_mcap(std::string_view head);
+
+/// Reads the summary and the message indexes of the chunks. Where there are none, or they are damaged, or messages lie
+/// outside of chunks, the file is read from the beginning instead; a file that was cut or damaged gives what is
+/// readable and a finding "bag-unindexed" that says how much that is.
+class McapFile final : public BagFile {
+ public:
+  /// Throws Error where the file is no MCAP of this version or holds no readable message at all.
+  McapFile(const std::filesystem::path& path, Progress& progress);
+  std::string message(const BagEntry& entry, std::size_t at_most) const override;
+
+ private:
+  struct Record;
+  static Record read_record(const ByteSource& source, std::uint64_t offset, bool whole = true);
+  bool read_summary(Progress& progress);
+  void read_chunk_index(std::string_view content, const std::string& where);
+  void read_message_index(std::string_view content, std::uint32_t chunk, const std::string& where);
+  void scan(const std::string& why, Progress& progress);
+  void scan_record(const ByteSource& source, const Record& record, std::uint32_t chunk);
+  void scan_chunk(std::uint32_t chunk);
+  /// Chunk record at an offset of the file.
+  BagChunk chunk_at(std::uint64_t offset) const;
+  void add_schema(std::string_view content, const std::string& where);
+  void add_channel(std::string_view content, const std::string& where);
+  std::size_t topic_of(std::uint16_t channel, const std::string& where) const;
+  void forget_all();
+
+  ChunkStore chunks_;
+  std::map<std::uint16_t, std::string> schemas_;  // names
+  std::map<std::uint16_t, std::size_t> topic_of_channel_;
+};
+
+}  // namespace remount

@@ -1,0 +1,158 @@
+#include <map>
+#include <vector>
+
+#include "algorithms/core/error.h"
+#include "model/io/append_file.h"
+#include "model/io/bag/bag_writer.h"
+
+namespace remount {
+namespace {
+
+constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
+
+enum Op : std::uint8_t {
+  kHeader = 1,
+  kFooter = 2,
+  kSchema = 3,
+  kChannel = 4,
+  kMessage = 5,
+  kChunk = 6,
+  kMessageIndex = 7,
+  kChunkIndex = 8,
+  kStatistics = 11,
+  kSummaryOffset = 14,
+  kDataEnd = 15
+};
+
+template <class T>
+std::string raw(T value) {
+  std::string bytes(sizeof(T), '\0');
+  std::memcpy(bytes.data(), &value, sizeof(T));
+  return bytes;
+}
+
+std::string counted(std::string_view text) { return raw(static_cast<std::uint32_t>(text.size())).append(text); }
+
+std::string record(Op op, std::string_view content) {
+  return (raw<std::uint8_t>(op) + raw<std::uint64_t>(content.size())).append(content);
+}
+
+class McapWriter final : public BagWriter {
+ public:
+  McapWriter(const std::filesystem::path& path, MessageEncoding encoding, ChunkCompression compression,
+             std::size_t chunk_bytes)
+      : file_(path), encoding_(encoding), compression_(compression), chunk_bytes_(chunk_bytes) {
+    file_.append(kMagic);
+    file_.append(record(kHeader, counted(ros1() ? "ros1" : "ros2") + counted("remount")));
+  }
+
+  MessageEncoding encoding() const override { return encoding_; }
+
+  std::uint32_t add_topic(const std::string& name, const MessageDefinition& definition) override {
+    const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
+    // A schema for each channel; that two channels have the same does no harm.
+    schemas_ += record(kSchema, raw(id) + counted(definition.type) + counted(ros1() ? "ros1msg" : "ros2msg") +
+                                    counted(definition.text));
+    channels_.push_back(
+        record(kChannel, raw(id) + raw(id) + counted(name) + counted(ros1() ? "ros1" : "cdr") + raw<std::uint32_t>(0)));
+    counts_.push_back(0);
+    return id - 1U;
+  }
+
+  void write(std::uint32_t topic, std::int64_t log_time_ns, std::string_view message) override {
+    const auto channel = static_cast<std::uint16_t>(topic + 1);
+    if (described_ < channels_.size()) {
+      chunk_ += schemas_;
+      for (const std::string& one : channels_) chunk_ += one;
+      described_ = channels_.size();
+    }
+    if (index_.empty()) start_ns_ = log_time_ns;
+    if (counts_total() == 0) first_ns_ = log_time_ns;
+    end_ns_ = log_time_ns;
+    index_[channel] += raw(log_time_ns) + raw<std::uint64_t>(chunk_.size());
+    std::string content = raw(channel) + raw(counts_.at(topic)++) + raw(log_time_ns) + raw(log_time_ns);
+    chunk_ += record(kMessage, content.append(message));
+    if (chunk_.size() >= chunk_bytes_) close_chunk();
+  }
+
+  void finish() override {
+    if (!index_.empty()) close_chunk();
+    file_.append(record(kDataEnd, raw<std::uint32_t>(0)));
+    const std::uint64_t summary = file_.size();
+    file_.append(schemas_);
+    for (const std::string& channel : channels_) file_.append(channel);
+    file_.append(record(kStatistics, statistics()));
+    const std::uint64_t chunk_indexes = file_.size();
+    for (const std::string& index : chunk_indexes_) file_.append(index);
+    const std::uint64_t offsets = file_.size();
+    file_.append(
+        record(kSummaryOffset, raw<std::uint8_t>(kChunkIndex) + raw(chunk_indexes) + raw(offsets - chunk_indexes)));
+    file_.append(record(kFooter, raw(summary) + raw(offsets) + raw<std::uint32_t>(0)));
+    file_.append(kMagic);
+    file_.finish();
+  }
+
+ private:
+  bool ros1() const { return encoding_ == MessageEncoding::Ros1; }
+  std::uint64_t counts_total() const {
+    std::uint64_t total = 0;
+    for (const std::uint32_t count : counts_) total += count;
+    return total;
+  }
+
+  std::string statistics() const {
+    const auto count = static_cast<std::uint16_t>(channels_.size());
+    std::string each;
+    for (std::size_t i = 0; i < counts_.size(); ++i)
+      each += raw(static_cast<std::uint16_t>(i + 1)) + raw<std::uint64_t>(counts_[i]);
+    return raw(counts_total()) + raw(count) + raw<std::uint32_t>(count) + raw<std::uint32_t>(0) +
+           raw<std::uint32_t>(0) + raw(static_cast<std::uint32_t>(chunk_indexes_.size())) + raw(first_ns_) +
+           raw(end_ns_) + counted(each);
+  }
+
+  void close_chunk() {
+    const char* name = compression_ == ChunkCompression::Zstd  ? "zstd"
+                       : compression_ == ChunkCompression::Lz4 ? "lz4"
+                                                               : "";
+    const std::string packed = pack_chunk(compression_, chunk_);
+    const std::uint64_t start = file_.size();
+    std::string head = raw(start_ns_) + raw(end_ns_) + raw<std::uint64_t>(chunk_.size()) + raw<std::uint32_t>(0);
+    head += counted(name) + raw<std::uint64_t>(packed.size());
+    file_.append(record(kChunk, head + packed));
+    const std::uint64_t indexes = file_.size();
+    std::string offsets;
+    for (const auto& [channel, items] : index_) {
+      offsets += raw(channel) + raw(file_.size());
+      file_.append(record(kMessageIndex, raw(channel) + counted(items)));
+    }
+    chunk_indexes_.push_back(record(kChunkIndex, raw(start_ns_) + raw(end_ns_) + raw(start) + raw(indexes - start) +
+                                                     counted(offsets) + raw(file_.size() - indexes) + counted(name) +
+                                                     raw<std::uint64_t>(packed.size()) +
+                                                     raw<std::uint64_t>(chunk_.size())));
+    chunk_.clear();
+    index_.clear();
+  }
+
+  AppendFile file_;
+  MessageEncoding encoding_;
+  ChunkCompression compression_;
+  std::size_t chunk_bytes_;
+  std::string schemas_;                // records
+  std::vector<std::string> channels_;  // records
+  std::size_t described_ = 0;          // channels that stand in a chunk
+  std::vector<std::uint32_t> counts_;
+  std::string chunk_;
+  std::map<std::uint16_t, std::string> index_;  // times and offsets
+  std::int64_t start_ns_ = 0, end_ns_ = 0, first_ns_ = 0;
+  std::vector<std::string> chunk_indexes_;  // records
+};
+
+}  // namespace
+
+std::unique_ptr<BagWriter> make_mcap_writer(const std::filesystem::path& path, MessageEncoding encoding,
+                                            ChunkCompression compression, std::size_t chunk_bytes) {
+  if (compression == ChunkCompression::Bzip2) throw Error(ErrorCode::Contract, path.string(), "MCAP knows no bzip2");
+  return std::make_unique<McapWriter>(path, encoding, compression, chunk_bytes);
+}
+
+}  // namespace remount

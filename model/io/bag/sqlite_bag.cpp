@@ -1,0 +1,167 @@
+#include "model/io/bag/sqlite_bag.h"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "algorithms/core/error.h"
+#include "model/io/bag/chunk_codec.h"
+#include "model/io/random_access_file.h"
+#include "model/io/stream_tools.h"
+
+namespace remount {
+namespace {
+
+constexpr int kLongestValue = 1 << 30;
+constexpr std::string_view kZstdMagic = "\x28\xb5\x2f\xfd";
+
+using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
+
+Statement prepare(sqlite3* database, const char* sql) {
+  sqlite3_stmt* statement = nullptr;
+  sqlite3_prepare_v2(database, sql, -1, &statement, nullptr);
+  return {statement, sqlite3_finalize};
+}
+
+std::string text_of(sqlite3_stmt* row, int column) {
+  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(row, column));
+  return text ? std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(row, column))) : std::string();
+}
+
+/// A path as the URI that sqlite3_open_v2 wants.
+std::string uri_of(const std::filesystem::path& path, const char* options) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(path).string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '/' ||
+                       c == '-' || c == '_' || c == '.';
+    char escaped[8];
+    std::snprintf(escaped, sizeof escaped, "%%%02X", byte);
+    uri += plain ? std::string(1, c) : std::string(escaped);
+  }
+  return uri + options;
+}
+
+/// True where the file has fewer pages than its header counts (SQLite's format: page size at byte 16, count at 28).
+bool is_cut(const RandomAccessFile& file) {
+  if (file.size() < 100) return true;
+  const std::string head = file.read(0, 100);
+  const auto big_endian = [&](std::size_t at, std::size_t count) {
+    std::uint64_t value = 0;
+    for (std::size_t i = at; i < at + count; ++i) value = value << 8 | static_cast<unsigned char>(head[i]);
+    return value;
+  };
+  const std::uint64_t page_bytes = big_endian(16, 2) == 1 ? 65536 : big_endian(16, 2);
+  const bool counted = big_endian(24, 4) == big_endian(92, 4);
+  return counted && page_bytes * big_endian(28, 4) > file.size();
+}
+
+}  // namespace
+
+bool is_sqlite(std::string_view head) { return head.starts_with(std::string_view("SQLite format 3\0", 16)); }
+
+SqliteBag::SqliteBag(const std::filesystem::path& path, Progress& progress) : database_(nullptr, sqlite3_close) {
+  files_ = {path};
+  const RandomAccessFile file(path);  // refuses what is no regular file, which SQLite would wait for
+  file_bytes_ = file.size();
+  const bool cut = is_cut(file);
+  open_database(cut);
+  read_topics();
+  read_rows(cut, progress);
+  sort_topics();
+}
+
+SqliteBag::~SqliteBag() = default;
+
+void SqliteBag::fail(const std::string& what) const {
+  throw Error(ErrorCode::Format, files_[0].string(),
+              what + (database_ ? std::string(": ") + sqlite3_errmsg(database_.get()) : std::string()));
+}
+
+void SqliteBag::open_database(bool cut) {
+  // Beside a recording that was interrupted lies a log of what is not in the file yet; without one the file is read as
+  // it is, so that nothing is written beside it.
+  std::error_code none;
+  const bool log = std::filesystem::file_size(files_[0].string() + "-wal", none) > 0 && !none;
+  sqlite3* database = nullptr;
+  const int code = sqlite3_open_v2(uri_of(files_[0], log ? "?mode=ro" : "?mode=ro&immutable=1").c_str(), &database,
+                                   SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
+  database_.reset(database);
+  if (code != SQLITE_OK) fail("the database cannot be opened");
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, kLongestValue);
+  // A hostile schema must not run anything.
+  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  // SQLite refuses a file that is shorter than its header says, but for those who mean to repair it.
+  if (cut) sqlite3_exec(database, "PRAGMA writable_schema = ON", nullptr, nullptr, nullptr);
+}
+
+void SqliteBag::read_topics() {
+  const Statement rows = prepare(database_.get(), "SELECT id, name, type, serialization_format FROM topics");
+  if (!rows) fail("is no bag of ROS 2: expected a table 'topics'");
+  while (sqlite3_step(rows.get()) == SQLITE_ROW) {
+    const std::size_t index = topic(text_of(rows.get(), 1), text_of(rows.get(), 2),
+                                    text_of(rows.get(), 3) == "cdr" ? MessageEncoding::Cdr : MessageEncoding::Other);
+    topic_of_id_.emplace_back(sqlite3_column_int64(rows.get(), 0), index);
+  }
+  std::sort(topic_of_id_.begin(), topic_of_id_.end());
+}
+
+void SqliteBag::read_rows(bool cut, Progress& progress) {
+  // In the order of the table, without the messages themselves: these lie on pages of their own.
+  const Statement rows = prepare(database_.get(), "SELECT id, topic_id, timestamp FROM messages");
+  if (!rows) fail("is no bag of ROS 2: expected a table 'messages'");
+  std::size_t unknown = 0;
+  int code = SQLITE_DONE;
+  while (!progress.cancelled() && (code = sqlite3_step(rows.get())) == SQLITE_ROW) {
+    if (entry_count() % 20'000 == 0) progress.report("reading the index", entry_count(), 0);
+    const std::int64_t id = sqlite3_column_int64(rows.get(), 1);
+    const auto found = std::lower_bound(topic_of_id_.begin(), topic_of_id_.end(), std::pair{id, std::size_t{0}});
+    if (found == topic_of_id_.end() || found->first != id) {
+      ++unknown;
+      continue;
+    }
+    BagEntry entry;
+    entry.log_time_ns = sqlite3_column_int64(rows.get(), 2);
+    entry.offset = static_cast<std::uint64_t>(sqlite3_column_int64(rows.get(), 0));
+    add_entry(found->second, entry, file_bytes_, files_[0].string());
+  }
+  const bool stopped = code != SQLITE_DONE && !progress.cancelled();
+  const bool damaged = stopped || cut;
+  const std::string why = stopped ? sqlite3_errmsg(database_.get()) : "the file is shorter than the database";
+  if (entry_count() == 0 && !progress.cancelled())
+    throw Error(ErrorCode::Format, files_[0].string(),
+                "the bag holds no readable message" + (damaged ? ": " + why : std::string()));
+  if (damaged || unknown > 0)
+    findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
+                                     "The database is damaged" + (damaged ? " (" + why + ")" : std::string()) + ": " +
+                                         std::to_string(entry_count()) + " messages were found, " +
+                                         std::to_string(unknown) + " belong to no topic."));
+}
+
+std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const {
+  const std::scoped_lock lock(mutex_);
+  const auto row = static_cast<std::int64_t>(entry.offset);
+  const std::string where = files_[0].string() + ": message " + std::to_string(row);
+  sqlite3_blob* opened = nullptr;
+  const int code = sqlite3_blob_open(database_.get(), "main", "messages", "data", row, 0, &opened);
+  const std::unique_ptr<sqlite3_blob, int (*)(sqlite3_blob*)> blob(opened, sqlite3_blob_close);
+  if (code != SQLITE_OK) throw Error(ErrorCode::Format, where, sqlite3_errmsg(database_.get()));
+  const auto bytes = static_cast<std::uint64_t>(sqlite3_blob_bytes(blob.get()));
+  if (bytes > file_bytes_)
+    throw Error(ErrorCode::Format, where, "promises " + std::to_string(bytes) + " bytes, more than the file has");
+  const auto read = [&](std::uint64_t count) {
+    std::string data(count, '\0');
+    if (sqlite3_blob_read(blob.get(), data.data(), static_cast<int>(count), 0) != SQLITE_OK)
+      throw Error(ErrorCode::Format, where, sqlite3_errmsg(database_.get()));
+    return data;
+  };
+  std::string data = read(std::min<std::uint64_t>(bytes, std::max(at_most, kZstdMagic.size())));
+  if (!data.starts_with(kZstdMagic)) return data.substr(0, at_most);
+  // Compressed message by message; CDR begins otherwise.
+  const std::uint64_t most = std::max<std::uint64_t>(std::uint64_t{64} << 20, 4 * file_bytes_);
+  return unpack_chunk(ChunkCompression::Zstd, read(bytes), std::min<std::uint64_t>(at_most, most), ChunkEnd::Cut,
+                      where);
+}
+
+}  // namespace remount

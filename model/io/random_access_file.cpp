@@ -1,0 +1,42 @@
+#include "model/io/random_access_file.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "algorithms/core/error.h"
+
+namespace remount {
+
+RandomAccessFile::RandomAccessFile(std::filesystem::path path)
+    : path_(std::move(path)), file_(open_regular_file(path_)) {
+  struct stat status {};
+  if (::fstat(file_.get(), &status) != 0)
+    throw Error(ErrorCode::Io, path_.string(), std::string("cannot be examined: ") + std::strerror(errno));
+  size_ = static_cast<std::uint64_t>(status.st_size);
+}
+
+std::string RandomAccessFile::place(std::uint64_t offset) const {
+  return path_.string() + ": byte " + std::to_string(offset);
+}
+
+std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) const {
+  if (offset > size_ || count > size_ - offset)
+    throw Error(ErrorCode::Format, place(offset),
+                std::to_string(count) + " bytes are expected here, but the file ends at byte " + std::to_string(size_));
+  std::string bytes(count, '\0');
+  std::size_t filled = 0;
+  while (filled < bytes.size()) {
+    const ssize_t got =
+        ::pread(file_.get(), bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw Error(ErrorCode::Io, place(offset), std::string("cannot be read: ") + std::strerror(errno));
+    if (got == 0) throw Error(ErrorCode::Io, place(offset), "the file became shorter while it was read");
+    filled += static_cast<std::size_t>(got);
+  }
+  return bytes;
+}
+
+}  // namespace remount

@@ -1,0 +1,103 @@
+#include "model/simulator/bag_drive.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+#include "model/io/bag/bag_writer.h"
+
+namespace remount {
+namespace {
+
+constexpr std::size_t kScansAtOnce = 16;
+
+/// Messages that wait for their turn; small beside the scans.
+struct Waiting {
+  std::int64_t stamp_ns = 0;
+  std::uint32_t topic = 0;
+  std::string bytes;
+};
+
+Eigen::Matrix3d position_covariance(const Session& session, const InsSample& sample) {
+  Eigen::Vector3d sigma = sample.sigma.position_enu_m;
+  if (!sigma.allFinite()) sigma.setConstant(session.ins_position_white_sigma_m);
+  return sigma.allFinite() && sigma.minCoeff() > 0.0
+             ? Eigen::Matrix3d(sigma.cwiseAbs2().asDiagonal())
+             : Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+std::vector<Waiting> other_messages(const Session& session, BagWriter& bag) {
+  std::vector<Waiting> messages;
+  const MessageEncoding encoding = bag.encoding();
+  const auto topic = [&](const char* name, const char* type) {
+    return bag.add_topic(name, message_definition(type, encoding));
+  };
+  const std::uint32_t attitude = topic("/ins/imu", "sensor_msgs/Imu"),
+                      position = topic("/ins/fix", "sensor_msgs/NavSatFix");
+  for (const InsSample& sample : session.ins) {
+    messages.push_back(
+        {sample.stamp_ns, attitude, attitude_message(sample, session.ins_attitude_white_sigma_rad, "ins", encoding)});
+    const GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m,
+                      position_covariance(session, sample)};
+    const int status = sample.quality == InsQuality::Degraded ? 0 : 2;
+    messages.push_back({sample.stamp_ns, position, fix_message(fix, status, "ins", encoding)});
+  }
+  if (!session.imu.empty()) {
+    const std::uint32_t imu = topic("/imu/data", "sensor_msgs/Imu");
+    for (const ImuSample& sample : session.imu)
+      messages.push_back({sample.stamp_ns, imu, imu_message(sample, "imu", encoding)});
+  }
+  if (!session.gnss.empty()) {
+    const std::uint32_t gnss = topic("/gnss/fix", "sensor_msgs/NavSatFix");
+    for (const GnssFix& fix : session.gnss)
+      messages.push_back({fix.stamp_ns, gnss, fix_message(fix, 2, "antenna", encoding)});
+  }
+  std::stable_sort(messages.begin(), messages.end(),
+                   [](const Waiting& a, const Waiting& b) { return a.stamp_ns < b.stamp_ns; });
+  return messages;
+}
+
+std::unique_ptr<BagWriter> make_writer(const std::filesystem::path& folder, const std::string& format) {
+  if (format == "mcap") return make_mcap_writer(folder / "drive.mcap", MessageEncoding::Cdr, ChunkCompression::Zstd);
+  return make_rosbag1_writer(folder / "drive.bag", ChunkCompression::Lz4);
+}
+
+}  // namespace
+
+void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
+                     int threads, Progress& progress) {
+  const Session& session = drive.session;
+  if (session.scan_timing == ScanTiming::SweepAzimuth)
+    throw Error(ErrorCode::Contract, format,
+                "this format does not say how scans are distorted; simulate with per_point_time, or without "
+                "motion_distortion");
+  const std::unique_ptr<BagWriter> bag = make_writer(folder, format);
+  const std::uint32_t scans =
+      bag->add_topic("/lidar/points", message_definition("sensor_msgs/PointCloud2", bag->encoding()));
+  const std::vector<Waiting> others = other_messages(session, *bag);
+  std::size_t next = 0;
+  const auto write_until = [&](std::int64_t stamp_ns) {
+    for (; next < others.size() && others[next].stamp_ns <= stamp_ns; ++next)
+      bag->write(others[next].topic, others[next].stamp_ns, others[next].bytes);
+  };
+  const std::size_t count = session.scans->size();
+  for (std::size_t from = 0; from < count; from += kScansAtOnce) {
+    std::vector<std::string> messages(std::min(kScansAtOnce, count - from));
+    parallel_for(messages.size(), threads, [&](std::size_t i) {
+      if (progress.cancelled()) return;
+      messages[i] =
+          cloud_message(session.scans->load(from + i), session.scans->stamp_ns(from + i), "lidar", bag->encoding());
+    });
+    if (progress.cancelled()) return;
+    progress.report("writing scans", from, count);
+    for (std::size_t i = 0; i < messages.size(); ++i) {
+      write_until(session.scans->stamp_ns(from + i));
+      bag->write(scans, session.scans->stamp_ns(from + i), messages[i]);
+    }
+  }
+  write_until(std::numeric_limits<std::int64_t>::max());
+  bag->finish();
+}
+
+}  // namespace remount

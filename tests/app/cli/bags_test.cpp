@@ -1,0 +1,54 @@
+// Bags on the command line: from a simulated drive to its mounting.
+#include <gtest/gtest.h>
+
+#include "algorithms/geometry/rotation.h"
+#include "model/io/parse_document.h"
+#include "model/io/transform_document.h"
+#include "model/project.h"
+#include "tests/app/cli/program_fixture.h"
+
+namespace remount {
+namespace {
+
+class cli_bags : public ProgramFixture<cli_bags> {
+ protected:
+  static void SetUpTestSuite() {
+    make_folder_with_drive("--format mcap --duration-s 8 --beams 16 --azimuth-steps 360 --seed 7");
+  }
+};
+
+TEST_F(cli_bags, are_listed_topic_by_topic) {
+  const Outcome listed = run("inspect " + path("drive") + " -q");
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  const Outcome spoken = run("inspect " + path("drive"));
+  for (const char* line : {"/lidar/points (sensor_msgs/PointCloud2): ", "used as lidar", "used as ins\n",
+                           "used as ins-position", "/imu/data (sensor_msgs/Imu): ", "used as imu", "used as gnss"})
+    EXPECT_NE(spoken.out.find(line), std::string::npos) << line << " in\n" << spoken.out;
+}
+
+TEST_F(cli_bags, are_calibrated_to_the_truth) {
+  const std::string result = path("result.yaml"), project = path("job.remount");
+  const Outcome done = run("calibrate " + path("drive") + " --topic ins=/ins/imu --no-hashes -q -o " + result +
+                           " --save-project " + project);
+  ASSERT_EQ(done.code, 0) << done.err;
+  const ResultFile file = load_result(result);
+  const DocumentNode truth_document = read_document(path("drive/truth.yaml"));
+  const RigidTransform truth = transform_from_document(DocumentView(truth_document, "truth.yaml").at("ins_from_lidar"));
+  const RigidTransform error = truth.inverse() * file.result.ins_from_lidar;
+  const double apart_m = error.translation().norm(), apart_deg = radians_to_degrees(so3_log(error.linear()).norm());
+  std::cout << "from a bag: " << apart_m << " m and " << apart_deg << " deg from the truth\n";
+  EXPECT_LT(apart_m, 0.15);
+  EXPECT_LT(apart_deg, 0.5);
+  EXPECT_EQ(load_project(project).topics_of(0), (TopicChoice{{"ins", "/ins/imu"}}));
+}
+
+TEST_F(cli_bags, that_do_not_have_a_topic_say_which_they_have) {
+  const Outcome wrong = run("inspect " + path("drive") + " --topic lidar=/velodyne_points");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("/lidar/points"), std::string::npos) << wrong.err;
+  EXPECT_EQ(run("inspect " + path("drive") + " --topic camera=/x").code, 1);
+  EXPECT_EQ(run("calibrate " + path("drive") + " --topic lidar=/velodyne_points").code, 1);
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,98 @@
+// Bags of a drive, stream by stream.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "algorithms/geometry/rotation.h"
+#include "tests/model/io/bag/bag_fixtures.h"
+
+namespace remount::bags {
+
+inline constexpr MessageEncoding kRos1 = MessageEncoding::Ros1;
+inline constexpr std::int64_t kStep_ns = 100'000'000;
+
+/// What a bag for these tests holds; topics are added by name and written in the order of their log times.
+class BagMaker {
+ public:
+  explicit BagMaker(const fs::path& path) : writer_(make_rosbag1_writer(path, ChunkCompression::Lz4, 4000)) {}
+  void add(std::int64_t log_time_ns, const std::string& topic, const std::string& type, std::string bytes) {
+    messages_.push_back({log_time_ns, topic, type, std::move(bytes)});
+  }
+  void finish() {
+    std::stable_sort(messages_.begin(), messages_.end(),
+                     [](const Message& a, const Message& b) { return a.log_time_ns < b.log_time_ns; });
+    std::map<std::string, std::uint32_t> ids;
+    for (const Message& message : messages_) {
+      if (!ids.contains(message.topic))
+        ids[message.topic] = writer_->add_topic(message.topic, definition(message.type));
+      writer_->write(ids[message.topic], message.log_time_ns, message.bytes);
+    }
+    writer_->finish();
+  }
+
+  void add_scans(const std::string& topic, int count, int points, bool timed = true, std::int64_t clock_ns = 0) {
+    for (int i = 0; i < count; ++i) {
+      PointCloud cloud;
+      for (int k = 0; k < points; ++k) {
+        cloud.points.emplace_back(static_cast<float>(k + 1), static_cast<float>(i), 1.0f);
+        if (timed) cloud.time_from_stamp_s.push_back(0.09f * static_cast<float>(k) / static_cast<float>(points));
+      }
+      const std::int64_t stamp_ns = kStart_ns + i * kStep_ns;
+      add(stamp_ns + 20'000'000, topic, "sensor_msgs/PointCloud2",
+          cloud_message(cloud, stamp_ns + clock_ns, "lidar", kRos1));
+    }
+  }
+  /// A circle driven at 5 m/s; INS axes x forward.
+  void add_ins(const std::string& device, int count, std::int64_t clock_ns = 0) {
+    for (int i = 0; i < count; ++i) {
+      InsSample sample = on_circle(i);
+      const std::int64_t log_ns = sample.stamp_ns + 10'000'000;
+      sample.stamp_ns += clock_ns;
+      add(log_ns, device + "/imu", "sensor_msgs/Imu", attitude_message(sample, 0.001, "ins", kRos1));
+      GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m, {}};
+      fix.covariance_enu_m2 = 0.0004 * Eigen::Matrix3d::Identity();
+      add(log_ns, device + "/fix", "sensor_msgs/NavSatFix", fix_message(fix, 2, "ins", kRos1));
+    }
+  }
+  void add_odometry(const std::string& topic, int count) {
+    for (int i = 0; i < count; ++i) {
+      MessageWriter writer(kRos1);
+      const double yaw = 0.05 * i;
+      writer.header(kStart_ns + i * kStep_ns / 2, "map").string("base");
+      for (const double value :
+           {10.0 * std::cos(yaw), 10.0 * std::sin(yaw), 0.0, 0.0, 0.0, std::sin(yaw / 2.0), std::cos(yaw / 2.0)})
+        writer.number(value);
+      for (int k = 0; k < 36 + 6 + 36; ++k) writer.number(0.0);
+      add(kStart_ns + i * kStep_ns / 2, topic, "nav_msgs/Odometry", writer.bytes());
+    }
+  }
+  void add_static_transform(const std::string& parent, const std::string& child, double x_m) {
+    MessageWriter writer(kRos1);
+    writer.number<std::uint32_t>(1).header(kStart_ns, parent).string(child);
+    for (const double value : {x_m, 0.0, 1.5, 0.0, 0.0, 0.0, 1.0}) writer.number(value);
+    add(kStart_ns, "/tf_static", "tf2_msgs/TFMessage", writer.bytes());
+  }
+
+  static InsSample on_circle(int i) {
+    InsSample sample;
+    sample.stamp_ns = kStart_ns + i * kStep_ns / 2;
+    const double yaw = 0.05 * i, radius_rad = 5.0 / 6.378e6;
+    sample.latitude_rad = 0.7 + radius_rad * std::sin(yaw);
+    sample.longitude_rad = 0.2 + radius_rad * std::cos(yaw) / std::cos(0.7);
+    sample.height_m = 100.0;
+    sample.enu_from_ins = Eigen::AngleAxisd(yaw + kPi / 2.0, Eigen::Vector3d::UnitZ());
+    return sample;
+  }
+
+ private:
+  struct Message {
+    std::int64_t log_time_ns = 0;
+    std::string topic, type, bytes;
+  };
+  std::unique_ptr<BagWriter> writer_;
+  std::vector<Message> messages_;
+};
+
+}  // namespace remount::bags

@@ -1,0 +1,172 @@
+#include "model/io/bag/mcap_file.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/model/io/bag/bag_fixtures.h"
+
+namespace remount {
+namespace {
+
+using namespace bags;
+
+constexpr ChunkCompression kCompressions[] = {ChunkCompression::None, ChunkCompression::Lz4, ChunkCompression::Zstd};
+const std::string kMagic("\x89MCAP0\r\n", 8);
+
+std::string written(const TemporaryFolder& folder, ChunkCompression compression,
+                    const std::vector<TestMessage>& messages) {
+  const fs::path path = folder.path() / "written.mcap";
+  write_messages(*make_mcap_writer(path, MessageEncoding::Cdr, compression, 300), messages);
+  const std::string bytes = bytes_of(path);
+  fs::remove(path);
+  return bytes;
+}
+
+// ---- Put together by hand from the format's description
+
+std::string record(std::uint8_t op, const std::string& content) {
+  return raw(op) + raw<std::uint64_t>(content.size()) + content;
+}
+
+std::string schema() {
+  return record(3,
+                raw<std::uint16_t>(4) + counted("std_msgs/msg/String") + counted("ros2msg") + counted("string data\n"));
+}
+std::string channel() {
+  return record(4, raw<std::uint16_t>(9) + raw<std::uint16_t>(4) + counted("/greeting") + counted("cdr") +
+                       counted(counted("key") + counted("value")));
+}
+std::string hello() {
+  return record(5, raw<std::uint16_t>(9) + raw<std::uint32_t>(0) + raw<std::uint64_t>(1'600'000'000'500'000'000) +
+                       raw<std::uint64_t>(1'600'000'000'400'000'000) + "hello");
+}
+std::string opening() { return kMagic + record(1, counted("ros2") + counted("by hand")); }
+std::string closing(std::uint64_t summary) {
+  return record(2, raw(summary) + raw<std::uint64_t>(0) + raw<std::uint32_t>(0)) + kMagic;
+}
+
+/// As a recorder writes it that makes no chunks.
+std::string unchunked() {
+  return opening() + schema() + channel() + hello() + record(15, raw<std::uint32_t>(0)) + closing(0);
+}
+
+/// One chunk with its index, and a summary.
+std::string chunked(std::uint64_t size_lie = 0, std::uint64_t offset_lie = 0, bool message_index = true) {
+  const std::string inner = schema() + channel() + hello();
+  const std::uint64_t time = 1'600'000'000'500'000'000, offset = schema().size() + channel().size();
+  const std::string chunk = record(6, raw(time) + raw(time) + raw(inner.size() + size_lie) + raw<std::uint32_t>(0) +
+                                          counted("") + raw<std::uint64_t>(inner.size()) + inner);
+  const std::string index =
+      message_index ? record(7, raw<std::uint16_t>(9) + counted(raw(time) + raw(offset + offset_lie))) : std::string();
+  std::string bytes = opening();
+  const std::uint64_t start = bytes.size();
+  bytes += chunk + index + record(15, raw<std::uint32_t>(0));
+  const std::uint64_t summary = bytes.size();
+  const std::string offsets = message_index ? raw<std::uint16_t>(9) + raw<std::uint64_t>(start + chunk.size()) : "";
+  bytes += schema() + channel() +
+           record(8, raw(time) + raw(time) + raw(start) + raw<std::uint64_t>(chunk.size()) + counted(offsets) +
+                         raw<std::uint64_t>(index.size()) + counted("") + raw<std::uint64_t>(inner.size()) +
+                         raw<std::uint64_t>(inner.size()));
+  return bytes + closing(summary);
+}
+
+void expect_hello(const BagFile& bag) {
+  ASSERT_EQ(bag.topics().size(), 1u);
+  const BagTopic& topic = bag.topics()[0];
+  EXPECT_EQ(topic.name, "/greeting");
+  EXPECT_EQ(topic.type, "std_msgs/String");
+  EXPECT_EQ(topic.encoding, MessageEncoding::Cdr);
+  ASSERT_EQ(topic.entries.size(), 1u);
+  EXPECT_EQ(topic.entries[0].log_time_ns, 1'600'000'000'500'000'000);
+  EXPECT_EQ(bag.message(topic.entries[0]), "hello");
+}
+
+TEST(mcap_file, is_read_as_its_format_is_described) {
+  const TemporaryFolder folder;
+  for (const std::string& bytes : {unchunked(), chunked(), chunked(0, 0, false)}) {
+    const auto bag = open_quietly(folder.write("a.mcap", bytes));
+    expect_hello(*bag);
+    EXPECT_TRUE(bag->findings().empty()) << bag->findings()[0].explanation;
+  }
+}
+
+TEST(mcap_file, is_written_and_read_in_every_compression) {
+  const TemporaryFolder folder;
+  const std::vector<TestMessage> messages = test_messages(60);
+  for (const ChunkCompression compression : kCompressions) {
+    const auto bag = open_quietly(folder.write("a.mcap", written(folder, compression, messages)));
+    EXPECT_EQ(count_and_check(*bag, messages), messages.size());
+    EXPECT_TRUE(bag->findings().empty());
+  }
+}
+
+TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
+  const TemporaryFolder folder;
+  const std::vector<TestMessage> messages = test_messages(30);
+  for (const ChunkCompression compression : kCompressions) {
+    const std::string bytes = written(folder, compression, messages);
+    std::size_t most = 0, refused = 0, warned = 0;
+    for (std::size_t length = 0; length < bytes.size(); length += 13) {
+      const fs::path path = folder.write("a.mcap", bytes.substr(0, length));
+      try {
+        const auto bag = open_quietly(path);
+        const std::size_t count = count_and_check(*bag, messages);
+        EXPECT_GE(count, most) << "cut at byte " << length;
+        most = std::max(most, count);
+        if (const Finding* finding = find(*bag, "bag-unindexed")) {
+          EXPECT_TRUE(contains(finding->explanation, std::to_string(count) + " messages")) << finding->explanation;
+          ++warned;
+        } else {
+          EXPECT_EQ(count, messages.size()) << "cut at byte " << length << " without a word";
+        }
+      } catch (const Error& error) {
+        EXPECT_EQ(most, 0u) << "cut at byte " << length << ": " << error.what();
+        EXPECT_TRUE(contains(error.what(), "a.mcap")) << error.what();
+        ++refused;
+      }
+    }
+    std::cout << "compression " << static_cast<int>(compression) << ": " << refused << " cuts refused, " << warned
+              << " gave up to " << most << " of 30 messages\n";
+    EXPECT_EQ(most, messages.size());
+    EXPECT_GT(warned, 10u);
+  }
+}
+
+TEST(mcap_file, of_lies_is_refused_or_read_from_its_beginning) {
+  const TemporaryFolder folder;
+  const auto open_bytes = [&](const std::string& bytes) {
+    const auto bag = open_quietly(folder.write("a.mcap", bytes));
+    for (const BagTopic& topic : bag->topics())
+      for (const BagEntry& entry : topic.entries) bag->message(entry);
+  };
+  EXPECT_ERROR(open_bytes(chunked(std::uint64_t{1} << 60)), "promises");
+  EXPECT_ERROR(open_bytes(chunked(0, 1'000'000)), "a.mcap");
+  EXPECT_ERROR(open_bytes(kMagic), "a.mcap");
+  std::string version = unchunked();
+  version[5] = '1';
+  EXPECT_ERROR(open_bytes(version), "another version");
+  std::string record_lie = unchunked();
+  record_lie.replace(record_lie.find(schema()) + 1, 8, raw<std::uint64_t>(~std::uint64_t{0}));
+  EXPECT_ERROR(open_bytes(record_lie), "a.mcap");
+  std::string summary_lie = chunked();
+  summary_lie.replace(summary_lie.size() - 8 - 20, 8, raw<std::uint64_t>(17));
+  const auto bag = open_quietly(folder.write("a.mcap", summary_lie));
+  expect_hello(*bag);
+}
+
+TEST(mcap_file, that_promises_more_messages_than_its_index_has_is_read_from_its_beginning) {
+  const TemporaryFolder folder;
+  std::string bytes = chunked();
+  // A message outside of chunks, which the index cannot know, and statistics that count it.
+  const std::uint64_t at = bytes.find(record(15, raw<std::uint32_t>(0)));
+  const std::string more = hello();
+  const std::string tail = bytes.substr(at, bytes.size() - at - closing(0).size());
+  const std::string statistics = record(11, raw<std::uint64_t>(2) + std::string(34, '\0') + counted(""));
+  bytes = bytes.substr(0, at) + more + tail + statistics;
+  bytes += closing(at + more.size() + record(15, raw<std::uint32_t>(0)).size());
+  const auto bag = open_quietly(folder.write("a.mcap", bytes));
+  EXPECT_EQ(message_count(*bag), 2u);
+  EXPECT_TRUE(bag->findings().empty());
+}
+
+}  // namespace
+}  // namespace remount
