@@ -35,9 +35,12 @@ MethodController::MethodController(Workbench& workbench, QComboBox& chooser, Met
   connect(&workbench_, &Workbench::settings_changed, this, &MethodController::show_choice);
   connect(&workbench_, &Workbench::output_changed, this, &MethodController::show_output);
   connect(&workbench_, &Workbench::sessions_changed, this, [this] {
+    if (workbench_.sessions() == sessions_) return;
+    sessions_ = workbench_.sessions();
     of_methods_.clear();  // other sessions may be of another vehicle
     show_comparison();
   });
+  sessions_ = workbench_.sessions();
   show_choice();
   show_output();
 }

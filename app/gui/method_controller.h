@@ -37,6 +37,7 @@ class MethodController : public QObject {
   PathView& paths_;
   ComparisonView& comparison_;
   std::map<std::string, NamedResult> of_methods_;  // the last usable result of each, of the sessions that are open
+  std::vector<std::shared_ptr<const Session>> sessions_;  // that these are of
   std::vector<NamedResult> of_files_;
   OutputPtr shown_;
 };

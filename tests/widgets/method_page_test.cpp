@@ -28,8 +28,8 @@ Plot trajectory() {
   for (int i = 0; i <= 100; ++i) {
     const double angle = 0.01 * kPi * i, x = 4e5 + 50.0 * std::cos(angle), y = 3e6 + 50.0 * std::sin(angle);
     for (Curve* curve : {&before, &after, &fixes}) {
-      curve->x.push_back(curve == &before ? x + 0.1 * i : x);
-      curve->y.push_back(y);
+      curve->x.push_back(x);
+      curve->y.push_back(curve == &before ? y - 0.1 * i : y);
       curve->z.push_back(0.05 * i);
     }
   }

@@ -59,7 +59,9 @@ Framing framing_of(const std::vector<ScenePath>& paths, const Eigen::Vector3d& o
   Framing framing;
   if (box.isEmpty()) return framing;
   framing.centre_m = box.center() - origin_m;
-  framing.radius_m = std::max(1.0, 0.5 * box.diagonal().norm());
+  // A stage comes closer than its framing, as suits clouds of points.
+  constexpr double kMargin = 1.25;
+  framing.radius_m = std::max(1.0, kMargin * 0.5 * box.diagonal().norm());
   return framing;
 }
 

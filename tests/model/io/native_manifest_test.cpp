@@ -90,8 +90,8 @@ TEST_F(native_manifest, mistakes_are_named_with_their_line) {
       "session.yaml:12");
   EXPECT_REFUSED(kHead + kScans + kIns + "nominal: {x_m: 1}\n", "session.yaml:12");
   EXPECT_REFUSED(kHead + kScans + kIns + "ins_noise: {position_sigma_m: -1}\n", "not negative");
-  EXPECT_REFUSED(kHead + "scans: {directory: s, type: las, stamps: from-names, timing: instant}\n" + kIns,
-                 "'las' is not one of");
+  EXPECT_REFUSED(kHead + "scans: {directory: s, type: e57, stamps: from-names, timing: instant}\n" + kIns,
+                 "'e57' is not one of");
   EXPECT_REFUSED(kHead + "scans: {directory: nowhere, type: pcd, stamps: from-names, timing: instant}\n" + kIns,
                  "there is no folder");
   EXPECT_REFUSED(kHead + "scans: {directory: s, type: pcd, stamps: from-names, timing: instant}\n" + kIns,
