@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "algorithms/geometry/local_level.h"
 #include "model/io/parse_document.h"
@@ -160,12 +161,12 @@ TEST(peer_formats, smartloc_refuses_a_machine_without_wheels) {
   EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "a", "smartloc", 1, progress), "wheels and IMU");
 }
 
-TEST(peer_formats, every_format_that_is_read_is_written) {
-  std::vector<std::string> read;
-  for (const auto& reader : session_readers()) read.emplace_back(reader->id());
-  std::vector<std::string> written = drive_formats();
-  std::sort(read.begin(), read.end());
-  std::sort(written.begin(), written.end());
+TEST(peer_formats, every_session_format_that_is_read_is_written_but_logs_of_gnss_alone) {
+  std::set<std::string> read, written;
+  for (const auto& reader : session_readers()) read.emplace(reader->id());
+  EXPECT_EQ(read.erase("gnss-log"), 1U);
+  for (const std::string& format : drive_formats())  // one reader for both containers of bags
+    written.insert(format == "rosbag1" || format == "mcap" ? "ros-bag" : format);
   EXPECT_EQ(written, read);
 }
 
