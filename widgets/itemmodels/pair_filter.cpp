@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -41,6 +42,42 @@ class TextMatch {
   int number_;
   std::map<int, bool> states_, sessions_;
 };
+
+/// In the order of their ranks, which are below their number; -1 comes last in either order. Keeps the order of equals.
+void sort_by_rank(std::vector<int>& pairs, const std::vector<int>& ranks, bool down) {
+  const std::size_t last = ranks.size();
+  const auto place_of = [&](int pair) {
+    const int rank = ranks[static_cast<std::size_t>(pair)];
+    if (rank < 0) return last;
+    return down ? last - 1 - static_cast<std::size_t>(rank) : static_cast<std::size_t>(rank);
+  };
+  std::vector<std::size_t> next(last + 2);  // of each place: where its next pair goes
+  for (const int pair : pairs) ++next[place_of(pair) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<int> sorted(pairs.size());
+  for (const int pair : pairs) sorted[next[place_of(pair)]++] = pair;
+  pairs = std::move(sorted);
+}
+
+/// Pairs without a number (NaN) come last in either order. Keeps the order of equals.
+template <class Number>
+void sort_by_number(std::vector<int>& pairs, const Number& number_of, bool down) {
+  struct Keyed {
+    double key;
+    std::size_t before;  // where it was
+    int pair;
+  };
+  std::vector<Keyed> keyed;
+  keyed.reserve(pairs.size());
+  for (const int pair : pairs) {
+    const double number = number_of(pair);
+    const double key = std::isnan(number) ? std::numeric_limits<double>::infinity() : down ? -number : number;
+    keyed.push_back({key, keyed.size(), pair});
+  }
+  std::sort(keyed.begin(), keyed.end(),
+            [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.before < b.before; });
+  std::transform(keyed.begin(), keyed.end(), pairs.begin(), [](const Keyed& one) { return one.pair; });
+}
 
 }  // namespace
 
@@ -150,13 +187,6 @@ void PairFilter::sort_pairs(std::vector<int>& pairs) const {
     if (down) std::reverse(pairs.begin(), pairs.end());
     return;
   }
-  const auto by = [&](const auto& key, const auto& missing) {
-    std::stable_sort(pairs.begin(), pairs.end(), [&](int a, int b) {
-      const auto &first = key[static_cast<std::size_t>(a)], &second = key[static_cast<std::size_t>(b)];
-      if (missing(first) || missing(second)) return !missing(first) && missing(second);  // last in either order
-      return down ? second < first : first < second;
-    });
-  };
   const auto count = static_cast<std::size_t>(sourceModel()->rowCount());
   if (sort_column_ == PairTableModel::Reason) {
     std::vector<std::string_view> reasons(count);
@@ -165,11 +195,10 @@ void PairFilter::sort_pairs(std::vector<int>& pairs) const {
     std::vector<int> ranks = text_ranks(reasons);
     for (std::size_t i = 0; i < count; ++i)
       if (reasons[i].empty()) ranks[i] = -1;
-    by(ranks, [](int rank) { return rank < 0; });
+    sort_by_rank(pairs, ranks, down);
   } else {
-    std::vector<double> numbers(count);
-    for (int pair : pairs) numbers[static_cast<std::size_t>(pair)] = pairs_model()->sort_number(pair, sort_column_);
-    by(numbers, [](double number) { return std::isnan(number); });
+    sort_by_number(
+        pairs, [&](int pair) { return pairs_model()->sort_number(pair, sort_column_); }, down);
   }
 }
 

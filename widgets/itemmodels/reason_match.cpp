@@ -1,5 +1,7 @@
 #include "widgets/itemmodels/reason_match.h"
 
+#include <algorithm>
+
 #include "widgets/pair_reasons.h"
 
 namespace remount {
@@ -27,11 +29,16 @@ bool contains(const QString& words, const QString& text) { return words.contains
 }  // namespace
 
 ReasonMatch::ReasonMatch(const QString& text) : text_(text), shape_(shape_of(text)) {
-  for (const QChar letter : text) number_ |= letter >= u'0' && letter <= u'9';
+  const auto is_digit = [](QChar letter) { return letter >= u'0' && letter <= u'9'; };
+  number_ = std::any_of(text.begin(), text.end(), is_digit);
+  // The words of the window hold the numbers as the reason does: none need be made to find one.
+  if (std::all_of(text.begin(), text.end(), [&](QChar letter) { return is_digit(letter) || letter == u'.'; }))
+    digits_ = text.toStdString();
 }
 
 bool ReasonMatch::operator()(const std::string& reason) {
   if (reason.empty()) return false;
+  if (!digits_.empty()) return reason.find(digits_) != std::string::npos;
   buffer_.clear();
   without_numbers(reason, buffer_, '0');
   auto found = shapes_.find(buffer_);

@@ -17,6 +17,7 @@ class ReasonMatch {
  private:
   QString text_, shape_;                          // what is looked for; without its numbers
   bool number_ = false;                           // it has a number
+  std::string digits_;                            // it is nothing else
   std::unordered_map<std::string, bool> shapes_;  // of reasons without their numbers: whether one may hold the text
   std::string buffer_;
 };
