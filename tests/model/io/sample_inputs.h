@@ -264,6 +264,7 @@ inline ResultFile result() {
   file.result.observed.fill(true);
   file.result.covariance = Matrix6d::Identity() * 1e-6;
   file.result.ins_from_lidar = rigid_from_six({0.9, -0.25, 0.75, 2.0, -0.02, 0.015});
+  file.ins_axes = InsAxes::ForwardLeftUp;
   return file;
 }
 
