@@ -4,7 +4,6 @@
 #include <string>
 
 #include "algorithms/geometry/rotation.h"
-#include "model/result_file.h"
 
 namespace remount {
 namespace {

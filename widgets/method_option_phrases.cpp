@@ -149,7 +149,7 @@ const std::vector<const char*>& method_option_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "How large the constant error of the IMU's rates may be."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Where no INS says it: on the whole the vehicle turns about its own z, leaning and turning are "
-                        "not linked. Off for drives up or down a single helix."),
+                        "not linked."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Which plane is square to the slew axis: the ground (A), or that of the LiDAR's circle (B)."),
       QT_TRANSLATE_NOOP("remount::model",

@@ -108,7 +108,7 @@ void add_ins_errors(const NoisyPair& pair, const RigidTransform& x, const Eigen:
   // skew(v) skew(v)' = |v|^2 - v v'.
   covariance.topLeftCorner<3, 3>() -= of_a * arm * arm.transpose() + of_b * reach * reach.transpose();
   covariance.topLeftCorner<3, 3>().diagonal().array() +=
-      pair.position_variances_m2 + of_a * arm.squaredNorm() + of_b * reach.squaredNorm();
+      pair.ins_position_variance_m2 + of_a * arm.squaredNorm() + of_b * reach.squaredNorm();
   const Eigen::Matrix3d mixed = log_jacobian * skew(of_a * arm + of_b * reach);  // transposed: the skew changes sign
   covariance.bottomLeftCorner<3, 3>() += mixed;
   covariance.topRightCorner<3, 3>() += mixed.transpose();

@@ -28,8 +28,9 @@ std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs);
 struct NoisyPair {
   RigidTransform ins_b_from_ins_a, lidar_b_from_lidar_a;
   Matrix6d registration_information, registration_covariance;
-  /// Errors of the INS poses, alike along all axes: of a, and of b with the drift since a.
-  double position_variances_m2 = 0.0, attitude_variance_a_rad2 = 0.0, attitude_variance_b_rad2 = 0.0;
+  /// Of the INS poses along each axis, all alike: the position of a and b together, the attitude of each; what drifts
+  /// from a to b counts with b.
+  double ins_position_variance_m2 = 0.0, attitude_variance_a_rad2 = 0.0, attitude_variance_b_rad2 = 0.0;
 };
 std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
                                    const NoiseModel& noise);

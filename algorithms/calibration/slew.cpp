@@ -1,6 +1,5 @@
 #include "algorithms/calibration/slew.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -291,22 +290,6 @@ void draw(const SlewData& data, SlewResult& result) {
   result.plots.push_back({"Distance from the fitted circle", "slew angle (deg)", "mm", false, {off, high}});
 }
 
-// Variance of the tilt of one pose. All turn about one axis, which the LiDAR sees as v and the first scan's frame has
-// as w: they differ by the first scan's own tilt, which is in every pose alike and must not count for theirs. The best
-// two unit vectors are the first singular ones of the sum of rotations, and 2 - 2 (w . R v) is a squared tilt about two
-// axes.
-double attitude_variance_rad2(const std::vector<RigidTransform>& first_from_lidar) {
-  Matrix3d sum = Matrix3d::Zero();
-  for (const RigidTransform& pose : first_from_lidar) sum += pose.linear();
-  const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Vector3d in_first = svd.matrixU().col(0), in_lidar = svd.matrixV().col(0);
-  double squares = 0.0;
-  for (const RigidTransform& pose : first_from_lidar) squares += (pose.linear() * in_lidar - in_first).squaredNorm();
-  // Two tilts a pose, less the two angles of each vector.
-  const double degrees = 2.0 * static_cast<double>(first_from_lidar.size()) - 4.0;
-  return degrees > 0.0 ? squares / degrees : 0.0;
-}
-
 void fit_circle_of_turn(const SlewData& data, SlewResult& result) {
   std::vector<Vector3d> positions;
   for (const RigidTransform& pose : data.first_from_lidar) positions.push_back(pose.translation());
@@ -314,7 +297,7 @@ void fit_circle_of_turn(const SlewData& data, SlewResult& result) {
   if (!circle.found || !data.first_scan_in_common) return;
   // The first scan's own error in place moves the circle as a whole; its error in attitude turns the circle about the
   // first pose. Both are as large as what the other poses show of theirs.
-  const double attitude2 = attitude_variance_rad2(data.first_from_lidar);
+  const double attitude2 = tilt_variance_rad2(data.first_from_lidar);
   const double place2 = 0.5 * (std::pow(circle.in_plane_rms_m, 2) + std::pow(circle.off_plane_rms_m, 2));
   const Matrix3d lever = skew(circle.centre_m - positions.front());
   circle.centre_covariance_m2 += place2 * Matrix3d::Identity() + attitude2 * lever * lever.transpose();

@@ -41,6 +41,9 @@ struct SearchRange {
   }
 };
 
+/// Blocks of time of the bootstrap: so many are needed for their scatter; those of a short drive are shorter.
+inline constexpr double kBootstrapBlocks = 20.0;
+
 struct SolveOptions {
   double characteristic_length_m = 1.0;
   double ins_position_sigma_m = 0.01;

@@ -244,9 +244,9 @@ bool TrajectoryAligner::solve_on(const TrajectoryProblem& usable, bool anew, Run
 
 void TrajectoryAligner::shorten(TrajectoryProblem& usable, TrajectoryProblem& window, Running& running) const {
   constexpr std::size_t kMostOpen = 600, kKept = 300;
-  constexpr double kBlocks = 20.0;  // as many are needed for their scatter; they have their full length then
   const double block_s = std::max(1e-3, judged_by_.bootstrap_block_s);
-  if (epochs_in(usable) <= kMostOpen || data_s() < kBlocks * block_s) return;
+  // From then on blocks have their full length: what is condensed stays in blocks as they will be.
+  if (epochs_in(usable) <= kMostOpen || data_s() < kBootstrapBlocks * block_s) return;
   for (std::size_t s = 0; s < usable.sessions.size(); ++s) {
     const std::size_t count = condense(s, kKept, options_, running.prior, block_s, usable, running.solution);
     std::vector<TrajectoryEpoch>& epochs = window.sessions[s].epochs;

@@ -51,16 +51,14 @@ Matrix6d unseen(const TrajectoryProblem& problem) {
   return count > 0.0 ? Matrix6d(sum / (count * count)) : sum;
 }
 
-constexpr double kBlocks = 20.0;
-
-// Blocks of the options' length, shorter where a short drive would have fewer than twenty.
+// Blocks of the options' length, shorter for a short drive.
 double block_length_s(const Evidence& evidence) {
   double total_s = 0.0;
   for (const TrajectorySession& session : evidence.problem.sessions) {
     total_s += session.past.duration_s;
     if (!session.epochs.empty()) total_s += session.epochs.back().time_s - session.epochs.front().time_s;
   }
-  return std::clamp(total_s / kBlocks, 1e-3, std::max(1e-3, evidence.judged_by.bootstrap_block_s));
+  return std::clamp(total_s / kBootstrapBlocks, 1e-3, std::max(1e-3, evidence.judged_by.bootstrap_block_s));
 }
 
 // Sigmas as large as blocks of time scatter, where that is more.

@@ -7,13 +7,11 @@
 namespace remount {
 namespace {
 
-int block_of(const TrajectoryEpoch& epoch, double block_s) { return static_cast<int>(epoch.time_s / block_s); }
-
 // The most epochs that leave `kept` and end with a block.
 std::size_t movable(const std::vector<TrajectoryEpoch>& epochs, std::size_t kept, double block_s) {
   if (epochs.size() <= kept) return 0;
   std::size_t count = epochs.size() - kept;
-  while (count > 0 && block_of(epochs[count - 1], block_s) == block_of(epochs[count], block_s)) --count;
+  while (count > 0 && block_of(epochs[count - 1].time_s, block_s) == block_of(epochs[count].time_s, block_s)) --count;
   return count;
 }
 
@@ -104,7 +102,7 @@ std::size_t condense(std::size_t session, std::size_t kept, const TrajectoryOpti
   if (!alone.solvable() || !add_information(part, weighted, border_point(solution.state, session), past)) return 0;
   past.spurious +=
       spurious_trajectory_information(part.problem, options, part.solution, weighted, alone, prior.information);
-  add_blocks(problem, options, solution, prior, session, block_of(epochs[count], block_s), block_s, past);
+  add_blocks(problem, options, solution, prior, session, block_of(epochs[count].time_s, block_s), block_s, past);
   add_turns(epochs, count, past);
   past.has_ins = past.has_ins || has_ins(part.problem);
   past.has_antenna = past.has_antenna || has_antenna(part.problem);

@@ -36,7 +36,7 @@ BlockPulls block_pulls(const TrajectoryProblem& problem, const TrajectorySolutio
   BlockPulls blocks;
   for_each_pull(problem, solution, weighted, equations,
                 [&](std::size_t session, double time_s, const SharedVector& pull) {
-                  const auto [at, first] = blocks.try_emplace({session, static_cast<int>(time_s / block_s)}, pull);
+                  const auto [at, first] = blocks.try_emplace({session, block_of(time_s, block_s)}, pull);
                   if (!first) at->second += pull;
                 });
   return blocks;

@@ -15,6 +15,9 @@ SharedMatrix spurious_trajectory_information(const TrajectoryProblem& problem, c
                                              const TrajectoryEquations& equations,
                                              const SharedMatrix& prior_information);
 
+/// Number of the block of time that a time lies in.
+inline int block_of(double time_s, double block_s) { return static_cast<int>(time_s / block_s); }
+
 /// What each block of time of each session draws the shared unknowns by, poses and own unknowns following.
 using BlockPulls = std::map<std::pair<std::size_t, int>, SharedVector>;
 BlockPulls block_pulls(const TrajectoryProblem& problem, const TrajectorySolution& solution,

@@ -14,7 +14,7 @@
 namespace remount {
 namespace {
 
-// Blocks of the bootstrap: the options' length, shortened so that a short drive still has some twenty.
+// Blocks of the bootstrap: the options' length, shorter for a short drive.
 double block_length_s(const PairwiseInput& input) {
   std::vector<double> first(input.sessions.size(), std::numeric_limits<double>::infinity()),
       last(input.sessions.size(), 0.0);
@@ -25,7 +25,7 @@ double block_length_s(const PairwiseInput& input) {
   }
   double total_s = 0.0;
   for (std::size_t s = 0; s < first.size(); ++s) total_s += std::max(0.0, last[s] - first[s]);
-  return std::clamp(total_s / 20.0, 1e-3, input.options.bootstrap_block_s);
+  return std::clamp(total_s / kBootstrapBlocks, 1e-3, input.options.bootstrap_block_s);
 }
 
 std::vector<BlockPull> block_pulls(const PairwiseInput& input, const JointProblem& problem,

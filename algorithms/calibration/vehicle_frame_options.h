@@ -47,8 +47,7 @@ struct VehicleFrameOptions {
             self.gyro_bias_sigma_dps);
     visitor({"level_turns", "",
              "Where no INS says it: on the whole the vehicle turns about its own z, leaning and turning are not "
-             "linked. Off "
-             "for drives up or down a single helix."},
+             "linked."},
             self.level_turns);
   }
 };

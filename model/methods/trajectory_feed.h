@@ -32,14 +32,16 @@ inline bool has_scans(const Session& session) { return session.scans && session.
 /// holds the others back for some seconds and no longer.
 std::int64_t trajectory_reach_ns(const Session& session, const std::vector<OdometryPose>& poses);
 
+/// Which epochs of a session are wanted, by stamps of the LiDAR.
+struct EpochRange {
+  /// The stamp of an epoch before, which is repeated.
+  std::int64_t since_ns = std::numeric_limits<std::int64_t>::min();
+  std::int64_t until_ns = std::numeric_limits<std::int64_t>::max();  ///< nothing later than this is used
+};
+
 /// The epochs of a session: poses of the LiDAR, thinned, with the INS poses at their times and the GNSS fixes at
 /// theirs, in a local level frame (ENU) about the first fix. Times count from the first pose.
 /// @param clock_s t_ins = t_lidar + this
-struct EpochRange {
-  std::int64_t since_ns =
-      std::numeric_limits<std::int64_t>::min();  ///< the stamp of an epoch before, which is repeated
-  std::int64_t until_ns = std::numeric_limits<std::int64_t>::max();  ///< nothing later than this is used
-};
 TrajectorySession trajectory_session(const Session& session, const SessionOdometry& odometry, const Settings& settings,
                                      double clock_s, const EpochRange& range = {});
 

@@ -4921,8 +4921,8 @@ Calibrate again (F5).</source>
         <translation>IMU 角速度的常值误差可能有多大。</translation>
     </message>
     <message>
-        <source>Where no INS says it: on the whole the vehicle turns about its own z, leaning and turning are not linked. Off for drives up or down a single helix.</source>
-        <translation>没有 INS 说明时：总体上车辆绕自身 z 轴转动，倾斜与转弯无关。只在一条螺旋坡道上行驶时应关闭。</translation>
+        <source>Where no INS says it: on the whole the vehicle turns about its own z, leaning and turning are not linked.</source>
+        <translation>没有 INS 说明时：总体上车辆绕自身 z 轴转动，倾斜与转弯无关。</translation>
     </message>
     <message>
         <source>Which plane is square to the slew axis: the ground (A), or that of the LiDAR&apos;s circle (B).</source>

@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-class fleet : public ::testing::Test {
+class fleet_file : public ::testing::Test {
  protected:
   Fleet read(const std::string& text) {
     std::ofstream(folder_.path() / "fleet.yaml") << text;
@@ -32,7 +32,7 @@ class fleet : public ::testing::Test {
 
 constexpr const char* kHead = "format: remount-fleet/1\n";
 
-TEST_F(fleet, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
+TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
   const Fleet fleet = read(std::string(kHead) +
                            "results: made\n"
                            "drift: {sigmas: 4, translation_m: 0.05, rotation_deg: 0.5}\n"
@@ -65,7 +65,7 @@ TEST_F(fleet, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
     for (std::size_t b = 0; b < a; ++b) EXPECT_NE(fleet.jobs[a].result, fleet.jobs[b].result);
 }
 
-TEST_F(fleet, a_job_keeps_its_files_when_others_are_added_before_it) {
+TEST_F(fleet_file, a_job_keeps_its_files_when_others_are_added_before_it) {
   const std::string vehicle = std::string(kHead) + "vehicles:\n  - name: v\n    sessions: ";
   const Fleet before = read(vehicle + "[b/drive]\n"), after = read(vehicle + "[a/drive, b/drive, [b/drive, c]]\n");
   EXPECT_EQ(before.jobs[0].result, after.jobs[1].result);
@@ -73,7 +73,7 @@ TEST_F(fleet, a_job_keeps_its_files_when_others_are_added_before_it) {
   EXPECT_EQ(before.results.filename(), "fleet.results") << "where the file names no folder";
 }
 
-TEST_F(fleet, errors_name_file_line_and_expectation) {
+TEST_F(fleet_file, errors_name_file_line_and_expectation) {
   const std::string head = kHead, one = "  - name: v\n    sessions: [a]\n";
   refuses("vehicles: []\n", ":1", "\"format\" is missing");
   refuses("[1, 2]\n", ":1", "format: remount-fleet/1");
@@ -96,7 +96,7 @@ TEST_F(fleet, errors_name_file_line_and_expectation) {
   EXPECT_THROW(load_fleet(folder_.path() / "none.yaml"), Error);
 }
 
-TEST_F(fleet, names_become_plain_file_names_whatever_sessions_are_called) {
+TEST_F(fleet_file, names_become_plain_file_names_whatever_sessions_are_called) {
   const Fleet fleet =
       read(std::string(kHead) + "vehicles:\n  - name: ü-Bahn\n    sessions: ['../../../etc/x y;$(z)', " + "'" +
            std::string(300, 'q') + "/drive', '...']\n");

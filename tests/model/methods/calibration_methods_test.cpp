@@ -22,9 +22,10 @@ TEST(calibration_methods, have_sections_that_the_settings_know) {
   std::vector<std::string_view> sections;
   const Settings settings;
   Settings::visit_sections(settings, [&](std::string_view name, const auto&) { sections.push_back(name); });
-  for (const CalibrationMethod& method : calibration_methods())
-    if (!method.settings_section.empty())
-      EXPECT_EQ(std::count(sections.begin(), sections.end(), method.settings_section), 1) << method.id;
+  for (const CalibrationMethod& method : calibration_methods()) {
+    if (method.settings_section.empty()) continue;
+    EXPECT_EQ(std::count(sections.begin(), sections.end(), method.settings_section), 1) << method.id;
+  }
 }
 
 TEST(calibration_methods, that_do_not_find_the_lidar_in_the_ins_frame_refuse_what_was_measured_there) {
