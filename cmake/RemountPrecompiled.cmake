@@ -6,9 +6,9 @@ set(REMOUNT_QT_HEADERS <QHBoxLayout> <QLabel> <QPainter> <QPushButton> <QString>
 function(remount_precompile target)
   target_precompile_headers(${target} PRIVATE ${REMOUNT_COMMON_HEADERS} ${ARGN})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # GCC 12 is wrong about std::string and Eigen in these three; it is silent where their headers are read as system
+    # GCC 12 is wrong about std::string and Eigen in these; it is silent where their headers are read as system
     # headers, but not where they come precompiled.
-    set(quiet -Wno-array-bounds -Wno-stringop-overflow -Wno-maybe-uninitialized)
+    set(quiet -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized)
     target_compile_options(${target} PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess;${quiet}>")
   endif()
 endfunction()

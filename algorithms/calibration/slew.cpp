@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/slew_turn.h"
 #include "algorithms/core/error.h"
 
 namespace remount {
