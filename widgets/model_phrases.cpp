@@ -19,6 +19,11 @@ std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
 const std::vector<const char*>& model_phrases() {
   static const std::vector<const char*> phrases = with_other_phrases({
       // sentences
+      QT_TRANSLATE_NOOP("remount::model", "pole"),
+      QT_TRANSLATE_NOOP("remount::model", "facade"),
+      QT_TRANSLATE_NOOP("remount::model", "vehicle-sized"),
+      QT_TRANSLATE_NOOP("remount::model", "small"),
+      QT_TRANSLATE_NOOP("remount::model", "large"),
       QT_TRANSLATE_NOOP("remount::model", "observed"),
       QT_TRANSLATE_NOOP("remount::model", "not observed"),
       QT_TRANSLATE_NOOP("remount::model", "x (forward)"),
@@ -63,7 +68,15 @@ const std::vector<const char*>& model_phrases() {
                         "Nothing is known: the clocks of lidar and INS differ by more than X can bear."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Nothing is observed: the motion of this drive does not determine any component of X."),
-      QT_TRANSLATE_NOOP("remount::model", "The sessions say different mountings: %1 against the rest."),
+      QT_TRANSLATE_NOOP("remount::model", "The sessions say different mountings: session %1 against the rest."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Session %1 was left out: the others agree with each other and contradict it. Look at its INS, "
+                        "its clock, and whether the lidar was moved."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Session %1 agrees with itself on another mounting than the rest and was left out: was the "
+                        "lidar moved, or is it another vehicle? Calibrate it on its own."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Session %1 was left out: its INS motion and its registrations contradict each other."),
       QT_TRANSLATE_NOOP("remount::model", "No first estimate of the mounting: %1."),
       QT_TRANSLATE_NOOP(
           "remount::model",

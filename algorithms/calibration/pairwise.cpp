@@ -195,6 +195,13 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
   return problem;
 }
 
+// "2 (tuesday)", counted as users do.
+std::string title_of_session(const PairwiseInput& input, int session) {
+  const auto index = static_cast<std::size_t>(session);
+  const std::string number = std::to_string(session + 1);
+  return index < input.session_names.size() ? number + " (" + input.session_names[index] + ")" : number;
+}
+
 // Where all other sessions agree against one, its pairs are rejected and the others solved alone. Returns what each
 // session says in the end.
 std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std::vector<int>& usable,
@@ -221,11 +228,9 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
   });
   const RigidTransform start = perturbed(details.joint.ins_from_lidar, outlier->common);
   problem = solve_and_judge(context, start, usable, pairs, details);
-  std::snprintf(text, sizeof text,
-                "Session %d was left out: the others agree with each other and contradict it. Look at its INS, its "
-                "clock, and whether the lidar was moved.",
-                outlier->session + 1);
-  result.advice.emplace_back(text);
+  result.advice.push_back("Session " + title_of_session(input, outlier->session) +
+                          " was left out: the others agree with each other and contradict it. Look at its INS, its "
+                          "clock, and whether the lidar was moved.");
   return session_answers(problem, details, progress);
 }
 
@@ -246,16 +251,16 @@ void report_rejected_sessions(const Context& context, const std::vector<int>& us
   const SessionVerdicts verdicts =
       judge_sessions(context.input, pairs, usable, context.prior.expected, context.progress);
   for (const RejectedSession& one : verdicts.rejected) {
-    const std::string name = "Session " + std::to_string(one.session + 1);
+    const std::string title = title_of_session(context.input, one.session);
     result.advice.push_back(
-        one.coherent ? name +
-                           " agrees with itself on another mounting than the rest and was left out: was the lidar "
-                           "moved, or is it another vehicle? Calibrate it on its own."
-                     : name + " was left out: its INS motion and its registrations contradict each other.");
+        "Session " + title +
+        (one.coherent ? " agrees with itself on another mounting than the rest and was left out: was the lidar moved, "
+                        "or is it another vehicle? Calibrate it on its own."
+                      : " was left out: its INS motion and its registrations contradict each other."));
     // One against one: nobody can tell which is right.
     if (one.coherent && verdicts.kept < 2 && is_solved(result.status)) {
       result.status = Status::Inconsistent;
-      result.message = "The sessions say different mountings: " + name + " against the rest.";
+      result.message = "The sessions say different mountings: session " + title + " against the rest.";
     }
   }
 }

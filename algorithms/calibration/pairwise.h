@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
@@ -23,7 +24,8 @@ struct SessionNoise {
 struct PairwiseInput {
   std::vector<JointNode> nodes;  ///< one for each keyframe, same indices as in the pairs
   std::vector<SessionNoise> sessions;
-  bool pairs_share_scans = true;  ///< false: every motion stands for itself
+  std::vector<std::string> session_names;  ///< for messages, beside the number; may be empty
+  bool pairs_share_scans = true;           ///< false: every motion stands for itself
   /// P and Q were computed elsewhere: their residuals and their order are all that is known of their errors.
   bool motions_only = false;
   std::optional<RigidTransform> nominal_ins_from_lidar;

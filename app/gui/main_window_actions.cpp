@@ -229,10 +229,10 @@ void MainWindow::show_obstacles() {
   if (!output || !shown_clouds_ || workbench_.selected_pair() < 0) return;
   const Pair& pair = output->pairs.at(static_cast<std::size_t>(workbench_.selected_pair()));
   const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.input_of_output().sessions));
-  auto* dialog =
-      new ObstacleDialog(tr("scan b of pair %1, %2").arg(workbench_.selected_pair()).arg(scan_name(pair.keyframe_b)),
-                         shown_clouds_, vehicle_from_ins * output->initial_ins_from_lidar,
-                         vehicle_from_ins * output->result.ins_from_lidar, output->nominal_known, this);
+  auto* dialog = new ObstacleDialog(
+      tr("scan b of pair %1, %2").arg(workbench_.selected_pair()).arg(scan_name(pair.keyframe_b)), shown_clouds_,
+      vehicle_from_ins * output->initial_ins_from_lidar, vehicle_from_ins * output->result.ins_from_lidar,
+      output->nominal_known, distance_caution(workbench_), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
 }

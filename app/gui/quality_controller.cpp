@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/gui/remembering.h"
+#include "app/gui/wording.h"
 #include "model/session_frames.h"
 #include "widgets/panels/clearance_view.h"
 #include "widgets/panels/hold_out_view.h"
@@ -103,7 +104,7 @@ void QualityController::offer_scans(const OutputPtr& output) {
   for (std::size_t k = 0; output && k < output->keyframes.size(); ++k)
     ++counts.at(static_cast<std::size_t>(output->keyframes[k].session));
   view_.obstacles()->show_choices(output ? session_names(input) : QStringList(), counts);
-  view_.obstacles()->show_nominal_known(!output || output->nominal_known);
+  view_.obstacles()->show_nominal_known(!output || output->nominal_known, distance_caution(workbench_));
 }
 
 void QualityController::refresh_obstacles() {

@@ -59,6 +59,19 @@ QString standing_note(const Workbench& workbench) {
       .arg(in_short(changes, QStringLiteral("; ")));
 }
 
+QString distance_caution(const Workbench& workbench) {
+  const OutputPtr output = workbench.output();
+  if (!output) return {};
+  QStringList lines;
+  if (!output->nominal_known)
+    lines << Words::tr(
+        "No nominal mounting was given: \"start\" is the program's own first estimate, not where the LiDAR was "
+        "before.");
+  if (const QString blind = QString::fromStdString(parameter_list(output->result, false)); !blind.isEmpty())
+    lines << Words::tr("Not observed: %1. Distances and heights rest on values there that nobody measured.").arg(blind);
+  return lines.join('\n');
+}
+
 QString export_warning(const Workbench& workbench) {
   QStringList lines;
   if (const QString note = standing_note(workbench); !note.isEmpty()) lines << note;

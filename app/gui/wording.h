@@ -21,6 +21,9 @@ QString next_hint(const Workbench& workbench);
 ResultStanding standing_of(const Workbench& workbench);
 QString standing_note(const Workbench& workbench);
 
+/// What distances under the result and the mounting before it rest on that nobody measured; empty for nothing.
+QString distance_caution(const Workbench& workbench);
+
 /// What is to be known of the result before it is written for other software; empty for nothing.
 QString export_warning(const Workbench& workbench);
 

@@ -68,6 +68,7 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
   PairwiseInput out;
   out.nodes = motion.nodes(keyframes);
   out.sessions = motion.noise();
+  for (const auto& session : input.sessions) out.session_names.push_back(session->name);
   out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
   out.range = input.settings.range;

@@ -266,10 +266,6 @@
         <translation>差</translation>
     </message>
     <message>
-        <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
-        <translation>没有给出名义安装：“起始”是程序自己的初始估计，并不是激光雷达原来的位置。</translation>
-    </message>
-    <message>
         <source>nominal</source>
         <translation>名义</translation>
     </message>
@@ -1703,12 +1699,12 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>名义</translation>
     </message>
     <message>
-        <source>Start (no nominal was given)</source>
-        <translation>起始（没有给出名义安装）</translation>
-    </message>
-    <message>
         <source>%1: %2. With result: %3.</source>
         <translation>%1：%2。按结果：%3。</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起始</translation>
     </message>
 </context>
 <context>
@@ -3387,10 +3383,6 @@ Calibrate again (F5).</source>
     <message>
         <source>Nothing is observed: the motion of this drive does not determine any component of X.</source>
         <translation>不可观测：此次行驶的运动不能确定 X 的任何分量。</translation>
-    </message>
-    <message>
-        <source>The sessions say different mountings: %1 against the rest.</source>
-        <translation>各数据给出不同的安装：%1 与其余不一致。</translation>
     </message>
     <message>
         <source>No first estimate of the mounting: %1.</source>
@@ -6388,6 +6380,42 @@ Calibrate again (F5).</source>
         <source>Of several topics this one serves as %1; not used: %2. --topic %3=TOPIC takes another.</source>
         <translation>在多个话题中，此话题用作 %1；未使用：%2。--topic %3=TOPIC 可改用其他话题。</translation>
     </message>
+    <message>
+        <source>pole</source>
+        <translation>杆状物</translation>
+    </message>
+    <message>
+        <source>facade</source>
+        <translation>立面</translation>
+    </message>
+    <message>
+        <source>vehicle-sized</source>
+        <translation>车辆大小</translation>
+    </message>
+    <message>
+        <source>small</source>
+        <translation>小</translation>
+    </message>
+    <message>
+        <source>large</source>
+        <translation>大</translation>
+    </message>
+    <message>
+        <source>The sessions say different mountings: session %1 against the rest.</source>
+        <translation>各数据给出不同的安装：数据 %1 与其余相矛盾。</translation>
+    </message>
+    <message>
+        <source>Session %1 was left out: the others agree with each other and contradict it. Look at its INS, its clock, and whether the lidar was moved.</source>
+        <translation>数据 %1 未采用：其余数据彼此一致并与它矛盾。请检查它的惯导、时钟，以及激光雷达是否被移动过。</translation>
+    </message>
+    <message>
+        <source>Session %1 agrees with itself on another mounting than the rest and was left out: was the lidar moved, or is it another vehicle? Calibrate it on its own.</source>
+        <translation>数据 %1 自身一致，但安装与其余不同，未采用：激光雷达是否被移动过，或者是另一辆车？请单独标定它。</translation>
+    </message>
+    <message>
+        <source>Session %1 was left out: its INS motion and its registrations contradict each other.</source>
+        <translation>数据 %1 未采用：其惯导运动与配准相互矛盾。</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -6664,6 +6692,14 @@ Then calibrate: F5.</source>
     <message>
         <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow.</source>
         <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新。</translation>
+    </message>
+    <message>
+        <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
+        <translation>没有给出名义安装：“起始”是程序自己的初始估计，并不是激光雷达原来的位置。</translation>
+    </message>
+    <message>
+        <source>Not observed: %1. Distances and heights rest on values there that nobody measured.</source>
+        <translation>不可观测：%1。距离和高度在这些方向上依据的不是测量值。</translation>
     </message>
 </context>
 <context>

@@ -133,13 +133,13 @@ TEST(clearance_view, names_what_the_result_is_compared_with) {
   ClearanceView view;
   const auto note = [&] {
     for (const QLabel* label : view.findChildren<QLabel*>())
-      if (label->text().contains("No nominal mounting was given")) return !label->isHidden();
+      if (label->text().contains("not where the LiDAR was")) return !label->isHidden();
     return false;
   };
   view.show_scan("scan7.pcd", measured({}));
   EXPECT_EQ(cell(table_of(view), 0, 0), "Nominal");
   EXPECT_FALSE(note());
-  view.show_nominal_known(false);
+  view.show_nominal_known(false, "not where the LiDAR was");
   view.show_scan("scan7.pcd", measured({}));
   EXPECT_EQ(cell(table_of(view), 0, 0), "Start") << "where the LiDAR was before is not known";
   EXPECT_TRUE(note());

@@ -32,10 +32,7 @@ ClearanceView::ClearanceView(QWidget* parent)
     : QWidget(parent),
       plot_(new ClearancePlot(this)),
       table_(new FigureTable(tr("Distance of the nearest point on each side of the vehicle, metres"), this)),
-      start_(
-          new QLabel(tr("No nominal mounting was given: \"start\" is the program's own first estimate, not where the "
-                        "LiDAR was before."),
-                     this)),
+      caution_(new QLabel(this)),
       session_(new QComboBox(this)),
       keyframe_(new QSpinBox(this)) {
   table_->setToolTip(
@@ -46,8 +43,8 @@ ClearanceView::ClearanceView(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(make_controls());
   column->addWidget(table_, 1);
-  start_->setWordWrap(true);
-  column->addWidget(start_);
+  caution_->setWordWrap(true);
+  column->addWidget(caution_);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(plot_);
   splitter->addWidget(right);
@@ -58,7 +55,7 @@ ClearanceView::ClearanceView(QWidget* parent)
   page->setContentsMargins(4, 4, 4, 4);
   page->addWidget(splitter);
   set_box({});
-  show_nominal_known(true);
+  show_nominal_known(true, {});
   show_message({});
 }
 
@@ -153,17 +150,18 @@ void ClearanceView::limit_keyframe() {
     editor->setEnabled(count > 0);
 }
 
-void ClearanceView::show_nominal_known(bool known) {
+void ClearanceView::show_nominal_known(bool known, const QString& caution) {
   nominal_known_ = known;
   plot_->name_before(known ? tr("nominal") : tr("start"));
-  start_->setVisible(!known && shows_scan_);
+  caution_->setText(caution);
+  caution_->setVisible(!caution.isEmpty() && shows_scan_);
 }
 
 void ClearanceView::show_message(const QString& text) {
   shows_scan_ = false;
   plot_->show_message(text);
   table_->hide();
-  start_->hide();
+  caution_->hide();
 }
 
 void ClearanceView::show_scan(const QString& name, const MeasuredScanPtr& scan) {
@@ -171,7 +169,7 @@ void ClearanceView::show_scan(const QString& name, const MeasuredScanPtr& scan) 
   plot_->show_scan(name, scan);
   show_figures(scan->free_before, scan->free_after);
   table_->show();
-  start_->setVisible(!nominal_known_);
+  caution_->setVisible(!caution_->text().isEmpty());
 }
 
 void ClearanceView::show_figures(const Clearances& before, const Clearances& after) {

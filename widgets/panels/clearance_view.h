@@ -28,8 +28,9 @@ class ClearanceView : public QWidget {
   void show_message(const QString& text);  ///< instead of a scan
   /// Its figures follow the scan's box, whatever is in the editors by now.
   void show_scan(const QString& name, const MeasuredScanPtr& scan);
-  /// What the result is compared with: a nominal that was given, or where the program itself started from.
-  void show_nominal_known(bool known);
+  /// What the result is compared with: a nominal that was given, or where the program itself started from; and what the
+  /// distances rest on that nobody measured.
+  void show_nominal_known(bool known, const QString& caution);
 
   bool shows_scan() const { return shows_scan_; }
 
@@ -51,7 +52,7 @@ class ClearanceView : public QWidget {
   bool shows_scan_ = false, nominal_known_ = true;
   ClearancePlot* plot_;
   FigureTable* table_;
-  QLabel* start_;  ///< says what "start" means
+  QLabel* caution_;
   QComboBox* session_;
   QSpinBox* keyframe_;
   QDoubleSpinBox *front_, *rear_, *half_width_, *height_min_, *height_max_;

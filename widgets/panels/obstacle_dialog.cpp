@@ -65,12 +65,13 @@ QString distance(double value_m) {
 
 ObstacleDialog::ObstacleDialog(const QString& scan, std::shared_ptr<const PairClouds> clouds,
                                const RigidTransform& nominal_ins_from_lidar,
-                               const RigidTransform& calibrated_ins_from_lidar, bool nominal_known, QWidget* parent)
+                               const RigidTransform& calibrated_ins_from_lidar, bool nominal_known,
+                               const QString& caution, QWidget* parent)
     : QDialog(parent),
       clouds_(std::move(clouds)),
       nominal_ins_from_lidar_(nominal_ins_from_lidar),
       calibrated_ins_from_lidar_(calibrated_ins_from_lidar),
-      before_(nominal_known ? tr("Nominal") : tr("Start (no nominal was given)")),
+      before_(nominal_known ? tr("Nominal") : tr("Start")),
       verdict_(new QLabel(this)),
       table_(new QTableWidget(this)) {
   setWindowTitle(tr("Obstacles in %1").arg(scan));
@@ -87,10 +88,14 @@ ObstacleDialog::ObstacleDialog(const QString& scan, std::shared_ptr<const PairCl
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* grid = new QGridLayout(this);
+  auto* doubts = new QLabel(caution, this);
+  doubts->setWordWrap(true);
+  doubts->setVisible(!caution.isEmpty());
   grid->addWidget(verdict_, 0, 0, 1, 2);
-  grid->addWidget(make_form(), 1, 0, Qt::AlignTop);
-  grid->addWidget(table_, 1, 1);
-  grid->addWidget(buttons, 2, 0, 1, 2);
+  grid->addWidget(doubts, 1, 0, 1, 2);
+  grid->addWidget(make_form(), 2, 0, Qt::AlignTop);
+  grid->addWidget(table_, 2, 1);
+  grid->addWidget(buttons, 3, 0, 1, 2);
   grid->setColumnStretch(1, 1);
   resize(760, 440);
   check();
@@ -137,9 +142,10 @@ void ObstacleDialog::check() {
   for (int row = 0; row < table_->rowCount(); ++row) {
     const ObstacleDifference& entry = found.rows[static_cast<std::size_t>(row)];
     const double change_m = entry.calibrated_distance_m - entry.nominal_distance_m;
-    const std::array<QString, 4> cells{QStringLiteral("%1 %2").arg(entry.object).arg(text(to_string(entry.shape))),
-                                       distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
-                                       std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
+    const std::array<QString, 4> cells{
+        QStringLiteral("%1 %2").arg(entry.object).arg(model_text(to_string(entry.shape))),
+        distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
+        std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
     for (int column = 0; column < 4; ++column) {
       auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;

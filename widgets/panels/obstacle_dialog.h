@@ -16,9 +16,10 @@ class ObstacleDialog : public QDialog {
   Q_OBJECT
  public:
   /// @param nominal_known false: `nominal_ins_from_lidar` is the program's own start, and is named so
+  /// @param caution what the distances rest on that nobody measured; empty for nothing
   ObstacleDialog(const QString& scan, std::shared_ptr<const PairClouds> clouds,
                  const RigidTransform& nominal_ins_from_lidar, const RigidTransform& calibrated_ins_from_lidar,
-                 bool nominal_known, QWidget* parent = nullptr);
+                 bool nominal_known, const QString& caution, QWidget* parent = nullptr);
 
  private:
   QWidget* make_form();
