@@ -32,9 +32,11 @@ bool MainWindow::save_project(bool ask, std::function<void()> saved) {
 
 void MainWindow::show_project() {
   const QString path = workbench_.project_path();
-  setWindowTitle((path.isEmpty() ? QString() : QFileInfo(path).completeBaseName() + QStringLiteral("[*] – ")) +
-                 tr("Remount"));
-  setWindowModified(!path.isEmpty() && workbench_.unsaved());
+  const QString name = !path.isEmpty()                 ? QFileInfo(path).completeBaseName()
+                       : workbench_.has_unsaved_work() ? tr("Not saved yet")
+                                                       : QString();
+  setWindowTitle((name.isEmpty() ? name : name + QStringLiteral("[*] – ")) + tr("Remount"));
+  setWindowModified(workbench_.has_unsaved_work());
 }
 
 void MainWindow::keep_work_in(const QString& data_folder) { keeper_->keep_in(data_folder); }

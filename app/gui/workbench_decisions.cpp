@@ -152,6 +152,7 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, cons
       decisions_.erase(key);
   }
   output_ = std::move(changed);
+  emit logged(Severity::Note, {}, step);
   if (counts) {
     start_solve(step, FirstAnswer::Moved);
   } else {

@@ -1342,6 +1342,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>In three dimensions</source>
         <translation>三维视图</translation>
     </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>尚未保存</translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -1748,6 +1752,30 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Search range and solution apply at once; the other options apply to the next calibration. Every change can be undone (Ctrl+Z in the window).</source>
         <translation>搜索范围和求解立即生效；其他选项在下次标定时生效。每次更改都可以撤销（在窗口中按 Ctrl+Z）。</translation>
+    </message>
+    <message>
+        <source>Measured by hand</source>
+        <translation>手工测量值</translation>
+    </message>
+    <message>
+        <source>LiDAR odometry</source>
+        <translation>激光雷达里程计</translation>
+    </message>
+    <message>
+        <source>Trajectory alignment</source>
+        <translation>轨迹对齐</translation>
+    </message>
+    <message>
+        <source>Fusion odometry</source>
+        <translation>融合里程计</translation>
+    </message>
+    <message>
+        <source>Vehicle frame</source>
+        <translation>车体坐标系</translation>
+    </message>
+    <message>
+        <source>Slewing machine</source>
+        <translation>回转机械</translation>
     </message>
 </context>
 <context>
@@ -2180,14 +2208,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
 <context>
     <name>remount::ProgressStrip</name>
     <message>
-        <source>about %1 s left</source>
-        <translation>约剩 %1 秒</translation>
-    </message>
-    <message>
-        <source>about %1 min left</source>
-        <translation>约剩 %1 分钟</translation>
-    </message>
-    <message>
         <source>Progress</source>
         <translation>进度</translation>
     </message>
@@ -2214,6 +2234,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Cancelling…</source>
         <translation>正在取消…</translation>
+    </message>
+    <message>
+        <source>about %1 s left in this step</source>
+        <translation>此步骤约剩 %1 秒</translation>
+    </message>
+    <message>
+        <source>about %1 min left in this step</source>
+        <translation>此步骤约剩 %1 分钟</translation>
     </message>
 </context>
 <context>

@@ -224,8 +224,8 @@ TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
 TEST(progress_strip, says_how_long_only_when_it_can_know) {
   EXPECT_TRUE(remaining_text(500, 10, 100).isEmpty());
   EXPECT_TRUE(remaining_text(5000, 0, 100).isEmpty());
-  EXPECT_EQ(remaining_text(10000, 50, 100), "about 10 s left");
-  EXPECT_EQ(remaining_text(60000, 25, 100), "about 3 min left");
+  EXPECT_EQ(remaining_text(10000, 50, 100), "about 10 s left in this step");
+  EXPECT_EQ(remaining_text(60000, 25, 100), "about 3 min left in this step");
 }
 
 }  // namespace

@@ -152,8 +152,10 @@ void CandidatePlot::paint_view(QPainter& painter, int view) const {
     return QStringLiteral("%1 [%2]").arg(parameter_name(parameter(axis)), unit_suffix(parameter(axis)).trimmed());
   };
   painter.setPen(palette().color(QPalette::Text));
-  painter.drawText(QRectF(area.left(), 2, area.width(), line), Qt::AlignLeft, title(view + 1));
-  painter.drawText(QRectF(area.left(), 2, area.width(), line), Qt::AlignRight, tr("over %1").arg(title(0)));
+  // Above the numbers of its axis: beside the other title there is no room for it.
+  const double left = 0.5 * view * width() + 4.0;
+  painter.drawText(QRectF(left, 2, area.right() - left, line), Qt::AlignLeft, title(view + 1));
+  painter.drawText(QRectF(left, 2, area.right() - left, line), Qt::AlignRight, tr("over %1").arg(title(0)));
   painter.setRenderHint(QPainter::Antialiasing, true);
   paint_points(painter, view);
   painter.setRenderHint(QPainter::Antialiasing, false);

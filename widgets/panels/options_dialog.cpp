@@ -21,6 +21,12 @@ QString title_of(const QString& section) {
   if (section == QLatin1String("registration")) return OptionsDialog::tr("Alignment");
   if (section == QLatin1String("range")) return OptionsDialog::tr("Search range");
   if (section == QLatin1String("solve")) return OptionsDialog::tr("Solution");
+  if (section == QLatin1String("measured")) return OptionsDialog::tr("Measured by hand");
+  if (section == QLatin1String("lidar_odometry")) return OptionsDialog::tr("LiDAR odometry");
+  if (section == QLatin1String("trajectory")) return OptionsDialog::tr("Trajectory alignment");
+  if (section == QLatin1String("fusion")) return OptionsDialog::tr("Fusion odometry");
+  if (section == QLatin1String("vehicle_frame")) return OptionsDialog::tr("Vehicle frame");
+  if (section == QLatin1String("slew")) return OptionsDialog::tr("Slewing machine");
   return section;
 }
 
@@ -30,7 +36,7 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
   setWindowTitle(tr("Options"));
   auto* sections = new QListWidget(this);
   sections->setAccessibleName(tr("Sections"));
-  sections->setMaximumWidth(150);
+  sections->setMaximumWidth(190);
   auto* pages = new QStackedWidget(this);
   QStringList seen;
   for (const OptionField& field : option_fields(settings)) {

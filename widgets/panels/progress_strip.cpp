@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
@@ -13,12 +14,17 @@ namespace remount {
 QString remaining_text(qint64 elapsed_ms, double done, double total) {
   if (elapsed_ms < 1500 || done < 1.0 || done >= total) return {};
   const double left_s = 1e-3 * static_cast<double>(elapsed_ms) * (total - done) / done;
-  if (left_s < 60.0) return ProgressStrip::tr("about %1 s left").arg(std::max(1, static_cast<int>(left_s + 0.5)));
-  return ProgressStrip::tr("about %1 min left").arg(static_cast<int>(left_s / 60.0 + 0.5));
+  if (left_s < 60.0)
+    return ProgressStrip::tr("about %1 s left in this step").arg(std::max(1, static_cast<int>(left_s + 0.5)));
+  return ProgressStrip::tr("about %1 min left in this step").arg(static_cast<int>(left_s / 60.0 + 0.5));
 }
 
 ProgressStrip::ProgressStrip(QWidget* parent)
-    : QWidget(parent), text_(new QLabel(this)), bar_(new QProgressBar(this)), cancel_(new QToolButton(this)) {
+    : QWidget(parent),
+      text_(new QLabel(this)),
+      bar_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)),
+      second_(new QTimer(this)) {
   bar_->setMaximumWidth(220);
   bar_->setTextVisible(false);
   bar_->setAccessibleName(tr("Progress"));
@@ -26,6 +32,8 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   cancel_->setToolTip(tr("Stop (Esc); what was there before is kept"));
   text_->setAccessibleName(tr("Present work"));
   connect(cancel_, &QToolButton::clicked, this, &ProgressStrip::cancel_clicked);
+  second_->setInterval(1000);
+  connect(second_, &QTimer::timeout, this, &ProgressStrip::say);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 0, 0, 0);
   layout->addWidget(text_, 1);
@@ -36,6 +44,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
 }
 
 void ProgressStrip::start(const QString& what) {
+  second_->stop();
   stage_.clear();
   text_->setText(what);
   bar_->setRange(0, 0);
@@ -51,24 +60,34 @@ void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulongl
     since_stage_.start();
     done_at_start_ = done;
   }
+  done_ = done;
+  total_ = total;
   constexpr int kSteps = 1000;
   bar_->setRange(0, total > 0 ? kSteps : 0);
   if (total > 0)
     bar_->setValue(static_cast<int>(kSteps * std::min(1.0, static_cast<double>(done) / static_cast<double>(total))));
-  QString text = total > 0 ? tr("%1: %2 of %3").arg(model_text(stage)).arg(done).arg(total) : model_text(stage);
-  const double covered = static_cast<double>(done) - static_cast<double>(done_at_start_);
-  const QString left =
-      remaining_text(since_stage_.elapsed(), covered, static_cast<double>(total) - static_cast<double>(done_at_start_));
+  say();
+  second_->start();
+}
+
+void ProgressStrip::say() {
+  QString text = total_ > 0 ? tr("%1: %2 of %3").arg(model_text(stage_)).arg(done_).arg(total_) : model_text(stage_);
+  const auto covered = [this](qulonglong count) {
+    return static_cast<double>(count) - static_cast<double>(done_at_start_);
+  };
+  const QString left = remaining_text(since_stage_.elapsed(), covered(done_), covered(total_));
   if (!left.isEmpty()) text += QStringLiteral(", ") + left;
   text_->setText(text);
 }
 
 void ProgressStrip::show_cancelling() {
+  second_->stop();
   cancel_->setEnabled(false);
   text_->setText(tr("Cancelling…"));
 }
 
 void ProgressStrip::stop(const QString& what) {
+  second_->stop();
   text_->setText(what);
   bar_->hide();
   cancel_->hide();

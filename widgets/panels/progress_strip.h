@@ -6,6 +6,7 @@
 
 class QLabel;
 class QProgressBar;
+class QTimer;
 class QToolButton;
 
 namespace remount {
@@ -26,12 +27,15 @@ class ProgressStrip : public QWidget {
   QLabel* text_;
   QProgressBar* bar_;
   QToolButton* cancel_;
+  void say();
+
   QElapsedTimer since_stage_;
+  QTimer* second_;  ///< so that a long step is not "about 1 s left" until it ends
   QString stage_;
-  qulonglong done_at_start_ = 0;
+  qulonglong done_at_start_ = 0, done_ = 0, total_ = 0;
 };
 
-/// "about 2 min left" from how long `done` of `total` took; empty where it is too early to say.
+/// "about 2 min left in this step" from how long `done` of `total` took; empty where it is too early to say.
 QString remaining_text(qint64 elapsed_ms, double done, double total);
 
 }  // namespace remount

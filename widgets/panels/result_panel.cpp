@@ -298,13 +298,15 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
     const double spread = sigma ? on_screen(i, *sigma) : 0.0;
     const double bootstrap = on_screen(i, result.bootstrap_sigma[i]);
     row.sigma->setText(!numbers ? QString()
-                       : sigma  ? QStringLiteral("± %1").arg(spread, 0, 'f', 4)
+                       : sigma  ? QStringLiteral("± %1%2").arg(spread, 0, 'f', 4).arg(unit_suffix(i))
                                 : tr("not observed"));
     set_style(*row.sigma, sigma || !numbers ? QString() : "color: " + warning_color(palette()).name());
-    row.sigma->setToolTip(sigma || !numbers
-                              ? (bootstrap > 0.0 ? tr("Bootstrap over blocks of time: ± %1").arg(bootstrap, 0, 'f', 4)
-                                                 : tr("From the information of the solution"))
-                              : tr("This drive says nothing about it: do not rely on the value shown"));
+    row.sigma->setToolTip(
+        sigma || !numbers
+            ? (bootstrap > 0.0
+                   ? tr("Bootstrap over blocks of time: ± %1").arg(QString::number(bootstrap, 'f', 4) + unit_suffix(i))
+                   : tr("From the information of the solution"))
+            : tr("This drive says nothing about it: do not rely on the value shown"));
     double change = values[i] - old[i];
     if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
     row.moved->setText(numbers && before && !zero_by_default ? moved_text(i, change) : QString());
