@@ -90,6 +90,7 @@ const std::vector<const char*>& file_phrases() {
                         "drive with several turns."),
       QT_TRANSLATE_NOOP("remount::model", "The two clocks agree; by the rates of rotation, %1. Nothing was moved."),
       QT_TRANSLATE_NOOP("remount::model", "The LiDAR poses were moved to INS time by the rates of rotation: %1."),
+      QT_TRANSLATE_NOOP("remount::model", "is no session itself; open those of one vehicle below it:%1"),
       QT_TRANSLATE_NOOP("remount::model", "%1 cannot be used and is left out. First: %2"),
       QT_TRANSLATE_NOOP("remount::model", "%1 cannot be used and are left out. First: %2"),
       QT_TRANSLATE_NOOP("remount::model",

@@ -6,6 +6,7 @@
 
 #include "model/io/attitude_convention.h"
 #include "model/io/input_file.h"
+#include "model/io/several_sessions.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
 
@@ -223,12 +224,9 @@ Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
   if (drives.empty())
     throw Error(ErrorCode::Format, path.string(),
                 "holds no KITTI drive: a folder with oxts/timestamps.txt, oxts/data and velodyne_points/data");
-  if (drives.size() > 1) {
-    std::string list;
-    for (std::size_t i = 0; i < std::min<std::size_t>(drives.size(), 20); ++i) list += "\n  " + drives[i].string();
-    throw Error(ErrorCode::Unsupported, path.string(),
-                "holds " + std::to_string(drives.size()) + " drives; open them one by one:" + list);
-  }
+  if (drives.size() > 1)
+    throw SeveralSessions(
+        path, "holds " + std::to_string(drives.size()) + " drives; open them one by one:" + list_of(drives), drives);
   const fs::path drive = drives.front();
   fs::path named = drive.lexically_normal();
   if (named.filename().empty() || named.filename() == ".") named = fs::absolute(drive).lexically_normal();

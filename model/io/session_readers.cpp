@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "algorithms/core/error.h"
 #include "model/io/bag/bag_reader.h"
 #include "model/io/gnss_log_reader.h"
@@ -7,6 +9,7 @@
 #include "model/io/opencalib_reader.h"
 #include "model/io/pose_session_reader.h"
 #include "model/io/session_reader.h"
+#include "model/io/several_sessions.h"
 #include "model/io/smartloc_reader.h"
 
 namespace remount {
@@ -35,6 +38,34 @@ Session SessionReader::open_topics(const std::filesystem::path& path, const Topi
   return open(path, progress);
 }
 
+namespace {
+
+const SessionReader* surest_reader(const std::filesystem::path& path) {
+  const SessionReader* best = nullptr;
+  int best_score = 0;
+  for (const auto& reader : session_readers()) {
+    const int score = reader->probe(path);
+    if (score > best_score) best = reader.get(), best_score = score;
+  }
+  return best;
+}
+
+// A day's folder: sessions lie right below it.
+std::vector<std::filesystem::path> sessions_below(const std::filesystem::path& folder, const Progress& progress) {
+  constexpr int kMostEntries = 1000;  // more is no folder of drives
+  std::vector<std::filesystem::path> found;
+  std::error_code error;
+  int entries = 0;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (progress.cancelled() || ++entries > kMostEntries) return {};
+    if (surest_reader(entry->path())) found.push_back(entry->path());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace
+
 Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at) {
   return open_session(path, {}, progress, look_at);
 }
@@ -42,19 +73,16 @@ Session open_session(const std::filesystem::path& path, Progress& progress, Look
 Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw Error(ErrorCode::Io, path.string(), "does not exist");
-  const SessionReader* best = nullptr;
-  int best_score = 0;
-  for (const auto& reader : session_readers()) {
-    const int score = reader->probe(path);
-    if (score > best_score) best = reader.get(), best_score = score;
-  }
-  if (best) {
+  if (const SessionReader* best = surest_reader(path)) {
     Session session = best->open_topics(path, topics, progress);
     for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
     return session;
   }
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
     throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
+  if (const auto sessions = sessions_below(path, progress); !sessions.empty())
+    throw SeveralSessions(path, "is no session itself; open those of one vehicle below it:" + list_of(sessions),
+                          sessions);
   std::string known;
   for (const auto& reader : session_readers()) known += "\n  " + std::string(reader->description());
   throw Error(ErrorCode::Unsupported, path.string(), "is no session that Remount knows. It looks for:" + known);

@@ -6,6 +6,7 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "model/io/input_file.h"
+#include "model/io/several_sessions.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -129,9 +130,10 @@ int SmartlocReader::probe(const fs::path& path) const { return inputs_at(path).e
 Session SmartlocReader::open(const fs::path& given, Progress& progress) const {
   const std::vector<fs::path> inputs = inputs_at(given);
   if (inputs.size() > 1)
-    throw Error(ErrorCode::Unsupported, given.string(),
-                "holds " + std::to_string(inputs.size()) + " drives; name one of them, as " +
-                    inputs.front().filename().string());
+    throw SeveralSessions(given,
+                          "holds " + std::to_string(inputs.size()) + " drives; name one of them, as " +
+                              inputs.front().filename().string(),
+                          inputs);
   const fs::path path = inputs.empty() ? given : inputs.front();
   Session session;
   const std::string file = path.filename().string();

@@ -6444,6 +6444,10 @@ Calibrate again (F5).</source>
         <source>Session %1 was left out: its INS motion and its registrations contradict each other.</source>
         <translation>数据 %1 未采用：其惯导运动与配准相互矛盾。</translation>
     </message>
+    <message>
+        <source>is no session itself; open those of one vehicle below it:%1</source>
+        <translation>本身不是数据；请打开其下属于同一辆车的数据：%1</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>

@@ -10,6 +10,7 @@
 #include "model/io/bag/split_bag.h"
 #include "model/io/bag/sqlite_bag.h"
 #include "model/io/input_file.h"
+#include "model/io/several_sessions.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -46,10 +47,10 @@ std::shared_ptr<const BagFile> open_only_bag(const fs::path& folder, Progress& p
   const std::vector<fs::path> bags = bags_in(folder);
   if (bags.empty()) throw Error(ErrorCode::Format, folder.string(), "holds no bag");
   if (bags.size() == 1) return open_bag(bags[0], progress);
-  std::string list;
-  for (std::size_t i = 0; i < std::min<std::size_t>(bags.size(), 20); ++i) list += "\n  " + bags[i].filename().string();
-  throw Error(ErrorCode::Unsupported, folder.string(),
-              "holds " + std::to_string(bags.size()) + " bags and no metadata.yaml; open them one by one:" + list);
+  throw SeveralSessions(
+      folder,
+      "holds " + std::to_string(bags.size()) + " bags and no metadata.yaml; open them one by one:" + list_of(bags),
+      bags);
 }
 
 std::shared_ptr<const BagFile> open_parts(const fs::path& folder, Progress& progress) {

@@ -9,6 +9,7 @@
 #include "model/io/number_text.h"
 #include "model/io/pose_file.h"
 #include "model/io/session_reader.h"
+#include "model/io/several_sessions.h"
 #include "model/io/time_stamp.h"
 #include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
@@ -237,6 +238,29 @@ TEST(pose_session_reader, real_rigs) {
   EXPECT_GT(session.world_from_ins.size(), 1900u);
   EXPECT_NE(find(session, "pose-duplicate-stamps"), nullptr);
   EXPECT_ERROR(open(shared_data() / "ethz"), "holds several pose files");
+}
+
+// ---- Folders of sessions
+
+TEST(several_sessions, are_named_so_that_they_can_be_opened) {
+  const TemporaryFolder folder;
+  for (const char* drive : {"day/2011_09_26_drive_0001_sync", "day/2011_09_26_drive_0002_sync"})
+    write_kitti(folder, drive);
+  folder.write("logs/monday/a_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
+  folder.write("logs/tuesday/b_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
+  folder.write("logs/notes/readme.txt", "nothing\n");
+  for (const char* below : {"day", "logs"}) {
+    try {
+      open(folder.path() / below);
+      ADD_FAILURE() << below << " was opened";
+    } catch (const SeveralSessions& several) {
+      ASSERT_EQ(several.sessions().size(), 2U) << several.what();
+      for (const auto& path : several.sessions()) {
+        EXPECT_TRUE(contains(several.what(), path.string())) << several.what();
+        EXPECT_NO_THROW(open(path)) << path;
+      }
+    }
+  }
 }
 
 // ---- What no reader knows
