@@ -3,7 +3,9 @@
 
 #include <QDoubleSpinBox>
 #include <QImage>
+#include <QLabel>
 #include <QRadioButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 #include <numeric>
@@ -226,6 +228,22 @@ TEST(progress_strip, says_how_long_only_when_it_can_know) {
   EXPECT_TRUE(remaining_text(5000, 0, 100).isEmpty());
   EXPECT_EQ(remaining_text(10000, 50, 100), "about 10 s left in this step");
   EXPECT_EQ(remaining_text(60000, 25, 100), "about 3 min left in this step");
+}
+
+TEST(progress_strip, goes_on_estimating_while_a_step_reports_nothing) {
+  ProgressStrip strip;
+  strip.start("Calibrating");
+  const auto seconds_left = [&] {
+    static const QRegularExpression number("about (\\d+) s left");
+    for (const QLabel* label : strip.findChildren<QLabel*>())
+      if (const auto match = number.match(label->text()); match.hasMatch()) return match.captured(1).toInt();
+    return 0;
+  };
+  strip.show_progress("aligning", 0, 9);
+  strip.show_progress("aligning", 1, 9);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return seconds_left() > 0; }, 5000));
+  const int first_s = seconds_left();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seconds_left() > first_s; }, 5000)) << first_s << " s, and stays so";
 }
 
 }  // namespace
