@@ -21,8 +21,8 @@ constexpr double kBefore_m = 90.0, kBeyond_m = 130.0;  ///< built before the sta
 /// Sets things beside the road by their place along and across it.
 class RoadBuilder {
  public:
-  RoadBuilder(const Road& road, const Ground& ground, RandomStream random)
-      : random(random), road_(road), ground_(ground) {}
+  RoadBuilder(const Road& road, const Ground& ground, RandomStream numbers)
+      : random(numbers), road_(road), ground_(ground) {}
 
   double height_m(double along_m, double left_m) const {
     const Vector2d p = road_.point_in_road(along_m, left_m);

@@ -55,8 +55,12 @@ TEST(trajectory_solver, what_has_converged_from_a_start_far_off_is_the_minimum) 
       const double off = difference(reached.state.ins_from_lidar, found.state.ins_from_lidar).cwiseAbs().maxCoeff();
       std::printf("  %.2f rad about axis %d: %s after %d, %.2g off\n", away_rad, axis,
                   found.converged ? "converged" : "not converged", found.iterations, off);
-      if (found.converged) EXPECT_LT(off, 1e-4);
-      if (away_rad < 0.2) EXPECT_TRUE(found.converged);
+      if (found.converged) {
+        EXPECT_LT(off, 1e-4);
+      }
+      if (away_rad < 0.2) {
+        EXPECT_TRUE(found.converged);
+      }
     }
 }
 
