@@ -119,6 +119,7 @@ DriveOverview drive_overview(const Session& session, std::size_t most) {
   drive.ins_gaps = gaps_of(ins, drive.ins, drive);
   describe_track(session, poses, most, drive);
   for (const std::int64_t stamp_ns : lidar) drive.scans_m.push_back(place_at(poses, stamp_ns));
+  drive.outlook = motion_outlook(session);
   return drive;
 }
 

@@ -113,6 +113,31 @@ const std::vector<const char*>& file_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "is empty"),
       QT_TRANSLATE_NOOP("remount::model", "is empty (0 bytes), expected the log or manifest of a session"),
       QT_TRANSLATE_NOOP("remount::model", "is no session that Remount knows. It looks for:%1"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "gnss-log: an NMEA log (GGA, with PASHR or HDT for attitude) or a GPX track, and a file of "
+                        "LiDAR poses"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "KITTI raw drive: a folder <date>_drive_XXXX_sync or _extract with oxts/ and velodyne_points/"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Remount session: a folder with session.yaml (or that file) that declares scans or LiDAR poses "
+                        "and an INS table"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "NovAtel INSPVAX: an ASCII log (#INSPVAXA) or a CSV exported from a bag, in a folder with LiDAR "
+          "poses (A-LOAM CSV, TUM, ETH CSV)"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "OpenCalib: a folder with pose lines (stamp and 12 numbers) of the INS, and PCD files named by "
+                        "their stamps or LiDAR poses"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Pose files: a folder with two (TUM, ETH CSV, A-LOAM CSV, pose lines), one named "
+                        "ins/imu/hand/vicon/body, one lidar/camera/cam/odom/laser; or a single one to inspect"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "smartLoc: NAME_Input.txt with odom3 lines (wheel speed, turn rate), or a folder with one, and "
+                        "NAME_GT.txt beside it"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "ROS bag: .bag (ROS 1), .mcap or .db3 (ROS 2), or a folder that holds one; PointCloud2 or Livox "
+          "scans, and INSPVAX, Odometry, poses, or NavSatFix with Imu"),
       QT_TRANSLATE_NOOP("remount::model", "lies outside the search range: %1. Correct it, or widen the search range."),
       QT_TRANSLATE_NOOP("remount::model", "cannot be opened: %1"),
       QT_TRANSLATE_NOOP("remount::model", "cannot be read: %1"),

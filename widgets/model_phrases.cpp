@@ -89,7 +89,8 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "x and y need more rotation: drive tighter turns, in both directions."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while "
-                        "turning. Until then z stays at the nominal value; measure it by tape where it matters."),
+                        "turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape "
+                        "where it matters."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Yaw and pitch need travel: drive at least a few tens of metres with good INS quality."),
       QT_TRANSLATE_NOOP("remount::model", "Roll needs turns or slopes: a straight drive does not show it."),
@@ -115,6 +116,11 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "joint clouds"),
       QT_TRANSLATE_NOOP("remount::model", "pair %1"),
       QT_TRANSLATE_NOOP("remount::model", "pairs %1 + %2"),
+      QT_TRANSLATE_NOOP("remount::model", "all pairs: Park-Martin"),
+      QT_TRANSLATE_NOOP("remount::model", "all pairs: dual quaternion"),
+      QT_TRANSLATE_NOOP("remount::model", "all pairs: joint quadratic"),
+      QT_TRANSLATE_NOOP("remount::model", "all pairs: certified optimum"),
+      QT_TRANSLATE_NOOP("remount::model", "all pairs: best found in range"),
       QT_TRANSLATE_NOOP("remount::model", "aligning all clouds"),
       QT_TRANSLATE_NOOP("remount::model", "finding objects"),
       QT_TRANSLATE_NOOP("remount::model", "findings"),

@@ -51,8 +51,16 @@ Patterns& patterns() {
   return all;
 }
 
-/// What stands for a "%1": a sentence, a phrase, or phrases with commas between them.
+/// What stands for a "%1": a sentence, a phrase, phrases with commas between them, or lines of a list.
 QString captured_text(const QString& text, const Patterns& all) {
+  if (text.startsWith(QLatin1Char('\n'))) {
+    QStringList lines = text.split(QLatin1Char('\n'));
+    for (QString& line : lines) {
+      const QString words = line.trimmed();
+      line = line.left(line.indexOf(words)) + model_text(words);
+    }
+    return lines.join(QLatin1Char('\n'));
+  }
   const QString whole = model_text(text);
   if (whole != text || !text.contains(QLatin1String(kComma))) return whole;
   QStringList parts = text.split(QLatin1String(kComma));
@@ -63,14 +71,24 @@ QString captured_text(const QString& text, const Patterns& all) {
   return parts.join(translated(kComma));
 }
 
+// "%1 with %2" fits many a sentence that it says nothing about: what stands in such a one is known or a name.
+constexpr qsizetype kFewLetters = 16;
+bool may_stand_in_few_words(const QString& captured, const QString& words) {
+  return words != captured || captured.count(QLatin1Char(' ')) < 3;
+}
+
 QString by_pattern(const QString& text, const Patterns& all) {
   for (const Pattern& pattern : all.list) {
     const QRegularExpressionMatch match = pattern.expression.match(text);
     if (!match.hasMatch()) continue;
     QString sentence = pattern.translation;
-    for (int i = 1; i < match.lastCapturedIndex() + 1; ++i)
-      sentence.replace(QStringLiteral("%%1").arg(i), captured_text(match.captured(QStringLiteral("a%1").arg(i)), all));
-    return sentence;
+    bool fits = true;
+    for (int i = 1; i < match.lastCapturedIndex() + 1; ++i) {
+      const QString captured = match.captured(QStringLiteral("a%1").arg(i)), words = captured_text(captured, all);
+      fits = fits && (pattern.letters > kFewLetters || may_stand_in_few_words(captured, words));
+      sentence.replace(QStringLiteral("%%1").arg(i), words);
+    }
+    if (fits) return sentence;
   }
   return text;
 }

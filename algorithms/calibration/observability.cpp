@@ -53,8 +53,7 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
   if (!observed[2])
     result.advice.push_back(
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
-        "then z stays "
-        "at the nominal value; measure it by tape where it matters.");
+        "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.");
   if (!observed[3] || !observed[4])
     result.advice.push_back("Yaw and pitch need travel: drive at least a few tens of metres with good INS quality.");
   if (!observed[5]) result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");

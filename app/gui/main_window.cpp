@@ -1,5 +1,6 @@
 #include "app/gui/main_window.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
@@ -20,6 +21,7 @@
 #include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/gui/project_keeper.h"
 #include "app/gui/remembering.h"
@@ -62,7 +64,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
       turns_(new TurnQueue(this)) {
   setWindowTitle(tr("Remount"));
   setAcceptDrops(true);
-  resize(QSize(1280, 900).boundedTo(screen()->availableSize()));  // or a small screen cuts the status strip off
+  resize(QSize(1280, 900).boundedTo(room_for_content()));  // or a small screen cuts the status strip off
   make_centre();
   make_docks();
   progress_ = new ProgressStrip(this);
@@ -85,6 +87,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
     if (settings.value("angles/radians").toBool()) set_angle_unit(AngleUnit::Radians);
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
+    resize(size().boundedTo(room_for_content()));  // the screen may be another
   }
   show_sessions();
   show_output();
@@ -92,6 +95,11 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
 }
 
 MainWindow::~MainWindow() = default;
+
+QSize MainWindow::room_for_content() const {
+  // How high the frame is, nobody knows before the window is shown.
+  return screen()->availableSize() - QSize(8, style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, this) + 12);
+}
 
 void MainWindow::make_centre() {
   steps_ = new StepBar(this);
@@ -131,6 +139,14 @@ QDockWidget* MainWindow::make_dock(const QString& title, const QString& name, QW
   dock->setObjectName(name);
   dock->setWidget(content);
   addDockWidget(area, dock);
+  // A panel behind another keeps the focus otherwise: F1 and keys would be for what is not seen.
+  connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {
+    const QList<QDockWidget*> others = tabifiedDockWidgets(dock);
+    const bool behind = std::any_of(others.begin(), others.end(), [](const QDockWidget* other) {
+      return other->isAncestorOf(QApplication::focusWidget());
+    });
+    if (seen && behind) dock->widget()->setFocus();
+  });
   return dock;
 }
 

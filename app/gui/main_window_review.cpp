@@ -40,7 +40,7 @@ void MainWindow::make_review_menu() {
   review.addSeparator();
   add_review(review, "next", tr("&Next pair"), "N", [this] { go(1, false); });
   add_review(review, "previous", tr("&Previous pair"), "P", [this] { go(-1, false); });
-  add_review(review, "next-undecided", tr("Next &undecided pair"), "U", [this] { go(1, true); });
+  add_review(review, "next-undecided", tr("Next pair that yo&u have not decided"), "U", [this] { go(1, true); });
   review.addSeparator();
   QAction* flip = add_review(review, "flip", tr("&Flip before and after"), "Space", [this] { pair_view_->flip(); });
   // In the whole window Space would no longer press the button that has the focus.

@@ -71,7 +71,9 @@ void describe_pairs(const PipelineOutput& output, bool stale, std::array<StepInf
                        needed ? Words::tr("%1 pairs").arg(pairs) : Words::tr("not needed")};
   step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale ? StepState::Done : StepState::Attention,
                        needed ? Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : Words::tr("not needed")};
-  step(Step::Review) = {counts.accepted > counts.rejected || !needed ? StepState::Done : StepState::Attention,
+  // The program's own decisions are no review, and may be all that is needed.
+  const StepState reviewed = counts.by_user > 0 || !needed ? StepState::Done : StepState::Next;
+  step(Step::Review) = {counts.accepted > counts.rejected || !needed ? reviewed : StepState::Attention,
                         needed ? Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)
                                : Words::tr("not needed")};
   if (stale) step(Step::Pairs) = {StepState::Attention, Words::tr("changed: F5 again")};

@@ -47,7 +47,7 @@
     </message>
     <message>
         <source>over %1</source>
-        <translation>超过 %1</translation>
+        <translation>横轴 %1</translation>
     </message>
 </context>
 <context>
@@ -78,15 +78,15 @@
     </message>
     <message>
         <source>x [m]</source>
-        <translation>x [米]</translation>
+        <translation>x [m]</translation>
     </message>
     <message>
         <source>y [m]</source>
-        <translation>y [米]</translation>
+        <translation>y [m]</translation>
     </message>
     <message>
         <source>z [m]</source>
-        <translation>z [米]</translation>
+        <translation>z [m]</translation>
     </message>
     <message>
         <source>yaw [°]</source>
@@ -144,7 +144,7 @@
     </message>
     <message>
         <source>x forward → [m]</source>
-        <translation>x 前向 → [米]</translation>
+        <translation>x 前向 → [m]</translation>
     </message>
     <message>
         <source>No points within the heights.</source>
@@ -175,7 +175,7 @@
     </message>
     <message>
         <source> m</source>
-        <translation> 米</translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>Session of the scan</source>
@@ -255,7 +255,7 @@
     </message>
     <message>
         <source>Free [m]</source>
-        <translation>净距 [米]</translation>
+        <translation>净距 [m]</translation>
     </message>
     <message>
         <source>With result</source>
@@ -372,7 +372,7 @@
     <name>remount::DistanceLegend</name>
     <message>
         <source> m</source>
-        <translation> 米</translation>
+        <translation> m</translation>
     </message>
     <message>
         <source>End of the distance scale</source>
@@ -388,11 +388,11 @@
     </message>
     <message>
         <source>nothing within %1 m</source>
-        <translation>%1 米以内没有</translation>
+        <translation>%1 m 以内没有</translation>
     </message>
     <message>
         <source>Median distance of the points of scan a that have a surface of scan b within %1 m, as shown</source>
-        <translation>所示状态下，扫描 a 中在 %1 米内有扫描 b 表面的点的距离中位数</translation>
+        <translation>所示状态下，扫描 a 中在 %1 m 内有扫描 b 表面的点的距离中位数</translation>
     </message>
     <message>
         <source>Distance to scan b: 0</source>
@@ -404,7 +404,7 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 米</translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>median …</source>
@@ -447,7 +447,7 @@
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 米</translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>N</source>
@@ -486,7 +486,7 @@
     </message>
     <message>
         <source>%1 s, %2 m travelled</source>
-        <translation>%1 秒，行驶 %2 米</translation>
+        <translation>%1 秒，行驶 %2 m</translation>
     </message>
     <message>
         <source>Drive that is shown</source>
@@ -499,6 +499,18 @@
     <message>
         <source>Click selects a pair, the wheel zooms, dragging pans, Home shows all</source>
         <translation>点击选择帧对，滚轮缩放，拖动平移，Home 显示全部</translation>
+    </message>
+    <message>
+        <source>Its motion can tell all of X</source>
+        <translation>其运动能确定 X 的全部参数</translation>
+    </message>
+    <message>
+        <source>Its motion can tell nothing of X</source>
+        <translation>其运动不能确定 X 的任何参数</translation>
+    </message>
+    <message>
+        <source>Its motion can tell %1; not %2</source>
+        <translation>其运动能确定 %1；不能确定 %2</translation>
     </message>
 </context>
 <context>
@@ -541,11 +553,11 @@
     </message>
     <message>
         <source>position sigma of the INS [m]</source>
-        <translation>INS 位置标准差 [米]</translation>
+        <translation>INS 位置标准差 [m]</translation>
     </message>
     <message>
         <source>speed [m/s] (the log states no sigma)</source>
-        <translation>速度 [米/秒]（记录未说明标准差）</translation>
+        <translation>速度 [m/s]（记录未说明标准差）</translation>
     </message>
     <message>
         <source>0 s</source>
@@ -557,13 +569,13 @@
     </message>
     <message>
         <source>%1 s: fix %2, %3 m/s</source>
-        <translation>%1 秒：定位 %2，%3 米/秒</translation>
+        <translation>%1 秒：定位 %2，%3 m/s</translation>
     </message>
     <message>
         <source>
 sigma: position %1 m, attitude %2°</source>
         <translation>
-标准差：位置 %1 米，姿态 %2°</translation>
+标准差：位置 %1 m，姿态 %2°</translation>
     </message>
 </context>
 <context>
@@ -696,7 +708,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <name>remount::HoldOutView</name>
     <message>
         <source>%1°, %2 mm</source>
-        <translation>%1°，%2 毫米</translation>
+        <translation>%1°，%2 mm</translation>
     </message>
     <message>
         <source>%1 alone gives no result: %2</source>
@@ -1143,10 +1155,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>上一帧对(&amp;P)</translation>
     </message>
     <message>
-        <source>Next &amp;undecided pair</source>
-        <translation>下一个未决定的帧对(&amp;U)</translation>
-    </message>
-    <message>
         <source>&amp;Blink</source>
         <translation>闪烁(&amp;B)</translation>
     </message>
@@ -1218,7 +1226,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
     <message>
         <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
-        <translation>帧对 %1：%2 → %3，%4 米，%5°。%6</translation>
+        <translation>帧对 %1：%2 → %3，%4 m，%5°。%6</translation>
     </message>
     <message>
         <source>Pair %1 comes from LiDAR poses: there are no scans to show.</source>
@@ -1345,6 +1353,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Not saved yet</source>
         <translation>尚未保存</translation>
+    </message>
+    <message>
+        <source>Next pair that yo&amp;u have not decided</source>
+        <translation>下一个您尚未判定的帧对(&amp;U)</translation>
     </message>
 </context>
 <context>
@@ -1644,7 +1656,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <name>remount::ObstacleDialog</name>
     <message>
         <source>%1 m</source>
-        <translation>%1 米</translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>no obstacle</source>
@@ -1790,7 +1802,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
     <message>
         <source>Δt [cm]</source>
-        <translation>Δt [厘米]</translation>
+        <translation>Δt [cm]</translation>
     </message>
     <message>
         <source>Translation residual of P X = X Q under the present result</source>
@@ -1806,7 +1818,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
     <message>
         <source>RMSE [cm]</source>
-        <translation>RMSE [厘米]</translation>
+        <translation>RMSE [cm]</translation>
     </message>
     <message>
         <source>Of the inlier residuals of the alignment</source>
@@ -1846,7 +1858,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
     <message>
         <source>Base [m]</source>
-        <translation>基线 [米]</translation>
+        <translation>基线 [m]</translation>
     </message>
     <message>
         <source>Distance between the two INS positions</source>
@@ -2025,7 +2037,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
     <message>
         <source>x %1, y %2, z %3 m</source>
-        <translation>x %1，y %2，z %3 米</translation>
+        <translation>x %1，y %2，z %3 m</translation>
     </message>
     <message>
         <source>Point of %1: %2 in LiDAR axes of %1; %3 in %4. </source>
@@ -2033,11 +2045,11 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
     <message>
         <source>Nothing of %1 within %2 m as shown.</source>
-        <translation>所示状态下 %2 米以内没有 %1 的任何点。</translation>
+        <translation>所示状态下 %2 m 以内没有 %1 的任何点。</translation>
     </message>
     <message>
         <source>%1 m from the surfaces of %2 as shown.</source>
-        <translation>所示状态下离 %2 的表面 %1 米。</translation>
+        <translation>所示状态下离 %2 的表面 %1 m。</translation>
     </message>
     <message>
         <source>INS axes at scan b</source>
@@ -2527,7 +2539,7 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
     </message>
     <message>
         <source>Pair %1, from above, under the result. Residual %2 cm, %3°, RMSE %4 cm.</source>
-        <translation>帧对 %1，俯视，按结果。残差 %2 厘米、%3°，RMSE %4 厘米。</translation>
+        <translation>帧对 %1，俯视，按结果。残差 %2 cm、%3°，RMSE %4 cm。</translation>
     </message>
     <message>
         <source>Pair %1, from above, under the nominal mounting.</source>
@@ -2666,7 +2678,7 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
     </message>
     <message>
         <source>residuals: %1 cm, %2° (rms)</source>
-        <translation>残差：%1 厘米，%2°（均方根）</translation>
+        <translation>残差：%1 cm，%2°（均方根）</translation>
     </message>
     <message>
         <source>E = %1 (Frobenius sum)</source>
@@ -2810,11 +2822,11 @@ Everything else works.</source>
     </message>
     <message>
         <source>%1 m</source>
-        <translation>%1 米</translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>Distance %1 (x %2, y %3, z %4 m in %5). Esc ends measuring.</source>
-        <translation>距离 %1（在%5中 x %2，y %3，z %4 米）。Esc 结束测量。</translation>
+        <translation>距离 %1（在%5中 x %2，y %3，z %4 m）。Esc 结束测量。</translation>
     </message>
 </context>
 <context>
@@ -2919,7 +2931,7 @@ Everything else works.</source>
     </message>
     <message>
         <source>surfaces are %1 mm thick under the result, %2 mm under the nominal</source>
-        <translation>表面厚度在结果下为 %1 毫米，在名义下为 %2 毫米</translation>
+        <translation>表面厚度在结果下为 %1 mm，在名义下为 %2 mm</translation>
     </message>
     <message>
         <source>The map became sharper: %1.</source>
@@ -2947,7 +2959,7 @@ Everything else works.</source>
     </message>
     <message>
         <source>Thickness [mm]</source>
-        <translation>厚度 [毫米]</translation>
+        <translation>厚度 [mm]</translation>
     </message>
     <message>
         <source>Entropy</source>
@@ -3326,11 +3338,11 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma)</source>
-        <translation>与 INS 运动相差 %1 米、%2 度（%3 sigma）</translation>
+        <translation>与 INS 运动相差 %1 m、%2 度（%3 sigma）</translation>
     </message>
     <message>
         <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma); screw test failed</source>
-        <translation>与 INS 运动相差 %1 米、%2 度（%3 sigma）；螺旋检验未通过</translation>
+        <translation>与 INS 运动相差 %1 m、%2 度（%3 sigma）；螺旋检验未通过</translation>
     </message>
     <message>
         <source>does not determine %1</source>
@@ -3435,10 +3447,6 @@ Calibrate again (F5).</source>
     <message>
         <source>x and y need more rotation: drive tighter turns, in both directions.</source>
         <translation>x 和 y 需要更大的转动：向两个方向走更急的弯。</translation>
-    </message>
-    <message>
-        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then z stays at the nominal value; measure it by tape where it matters.</source>
-        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前 z 保持名义值；重要时请用卷尺测量。</translation>
     </message>
     <message>
         <source>Yaw and pitch need travel: drive at least a few tens of metres with good INS quality.</source>
@@ -4226,15 +4234,15 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>Surfaces in the accumulated scans are %1 mm thick under the result and %2 mm under the nominal: the map contradicts the result. Look at the pairs and at the clock offset before using it.</source>
-        <translation>累积扫描中的表面，按结果厚 %1 毫米，按名义安装厚 %2 毫米：地图与结果矛盾。使用前请查看帧对和时钟偏差。</translation>
+        <translation>累积扫描中的表面，按结果厚 %1 mm，按名义安装厚 %2 mm：地图与结果矛盾。使用前请查看帧对和时钟偏差。</translation>
     </message>
     <message>
         <source>The result lies %1 deg and %2 m from the nominal mounting. The LiDAR sits otherwise than assumed, or the nominal has other axes or signs.</source>
-        <translation>结果与名义安装相差 %1° 和 %2 米。激光雷达的安装与假设不同，或名义值的坐标轴或符号不同。</translation>
+        <translation>结果与名义安装相差 %1° 和 %2 m。激光雷达的安装与假设不同，或名义值的坐标轴或符号不同。</translation>
     </message>
     <message>
         <source>The result lies %1 deg and %2 m from the nominal mounting. The inverse of the nominal is near: was lidar_from_ins given for ins_from_lidar?</source>
-        <translation>结果与名义安装相差 %1° 和 %2 米。名义值的逆与结果接近：是否把 lidar_from_ins 当作 ins_from_lidar 给出了？</translation>
+        <translation>结果与名义安装相差 %1° 和 %2 m。名义值的逆与结果接近：是否把 lidar_from_ins 当作 ins_from_lidar 给出了？</translation>
     </message>
     <message>
         <source>The column &apos;time&apos; was rounded, as a spreadsheet does; GPS time is used, nothing is lost.</source>
@@ -5062,7 +5070,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>m</source>
-        <translation>米</translation>
+        <translation>m</translation>
     </message>
     <message>
         <source>deg</source>
@@ -5282,7 +5290,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>Positions of an antenna show no attitude; of its place %1 observed. End error of wheels and yaw rate: %2 m in %3 m (%4%).</source>
-        <translation>天线的位置不反映姿态；其坐标中%1观测到。轮速和偏航角速度的终点误差：%3 米内 %2 米（%4%）。</translation>
+        <translation>天线的位置不反映姿态；其坐标中%1观测到。轮速和偏航角速度的终点误差：%3 m 内 %2 m（%4%）。</translation>
     </message>
     <message>
         <source>x and y are</source>
@@ -5378,7 +5386,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>what moved spans only %1 by %2 m (root mean square)</source>
-        <translation>运动部分的范围只有 %1 × %2 米（均方根）</translation>
+        <translation>运动部分的范围只有 %1 × %2 m（均方根）</translation>
     </message>
     <message>
         <source>The turn gives no circle: %1.</source>
@@ -5402,7 +5410,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>The LiDAR runs on a circle of %1 m radius with residuals of %2 m: it sits too near the slew axis for its circle to have a plane.</source>
-        <translation>激光雷达沿半径 %1 米的圆运动，残差 %2 米：它离回转轴太近，其圆无法确定平面。</translation>
+        <translation>激光雷达沿半径 %1 m 的圆运动，残差 %2 m：它离回转轴太近，其圆无法确定平面。</translation>
     </message>
     <message>
         <source>Mount the LiDAR farther from the slew axis, or use a registration with smaller errors (finer voxels).</source>
@@ -5786,11 +5794,11 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>x of the lidar at the start [m]</source>
-        <translation>起点处激光雷达 x 轴 [米]</translation>
+        <translation>起点处激光雷达 x 轴 [m]</translation>
     </message>
     <message>
         <source>y of the lidar at the start [m]</source>
-        <translation>起点处激光雷达 y 轴 [米]</translation>
+        <translation>起点处激光雷达 y 轴 [m]</translation>
     </message>
     <message>
         <source>time [s]</source>
@@ -5798,7 +5806,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>z of the lidar at the start [m]</source>
-        <translation>起点处激光雷达 z 轴 [米]</translation>
+        <translation>起点处激光雷达 z 轴 [m]</translation>
     </message>
     <message>
         <source>angle [deg]</source>
@@ -5806,7 +5814,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>rms distance of features [m]</source>
-        <translation>特征距离的均方根 [米]</translation>
+        <translation>特征距离的均方根 [m]</translation>
     </message>
     <message>
         <source>height</source>
@@ -5890,7 +5898,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>mm</source>
-        <translation>毫米</translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>LiDAR</source>
@@ -6054,11 +6062,11 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>The position jumps %1 times, the farthest by %2 m at %3.</source>
-        <translation>位置跳变 %1 次，最大一次在 %3，为 %2 米。</translation>
+        <translation>位置跳变 %1 次，最大一次在 %3，为 %2 m。</translation>
     </message>
     <message>
         <source>The stated error of the position grows from %1 m to %2 m in %3 stretches, %4 % of the drive: corrections (RTK) were lost.</source>
-        <translation>位置的标称误差从 %1 米增大到 %2 米，共 %3 段，占行程的 %4 %：差分改正（RTK）丢失。</translation>
+        <translation>位置的标称误差从 %1 m 增大到 %2 m，共 %3 段，占行程的 %4 %：差分改正（RTK）丢失。</translation>
     </message>
     <message>
         <source>The drive would lie in the sea at latitude %1, longitude %2 degrees: these are radians that are taken for degrees.</source>
@@ -6447,6 +6455,62 @@ Calibrate again (F5).</source>
     <message>
         <source>is no session itself; open those of one vehicle below it:%1</source>
         <translation>本身不是数据；请打开其下属于同一辆车的数据：%1</translation>
+    </message>
+    <message>
+        <source>gnss-log: an NMEA log (GGA, with PASHR or HDT for attitude) or a GPX track, and a file of LiDAR poses</source>
+        <translation>gnss-log：NMEA 日志（GGA，姿态用 PASHR 或 HDT）或 GPX 轨迹，以及一个激光雷达位姿文件</translation>
+    </message>
+    <message>
+        <source>KITTI raw drive: a folder &lt;date&gt;_drive_XXXX_sync or _extract with oxts/ and velodyne_points/</source>
+        <translation>KITTI raw：含 oxts/ 和 velodyne_points/ 的文件夹 &lt;date&gt;_drive_XXXX_sync 或 _extract</translation>
+    </message>
+    <message>
+        <source>Remount session: a folder with session.yaml (or that file) that declares scans or LiDAR poses and an INS table</source>
+        <translation>Remount 数据：含 session.yaml 的文件夹（或该文件），其中声明扫描或激光雷达位姿以及 INS 表</translation>
+    </message>
+    <message>
+        <source>NovAtel INSPVAX: an ASCII log (#INSPVAXA) or a CSV exported from a bag, in a folder with LiDAR poses (A-LOAM CSV, TUM, ETH CSV)</source>
+        <translation>NovAtel INSPVAX：ASCII 日志 (#INSPVAXA) 或从 bag 导出的 CSV，与激光雷达位姿（A-LOAM CSV、TUM、ETH CSV）在同一文件夹</translation>
+    </message>
+    <message>
+        <source>OpenCalib: a folder with pose lines (stamp and 12 numbers) of the INS, and PCD files named by their stamps or LiDAR poses</source>
+        <translation>OpenCalib：含 INS 位姿行（时间戳和 12 个数）以及按时间戳命名的 PCD 文件或激光雷达位姿的文件夹</translation>
+    </message>
+    <message>
+        <source>Pose files: a folder with two (TUM, ETH CSV, A-LOAM CSV, pose lines), one named ins/imu/hand/vicon/body, one lidar/camera/cam/odom/laser; or a single one to inspect</source>
+        <translation>位姿文件：含两个文件的文件夹（TUM、ETH CSV、A-LOAM CSV、位姿行），一个名为 ins/imu/hand/vicon/body，一个名为 lidar/camera/cam/odom/laser；或单个文件供查看</translation>
+    </message>
+    <message>
+        <source>smartLoc: NAME_Input.txt with odom3 lines (wheel speed, turn rate), or a folder with one, and NAME_GT.txt beside it</source>
+        <translation>smartLoc：含 odom3 行（轮速、转动角速度）的 NAME_Input.txt，或含它的文件夹，旁边有 NAME_GT.txt</translation>
+    </message>
+    <message>
+        <source>ROS bag: .bag (ROS 1), .mcap or .db3 (ROS 2), or a folder that holds one; PointCloud2 or Livox scans, and INSPVAX, Odometry, poses, or NavSatFix with Imu</source>
+        <translation>ROS bag：.bag (ROS 1)、.mcap 或 .db3 (ROS 2)，或含它的文件夹；PointCloud2 或 Livox 扫描，以及 INSPVAX、Odometry、位姿，或 NavSatFix 加 Imu</translation>
+    </message>
+    <message>
+        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.</source>
+        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前文件中的 z 为名义值，未给出名义值时为 0；重要时请用卷尺测量。</translation>
+    </message>
+    <message>
+        <source>all pairs: Park-Martin</source>
+        <translation>所有帧对：Park-Martin</translation>
+    </message>
+    <message>
+        <source>all pairs: dual quaternion</source>
+        <translation>所有帧对：对偶四元数</translation>
+    </message>
+    <message>
+        <source>all pairs: joint quadratic</source>
+        <translation>所有帧对：联合二次型</translation>
+    </message>
+    <message>
+        <source>all pairs: certified optimum</source>
+        <translation>所有帧对：经证明的最优解</translation>
+    </message>
+    <message>
+        <source>all pairs: best found in range</source>
+        <translation>所有帧对：范围内找到的最优解</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QWheelEvent>
 
@@ -42,6 +43,10 @@ TEST(drive_overview, tells_gaps_and_the_worst_fix_of_each_stretch) {
   EXPECT_GE(degraded, 1);
   EXPECT_NEAR((drive.scans_m[50] - drive.scans_m[0]).x(), 50.0, 0.5) << "one metre east with every scan";
   EXPECT_TRUE(drive_figures(drive).contains("1 gaps")) << drive_figures(drive).toStdString();
+  ASSERT_TRUE(drive.outlook.judged);
+  EXPECT_FALSE(drive.outlook.determinable[0]) << "straight on";
+  EXPECT_TRUE(drive_figures(drive).contains(QRegularExpression("motion can tell .*not x, y, z")))
+      << drive_figures(drive).toStdString();
 }
 
 TEST(drive_overview, of_poses_has_no_north_and_no_scan_is_placed_outside_the_data) {

@@ -25,6 +25,7 @@
 
 #include "app/gui/window_host.h"
 #include "model/checks/data_check.h"
+#include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
 #include "model/settings.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -124,11 +125,24 @@ TEST_F(chinese, sentences_of_the_model_are_recognised_by_pattern) {
       << "what stands for %1 is translated, too";
   EXPECT_EQ(
       model_text(QStringLiteral("contradicts the INS motion by 0.123 m, 0.045 deg (9.1 sigma); screw test failed")),
-      "与 INS 运动相差 0.123 米、0.045 度（9.1 sigma）；螺旋检验未通过");
+      "与 INS 运动相差 0.123 m、0.045 度（9.1 sigma）；螺旋检验未通过");
   EXPECT_EQ(model_text(QStringLiteral("something nobody has translated")), "something nobody has translated");
   speak("en", false);
   EXPECT_EQ(model_text(QStringLiteral("Solved; all six parameters are observed.")),
             "Solved; all six parameters are observed.");
+}
+
+TEST_F(chinese, what_no_reader_knows_is_told_line_by_line) {
+  QString said = QStringLiteral("is no session that Remount knows. It looks for:");
+  for (const auto& reader : session_readers())
+    said += QStringLiteral("\n  ") + QString::fromUtf8(reader->description());
+  const QStringList lines = model_text(said).split('\n');
+  ASSERT_EQ(lines.size(), std::ssize(session_readers()) + 1);
+  for (const QString& line : lines)
+    EXPECT_TRUE(line.contains(QRegularExpression("[\\x{4e00}-\\x{9fff}]"))) << line.toStdString();
+  EXPECT_EQ(model_text(QStringLiteral("a folder of the recorder with files that nobody has ever described")),
+            "a folder of the recorder with files that nobody has ever described")
+      << "one word of Chinese in English is worse than English";
 }
 
 TEST_F(chinese, sentences_of_the_methods_are_recognised_whatever_they_are_about) {
@@ -137,11 +151,11 @@ TEST_F(chinese, sentences_of_the_methods_are_recognised_whatever_they_are_about)
       << "a list is translated item by item";
   EXPECT_EQ(model_text(QStringLiteral("The LiDAR runs on a circle of 0.123 m radius with residuals of 0.045 m: it sits "
                                       "too near the slew axis for its circle to have a plane.")),
-            "激光雷达沿半径 0.123 米的圆运动，残差 0.045 米：它离回转轴太近，其圆无法确定平面。")
+            "激光雷达沿半径 0.123 m 的圆运动，残差 0.045 m：它离回转轴太近，其圆无法确定平面。")
       << "\"%1 with %2\" fits it too, and says less";
   EXPECT_EQ(model_text(QStringLiteral("drive1 and drive2 agree within what they claim: at most, z differs by 0.0123 m, "
                                       "1.2 times the sigma of both together.")),
-            "drive1与drive2在标称精度内一致：差别最大的z相差 0.0123 米，为两者合成标准差的 1.2 倍。");
+            "drive1与drive2在标称精度内一致：差别最大的z相差 0.0123 m，为两者合成标准差的 1.2 倍。");
   EXPECT_EQ(model_text(QStringLiteral("something, and something else")), "something, and something else");
 }
 

@@ -25,10 +25,16 @@ QString stream_figures(const QString& name, const StreamReport& stream) {
 }  // namespace
 
 QString drive_figures(const DriveOverview& drive) {
-  return QStringList{
+  QStringList lines{
       stream_figures(DrivePanel::tr("LiDAR"), drive.lidar), stream_figures(DrivePanel::tr("INS"), drive.ins),
-      DrivePanel::tr("%1 s, %2 m travelled").arg(drive.duration_s, 0, 'f', 1).arg(drive.travelled_m, 0, 'f', 0)}
-      .join('\n');
+      DrivePanel::tr("%1 s, %2 m travelled").arg(drive.duration_s, 0, 'f', 1).arg(drive.travelled_m, 0, 'f', 0)};
+  const QString told = QString::fromStdString(parameter_list(drive.outlook, true)),
+                untold = QString::fromStdString(parameter_list(drive.outlook, false));
+  if (drive.outlook.judged && untold.isEmpty()) lines << DrivePanel::tr("Its motion can tell all of X");
+  if (drive.outlook.judged && !untold.isEmpty())
+    lines << (told.isEmpty() ? DrivePanel::tr("Its motion can tell nothing of X")
+                             : DrivePanel::tr("Its motion can tell %1; not %2").arg(told, untold));
+  return lines.join('\n');
 }
 
 DrivePanel::DrivePanel(QWidget* parent)

@@ -280,7 +280,8 @@ void PairView::update_caption() {
   }
   const bool dark = is_dark(palette());
   const auto swatch = [](const char* color, const QString& text) {
-    return QStringLiteral(" &nbsp; <span style='color:%1'>■</span> %2").arg(QLatin1String(color), text);
+    return QStringLiteral(" &nbsp; <span style='color:%1'>■</span>&nbsp;%2")
+        .arg(QLatin1String(color), QString(text).replace(' ', QChar::Nbsp));
   };
   QString text = pair_caption_.toHtmlEscaped();
   const auto coloring = static_cast<SourceColoring>(coloring_->currentIndex());

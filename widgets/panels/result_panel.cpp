@@ -73,11 +73,11 @@ QString sharpness_table(const PipelineOutput& output) {
   for (const NamedSharpness& named : output.sharpness) {
     const QString name = named.source == "result"    ? ResultPanel::tr("after: result")
                          : named.source == "nominal" ? ResultPanel::tr("before: nominal")
-                                                     : QString::fromStdString(named.source);
+                                                     : model_text(named.source);
     const auto number = [](double value, int decimals) {
       return std::isfinite(value) ? QString::number(value, 'f', decimals) : QStringLiteral("–");
     };
-    rows += html_row({name, number(100.0 * named.sharpness.plane_thickness_m, 2) + QStringLiteral(" cm"),
+    rows += html_row({name, number(1e3 * named.sharpness.plane_thickness_m, 1) + QStringLiteral(" mm"),
                       number(named.sharpness.mean_map_entropy, 3)});
   }
   return html_table(ResultPanel::tr("Map sharpness (lower is sharper)"),
@@ -188,7 +188,6 @@ void ResultPanel::make_rows(QGridLayout& grid) {
   for (int column = 0; column < kColumns; ++column) {
     auto* title = new QLabel(titles[static_cast<std::size_t>(column)]);
     title->setAlignment(Qt::AlignRight);
-    title->setEnabled(false);
     grid.addWidget(title, kTitleRow, column);
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
