@@ -1217,10 +1217,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>重新标定 (F5)</translation>
     </message>
     <message>
-        <source>pose %1</source>
-        <translation>位姿 %1</translation>
-    </message>
-    <message>
         <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
         <translation>帧对 %1：%2 → %3，%4 米，%5°。%6</translation>
     </message>
@@ -2154,14 +2150,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>俯视</translation>
     </message>
     <message>
-        <source>Front</source>
-        <translation>前视</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>左视</translation>
-    </message>
-    <message>
         <source>Isometric</source>
         <translation>轴测</translation>
     </message>
@@ -2172,6 +2160,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>the axes of the plot (%1; %2; up)</source>
         <translation>曲线图的坐标轴（%1；%2；向上）</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>沿 y</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>沿 x</translation>
     </message>
 </context>
 <context>
@@ -6054,7 +6050,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>its times do not meet those of the INS or the LiDAR: %1</source>
-        <translation>其时间与 INS 或 LiDAR 的时间没有重叠：%1</translation>
+        <translation>其时间与 INS 或激光雷达的时间没有重叠：%1</translation>
     </message>
     <message>
         <source>The scan has %1 points only; the usual one has %2.</source>
@@ -6118,7 +6114,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>Synchronise the host with GPS (PTP, NTP, chrony); stamp scans by GPS time (PPS) where the LiDAR can.</source>
-        <translation>请使主机与 GPS 同步（PTP、NTP、chrony）；在 LiDAR 支持时用 GPS 时间（PPS）给扫描打时间戳。</translation>
+        <translation>请使主机与 GPS 同步（PTP、NTP、chrony）；在激光雷达支持时用 GPS 时间（PPS）给扫描打时间戳。</translation>
     </message>
     <message>
         <source>The host&apos;s clock cannot be judged.</source>
@@ -6146,7 +6142,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>Only turns tell where the LiDAR sits: straight driving tells how it is turned, no more.</source>
-        <translation>只有转弯才能说明 LiDAR 的位置：直线行驶只能说明它的朝向。</translation>
+        <translation>只有转弯才能说明激光雷达的位置：直线行驶只能说明它的朝向。</translation>
     </message>
     <message>
         <source>Drive at least one full turn to each side, a figure of eight for instance.</source>
@@ -6154,7 +6150,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>Only tilting tells the height: on level ground it keeps the nominal value.</source>
-        <translation>只有倾斜才能说明高度：在平地上高度保持标称值。</translation>
+        <translation>只有倾斜才能说明高度：在平地上高度保持名义值。</translation>
     </message>
     <message>
         <source>Drive over a ramp or a kerb, or measure the height and give it with --measured.</source>
@@ -6306,7 +6302,7 @@ Calibrate again (F5).</source>
     </message>
     <message>
         <source>The whole drive shrinks to centimetres, and nothing agrees with the LiDAR.</source>
-        <translation>整个行程缩小到厘米级，与 LiDAR 毫不相符。</translation>
+        <translation>整个行程缩小到厘米级，与激光雷达毫不相符。</translation>
     </message>
     <message>
         <source>Declare the unit of latitude and longitude as the log has it.</source>
@@ -6387,6 +6383,158 @@ Calibrate again (F5).</source>
     <message>
         <source>Of several topics this one serves as %1; not used: %2. --topic %3=TOPIC takes another.</source>
         <translation>在多个话题中，此话题用作 %1；未使用：%2。--topic %3=TOPIC 可改用其他话题。</translation>
+    </message>
+    <message>
+        <source>Remount result as YAML, with sigma, pairs and provenance</source>
+        <translation>Remount 结果（YAML），含 sigma、帧对和来源</translation>
+    </message>
+    <message>
+        <source>Remount result as JSON, with sigma, pairs and provenance</source>
+        <translation>Remount 结果（JSON），含 sigma、帧对和来源</translation>
+    </message>
+    <message>
+        <source>4x4 matrix as text</source>
+        <translation>4x4 矩阵（文本）</translation>
+    </message>
+    <message>
+        <source>ROS 1 launch file with a static_transform_publisher</source>
+        <translation>ROS 1 启动文件（static_transform_publisher）</translation>
+    </message>
+    <message>
+        <source>ROS 2 launch file (XML) with a static_transform_publisher</source>
+        <translation>ROS 2 启动文件（XML，static_transform_publisher）</translation>
+    </message>
+    <message>
+        <source>Autoware sensor_kit_calibration.yaml (kit base = the INS frame)</source>
+        <translation>Autoware sensor_kit_calibration.yaml（套件基座 = INS 坐标系）</translation>
+    </message>
+    <message>
+        <source>Apollo *_novatel_extrinsics.yaml, INS axes as in the result</source>
+        <translation>Apollo *_novatel_extrinsics.yaml，INS 轴与结果相同</translation>
+    </message>
+    <message>
+        <source>Apollo *_novatel_extrinsics.yaml, INS axes right-forward-up</source>
+        <translation>Apollo *_novatel_extrinsics.yaml，INS 轴为右-前-上</translation>
+    </message>
+    <message>
+        <source>KITTI calib_imu_to_velo.txt</source>
+        <translation>KITTI calib_imu_to_velo.txt</translation>
+    </message>
+    <message>
+        <source>OpenCalib extrinsic JSON</source>
+        <translation>OpenCalib 外参（JSON）</translation>
+    </message>
+    <message>
+        <source>URDF fixed joint</source>
+        <translation>URDF 固定关节</translation>
+    </message>
+    <message>
+        <source>lidar to ins: point_in_ins = ins_from_lidar * point_in_lidar</source>
+        <translation>激光雷达到 INS：point_in_ins = ins_from_lidar * point_in_lidar</translation>
+    </message>
+    <message>
+        <source>lidar to ins: point_in_ins = matrix * point_in_lidar</source>
+        <translation>激光雷达到 INS：point_in_ins = matrix * point_in_lidar</translation>
+    </message>
+    <message>
+        <source>lidar to ins (pose of the lidar frame in the ins frame)</source>
+        <translation>激光雷达到 INS（激光雷达坐标系在 INS 坐标系中的位姿）</translation>
+    </message>
+    <message>
+        <source>lidar to ins (pose of the lidar frame in the kit&apos;s base, in radians)</source>
+        <translation>激光雷达到 INS（激光雷达坐标系在套件基座中的位姿，角度为弧度）</translation>
+    </message>
+    <message>
+        <source>lidar to ins (header.frame_id from child_frame_id)</source>
+        <translation>激光雷达到 INS（由 child_frame_id 到 header.frame_id）</translation>
+    </message>
+    <message>
+        <source>lidar to ins, the INS axes turned from x forward, y left to x right, y forward</source>
+        <translation>激光雷达到 INS，INS 轴由 x 向前、y 向左转为 x 向右、y 向前</translation>
+    </message>
+    <message>
+        <source>ins to lidar, the inverse of X: point_in_lidar = R point_in_ins + T</source>
+        <translation>INS 到激光雷达，即 X 的逆：point_in_lidar = R point_in_ins + T</translation>
+    </message>
+    <message>
+        <source>ins to lidar, the inverse of X: point_in_lidar = matrix * point_in_ins</source>
+        <translation>INS 到激光雷达，即 X 的逆：point_in_lidar = matrix * point_in_ins</translation>
+    </message>
+    <message>
+        <source>the INS axes of this result are x right, y forward, z up already and must not be turned again: export it as apollo</source>
+        <translation>此结果的 INS 轴已是 x 向右、y 向前、z 向上，不得再转：请以 apollo 格式导出</translation>
+    </message>
+    <message>
+        <source>the result does not say which axes its INS has, so that they cannot be turned: export it as apollo, which leaves them as they are</source>
+        <translation>结果没有说明其 INS 的轴向，因此无法转换：请以 apollo 格式导出，它保持原样</translation>
+    </message>
+    <message>
+        <source>the mounting is given in INS axes %1; it is turned to those of the log, %2</source>
+        <translation>给出的安装采用 INS 轴 %1；已转到日志的轴 %2</translation>
+    </message>
+    <message>
+        <source>%1 session, now %2</source>
+        <translation>%1 份数据，现为 %2 份</translation>
+    </message>
+    <message>
+        <source>%1 sessions, now %2</source>
+        <translation>%1 份数据，现为 %2 份</translation>
+    </message>
+    <message>
+        <source>nominal mounting unknown, now given</source>
+        <translation>当时没有名义安装，现已给出</translation>
+    </message>
+    <message>
+        <source>nominal mounting given, now unknown</source>
+        <translation>当时给出了名义安装，现为未知</translation>
+    </message>
+    <message>
+        <source>another nominal mounting</source>
+        <translation>名义安装已不同</translation>
+    </message>
+    <message>
+        <source>%1, now %2</source>
+        <translation>%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>range.%1: the minimum %2 exceeds the maximum %3</source>
+        <translation>range.%1：最小值 %2 大于最大值 %3</translation>
+    </message>
+    <message>
+        <source>%1 = %2 exceeds %3 = %4</source>
+        <translation>%1 = %2 大于 %3 = %4</translation>
+    </message>
+    <message>
+        <source>vehicle_frame.scale and vehicle_frame.estimate_wheel_scale: one of the two must be known</source>
+        <translation>vehicle_frame.scale 与 vehicle_frame.estimate_wheel_scale：两者必须已知其一</translation>
+    </message>
+    <message>
+        <source>pole</source>
+        <translation>杆</translation>
+    </message>
+    <message>
+        <source>facade</source>
+        <translation>立面</translation>
+    </message>
+    <message>
+        <source>vehicle-sized</source>
+        <translation>车辆大小</translation>
+    </message>
+    <message>
+        <source>small</source>
+        <translation>小</translation>
+    </message>
+    <message>
+        <source>large</source>
+        <translation>大</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s rear end is not behind its front end</source>
+        <translation>轮廓的后端不在前端之后</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s right side is not right of its left side</source>
+        <translation>轮廓的右侧不在左侧之右</translation>
     </message>
 </context>
 <context>
@@ -6664,6 +6812,10 @@ Then calibrate: F5.</source>
     <message>
         <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow.</source>
         <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新。</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>位姿 %1</translation>
     </message>
 </context>
 <context>
