@@ -18,9 +18,9 @@
 namespace remount {
 namespace {
 
-QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
-
-QString label_of(const OptionInfo& info) { return option_label(text(info.name), text(info.unit)); }
+QString label_of(const OptionInfo& info) {
+  return option_label(QString::fromUtf8(info.name), QString::fromUtf8(info.unit));
+}
 
 /// Adds one editor for each option; `changed` is called after the member has its new value.
 struct FormBuilder {
@@ -35,7 +35,7 @@ struct FormBuilder {
   void operator()(const OptionInfo& info, double& member) {
     auto* spin = new QDoubleSpinBox;
     spin->setRange(info.minimum, info.maximum);
-    spin->setSuffix(' ' + text(info.unit));
+    spin->setSuffix(' ' + QString::fromUtf8(info.unit));
     spin->setSingleStep(0.1);
     spin->setKeyboardTracking(false);
     spin->setValue(member);
@@ -112,7 +112,8 @@ void ObstacleDialog::check() {
                               options_);
   } catch (const Error& error) {
     table_->setRowCount(0);
-    verdict_->setText(QString::fromStdString(error.what_happened()));
+    set_style(*verdict_, "color: " + bad_color(palette()).name());
+    verdict_->setText(model_text(error.what_happened()));
     return;
   }
   const auto words = [](const ObstacleCheck& result) {
@@ -137,9 +138,10 @@ void ObstacleDialog::check() {
   for (int row = 0; row < table_->rowCount(); ++row) {
     const ObstacleDifference& entry = found.rows[static_cast<std::size_t>(row)];
     const double change_m = entry.calibrated_distance_m - entry.nominal_distance_m;
-    const std::array<QString, 4> cells{QStringLiteral("%1 %2").arg(entry.object).arg(text(to_string(entry.shape))),
-                                       distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
-                                       std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
+    const std::array<QString, 4> cells{
+        QStringLiteral("%1 %2").arg(entry.object).arg(model_text(to_string(entry.shape))),
+        distance(entry.nominal_distance_m), distance(entry.calibrated_distance_m),
+        std::isfinite(change_m) ? tr("%1 m").arg(change_m, 0, 'f', 3) : QString()};
     for (int column = 0; column < 4; ++column) {
       auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;
