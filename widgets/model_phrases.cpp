@@ -19,11 +19,6 @@ std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
 const std::vector<const char*>& model_phrases() {
   static const std::vector<const char*> phrases = with_other_phrases({
       // sentences
-      QT_TRANSLATE_NOOP("remount::model", "pole"),
-      QT_TRANSLATE_NOOP("remount::model", "facade"),
-      QT_TRANSLATE_NOOP("remount::model", "vehicle-sized"),
-      QT_TRANSLATE_NOOP("remount::model", "small"),
-      QT_TRANSLATE_NOOP("remount::model", "large"),
       QT_TRANSLATE_NOOP("remount::model", "observed"),
       QT_TRANSLATE_NOOP("remount::model", "not observed"),
       QT_TRANSLATE_NOOP("remount::model", "x (forward)"),

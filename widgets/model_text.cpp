@@ -110,9 +110,7 @@ QString model_text(const QString& text) {
   return result;
 }
 
-QString model_text(std::string_view text) {
-  return model_text(QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size())));
-}
+QString model_text(std::string_view text) { return model_text(QString::fromUtf8(text)); }
 
 std::string drawn_text(const char* context, const char* english) {
   const QString text = QString::fromUtf8(english), known = QCoreApplication::translate(context, english);

@@ -4,9 +4,7 @@
 
 namespace remount {
 
-QString parameter_name(std::size_t i) {
-  return QString::fromUtf8(kParameterNames.at(i).data(), static_cast<qsizetype>(kParameterNames[i].size()));
-}
+QString parameter_name(std::size_t i) { return QString::fromUtf8(kParameterNames.at(i)); }
 
 QString unit_suffix(std::size_t i) { return is_angle(i) ? QStringLiteral("°") : QStringLiteral(" m"); }
 

@@ -67,7 +67,7 @@ AutosaveSummary Autosave::summary() const {
   if (const OutputPtr output = workbench_.output()) {
     summary.pairs = static_cast<int>(output->pairs.size());
     const std::string_view status = to_string(output->result.status);
-    summary.status = QString::fromUtf8(status.data(), static_cast<qsizetype>(status.size()));
+    summary.status = QString::fromUtf8(status);
   }
   return summary;
 }

@@ -51,4 +51,8 @@ JobFailure failure_of(const std::exception& error) {
   return {{}, JobRunner::tr("Unexpected failure: %1. What was there is kept.").arg(QString::fromUtf8(error.what()))};
 }
 
+QString in_words(const JobFailure& failure) {
+  return failure.where.isEmpty() ? failure.what : failure.where + QStringLiteral(": ") + failure.what;
+}
+
 }  // namespace remount

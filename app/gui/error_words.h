@@ -12,4 +12,7 @@ JobFailure failure_of(const Error& error);
 /// The same for any exception of a job.
 JobFailure failure_of(const std::exception& error);
 
+/// "scan0.pcd: cannot be read"; what happened alone where there is no place.
+QString in_words(const JobFailure& failure);
+
 }  // namespace remount

@@ -54,7 +54,7 @@ void JobRunner::run(int job, std::stop_token stop, const Work& work, const Faile
   QElapsedTimer since_report;
   QString last_stage;
   Progress progress(std::move(stop), [&](const ProgressUpdate& update) {
-    const QString stage = QString::fromUtf8(update.stage.data(), static_cast<qsizetype>(update.stage.size()));
+    const QString stage = QString::fromUtf8(update.stage);
     if (stage == last_stage && since_report.isValid() && since_report.elapsed() < kReportInterval_ms) return;
     last_stage = stage;
     since_report.start();

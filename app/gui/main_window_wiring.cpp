@@ -233,10 +233,8 @@ void MainWindow::show_state() {
 }
 
 QString MainWindow::scan_name(int index) const {
-  const Keyframe& keyframe = workbench_.output()->keyframes.at(static_cast<std::size_t>(index));
-  const Session& session = *workbench_.sessions().at(static_cast<std::size_t>(keyframe.session));
-  return session.scans ? QString::fromStdString(session.scans->name(static_cast<std::size_t>(keyframe.scan)))
-                       : tr("pose %1").arg(keyframe.scan);
+  return remount::scan_name(workbench_.input_of_output().sessions,
+                            workbench_.output()->keyframes.at(static_cast<std::size_t>(index)));
 }
 
 QString MainWindow::pair_caption(int pair) const {

@@ -2,6 +2,8 @@
 
 #include <QLocale>
 
+#include "app/gui/error_words.h"
+#include "app/gui/wording.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -54,8 +56,8 @@ void MapController::say(const QString& text) {
 }
 
 QStringList MapController::session_names() const {
-  // Sessions that were opened since the calibration have no keyframes in it.
-  return workbench_.session_names().first(static_cast<qsizetype>(workbench_.input_of_output().sessions.size()));
+  // Those of the calibration: sessions that were opened since then have no keyframes in it.
+  return names_of(workbench_.input_of_output().sessions);
 }
 
 void MapController::give_up() {
@@ -130,8 +132,7 @@ void MapController::start(const RigidTransform& ins_from_lidar) {
         };
       },
       [this, job](const JobFailure& failure) {
-        if (*job == job_)
-          say(failure.where.isEmpty() ? failure.what : failure.where + QStringLiteral(": ") + failure.what);
+        if (*job == job_) say(in_words(failure));
       });
   *job = job_;
   view_.show_progress(QStringLiteral("putting the scans together"), 0, 0);

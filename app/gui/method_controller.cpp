@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "algorithms/core/error.h"
+#include "app/gui/error_words.h"
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
 #include "widgets/model_text.h"
@@ -93,8 +94,8 @@ void MethodController::add_files(const QStringList& paths) {
     try {
       of_files_.push_back({QFileInfo(path).completeBaseName().toStdString(), load_result(path.toStdString())});
     } catch (const Error& error) {
-      workbench_.say(Severity::Problem, QString::fromStdString(error.where()),
-                     QString::fromStdString(error.what_happened()));
+      const JobFailure failure = failure_of(error);
+      workbench_.say(Severity::Problem, failure.where, failure.what);
     }
   }
   show_comparison();

@@ -3,6 +3,7 @@
 #include <QSettings>
 #include <algorithm>
 
+#include "app/gui/error_words.h"
 #include "app/gui/remembering.h"
 #include "app/gui/wording.h"
 #include "model/session_frames.h"
@@ -14,10 +15,6 @@
 
 namespace remount {
 namespace {
-
-QString in_words(const JobFailure& failure) {
-  return failure.where.isEmpty() ? failure.what : failure.where + QStringLiteral(": ") + failure.what;
-}
 
 constexpr std::array<std::pair<const char*, double VehicleBox::*>, 5> kBoxKeys{
     {{"quality/front_m", &VehicleBox::front_m},
@@ -63,18 +60,6 @@ std::shared_ptr<const VehicleScan> scan_of_vehicle(const PointCloud& cloud, cons
                   moved(cloud.points, vehicle_from_ins * output.result.ins_from_lidar)});
 }
 
-QString scan_name(const PipelineInput& input, const Keyframe& keyframe) {
-  const auto& scans = input.sessions[static_cast<std::size_t>(keyframe.session)]->scans;
-  return scans ? QString::fromStdString(scans->name(static_cast<std::size_t>(keyframe.scan))) : QString();
-}
-
-/// Of the sessions that were calibrated; others may be open by now.
-QStringList session_names(const PipelineInput& input) {
-  QStringList names;
-  for (const auto& session : input.sessions) names << QString::fromStdString(session->name);
-  return names;
-}
-
 }  // namespace
 
 QualityController::QualityController(Workbench& workbench, QualityView& view, QObject* parent)
@@ -103,7 +88,7 @@ void QualityController::offer_scans(const OutputPtr& output) {
   std::vector<int> counts(output ? input.sessions.size() : 0, 0);
   for (std::size_t k = 0; output && k < output->keyframes.size(); ++k)
     ++counts.at(static_cast<std::size_t>(output->keyframes[k].session));
-  view_.obstacles()->show_choices(output ? session_names(input) : QStringList(), counts);
+  view_.obstacles()->show_choices(output ? names_of(input.sessions) : QStringList(), counts);
   view_.obstacles()->show_nominal_known(!output || output->nominal_known, distance_caution(workbench_));
 }
 
@@ -139,7 +124,7 @@ void QualityController::start_scan(const ScanKey& wanted) {
         const auto scan = scan_of_vehicle(cloud, input, *output);
         const auto measured = std::make_shared<const MeasuredScan>(measure_scan(*scan, box));
         const Keyframe& keyframe = output->keyframes[static_cast<std::size_t>(wanted.keyframe)];
-        return [this, wanted, scan, measured, name = scan_name(input, keyframe)] {
+        return [this, wanted, scan, measured, name = scan_name(input.sessions, keyframe)] {
           if (wanted == scan_of_) take_scan(name, scan, measured);
           refresh_obstacles();
         };
@@ -239,7 +224,7 @@ void QualityController::start_hold_out(const OutputPtr& output) {
   view_.hold_out()->show_message(tr("Solving every session alone…"));
   auto job = std::make_shared<int>(0);
   hold_out_job_ = jobs_.start(
-      [this, job, output, input = workbench_.input_of_output(), names = session_names(workbench_.input_of_output()),
+      [this, job, output, input = workbench_.input_of_output(), names = names_of(workbench_.input_of_output().sessions),
        check = workbench_.engine().check_hold_out](Progress& progress) -> JobRunner::Deliver {
         const auto found = std::make_shared<const HoldOut>(check(input, *output, progress));
         return [this, job, found, names] {

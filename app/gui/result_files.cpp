@@ -4,19 +4,15 @@
 #include "model/io/atomic_save.h"
 #include "model/project.h"
 #include "model/session_frames.h"
+#include "widgets/model_text.h"
 
 namespace remount {
-namespace {
-
-QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
-
-}  // namespace
 
 std::vector<ExportFormat> export_formats() {
   std::vector<ExportFormat> formats;
   for (const auto& format : exporters())
-    formats.push_back(
-        {text(format->id()), text(format->description()), text(format->direction()), text(format->file_name())});
+    formats.push_back({QString::fromUtf8(format->id()), model_text(format->description()),
+                       model_text(format->direction()), QString::fromUtf8(format->file_name())});
   return formats;
 }
 
@@ -33,7 +29,7 @@ RigidTransform nominal_from_file(const QString& path, const Workbench& workbench
   std::vector<std::string> texts;
   const ReadMounting mounting = read_any_mounting(path.toStdString(), &texts);
   const RigidTransform ins_from_lidar = in_axes_of(mounting, common_axes(workbench.sessions()), texts);
-  for (const std::string& doubt : texts) doubts << QString::fromStdString(doubt);
+  for (const std::string& doubt : texts) doubts << model_text(doubt);
   return ins_from_lidar;
 }
 

@@ -17,6 +17,18 @@ QString in_short(const QStringList& entries, const QString& separator) {
              : list + separator + Words::tr("and %1 more").arg(static_cast<int>(entries.size() - kShown));
 }
 
+QStringList names_of(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  QStringList names;
+  for (const auto& session : sessions) names << QString::fromStdString(session->name);
+  return names;
+}
+
+QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, const Keyframe& keyframe) {
+  const Session& session = *sessions.at(static_cast<std::size_t>(keyframe.session));
+  return session.scans ? QString::fromStdString(session.scans->name(static_cast<std::size_t>(keyframe.scan)))
+                       : Words::tr("pose %1").arg(keyframe.scan);
+}
+
 QString idle_text(const Workbench& workbench) {
   if (workbench.refining())
     return Words::tr("X is solved anew; sigmas, candidates and the judgement of other pairs follow…");

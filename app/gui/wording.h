@@ -9,6 +9,11 @@ namespace remount {
 /// The first few of a list that may be long, and how many more there are.
 QString in_short(const QStringList& entries, const QString& separator);
 
+/// Of sessions that are open, or of those that a calibration was made from.
+QStringList names_of(const std::vector<std::shared_ptr<const Session>>& sessions);
+/// "scan12.pcd", or which of the LiDAR poses it is.
+QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, const Keyframe& keyframe);
+
 /// What the status strip says while nothing runs there.
 QString idle_text(const Workbench& workbench);
 

@@ -7,8 +7,10 @@
 #include "algorithms/core/parallel.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/error_words.h"
+#include "app/gui/wording.h"
 #include "model/pipeline/keep_finished.h"
 #include "widgets/forms/option_access.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 
@@ -25,11 +27,7 @@ Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(
   map_pause_.setSingleShot(true);
 }
 
-QStringList Workbench::session_names() const {
-  QStringList names;
-  for (const auto& session : sessions_) names << QString::fromStdString(session->name);
-  return names;
-}
+QStringList Workbench::session_names() const { return names_of(sessions_); }
 
 PipelineInput Workbench::input_of_next_run() const {
   PipelineInput input;
@@ -43,8 +41,7 @@ QStringList Workbench::changes_since_output() const {
   QStringList changes;
   if (!output_) return changes;
   const CalibrationBasis shown = basis_of(solving() ? input_of_next_solve() : run_input_);
-  for (const std::string& change : changes_since(shown, basis_of(input_of_next_run())))
-    changes << QString::fromStdString(change);
+  for (const std::string& change : changes_since(shown, basis_of(input_of_next_run()))) changes << model_text(change);
   if (data_changed_) changes << tr("other files in the sessions");
   if (incomplete()) changes << tr("decisions about pairs that the solution does not answer in full");
   return changes;
@@ -140,6 +137,7 @@ void Workbench::remove_session(int session) {
   jobs_.cancel(cloud_job_);
   solve_job_ = cloud_job_ = 0;
   output_ = output_before_ = output_solved_ = nullptr;  // pairs refer to sessions by number
+  data_changed_ = exported_ = confirmed_ = false;
   ++solution_;
   check_map_soon();
   undo_.clear();
@@ -164,7 +162,7 @@ void Workbench::calibrate() {
   const std::vector<std::string> problems = settings_.check();
   if (!problems.empty()) {
     QStringList lines;
-    for (const std::string& problem : problems) lines << QString::fromStdString(problem);
+    for (const std::string& problem : problems) lines << model_text(problem);
     emit message(Severity::Problem, tr("Options"), lines.join('\n'));
     return;
   }
@@ -282,9 +280,7 @@ void Workbench::load_clouds() {
         };
       },
       [this, job, pair](const JobFailure& failure) {
-        if (*job == cloud_job_)
-          emit clouds_failed(
-              pair, failure.where.isEmpty() ? failure.what : failure.where + QStringLiteral(": ") + failure.what);
+        if (*job == cloud_job_) emit clouds_failed(pair, in_words(failure));
       });
   *job = cloud_job_;
 }

@@ -7,6 +7,7 @@
 #include "app/gui/wording.h"
 #include "app/gui/workbench.h"
 #include "model/pipeline/first_answer.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 namespace {
@@ -123,7 +124,7 @@ void Workbench::decide(const std::vector<int>& pairs, PairState state, const QSt
         (reason.isEmpty() || pair.reason == decision.reason))
       continue;
     if (const std::string why = unusable_reason(pair); state == PairState::Accepted && !why.empty()) {
-      refused << tr("pair %1: %2").arg(index).arg(QString::fromStdString(why));
+      refused << tr("pair %1: %2").arg(index).arg(model_text(why));
       continue;
     }
     before.push_back({index, pair.state, pair.decided_by, pair.reason});

@@ -6,6 +6,7 @@
 #include "algorithms/core/parallel.h"
 #include "app/gui/workbench.h"
 #include "model/project.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 
@@ -50,7 +51,7 @@ void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const En
              Workbench::tr(
                  "%1\nThe project is opened without this session and without its pairs. Its file is left as it "
                  "is: saving asks for another name.")
-                 .arg(QString::fromStdString(error.what_happened()))});
+                 .arg(model_text(error.what_happened()))});
     }
   }
 }

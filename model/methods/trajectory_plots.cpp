@@ -96,7 +96,7 @@ Plot trajectory_map(const TrajectorySession& session, std::size_t index, const T
 }  // namespace
 
 std::vector<Plot> trajectory_plots(const TrajectoryFeed& feed, const TrajectoryOutcome& outcome) {
-  constexpr std::size_t kMostMaps = 6;
+  constexpr std::size_t kMostMaps = 6, kMostPoints = 2000;  // more show nothing more, however long the drive
   std::vector<Plot> plots;
   for (const bool angles : {false, true}) {
     Plot plot = parameters_against_time(feed.history(), angles);
@@ -106,6 +106,7 @@ std::vector<Plot> trajectory_plots(const TrajectoryFeed& feed, const TrajectoryO
   const TrajectoryState& state = outcome.solution.state;
   for (std::size_t s = 0; s < std::min(kMostMaps, sessions.size()) && s < state.enu_from_lidar.size(); ++s)
     if (!state.enu_from_lidar[s].empty()) plots.push_back(trajectory_map(sessions[s], s, state, sessions.size() > 1));
+  thin(plots, kMostPoints);
   return plots;
 }
 

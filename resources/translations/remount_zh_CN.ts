@@ -1221,10 +1221,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>重新标定 (F5)</translation>
     </message>
     <message>
-        <source>pose %1</source>
-        <translation>位姿 %1</translation>
-    </message>
-    <message>
         <source>Pair %1: %2 → %3, %4 m, %5°. %6</source>
         <translation>帧对 %1：%2 → %3，%4 m，%5°。%6</translation>
     </message>
@@ -2190,14 +2186,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>俯视</translation>
     </message>
     <message>
-        <source>Front</source>
-        <translation>前视</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>左视</translation>
-    </message>
-    <message>
         <source>Isometric</source>
         <translation>轴测</translation>
     </message>
@@ -2208,6 +2196,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>the axes of the plot (%1; %2; up)</source>
         <translation>曲线图的坐标轴（%1；%2；向上）</translation>
+    </message>
+    <message>
+        <source>Along y</source>
+        <translation>沿 y</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>沿 x</translation>
     </message>
 </context>
 <context>
@@ -6512,6 +6508,138 @@ Calibrate again (F5).</source>
         <source>all pairs: best found in range</source>
         <translation>所有帧对：范围内找到的最优解</translation>
     </message>
+    <message>
+        <source>Remount result as YAML, with sigma, pairs and provenance</source>
+        <translation>Remount 结果（YAML），含 sigma、帧对和来源</translation>
+    </message>
+    <message>
+        <source>Remount result as JSON, with sigma, pairs and provenance</source>
+        <translation>Remount 结果（JSON），含 sigma、帧对和来源</translation>
+    </message>
+    <message>
+        <source>4x4 matrix as text</source>
+        <translation>4x4 矩阵（文本）</translation>
+    </message>
+    <message>
+        <source>ROS 1 launch file with a static_transform_publisher</source>
+        <translation>ROS 1 启动文件（static_transform_publisher）</translation>
+    </message>
+    <message>
+        <source>ROS 2 launch file (XML) with a static_transform_publisher</source>
+        <translation>ROS 2 启动文件（XML，static_transform_publisher）</translation>
+    </message>
+    <message>
+        <source>Autoware sensor_kit_calibration.yaml (kit base = the INS frame)</source>
+        <translation>Autoware sensor_kit_calibration.yaml（套件基座 = INS 坐标系）</translation>
+    </message>
+    <message>
+        <source>Apollo *_novatel_extrinsics.yaml, INS axes as in the result</source>
+        <translation>Apollo *_novatel_extrinsics.yaml，INS 轴与结果相同</translation>
+    </message>
+    <message>
+        <source>Apollo *_novatel_extrinsics.yaml, INS axes right-forward-up</source>
+        <translation>Apollo *_novatel_extrinsics.yaml，INS 轴为右-前-上</translation>
+    </message>
+    <message>
+        <source>KITTI calib_imu_to_velo.txt</source>
+        <translation>KITTI calib_imu_to_velo.txt</translation>
+    </message>
+    <message>
+        <source>OpenCalib extrinsic JSON</source>
+        <translation>OpenCalib 外参（JSON）</translation>
+    </message>
+    <message>
+        <source>URDF fixed joint</source>
+        <translation>URDF 固定关节</translation>
+    </message>
+    <message>
+        <source>lidar to ins: point_in_ins = ins_from_lidar * point_in_lidar</source>
+        <translation>激光雷达到 INS：point_in_ins = ins_from_lidar * point_in_lidar</translation>
+    </message>
+    <message>
+        <source>lidar to ins: point_in_ins = matrix * point_in_lidar</source>
+        <translation>激光雷达到 INS：point_in_ins = matrix * point_in_lidar</translation>
+    </message>
+    <message>
+        <source>lidar to ins (pose of the lidar frame in the ins frame)</source>
+        <translation>激光雷达到 INS（激光雷达坐标系在 INS 坐标系中的位姿）</translation>
+    </message>
+    <message>
+        <source>lidar to ins (pose of the lidar frame in the kit&apos;s base, in radians)</source>
+        <translation>激光雷达到 INS（激光雷达坐标系在套件基座中的位姿，角度为弧度）</translation>
+    </message>
+    <message>
+        <source>lidar to ins (header.frame_id from child_frame_id)</source>
+        <translation>激光雷达到 INS（由 child_frame_id 到 header.frame_id）</translation>
+    </message>
+    <message>
+        <source>lidar to ins, the INS axes turned from x forward, y left to x right, y forward</source>
+        <translation>激光雷达到 INS，INS 轴由 x 向前、y 向左转为 x 向右、y 向前</translation>
+    </message>
+    <message>
+        <source>ins to lidar, the inverse of X: point_in_lidar = R point_in_ins + T</source>
+        <translation>INS 到激光雷达，即 X 的逆：point_in_lidar = R point_in_ins + T</translation>
+    </message>
+    <message>
+        <source>ins to lidar, the inverse of X: point_in_lidar = matrix * point_in_ins</source>
+        <translation>INS 到激光雷达，即 X 的逆：point_in_lidar = matrix * point_in_ins</translation>
+    </message>
+    <message>
+        <source>the INS axes of this result are x right, y forward, z up already and must not be turned again: export it as apollo</source>
+        <translation>此结果的 INS 轴已是 x 向右、y 向前、z 向上，不得再转：请以 apollo 格式导出</translation>
+    </message>
+    <message>
+        <source>the result does not say which axes its INS has, so that they cannot be turned: export it as apollo, which leaves them as they are</source>
+        <translation>结果没有说明其 INS 的轴向，因此无法转换：请以 apollo 格式导出，它保持原样</translation>
+    </message>
+    <message>
+        <source>the mounting is given in INS axes %1; it is turned to those of the log, %2</source>
+        <translation>给出的安装采用 INS 轴 %1；已转到日志的轴 %2</translation>
+    </message>
+    <message>
+        <source>%1 session, now %2</source>
+        <translation>%1 份数据，现为 %2 份</translation>
+    </message>
+    <message>
+        <source>%1 sessions, now %2</source>
+        <translation>%1 份数据，现为 %2 份</translation>
+    </message>
+    <message>
+        <source>nominal mounting unknown, now given</source>
+        <translation>当时没有名义安装，现已给出</translation>
+    </message>
+    <message>
+        <source>nominal mounting given, now unknown</source>
+        <translation>当时给出了名义安装，现为未知</translation>
+    </message>
+    <message>
+        <source>another nominal mounting</source>
+        <translation>名义安装已不同</translation>
+    </message>
+    <message>
+        <source>%1, now %2</source>
+        <translation>%1，现为 %2</translation>
+    </message>
+    <message>
+        <source>range.%1: the minimum %2 exceeds the maximum %3</source>
+        <translation>range.%1：最小值 %2 大于最大值 %3</translation>
+    </message>
+    <message>
+        <source>%1 = %2 exceeds %3 = %4</source>
+        <translation>%1 = %2 大于 %3 = %4</translation>
+    </message>
+    <message>
+        <source>vehicle_frame.scale and vehicle_frame.estimate_wheel_scale: one of the two must be known</source>
+        <translation>vehicle_frame.scale 与 vehicle_frame.estimate_wheel_scale：两者必须已知其一</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s rear end is not behind its front end</source>
+        <translation>轮廓的后端不在前端之后</translation>
+    </message>
+    <message>
+        <source>the outline&apos;s right side is not right of its left side</source>
+        <translation>轮廓的右侧不在左侧之右</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -6796,6 +6924,10 @@ Then calibrate: F5.</source>
     <message>
         <source>Not observed: %1. Distances and heights rest on values there that nobody measured.</source>
         <translation>不可观测：%1。距离和高度在这些方向上依据的不是测量值。</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>位姿 %1</translation>
     </message>
 </context>
 <context>

@@ -23,10 +23,13 @@
 #include <map>
 #include <set>
 
+#include "app/gui/result_files.h"
 #include "app/gui/window_host.h"
 #include "model/checks/data_check.h"
+#include "model/exporters/exporter.h"
 #include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
+#include "model/project.h"
 #include "model/settings.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/forms/option_access.h"
@@ -159,6 +162,20 @@ TEST_F(chinese, sentences_of_the_methods_are_recognised_whatever_they_are_about)
   EXPECT_EQ(model_text(QStringLiteral("something, and something else")), "something, and something else");
 }
 
+TEST_F(chinese, exports_and_what_has_changed_since_a_calibration_are_told_in_it) {
+  for (const ExportFormat& format : export_formats())
+    EXPECT_TRUE(format.direction.contains(QStringLiteral("激光雷达"))) << format.direction.toStdString();
+  CalibrationBasis then{1, {}, {}}, now{3, {}, RigidTransform::Identity()};
+  now.settings.pairing.max_gap_s = then.settings.pairing.max_gap_s + 1.5;
+  QStringList changes;
+  for (const std::string& change : changes_since(then, now)) changes << model_text(change);
+  ASSERT_EQ(changes.size(), 3);
+  EXPECT_EQ(changes[0], "1 份数据，现为 3 份");
+  EXPECT_EQ(changes[1], "当时没有名义安装，现已给出");
+  EXPECT_TRUE(changes[2].startsWith("pairing.max_gap_s ") && changes[2].contains("，现为 "))
+      << changes[2].toStdString();
+}
+
 TEST_F(chinese, plots_speak_it_with_the_names_of_sessions_as_they_are) {
   EXPECT_EQ(drawn_text("plot", "Height: drive1"), "高度：drive1");
   EXPECT_EQ(drawn_text("plot", "time (s)"), "时间（秒）");
@@ -183,6 +200,14 @@ TEST(languages, every_code_of_a_finding_says_what_it_means_and_what_to_do) {
       for (const std::string_view text : {kind.meaning, kind.remedy})
         EXPECT_TRUE(known.contains(QString::fromStdString(std::string(text))))
             << "add to widgets/check_phrases.cpp: " << text;
+}
+
+TEST(languages, every_export_format_is_named_and_says_its_direction) {
+  std::set<QString> known;
+  for (const char* phrase : model_phrases()) known.insert(QString::fromUtf8(phrase));
+  for (const auto& format : exporters())
+    for (const std::string_view text : {format->description(), format->direction()})
+      EXPECT_TRUE(known.contains(QString::fromUtf8(text))) << "add to widgets/file_phrases.cpp: " << text;
 }
 
 TEST(languages, every_option_is_named_and_explained) {

@@ -6,7 +6,9 @@
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableWidget>
+#include <QToolButton>
 
+#include "model/report/plot_chart.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/plot_view.h"
 #include "widgets/gl_support.h"
@@ -35,6 +37,19 @@ Plot trajectory() {
   }
   plot.curves = {before, after, fixes};
   return plot;
+}
+
+/// Around the pixels of a colour.
+QRect place_of_color(const QImage& image, const QColor& color) {
+  const auto near = [](int a, int b) { return std::abs(a - b) < 12; };
+  QRect place;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor pixel = image.pixelColor(x, y);
+      if (near(pixel.red(), color.red()) && near(pixel.green(), color.green()) && near(pixel.blue(), color.blue()))
+        place |= QRect(x, y, 1, 1);
+    }
+  return place;
 }
 
 class method_page : public testing::WindowFixture {
@@ -114,6 +129,7 @@ TEST_F(method_page, a_way_is_drawn_in_space_and_a_click_tells_its_points) {
   QTest::qWait(100);
   view.look(StandardView::Top);
   const QImage top = view.canvas()->grab().toImage();
+  const QRect before = place_of_color(top, QColor(QString::fromLatin1(curve_color(0))));
   const Plot plot = trajectory();
   const Eigen::Vector3d first(plot.curves[0].x[0], plot.curves[0].y[0], plot.curves[0].z[0]);
   const auto place = [&](std::size_t point) {
@@ -122,6 +138,12 @@ TEST_F(method_page, a_way_is_drawn_in_space_and_a_click_tells_its_points) {
   };
   for (const std::size_t point : {0U, 50U, 100U})
     EXPECT_TRUE(QRectF(view.canvas()->rect()).contains(place(point))) << "the whole way is framed: " << point;
+  EXPECT_GT(before.width(), top.height() / 4) << "of " << top.height() << ": the drifting way is drawn";
+  EXPECT_GT(before.height(), top.height() / 8) << "of " << top.height();
+  EXPECT_GT(place(0).x(), place(100).x()) << "as in the flat plot, x runs to the right";
+  EXPECT_LT(place(50).y(), place(0).y()) << "and y up";
+  for (const QToolButton* button : view.findChildren<QToolButton*>())
+    EXPECT_NE(button->text(), "Shading") << "lines are not shaded";
   view.click(place(50));
   EXPECT_TRUE(view.readout().contains("y 3000050.000, z 2.500 m")) << view.readout().toStdString();
   EXPECT_TRUE(view.readout().contains("aligned") || view.readout().contains("GNSS fixes"))

@@ -10,6 +10,7 @@
 
 #include "app/gui/language.h"
 #include "tests/widgets/support/sample_world.h"
+#include "widgets/itemmodels/reason_match.h"
 #include "widgets/itemmodels/text_ranks.h"
 #include "widgets/pair_reasons.h"
 #include "widgets/panels/pairs_panel.h"
@@ -178,6 +179,49 @@ TEST(pair_filter, text_is_found_in_the_language_of_the_window) {
   EXPECT_EQ(by_number, std::vector<int>{30});
   EXPECT_EQ(by_quick, std::vector<int>{32});
   EXPECT_EQ(english, (std::vector<int>{30, 31})) << "as files hold it";
+}
+
+/// Every part of every sentence is looked for in every sentence.
+void expect_found_as_by_reading(const char* language) {
+  speak(language, false);
+  const std::vector<std::string> reasons{
+      "contradicts the INS motion by 0.123 m, 0.045 deg (9.1 sigma); screw test failed",
+      "contradicts the INS motion by 0.12 m, 10.045 deg (0.123 sigma); screw test failed",
+      "2 static objects in common, 3 needed",
+      "12 static objects in common, 123 needed",
+      "overlap too small: 0.31",
+      quick_reasons().front(),
+      "Bus 12 stood 3 m before bus 2"};
+  QStringList as_held, as_shown;
+  for (const std::string& reason : reasons) {
+    as_held << QString::fromStdString(reason);
+    as_shown << reason_words(reason);
+  }
+  int found = 0, wrong = 0;
+  for (const auto* sentences : {&as_held, &as_shown})
+    for (const QString& sentence : *sentences)
+      for (qsizetype begin = 0; begin < sentence.size(); ++begin)
+        for (qsizetype size = 1; size <= std::min<qsizetype>(12, sentence.size() - begin); ++size) {
+          const QString text = sentence.mid(begin, size).toUpper();
+          ReasonMatch match(text);
+          for (qsizetype i = 0; i < as_held.size(); ++i) {
+            const bool there =
+                as_held[i].contains(text, Qt::CaseInsensitive) || as_shown[i].contains(text, Qt::CaseInsensitive);
+            const bool same = match(as_held[i].toStdString()) == there;
+            found += there;
+            wrong += !same;
+            EXPECT_TRUE(same || wrong > 5)
+                << language << ": " << text.toStdString() << " in " << as_shown[i].toStdString();
+          }
+        }
+  speak("en", false);
+  EXPECT_EQ(wrong, 0);
+  EXPECT_GT(found, 5000);
+}
+
+TEST(reason_match, finds_what_reading_each_sentence_finds) {
+  expect_found_as_by_reading("en");
+  expect_found_as_by_reading("zh_CN");
 }
 
 TEST(text_ranks, are_those_of_comparing_texts) {

@@ -19,6 +19,7 @@
 #include "widgets/panels/hold_out_view.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/quality_view.h"
+#include "widgets/panels/result_panel.h"
 #include "widgets/panels/sharpness_view.h"
 #include "widgets/panels/verdict_table.h"
 
@@ -321,6 +322,23 @@ TEST(quality_sharpness, that_was_made_before_the_last_decision_says_what_to_do) 
   workbench.decide({1}, PairState::Rejected);
   EXPECT_TRUE(
       QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("Calibrate again (F5)"); }, kPatience_ms));
+}
+
+TEST(result_panel, says_that_the_map_is_to_be_compared_again_only_where_it_was_compared) {
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
+  PipelineOutput output = testing::sample_output(input, 20);
+  output.sharpness.clear();
+  ResultPanel panel;
+  const auto says_so = [&](MapCheck check) {
+    output.map_check = check;
+    panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr, "reject pair 3");
+    const auto labels = panel.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(),
+                       [](const QLabel* label) { return label->text().contains("X has moved"); });
+  };
+  EXPECT_TRUE(says_so(MapCheck::Moved));
+  EXPECT_FALSE(says_so(MapCheck::SwitchedOff)) << "it was never measured";
 }
 
 TEST(quality_sharpness, is_compared_again_in_the_background_after_a_decision) {

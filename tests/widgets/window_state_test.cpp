@@ -89,6 +89,9 @@ TEST_F(window_state, a_result_is_checked_when_the_user_says_so_and_what_speaks_a
   workbench_.restore(workbench_.sessions(), project, std::make_shared<const PipelineOutput>(output));
   workbench_.confirm(true);
   EXPECT_EQ(step(Step::Check).detail, "sessions contradict");
+  EXPECT_TRUE(confirm.isChecked());
+  workbench_.remove_session(0);
+  EXPECT_FALSE(confirm.isChecked()) << "there is no result any more";
 }
 
 class slow_window_state : public window_state {

@@ -9,8 +9,6 @@
 namespace remount {
 namespace {
 
-QString text(std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); }
-
 /// Visits every option with one function: edit(section, OptionField without value, reference to the member).
 template <class Edit>
 struct FieldVisitor {
@@ -20,8 +18,8 @@ struct FieldVisitor {
   OptionField describe(const OptionInfo& info) const {
     OptionField field;
     field.section = section;
-    field.name = text(info.name);
-    field.unit = text(info.unit);
+    field.name = QString::fromUtf8(info.name);
+    field.unit = QString::fromUtf8(info.unit);
     field.help = model_text(info.help);
     field.minimum = info.minimum;
     field.maximum = info.maximum;
@@ -62,7 +60,7 @@ struct FieldVisitor {
   void choice(const OptionInfo& info, T& member, const std::vector<std::string_view>& names) const {
     OptionField field = describe(info);
     field.kind = OptionKind::Choice;
-    for (std::string_view name : names) field.choices << text(name);
+    for (std::string_view name : names) field.choices << QString::fromUtf8(name);
     field.value = static_cast<int>(member);
     edit(field, [&member](const QVariant& v) {
       if constexpr (!std::is_const_v<T>) member = static_cast<std::remove_const_t<T>>(v.toInt());
@@ -73,7 +71,7 @@ struct FieldVisitor {
 template <class S, class Edit>
 void visit_fields(S& settings, Edit edit) {
   Settings::visit_sections(settings, [&](std::string_view section, auto& options) {
-    std::remove_cvref_t<decltype(options)>::visit(options, FieldVisitor<Edit>{text(section), edit});
+    std::remove_cvref_t<decltype(options)>::visit(options, FieldVisitor<Edit>{QString::fromUtf8(section), edit});
   });
 }
 

@@ -13,7 +13,6 @@
 #include "widgets/model_text.h"
 #include "widgets/panels/color_bar.h"
 #include "widgets/scene/distance_scale.h"
-#include "widgets/theme.h"
 
 namespace remount {
 
@@ -84,6 +83,7 @@ void MapView::make_buttons() {
   connect(session_, &QComboBox::currentIndexChanged, this, &MapView::map_wanted);
   row->addWidget(session_);
   row->addStretch();
+  add_shading_button(row);
   add_common_buttons(row);
 }
 
@@ -196,8 +196,6 @@ std::optional<SceneView::Pick> MapView::pick(const PickRay& ray) const {
 QString MapView::axes_in_words() const { return tr("axes of the INS data, origin at the first keyframe"); }
 
 void MapView::pixel_ratio_changed(double ratio) { scene_.set_pixel_ratio(ratio); }
-
-void MapView::palette_changed() { scene_.stage().set_dark(is_dark(palette())); }
 
 void MapView::motion_changed(bool moving) {
   scene_.set_moving(moving);

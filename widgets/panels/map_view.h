@@ -47,7 +47,6 @@ class MapView : public SceneView {
   std::optional<Pick> pick(const PickRay& ray) const override;
   QString axes_in_words() const override;
   void pixel_ratio_changed(double ratio) override;
-  void palette_changed() override;
   void motion_changed(bool moving) override;
   void size_changed() override { begin(); }
   void view_changed() override { begin(); }

@@ -18,9 +18,9 @@
 namespace remount {
 namespace {
 
-QString text(std::string_view words) { return QString::fromUtf8(words.data(), static_cast<qsizetype>(words.size())); }
-
-QString label_of(const OptionInfo& info) { return option_label(text(info.name), text(info.unit)); }
+QString label_of(const OptionInfo& info) {
+  return option_label(QString::fromUtf8(info.name), QString::fromUtf8(info.unit));
+}
 
 /// Adds one editor for each option; `changed` is called after the member has its new value.
 struct FormBuilder {
@@ -35,7 +35,7 @@ struct FormBuilder {
   void operator()(const OptionInfo& info, double& member) {
     auto* spin = new QDoubleSpinBox;
     spin->setRange(info.minimum, info.maximum);
-    spin->setSuffix(' ' + text(info.unit));
+    spin->setSuffix(' ' + QString::fromUtf8(info.unit));
     spin->setSingleStep(0.1);
     spin->setKeyboardTracking(false);
     spin->setValue(member);
@@ -117,7 +117,8 @@ void ObstacleDialog::check() {
                               options_);
   } catch (const Error& error) {
     table_->setRowCount(0);
-    verdict_->setText(QString::fromStdString(error.what_happened()));
+    set_style(*verdict_, "color: " + bad_color(palette()).name());
+    verdict_->setText(model_text(error.what_happened()));
     return;
   }
   const auto words = [](const ObstacleCheck& result) {

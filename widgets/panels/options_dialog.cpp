@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include "widgets/model_text.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -78,7 +79,7 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
 void OptionsDialog::show_settings(const Settings& settings) {
   for (OptionForm* form : forms_) form->show_settings(settings);
   QStringList problems;
-  for (const std::string& problem : settings.check()) problems << QString::fromStdString(problem);
+  for (const std::string& problem : settings.check()) problems << model_text(problem);
   problems_->setVisible(!problems.isEmpty());
   set_style(*problems_, "color: " + bad_color(palette()).name());
   problems_->setText(problems.join('\n'));

@@ -71,6 +71,7 @@ void PairView::make_buttons() {
     scene_.show_objects(on);
     render();
   });
+  add_shading_button(second);
   add_common_buttons(second);
 }
 

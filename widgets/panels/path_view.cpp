@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "algorithms/geometry/rotation.h"
 #include "model/report/plot_chart.h"
 #include "widgets/model_text.h"
 #include "widgets/theme.h"
@@ -16,6 +17,8 @@ namespace remount {
 namespace {
 
 bool in_space(const Curve& curve) { return !curve.z.empty() && curve.z.size() == curve.y.size(); }
+
+QString in_words(const std::string& text) { return QString::fromStdString(drawn_text("plot", text.c_str())); }
 
 QColor color_of(std::size_t curve, const QPalette& palette) {
   const QColor color(QString::fromLatin1(curve_color(curve)));
@@ -42,6 +45,7 @@ PathView::PathView(QWidget* parent) : SceneView(tr("3-D view of the method"), pa
   legend_->setAccessibleName(tr("Colours of the ways"));
   add_below(legend_);
   set_stage(scene_.stage());
+  set_forward(0.5 * kPi);  // from above x runs to the right and y up, as in the flat plot
   palette_changed();
   pixel_ratio_changed(devicePixelRatioF());
   show_plots({}, {});
@@ -51,14 +55,14 @@ void PathView::make_buttons() {
   QHBoxLayout* row = add_row();
   choice_ = new QComboBox(this);
   choice_->setAccessibleName(tr("Plot in three dimensions"));
-  connect(choice_, &QComboBox::currentIndexChanged, this, &PathView::draw);
+  connect(choice_, &QComboBox::currentIndexChanged, this, &PathView::show_chosen);
   row->addWidget(choice_);
   row->addStretch();
   add_common_buttons(row);
   const std::array<std::pair<QString, StandardView>, 5> views{{{tr("Fit"), StandardView::Fit},
                                                                {tr("Top"), StandardView::Top},
-                                                               {tr("Front"), StandardView::Front},
-                                                               {tr("Left"), StandardView::Left},
+                                                               {tr("Along y"), StandardView::Front},
+                                                               {tr("Along x"), StandardView::Left},
                                                                {tr("Isometric"), StandardView::Isometric}}};
   QList<QAction*> actions;
   for (const auto& [text, view] : views) {
@@ -75,16 +79,24 @@ void PathView::show_plots(const std::vector<Plot>& plots, const QString& otherwi
   for (const Plot& plot : plots) {
     if (std::none_of(plot.curves.begin(), plot.curves.end(), in_space)) continue;
     plots_.push_back(plot);
-    choice_->addItem(QString::fromStdString(drawn_text("plot", plot.title.c_str())));
+    choice_->addItem(in_words(plot.title));
   }
-  legend_->setVisible(!plots_.empty());
-  choice_->setVisible(plots_.size() > 1);
-  if (plots_.empty()) {
+  legend_->setVisible(has_gl() && !plots_.empty());
+  choice_->setVisible(has_gl() && plots_.size() > 1);
+  if (!has_gl() || plots_.empty()) {
     scene_.show({});
     return show_message(otherwise);
   }
   choice_->setCurrentIndex(0);
+  show_chosen();
+}
+
+void PathView::show_chosen() {
+  clear_marks();
   draw();
+  show_scene();
+  scene_.stage().look(StandardView::Isometric);
+  if (isVisible()) render();
 }
 
 const Plot* PathView::chosen() const {
@@ -94,8 +106,7 @@ const Plot* PathView::chosen() const {
 
 void PathView::draw() {
   const Plot* const plot = chosen();
-  if (!plot || !has_gl()) return show_message({});
-  clear_marks();
+  if (!plot) return;
   std::vector<ScenePath> paths;
   QStringList names;
   for (std::size_t i = 0; i < plot->curves.size(); ++i) {
@@ -103,21 +114,17 @@ void PathView::draw() {
     paths.push_back(path_of(plot->curves[i], color));
     if (in_space(plot->curves[i]))
       names << QStringLiteral("<span style='color:%1'>■</span>&nbsp;%2")
-                   .arg(color.name(),
-                        QString::fromStdString(drawn_text("plot", plot->curves[i].name.c_str())).toHtmlEscaped());
+                   .arg(color.name(), in_words(plot->curves[i].name).toHtmlEscaped());
   }
   legend_->setText(names.join(QStringLiteral("&ensp; ")));
   scene_.show(paths);
-  show_scene();
-  scene_.stage().look(StandardView::Isometric);
-  if (isVisible()) render();
 }
 
 std::optional<SceneView::Pick> PathView::pick(const PickRay& ray) const {
   const auto picked = scene_.pick(ray);
   const Plot* const plot = chosen();
   if (!picked || !plot) return std::nullopt;
-  const QString name = QString::fromStdString(drawn_text("plot", plot->curves[picked->path].name.c_str()));
+  const QString name = in_words(plot->curves[picked->path].name);
   return Pick{picked->point_in_view, tr("%1: x %2, y %3, z %4 m in %5.")
                                          .arg(name)
                                          .arg(picked->point_m.x(), 0, 'f', 3)
@@ -129,19 +136,15 @@ std::optional<SceneView::Pick> PathView::pick(const PickRay& ray) const {
 QString PathView::axes_in_words() const {
   const Plot* const plot = chosen();
   if (!plot) return {};
-  return tr("the axes of the plot (%1; %2; up)")
-      .arg(QString::fromStdString(drawn_text("plot", plot->x_label.c_str())),
-           QString::fromStdString(drawn_text("plot", plot->y_label.c_str())));
+  return tr("the axes of the plot (%1; %2; up)").arg(in_words(plot->x_label), in_words(plot->y_label));
 }
 
 void PathView::pixel_ratio_changed(double ratio) { scene_.set_pixel_ratio(ratio); }
 
 void PathView::palette_changed() {
-  scene_.stage().set_dark(is_dark(palette()));
-  if (!plots_.empty()) draw();
+  SceneView::palette_changed();
+  draw();
 }
-
-void PathView::motion_changed(bool) { render(); }
 
 void PathView::showEvent(QShowEvent* event) {
   SceneView::showEvent(event);

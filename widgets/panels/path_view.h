@@ -26,11 +26,11 @@ class PathView : public SceneView {
   QString axes_in_words() const override;
   void pixel_ratio_changed(double ratio) override;
   void palette_changed() override;
-  void motion_changed(bool moving) override;
   void showEvent(QShowEvent* event) override;
 
  private:
   void make_buttons();
+  void show_chosen();
   void draw();
   const Plot* chosen() const;
 

@@ -277,7 +277,7 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
   }
   show_parameters(output->result, output->nominal_known,
                   before && has_numbers(before->result.status) ? &before->result : nullptr);
-  show_words(*output, !moved_by.isEmpty());
+  show_words(*output);
 }
 
 void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_known,
@@ -312,7 +312,7 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
   }
 }
 
-void ResultPanel::show_words(const PipelineOutput& output, bool decided_since) {
+void ResultPanel::show_words(const PipelineOutput& output) {
   const CalibrationResult& result = output.result;
   QString html = "<p>" + model_text(result.message).toHtmlEscaped() + "</p>";
   QStringList advice, blind, figures;
@@ -342,7 +342,7 @@ void ResultPanel::show_words(const PipelineOutput& output, bool decided_since) {
   html +=
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   html += nominal_table(output) + sharpness_table(output);
-  if (output.sharpness.empty() && decided_since && has_numbers(result.status))
+  if (output.map_check == MapCheck::Moved && has_numbers(result.status))
     html += "<p>" + tr("Map sharpness: X has moved since it was measured; see Quality.").toHtmlEscaped() + "</p>";
   words_->setText(html);
 }

@@ -47,7 +47,7 @@ class ResultPanel : public QScrollArea {
   void make_rows(QGridLayout& grid);
   void make_buttons(QGridLayout& grid);
   void show_parameters(const CalibrationResult& result, bool nominal_known, const CalibrationResult* before);
-  void show_words(const PipelineOutput& output, bool decided_since);
+  void show_words(const PipelineOutput& output);
   void show_status();
 
   QLabel* status_;

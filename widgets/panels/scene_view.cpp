@@ -98,10 +98,13 @@ QToolButton* SceneView::add_button(QHBoxLayout* row, const QString& text, const 
   return button;
 }
 
-void SceneView::add_common_buttons(QHBoxLayout* row) {
+void SceneView::add_shading_button(QHBoxLayout* row) {
   eye_dome_ = add_button(row, tr("Shading"),
                          tr("Eye-dome lighting: darkens edges of depth, which makes shapes easier to see"), true);
   connect(eye_dome_, &QToolButton::toggled, this, &SceneView::set_eye_dome);
+}
+
+void SceneView::add_common_buttons(QHBoxLayout* row) {
   measure_ = add_button(row, tr("Measure"),
                         tr("Click two points for the distance between them, in m. Esc ends it. "
                            "Without it a click tells the coordinates of a point."),
@@ -146,6 +149,7 @@ void SceneView::look(StandardView view) {
 }
 
 void SceneView::set_eye_dome(bool on) {
+  if (!eye_dome_) return;
   eye_dome_->setChecked(on);
   stage_->set_eye_dome(on);
   pixel_ratio_changed(devicePixelRatioF());
@@ -290,6 +294,8 @@ void SceneView::restyle() {
                      "QToolButton::menu-indicator { image: none; }")
           .arg(palette().color(QPalette::Highlight).name(), palette().color(QPalette::HighlightedText).name()));
 }
+
+void SceneView::palette_changed() { stage_->set_dark(is_dark(palette())); }
 
 void SceneView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && stage_) {

@@ -55,14 +55,15 @@ class SceneView : public QWidget {
   virtual std::optional<Pick> pick(const PickRay& ray) const = 0;
   virtual QString axes_in_words() const = 0;           ///< of the frame in which the scene is shown
   virtual void pixel_ratio_changed(double ratio) = 0;  ///< also when points become larger for other reasons
-  virtual void palette_changed() = 0;
+  virtual void palette_changed();
   /// The mouse begins to move the camera; it has rested for a moment.
-  virtual void motion_changed(bool moving) = 0;
+  virtual void motion_changed(bool /*moving*/) {}
   virtual void size_changed() {}
   virtual void view_changed() {}  ///< by a key or button, not by the mouse
 
   QHBoxLayout* add_row();  ///< of buttons above the scene
   QToolButton* add_button(QHBoxLayout* row, const QString& text, const QString& help, bool checkable);
+  void add_shading_button(QHBoxLayout* row);  ///< where there are points: lines are not shaded
   void add_common_buttons(QHBoxLayout* row);
   void show_scene();
   void enable_buttons(bool enable);
