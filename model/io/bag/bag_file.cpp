@@ -79,9 +79,10 @@ std::size_t BagFile::topic(std::string name, std::string type, MessageEncoding e
 }
 
 void BagFile::add_entry(std::size_t topic, const BagEntry& entry, std::uint64_t file_bytes, const std::string& where) {
-  // Small messages that are packed well may be more than the file has bytes for; not without end.
-  constexpr std::uint64_t kAlways = 2'000'000;
-  if (entry_count_ > kAlways + file_bytes / 6)
+  // Small messages that are packed well may be more than the file has room for; not without end. As many take, while
+  // the list grows, three times the file.
+  constexpr std::uint64_t kAlways = 1'000'000;
+  if (entry_count_ > kAlways + file_bytes / sizeof(BagEntry))
     throw Error(ErrorCode::Format, where,
                 "the index names more than " + std::to_string(entry_count_) + " messages, too many for a file of " +
                     std::to_string(file_bytes) + " bytes");

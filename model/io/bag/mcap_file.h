@@ -13,7 +13,8 @@ bool is_mcap(std::string_view head);
 
 /// Reads the summary and the message indexes of the chunks. Where there are none, or they are damaged, or messages lie
 /// outside of chunks, the file is read from the beginning instead; a file that was cut or damaged gives what is
-/// readable and a finding "bag-unindexed" that says how much that is.
+/// readable and a finding "bag-unindexed" that says how much that is. Checksums are compared where there are any: a
+/// chunk whose own is wrong is not read, the others are.
 class McapFile final : public BagFile {
  public:
   /// Throws Error where the file is no MCAP of this version or holds no readable message at all.
@@ -24,6 +25,8 @@ class McapFile final : public BagFile {
   struct Record;
   static Record read_record(const ByteSource& source, std::uint64_t offset, bool whole = true);
   bool read_summary(Progress& progress);
+  void check_summary(std::uint64_t start, const std::string& footer_content, const Record& footer) const;
+  void check_other_sums(Progress& progress);
   void read_chunk_index(std::string_view content, const std::string& where);
   void read_message_index(std::string_view content, std::uint32_t chunk, const std::string& where);
   void scan(const std::string& why, Progress& progress);

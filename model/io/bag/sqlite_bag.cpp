@@ -159,7 +159,7 @@ std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const
   std::string data = read(std::min<std::uint64_t>(bytes, std::max(at_most, kZstdMagic.size())));
   if (!data.starts_with(kZstdMagic)) return data.substr(0, at_most);
   // Compressed message by message; CDR begins otherwise.
-  const std::uint64_t most = std::max<std::uint64_t>(std::uint64_t{64} << 20, 4 * file_bytes_);
+  const std::uint64_t most = std::max<std::uint64_t>(std::uint64_t{64} << 20, 3 * file_bytes_);
   return unpack_chunk(ChunkCompression::Zstd, read(bytes), std::min<std::uint64_t>(at_most, most), ChunkEnd::Cut,
                       where);
 }
