@@ -113,6 +113,7 @@ const std::vector<Reader>& readers() {
       {"rosbag1", "drive.bag", read_session},
       {"mcap", "drive.mcap", read_session},
       {"rosbag2-database", "drive.db3", read_session},
+      {"rosbag2-packed", "drive.db3.zstd", read_session},
       {"rosbag2-folder", "", read_session},
       {"pcd", "scan.pcd", read_cloud},
       {"ply", "scan.ply", read_cloud},

@@ -31,7 +31,7 @@ std::string head_of(const fs::path& path) {
 /// SQLite keeps many other things: the name must say that this is a bag.
 bool is_bag(const fs::path& path) {
   const std::string head = head_of(path);
-  return is_rosbag1(head) || is_mcap(head) || (is_sqlite(head) && lower_case(path.extension().string()) == ".db3");
+  return is_rosbag1(head) || is_mcap(head) || ((is_sqlite(head) || is_zstd(head)) && is_named_as_database(path));
 }
 
 /// The bags of a folder.
@@ -108,7 +108,7 @@ std::shared_ptr<const BagFile> open_bag(const fs::path& path, Progress& progress
   const std::string head = read_file_head(path, kHeadBytes);
   if (is_rosbag1(head)) return std::make_shared<Rosbag1File>(path, progress);
   if (is_mcap(head)) return std::make_shared<McapFile>(path, progress);
-  if (is_sqlite(head)) return std::make_shared<SqliteBag>(path, progress);
+  if (is_sqlite(head) || is_zstd(head)) return std::make_shared<SqliteBag>(path, progress);
   throw Error(ErrorCode::Format, path.string(),
               "is no bag that is known: expected one of ROS 1, an MCAP or an SQLite database of ROS 2");
 }

@@ -92,6 +92,7 @@ void McapFile::forget_all() {
   forget_topics();
   schemas_.clear();
   topic_of_channel_.clear();
+  chunk_starts_.clear();
   chunks_.clear();
 }
 
@@ -208,10 +209,8 @@ void McapFile::check_other_sums(Progress& progress) {
   }
   if (attachments > 0)
     findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
-                                     std::to_string(attachments) +
-                                         " attachments do not agree with their checksums. "
-                                         "They are not used. First: " +
-                                         first + "."));
+                                     "Attachments that do not agree with their checksums: " +
+                                         std::to_string(attachments) + ". They are not used. First: " + first + "."));
 }
 
 void McapFile::read_chunk_index(std::string_view content, const std::string& where) {
@@ -220,6 +219,7 @@ void McapFile::read_chunk_index(std::string_view content, const std::string& whe
   const auto start = reader.number<std::uint64_t>(), length = reader.number<std::uint64_t>();
   const std::size_t indexes = reader.string().size() / 10;
   const auto index_bytes = reader.number<std::uint64_t>();
+  if (!chunk_starts_.insert(start).second) throw Error(ErrorCode::Format, where, "the index names a chunk twice");
   const BagChunk described = chunk_at(start);
   if (described.cut) throw Error(ErrorCode::Format, where, "a chunk reaches behind the end of the file");
   const std::uint32_t chunk = chunks_.add(described);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "model/io/bag/bag_file.h"
 #include "model/io/bag/chunk_store.h"
@@ -42,6 +43,7 @@ class McapFile final : public BagFile {
   ChunkStore chunks_;
   std::map<std::uint16_t, std::string> schemas_;  // names
   std::map<std::uint16_t, std::size_t> topic_of_channel_;
+  std::set<std::uint64_t> chunk_starts_;  // of those that the index has named
 };
 
 }  // namespace remount

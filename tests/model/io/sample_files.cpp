@@ -33,29 +33,29 @@ void append(Bytes& bytes, T value) {
 
 }  // namespace
 
-Bytes compressed_pcd() {
-  constexpr int kPoints = 20;
+Bytes compressed_pcd(int count) {
   Bytes columns;
   for (int column = 0; column < 5; ++column)
-    for (int i = 0; i < kPoints; ++i)
+    for (int i = 0; i < count; ++i)
       if (column == 3)
         append(columns, static_cast<std::uint16_t>(i % 4));
       else
         append(columns, 0.5f * static_cast<float>(i / 3 + column));
   const Bytes packed = lzf_encode(columns);
-  Bytes bytes = opening(std::to_string(kPoints), "binary_compressed");
+  Bytes bytes = opening(std::to_string(count), "binary_compressed");
   append(bytes, static_cast<std::uint32_t>(packed.size()));
   append(bytes, static_cast<std::uint32_t>(columns.size()));
   return bytes + packed;
 }
 
-Bytes ply(const std::string& encoding) {
-  Bytes bytes = "ply\nformat " + encoding +
-                " 1.0\nelement camera 2\nproperty list uchar float view\nelement vertex 6\nproperty float x\nproperty "
+Bytes ply(const std::string& encoding, int count) {
+  Bytes bytes = "ply\nformat " + encoding + " 1.0\nelement camera 2\nproperty list uchar float view\nelement vertex " +
+                std::to_string(count) +
+                "\nproperty float x\nproperty "
                 "double y\nproperty float z\nproperty uchar ring\nend_header\n";
   if (encoding == "ascii") {
     bytes += "2 0.5 0.25\n0\n";
-    for (int i = 0; i < 6; ++i) bytes += std::to_string(i) + " 1.5 -2.25 3\n";
+    for (int i = 0; i < count; ++i) bytes += std::to_string(i) + " 1.5 -2.25 3\n";
     return bytes;
   }
   const auto put = [&](auto value) {
@@ -63,23 +63,23 @@ Bytes ply(const std::string& encoding) {
     if (encoding == "binary_big_endian") std::reverse(bytes.end() - sizeof value, bytes.end());
   };
   put(std::uint8_t{2}), put(0.5f), put(0.25f), put(std::uint8_t{0});
-  for (int i = 0; i < 6; ++i) put(static_cast<float>(i)), put(1.5), put(-2.25f), put(std::uint8_t{3});
+  for (int i = 0; i < count; ++i) put(static_cast<float>(i)), put(1.5), put(-2.25f), put(std::uint8_t{3});
   return bytes;
 }
 
-Bytes ascii_pcd() {
+Bytes ascii_pcd(int count) {
   Bytes rows;
-  for (int i = 0; i < 10; ++i) rows += std::to_string(i) + " 2.5 3 4 0.01\n";
-  return opening("10", "ascii") + rows;
+  for (int i = 0; i < count; ++i) rows += std::to_string(i) + " 2.5 3 4 0.01\n";
+  return opening(std::to_string(count), "ascii") + rows;
 }
 
-Bytes binary_pcd() {
+Bytes binary_pcd(int count) {
   Bytes rows;
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < count; ++i) {
     for (int axis = 0; axis < 3; ++axis) append(rows, static_cast<float>(i + axis));
     append(rows, static_cast<std::uint16_t>(i)), append(rows, 0.01f);
   }
-  return opening("10", "binary") + rows;
+  return opening(std::to_string(count), "binary") + rows;
 }
 
 Bytes kitti_bin(int count) {
@@ -141,26 +141,35 @@ Bytes apollo_odometry(int count) {
   return text;
 }
 
-Bytes nmea() {
-  Bytes text = "$GPRMC,122600.00,A,,,,,,,130920,,,A\n";
-  for (int i = 0; i < 12; ++i)
-    text += "$GPGGA,12264" + std::to_string(i % 10) +
-            ".00,4846.10,N,00911.50,E,4,12,0.8,250.0,M,48.0,M,,\n$PASHR,12264" + std::to_string(i % 10) +
-            ".00,350.0,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1\n";
+/// "122640.50" and "12:26:40.50" for ten a second.
+std::string clock_text(int i, const char* between) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%02d%s%02d%s%02d.%d0", 12 + i / 36000, between, i / 600 % 60, between, i / 10 % 60,
+                i % 10);
   return text;
 }
 
-Bytes gpx() {
+Bytes nmea(int count) {
+  Bytes text = "$GPRMC,120000.00,A,,,,,,,130920,,,A\n";
+  for (int i = 0; i < count; ++i) {
+    const std::string time = clock_text(i, "");
+    text += "$GPGGA," + time + ",4846.10,N,00911.50,E,4,12,0.8,250.0,M,48.0,M,,\n$PASHR," + time +
+            ",350.0,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1\n";
+  }
+  return text;
+}
+
+Bytes gpx(int count) {
   Bytes text = "<gpx version=\"1.1\"><trk><trkseg>\n";
-  for (int i = 0; i < 6; ++i)
-    text += "<trkpt lat=\"48.5\" lon=\"9.25\"><ele>310</ele><time>2020-09-13T12:26:4" + std::to_string(i) +
-            "Z</time></trkpt>\n";
+  for (int i = 0; i < count; ++i)
+    text +=
+        "<trkpt lat=\"48.5\" lon=\"9.25\"><ele>310</ele><time>2020-09-13T" + clock_text(i, ":") + "Z</time></trkpt>\n";
   return text + "</trkseg></trk></gpx>\n";
 }
 
-Bytes smartloc() {
+Bytes smartloc(int count) {
   Bytes odometry, truth;
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < count; ++i) {
     const Bytes time = std::to_string(0.2 * i);
     odometry += "odom3 " + time + " 5.8 0 0 0 0 -0.005 0.0025 0.0009 0.0009 4e-06 4e-06 4e-06\n";
     truth += "point3 " + time + " " + std::to_string(3785108.1 + i) + " 899901.4 5037234.4 0 0 0 0 0 0 0 0 0\n";

@@ -9,19 +9,19 @@ namespace remount::samples {
 
 using Bytes = std::string;
 
-Bytes compressed_pcd();
-Bytes ply(const std::string& encoding);
-Bytes ascii_pcd();
-Bytes binary_pcd();
+Bytes compressed_pcd(int count);
+Bytes ply(const std::string& encoding, int count);
+Bytes ascii_pcd(int count);
+Bytes binary_pcd(int count);
 Bytes kitti_bin(int count);
 Bytes poses(const char* separator, int count);
 Bytes pose_lines(int count);
 Bytes odometry_csv(int count);
 Bytes inspvax_csv(int count);
 Bytes apollo_odometry(int count);
-Bytes nmea();
-Bytes gpx();
-Bytes smartloc();
+Bytes nmea(int count);
+Bytes gpx(int count);
+Bytes smartloc(int count);
 Bytes inspvax_log(int count);
 Bytes motion_pairs(int count);
 ResultFile result();

@@ -93,7 +93,8 @@ class Rebagged {
     return bags::bytes_of(path);
   }
   std::string database(bool packed) {
-    const fs::path path = folder_.path() / (packed ? "packed.db3" : "plain.db3");
+    const fs::path path = folder_.path() / "again.db3";
+    fs::remove(path);
     bags::write_database(path, topics_, messages_, packed);
     return bags::bytes_of(path);
   }
@@ -110,6 +111,22 @@ std::unique_ptr<BagWriter> rosbag1(const fs::path& path, ChunkCompression compre
 }
 std::unique_ptr<BagWriter> mcap(const fs::path& path, ChunkCompression compression) {
   return make_mcap_writer(path, MessageEncoding::Cdr, compression, 4000);
+}
+
+/// With zero for the checksums, which says that there are none: damage is looked at then, not turned away at the door.
+std::string unchecked(std::string mcap) {
+  constexpr std::size_t kMagic = 8, kHead = 9, kChunkTimesAndSize = 24;
+  for (std::size_t at = kMagic; at + kHead < mcap.size();) {
+    std::uint64_t length = 0;
+    std::memcpy(&length, mcap.data() + at + 1, sizeof length);
+    const char op = mcap[at];
+    at += kHead;
+    const bool last = op == 15 || op == 2;  // of the data and of the summary, at the end of their records
+    if (op == 6 || last) mcap.replace(last ? at + length - 4 : at + kChunkTimesAndSize, 4, 4, '\0');
+    if (op == 2) break;
+    at += length;
+  }
+  return mcap;
 }
 
 std::string rosbag2_folder(const std::string& first, const std::string& second) {
@@ -136,15 +153,17 @@ void add_drives(Samples& list) {
 
 void add_bags(Samples& list) {
   Rebagged ros1("rosbag1"), ros2("mcap");
-  const std::string packed = ros2.through(mcap, ChunkCompression::Lz4);
+  const std::string packed = unchecked(ros2.through(mcap, ChunkCompression::Lz4));
   list.push_back({"rosbag1", "none", ros1.through(rosbag1, ChunkCompression::None)});
   list.push_back({"rosbag1", "bz2", ros1.through(rosbag1, ChunkCompression::Bzip2)});
   list.push_back({"rosbag1", "lz4", ros1.through(rosbag1, ChunkCompression::Lz4)});
-  list.push_back({"mcap", "none", ros2.through(mcap, ChunkCompression::None)});
+  list.push_back({"mcap", "none", unchecked(ros2.through(mcap, ChunkCompression::None))});
   list.push_back({"mcap", "lz4", packed});
-  list.push_back({"mcap", "zstd", ros2.through(mcap, ChunkCompression::Zstd)});
+  list.push_back({"mcap", "zstd", unchecked(ros2.through(mcap, ChunkCompression::Zstd))});
+  list.push_back({"mcap", "with-checksums", ros2.through(mcap, ChunkCompression::Zstd)});
   list.push_back({"rosbag2-database", "plain", ros2.database(false)});
   list.push_back({"rosbag2-database", "packed", ros2.database(true)});
+  list.push_back({"rosbag2-packed", "drive", pack_chunk(ChunkCompression::Zstd, ros2.database(false))});
   list.push_back({"rosbag2-folder", "drive", rosbag2_folder(packed, packed)});
 }
 
@@ -154,23 +173,23 @@ void add_texts(Samples& list) {
                   pack_files({{"novatel-pose.txt", pose_lines(20)}, {"top_lidar-pose.txt", pose_lines(20)}})});
   std::vector<PackedFile> scans{{"novatel-pose.txt", pose_lines(3)}};
   for (int i = 0; i < 3; ++i)
-    scans.push_back({"pcd/2021-10-26-16-21-10-" + std::to_string(i) + "00.pcd", compressed_pcd()});
+    scans.push_back({"pcd/2021-10-26-16-21-10-" + std::to_string(i) + "00.pcd", compressed_pcd(20)});
   list.push_back({"opencalib", "scans", pack_files(scans)});
   list.push_back({"novatel", "log", pack_files({{"a.log", inspvax_log(12)}, lidar})});
   list.push_back({"novatel", "csv", pack_files({{"ins.csv", inspvax_csv(12)}, {"aft_mapped.csv", odometry_csv(12)}})});
   list.push_back({"poses", "hand-eye", pack_files({{"hand.csv", poses(",", 40)}, {"camera.txt", poses(" ", 40)}})});
   list.push_back({"poses", "apollo", pack_files({{"ins.csv", apollo_odometry(20)}, lidar})});
-  list.push_back({"smartloc", "truth", smartloc()});
-  list.push_back({"gnss-log", "nmea", pack_files({{"gnss.nmea", nmea()}, lidar})});
-  list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx()}, lidar})});
+  list.push_back({"smartloc", "truth", smartloc(12)});
+  list.push_back({"gnss-log", "nmea", pack_files({{"gnss.nmea", nmea(12)}, lidar})});
+  list.push_back({"gnss-log", "gpx", pack_files({{"track.gpx", gpx(6)}, lidar})});
 }
 
 void add_scans(Samples& list) {
-  list.push_back({"pcd", "ascii", ascii_pcd()});
-  list.push_back({"pcd", "binary", binary_pcd()});
-  list.push_back({"pcd", "compressed", compressed_pcd()});
+  list.push_back({"pcd", "ascii", ascii_pcd(10)});
+  list.push_back({"pcd", "binary", binary_pcd(10)});
+  list.push_back({"pcd", "compressed", compressed_pcd(20)});
   for (const char* encoding : {"ascii", "binary_little_endian", "binary_big_endian"})
-    list.push_back({"ply", encoding, ply(encoding)});
+    list.push_back({"ply", encoding, ply(encoding, 6)});
   LasOptions options;
   options.times = {300'000'000.25, 300'000'000.34};
   list.push_back({"las", "1.2", las(options)});
