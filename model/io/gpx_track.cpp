@@ -62,6 +62,7 @@ std::optional<std::int64_t> time_ns(std::string_view text) {
 
 /// `point` reaches from "<trkpt" to the next one. Throws Error(Format) at `where`.
 GnssFix fix_of(std::string_view point, const std::string& where, bool& has_height) {
+  point = point.substr(0, point.find("</trkpt"));  // what follows the last point is not its own
   const std::size_t tag_end = point.find('>');
   if (tag_end == std::string_view::npos) throw Error(ErrorCode::Format, where, "the tag <trkpt does not end");
   const std::string_view tag = point.substr(0, tag_end);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/io/attitude_convention.h"
+#include "model/io/crc32.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
@@ -19,34 +20,51 @@ namespace {
 
 constexpr std::size_t kHeadBytes = std::size_t{1} << 20;
 
-/// Where the values of INSPVAX stand among the fields of a line.
+/// A value of INSPVAX, the name of its column in a CSV, and its place in the ASCII log after the ';'.
+struct Value {
+  double InspvaxValues::*value;
+  const char* column;
+  std::size_t ascii;
+};
+constexpr std::array<Value, 13> kValues{{{&InspvaxValues::latitude_deg, "latitude", 2},
+                                         {&InspvaxValues::longitude_deg, "longitude", 3},
+                                         {&InspvaxValues::height_m, "altitude", 4},
+                                         {&InspvaxValues::undulation_m, "undulation", 5},
+                                         {&InspvaxValues::roll_deg, "roll", 9},
+                                         {&InspvaxValues::pitch_deg, "pitch", 10},
+                                         {&InspvaxValues::azimuth_deg, "azimuth", 11},
+                                         {&InspvaxValues::latitude_std_m, "latitude_std", 12},
+                                         {&InspvaxValues::longitude_std_m, "longitude_std", 13},
+                                         {&InspvaxValues::height_std_m, "altitude_std", 14},
+                                         {&InspvaxValues::roll_std_deg, "roll_std", 18},
+                                         {&InspvaxValues::pitch_std_deg, "pitch_std", 19},
+                                         {&InspvaxValues::azimuth_std_deg, "azimuth_std", 20}}};
+constexpr std::size_t kAsciiFields = 23;
+
+/// Where the status and the values stand among the fields of a line.
 struct Columns {
-  std::size_t status, latitude, longitude, height, undulation, roll, pitch, azimuth, latitude_std, longitude_std,
-      height_std, roll_std, pitch_std, azimuth_std;
+  std::size_t status = 0;
+  std::array<std::size_t, kValues.size()> values{};
 };
 
-/// Of the ASCII log, after the ';'.
-constexpr Columns kAsciiColumns{0, 2, 3, 4, 5, 9, 10, 11, 12, 13, 14, 18, 19, 20};
-constexpr std::size_t kAsciiFields = 23;
+Columns ascii_columns() {
+  Columns columns;
+  for (std::size_t i = 0; i < kValues.size(); ++i) columns.values[i] = kValues[i].ascii;
+  return columns;
+}
+
+Columns csv_columns(const CsvHeader& header, const fs::path& path) {
+  Columns columns{header.require("ins_status", path)};
+  for (std::size_t i = 0; i < kValues.size(); ++i) columns.values[i] = header.require(kValues[i].column, path);
+  return columns;
+}
 
 InsSample sample_from(const std::vector<std::string_view>& fields, const Columns& columns, const fs::path& path,
                       std::size_t line) {
-  const auto number = [&](std::size_t i, const char* what) { return require_number(fields[i], what, path, line); };
   InspvaxValues values;
   values.quality = inspvax_quality(fields[columns.status]);
-  values.latitude_deg = number(columns.latitude, "latitude");
-  values.longitude_deg = number(columns.longitude, "longitude");
-  values.height_m = number(columns.height, "height");
-  values.undulation_m = number(columns.undulation, "undulation");
-  values.azimuth_deg = number(columns.azimuth, "azimuth");
-  values.pitch_deg = number(columns.pitch, "pitch");
-  values.roll_deg = number(columns.roll, "roll");
-  values.longitude_std_m = number(columns.longitude_std, "longitude sigma");
-  values.latitude_std_m = number(columns.latitude_std, "latitude sigma");
-  values.height_std_m = number(columns.height_std, "height sigma");
-  values.azimuth_std_deg = number(columns.azimuth_std, "azimuth sigma");
-  values.pitch_std_deg = number(columns.pitch_std, "pitch sigma");
-  values.roll_std_deg = number(columns.roll_std, "roll sigma");
+  for (std::size_t i = 0; i < kValues.size(); ++i)
+    values.*kValues[i].value = require_number(fields[columns.values[i]], kValues[i].column, path, line);
   return ins_sample(values, at_line(path, line));
 }
 
@@ -86,7 +104,7 @@ InsSample parse_ascii(std::string_view line, std::size_t number, const fs::path&
   if (fields.size() < kAsciiFields)
     throw Error(ErrorCode::Format, at_line(path, number),
                 "has " + std::to_string(fields.size()) + " data fields, expected " + std::to_string(kAsciiFields));
-  InsSample sample = sample_from(fields, kAsciiColumns, path, number);
+  InsSample sample = sample_from(fields, ascii_columns(), path, number);
   sample.stamp_ns = stamp_ns;
   return sample;
 }
@@ -123,13 +141,6 @@ std::int64_t time_unit_ns(const std::string& text, std::size_t column) {
   if (steps.empty()) return before > 604'800.0 ? 1'000'000 : 1'000'000'000;
   std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
   return steps[steps.size() / 2] >= 4.0 ? 1'000'000 : 1'000'000'000;
-}
-
-Columns csv_columns(const CsvHeader& header, const fs::path& path) {
-  const auto at = [&](const char* name) { return header.require(name, path); };
-  return {at("ins_status"),   at("latitude"), at("longitude"), at("altitude"),     at("undulation"),
-          at("roll"),         at("pitch"),    at("azimuth"),   at("latitude_std"), at("longitude_std"),
-          at("altitude_std"), at("roll_std"), at("pitch_std"), at("azimuth_std")};
 }
 
 /// What the host's clock is off against GPS time, for the engineer; nothing is computed from it.
@@ -210,6 +221,9 @@ InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
   sample.height_m = values.height_m + values.undulation_m;
   if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
     throw Error(ErrorCode::Format, where, "latitude, longitude or height is not possible");
+  for (const double angle_deg : {values.roll_deg, values.pitch_deg, values.azimuth_deg})
+    if (!(std::abs(angle_deg) <= 360.0))
+      throw Error(ErrorCode::Format, where, "roll, pitch or azimuth is no angle in degrees");
   sample.enu_from_ins = enu_from_ins({degrees_to_radians(values.azimuth_deg), degrees_to_radians(values.pitch_deg),
                                       degrees_to_radians(values.roll_deg)},
                                      AttitudeConvention::NovAtel);
@@ -222,16 +236,7 @@ InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
   return sample;
 }
 
-std::uint32_t novatel_crc32(std::string_view text) {
-  // Reflected 0x04C11DB7 without the usual inversions before and after.
-  std::uint32_t crc = 0;
-  for (const char c : text) {
-    std::uint32_t value = (crc ^ static_cast<std::uint8_t>(c)) & 0xff;
-    for (int bit = 0; bit < 8; ++bit) value = (value & 1) ? (value >> 1) ^ 0xEDB88320u : value >> 1;
-    crc = (crc >> 8) ^ value;
-  }
-  return crc;
-}
+std::uint32_t novatel_crc32(std::string_view text) { return plain_crc32(text); }
 
 std::optional<InspvaxFormat> recognise_inspvax(const fs::path& path) {
   try {

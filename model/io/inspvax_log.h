@@ -39,7 +39,7 @@ struct InspvaxValues {
   double latitude_std_m = 0.0, longitude_std_m = 0.0, height_std_m = 0.0;
   double roll_std_deg = 0.0, pitch_std_deg = 0.0, azimuth_std_deg = 0.0;
 };
-/// Without its stamp. Throws Error(Format) at `where` for a position that is not possible.
+/// Without its stamp. Throws Error(Format) at `where` for a position or an angle that is not possible.
 InsSample ins_sample(const InspvaxValues& values, const std::string& where);
 /// Of the inertial solution status, by number or by name.
 InsQuality inspvax_quality(std::string_view status);

@@ -45,6 +45,13 @@ std::optional<Stated> stated(const NmeaSentence& sentence) {
   return Stated{*north, *east, *up};
 }
 
+/// An angle in degrees; nothing where it is none or beyond a turn.
+std::optional<double> angle_rad(std::string_view text) {
+  const auto degrees = parse_number(text);
+  if (!degrees || std::abs(*degrees) > 360.0) return std::nullopt;
+  return degrees_to_radians(*degrees);
+}
+
 /// What the quality of a GGA usually means, m.
 double usual_sigma_m(const Fix& fix) {
   switch (fix.quality) {
@@ -146,25 +153,24 @@ class NmeaReader {
   }
 
   bool take_heading(const NmeaSentence& sentence) {
-    const auto heading = parse_number(sentence.field(0));
+    const auto heading = angle_rad(sentence.field(0));
     if (!heading || last_ns_ < 0) return sentence.field(0).empty();
     headings_.push_back({last_ns_,
-                         enu_from_ins({degrees_to_radians(*heading), 0.0, 0.0}, AttitudeConvention::Heading),
+                         enu_from_ins({*heading, 0.0, 0.0}, AttitudeConvention::Heading),
                          {kUnknownTilt_rad, kUnknownTilt_rad, degrees_to_radians(0.5)}});
     return true;
   }
 
   bool take_attitude(const NmeaSentence& sentence) {
     const auto time = running(sentence.field(0));
-    const auto heading = parse_number(sentence.field(1)), roll = parse_number(sentence.field(3)),
-               pitch = parse_number(sentence.field(4));
+    const auto heading = angle_rad(sentence.field(1)), roll = angle_rad(sentence.field(3)),
+               pitch = angle_rad(sentence.field(4));
     if (!time || !heading || !roll || !pitch) return false;
     const auto sigma = [&](std::size_t field) {
       const auto value = parse_number(sentence.field(field));
       return value && *value > 0.0 ? degrees_to_radians(*value) : std::nan("");
     };
-    const AttitudeAngles angles{degrees_to_radians(*heading), degrees_to_radians(*pitch), degrees_to_radians(*roll)};
-    attitudes_.push_back({*time, enu_from_ins(angles, AttitudeConvention::Heading),
+    attitudes_.push_back({*time, enu_from_ins({*heading, *pitch, *roll}, AttitudeConvention::Heading),
                           axis_sigma_rad({sigma(8), sigma(7), sigma(6)}, AttitudeConvention::Heading)});
     return true;
   }

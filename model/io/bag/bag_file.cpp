@@ -32,7 +32,7 @@ std::string head_of(const fs::path& path) {
 /// SQLite keeps many other things: the name must say that this is a bag.
 bool is_bag(const fs::path& path) {
   const std::string head = head_of(path);
-  return is_rosbag1(head) || is_mcap(head) || (is_sqlite(head) && lower_case(path.extension().string()) == ".db3");
+  return is_rosbag1(head) || is_mcap(head) || ((is_sqlite(head) || is_zstd(head)) && is_named_as_database(path));
 }
 
 /// The bags of a folder.
@@ -80,9 +80,10 @@ std::size_t BagFile::topic(std::string name, std::string type, MessageEncoding e
 }
 
 void BagFile::add_entry(std::size_t topic, const BagEntry& entry, std::uint64_t file_bytes, const std::string& where) {
-  // Small messages that are packed well may be more than the file has bytes for; not without end.
-  constexpr std::uint64_t kAlways = 2'000'000;
-  if (entry_count_ > kAlways + file_bytes / 6)
+  // Small messages that are packed well may be more than the file has room for; not without end. As many take, while
+  // the list grows, three times the file.
+  constexpr std::uint64_t kAlways = 1'000'000;
+  if (entry_count_ > kAlways + file_bytes / sizeof(BagEntry))
     throw Error(ErrorCode::Format, where,
                 "the index names more than " + std::to_string(entry_count_) + " messages, too many for a file of " +
                     std::to_string(file_bytes) + " bytes");
@@ -108,7 +109,7 @@ std::shared_ptr<const BagFile> open_bag(const fs::path& path, Progress& progress
   const std::string head = read_file_head(path, kHeadBytes);
   if (is_rosbag1(head)) return std::make_shared<Rosbag1File>(path, progress);
   if (is_mcap(head)) return std::make_shared<McapFile>(path, progress);
-  if (is_sqlite(head)) return std::make_shared<SqliteBag>(path, progress);
+  if (is_sqlite(head) || is_zstd(head)) return std::make_shared<SqliteBag>(path, progress);
   throw Error(ErrorCode::Format, path.string(),
               "is no bag that is known: expected one of ROS 1, an MCAP or an SQLite database of ROS 2");
 }

@@ -95,7 +95,7 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
                      device = shift_ns(s.attitude.clock, behind_s), gnss = shift_ns(s.gnss.clock, behind_s),
                      imu = shift_ns(s.imu.clock, behind_s);
   for (StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
-  for (InsSample& sample : s.inspvax.samples) sample.stamp_ns += inspvax;
+  for (InsSample& sample : s.inspvax.messages) sample.stamp_ns += inspvax;
   // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
   for (ImuMessage& message : s.attitude.messages) message.header.stamp_ns += device;
   for (FixMessage& message : s.position.messages) message.header.stamp_ns += device;
@@ -165,7 +165,7 @@ void add_ins(const BagFile& bag, const TopicRoles& roles, BagStreams& s, Session
   } else if (roles.ins) {
     const bool inspvax = message_kind(bag.topics()[*roles.ins].type) == MessageKind::Inspvax;
     if (inspvax) session.ins_axes = InsAxes::RightForwardUp;
-    session.ins = inspvax ? std::move(s.inspvax.samples)
+    session.ins = inspvax ? std::move(s.inspvax.messages)
                           : ins_from_fixes(s.position, s.attitude, place(*roles.ins), session.findings);
     if (!session.ins.empty()) {
       keep_near(session.ins, place(*roles.ins), session.findings);

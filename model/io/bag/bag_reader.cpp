@@ -121,6 +121,7 @@ Session BagReader::open_topics(const fs::path& path, const TopicChoice& topics, 
   session.files = bag->files();
   session.findings = bag->findings();
   session.topic_choice = topics;
+  if (progress.cancelled()) return session;
   const TopicRoles roles = choose_topics(*bag, topics, session.findings);
   session.topics = list_topics(*bag, roles);
   BagStreams streams = read_streams(*bag, roles, session.findings, progress);

@@ -28,18 +28,14 @@ struct PoseStream {
   std::vector<StampedPose> world_from_child;
   std::string child_frame;
 };
-struct ImuStream {
+template <class Message>
+struct MessageStream {
   StreamClock clock;
-  std::vector<ImuMessage> messages;
+  std::vector<Message> messages;
 };
-struct FixStream {
-  StreamClock clock;
-  std::vector<FixMessage> messages;
-};
-struct InspvaxStream {
-  StreamClock clock;
-  std::vector<InsSample> samples;
-};
+using ImuStream = MessageStream<ImuMessage>;
+using FixStream = MessageStream<FixMessage>;
+using InspvaxStream = MessageStream<InsSample>;
 /// The scans' stamps; `index` counts the entries of the topic.
 struct ScanStream {
   StreamClock clock;

@@ -70,6 +70,9 @@ Step unpack_lz4(std::string_view packed, std::uint64_t size, std::string& out) {
 Step unpack_zstd(std::string_view packed, std::uint64_t size, std::string& out) {
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
   if (!context) throw std::bad_alloc();
+  const unsigned long long promised = ZSTD_getFrameContentSize(packed.data(), packed.size());
+  if (promised != ZSTD_CONTENTSIZE_UNKNOWN && promised != ZSTD_CONTENTSIZE_ERROR)
+    out.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(promised, size)));
   return unpack_in_steps(packed, size, out, [&](std::string_view& in, char* to, std::size_t& room) {
     ZSTD_inBuffer input{in.data(), in.size(), 0};
     ZSTD_outBuffer output{to, room, 0};
@@ -107,6 +110,8 @@ ChunkCompression chunk_compression(std::string_view name, const std::string& whe
 std::string unpack_chunk(ChunkCompression compression, std::string_view packed, std::uint64_t size, ChunkEnd end,
                          const std::string& where) {
   std::string out;
+  // Growing step by step would take it twice.
+  if (end == ChunkEnd::Whole && compression != ChunkCompression::None) out.reserve(static_cast<std::size_t>(size));
   Step outcome = Step::Done;
   switch (compression) {
     case ChunkCompression::None:

@@ -17,8 +17,8 @@ enum class ChunkEnd {
   Cut,    ///< the file ends within the chunk: as much as can be unpacked
 };
 
-/// Unpacks up to `size` bytes; memory grows with what is there, not with what is promised. Bytes after the packed data
-/// are left alone. Throws Error(Format) at `where`.
+/// Unpacks up to `size` bytes, and takes memory for no more than these: it is for the caller to see that they are not
+/// too many. Bytes after the packed data are left alone. Throws Error(Format) at `where`.
 std::string unpack_chunk(ChunkCompression compression, std::string_view packed, std::uint64_t size, ChunkEnd end,
                          const std::string& where);
 

@@ -4,11 +4,12 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/bag/bag_file.h"
+#include "model/io/crc32.h"
 
 namespace remount {
 namespace {
 
-/// A chunk of a small bag may be so large; of a large one, four times the file.
+/// A chunk of a small bag may be so large; of a large one, three times the file: with what it is packed in, four times.
 constexpr std::uint64_t kLargeChunk = std::uint64_t{64} << 20;
 
 class FileRange final : public ByteSource {
@@ -49,13 +50,27 @@ class UnpackedChunk final : public ByteSource {
   std::string bytes_, where_;
 };
 
+Error wrong_checksum(const std::string& where) {
+  return {ErrorCode::Format, where, "the checksum of the chunk does not agree with its bytes: it is damaged"};
+}
+
 }  // namespace
+
+std::uint32_t file_checksum(const RandomAccessFile& file, std::uint64_t offset, std::uint64_t count) {
+  constexpr std::uint64_t kPiece = std::uint64_t{1} << 20;
+  std::uint32_t checksum = 0;
+  for (std::uint64_t done = 0; done < count; done += kPiece)
+    checksum = crc32(file.read(offset + done, std::min(kPiece, count - done)), checksum);
+  return checksum;
+}
 
 void ChunkStore::clear() {
   const std::scoped_lock lock(mutex_);
   chunks_.clear();
   kept_ = kNoChunk;
   kept_source_.reset();
+  damaged_.clear();
+  checked_.clear();
 }
 
 std::uint32_t ChunkStore::add(const BagChunk& chunk) {
@@ -68,13 +83,14 @@ std::uint32_t ChunkStore::add(const BagChunk& chunk) {
     throw Error(ErrorCode::Format, where,
                 "a chunk that is not compressed promises " + std::to_string(chunk.bytes) + " bytes and has " +
                     std::to_string(chunk.packed_bytes));
-  const std::uint64_t most = std::max(kLargeChunk, 4 * file_->size());
+  const std::uint64_t most = std::max(kLargeChunk, 3 * file_->size());
   if (chunk.bytes > most)
     throw Error(ErrorCode::Format, where,
                 "a chunk promises " + std::to_string(chunk.bytes) + " bytes, at most " + std::to_string(most) +
                     " are taken from a file of this size");
   if (chunks_.size() >= kNoChunk) throw Error(ErrorCode::Unsupported, where, "the bag has too many chunks");
   chunks_.push_back(chunk);
+  checked_.push_back(chunk.compression != ChunkCompression::None || chunk.cut || chunk.checksum == 0);
   return static_cast<std::uint32_t>(chunks_.size() - 1);
 }
 
@@ -87,16 +103,50 @@ std::shared_ptr<const ByteSource> ChunkStore::source(std::uint32_t number) const
   {
     const std::scoped_lock lock(mutex_);
     if (kept_ == number) return kept_source_;
+    rethrow_if_damaged(number);
+    kept_ = kNoChunk;
+    kept_source_.reset();  // before the memory for the next one is taken
   }
+  try {
+    auto source = unpacked(chunk);
+    const std::scoped_lock lock(mutex_);
+    kept_ = number;
+    kept_source_ = source;
+    return source;
+  } catch (const Error& error) {
+    const std::scoped_lock lock(mutex_);
+    if (error.code() == ErrorCode::Format) damaged_.emplace(number, error);
+    throw;
+  }
+}
+
+std::shared_ptr<const ByteSource> ChunkStore::unpacked(const BagChunk& chunk) const {
   const std::string where = file_->place(chunk.offset);
-  auto source = std::make_shared<const UnpackedChunk>(
-      unpack_chunk(chunk.compression, file_->read(chunk.offset, chunk.packed_bytes), chunk.bytes,
-                   chunk.cut ? ChunkEnd::Cut : ChunkEnd::Whole, where),
-      where);
+  std::string bytes = unpack_chunk(chunk.compression, file_->read(chunk.offset, chunk.packed_bytes), chunk.bytes,
+                                   chunk.cut ? ChunkEnd::Cut : ChunkEnd::Whole, where);
+  if (!chunk.cut && chunk.checksum != 0 && crc32(bytes) != chunk.checksum) throw wrong_checksum(where);
+  return std::make_shared<const UnpackedChunk>(std::move(bytes), where);
+}
+
+/// Under the lock.
+void ChunkStore::rethrow_if_damaged(std::uint32_t number) const {
+  if (const auto found = damaged_.find(number); found != damaged_.end()) throw Error(found->second);
+}
+
+void ChunkStore::check_plain(std::uint32_t number) const {
+  if (number >= chunks_.size()) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    rethrow_if_damaged(number);
+    if (checked_[number]) return;
+  }
+  const BagChunk& chunk = chunks_[number];
+  const bool right = file_checksum(*file_, chunk.offset, chunk.packed_bytes) == chunk.checksum;
   const std::scoped_lock lock(mutex_);
-  kept_ = number;
-  kept_source_ = source;
-  return source;
+  checked_[number] = true;
+  if (right) return;
+  damaged_.emplace(number, wrong_checksum(file_->place(chunk.offset)));
+  rethrow_if_damaged(number);
 }
 
 }  // namespace remount

@@ -1,11 +1,13 @@
 // The chunks of a bag, read and unpacked when they are asked for.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
+#include "algorithms/core/error.h"
 #include "model/io/bag/chunk_codec.h"
 #include "model/io/random_access_file.h"
 
@@ -22,15 +24,19 @@ class ByteSource {
   virtual std::string place(std::uint64_t offset) const = 0;
 };
 
+/// CRC-32 of a part of a file, which is read in pieces.
+std::uint32_t file_checksum(const RandomAccessFile& file, std::uint64_t offset, std::uint64_t count);
+
 struct BagChunk {
   std::uint64_t offset = 0;        ///< of the packed data in the file
   std::uint64_t packed_bytes = 0;  ///< as many as the file holds of them, where it was cut
   std::uint64_t bytes = 0;         ///< unpacked, as the bag promises
   ChunkCompression compression = ChunkCompression::None;
-  bool cut = false;  ///< the file ends within the chunk
+  bool cut = false;            ///< the file ends within the chunk
+  std::uint32_t checksum = 0;  ///< CRC-32 of the unpacked bytes; 0: not known
 };
 
-/// Thread-safe once all chunks are added. Keeps the chunk that was unpacked last.
+/// Thread-safe once all chunks are added. Keeps the chunk that was unpacked last, and of damaged ones the reason.
 class ChunkStore {
  public:
   explicit ChunkStore(const std::filesystem::path& path) : file_(std::make_shared<RandomAccessFile>(path)) {}
@@ -45,12 +51,21 @@ class ChunkStore {
   /// What a chunk holds unpacked; the whole file for kNoChunk. Throws Error where it cannot be read.
   std::shared_ptr<const ByteSource> source(std::uint32_t chunk) const;
 
+  /// Compares the checksum of a chunk that is not compressed, reading it whole, once; others are checked when they are
+  /// unpacked. Throws Error(Format) where it is wrong.
+  void check_plain(std::uint32_t chunk) const;
+
  private:
+  std::shared_ptr<const ByteSource> unpacked(const BagChunk& chunk) const;
+  void rethrow_if_damaged(std::uint32_t chunk) const;
+
   std::shared_ptr<const RandomAccessFile> file_;
   std::vector<BagChunk> chunks_;
   mutable std::mutex mutex_;
   mutable std::uint32_t kept_ = 0xffffffffU;
   mutable std::shared_ptr<const ByteSource> kept_source_;
+  mutable std::map<std::uint32_t, Error> damaged_;  // so that a chunk is unpacked in vain only once
+  mutable std::vector<bool> checked_;               // those that are not compressed
 };
 
 }  // namespace remount

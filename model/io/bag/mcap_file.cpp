@@ -3,28 +3,23 @@
 #include <algorithm>
 
 #include "model/io/bag/byte_reader.h"
+#include "model/io/bag/mcap_format.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
 namespace {
 
-constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
-constexpr std::uint64_t kRecordHead = 9;  // what it is, and the length of what follows
+using namespace mcap;
+
 constexpr std::uint64_t kFooterBytes = kRecordHead + 20;
 constexpr std::uint64_t kMessageHead = 22;  // channel, sequence, two times
 constexpr std::uint64_t kMaxDescription = std::uint64_t{16} << 20;
+constexpr std::uint64_t kChecksumBytes = 4;
 
-enum Op : std::uint8_t {
-  kFooter = 2,
-  kSchema = 3,
-  kChannel = 4,
-  kMessage = 5,
-  kChunk = 6,
-  kMessageIndex = 7,
-  kChunkIndex = 8,
-  kStatistics = 11,
-  kDataEnd = 15
-};
+// Reading a bag whole for the sake of its checksums must not take longer than what one waits for anyway: beyond this
+// size, chunks that are not compressed are checked with the first large message that is read of them.
+constexpr std::uint64_t kReadWhole = std::uint64_t{256} << 20;
+constexpr std::uint64_t kLargeMessage = std::uint64_t{64} << 10;
 
 MessageEncoding encoding_of(std::string_view name) {
   if (name == "ros1") return MessageEncoding::Ros1;
@@ -79,6 +74,7 @@ McapFile::McapFile(const std::filesystem::path& path, Progress& progress) : chun
   std::string why = "it has no summary";
   try {
     if (read_summary(progress)) {
+      check_other_sums(progress);
       sort_topics();
       return;
     }
@@ -88,6 +84,7 @@ McapFile::McapFile(const std::filesystem::path& path, Progress& progress) : chun
   }
   forget_all();
   scan(why, progress);
+  check_other_sums(progress);
   sort_topics();
 }
 
@@ -95,6 +92,7 @@ void McapFile::forget_all() {
   forget_topics();
   schemas_.clear();
   topic_of_channel_.clear();
+  chunk_starts_.clear();
   chunks_.clear();
 }
 
@@ -130,7 +128,7 @@ BagChunk McapFile::chunk_at(std::uint64_t offset) const {
   reader.bytes(16);
   BagChunk chunk;
   chunk.bytes = reader.number<std::uint64_t>();
-  reader.number<std::uint32_t>();  // checksum
+  chunk.checksum = reader.number<std::uint32_t>();
   chunk.compression = chunk_compression(reader.string(), record.where);
   chunk.packed_bytes = reader.number<std::uint64_t>();
   chunk.offset = record.offset + reader.position();
@@ -154,6 +152,7 @@ bool McapFile::read_summary(Progress& progress) {
   const std::string content = footer.content(*whole);
   const auto start = ByteReader(content, footer.where).number<std::uint64_t>();
   if (start == 0) return false;
+  check_summary(start, content, footer);
   std::uint64_t promised = 0;
   bool indexed = false;
   for (std::uint64_t offset = start; offset < whole->size() - tail && !progress.cancelled();) {
@@ -170,12 +169,57 @@ bool McapFile::read_summary(Progress& progress) {
   return indexed && entry_count() >= promised;
 }
 
+/// The checksum reaches from the summary's first byte to itself, the last field of the footer.
+void McapFile::check_summary(std::uint64_t start, const std::string& footer_content, const Record& footer) const {
+  const std::uint64_t end = footer.end() - kChecksumBytes;
+  const auto checksum =
+      ByteReader(footer_content.substr(footer_content.size() - kChecksumBytes), footer.where).number<std::uint32_t>();
+  if (checksum == 0) return;
+  if (start > end || file_checksum(chunks_.file(), start, end - start) != checksum)
+    throw Error(ErrorCode::Format, footer.where, "the checksum of the summary does not agree with its bytes");
+}
+
+/// Of what is not in chunks, which have their own.
+void McapFile::check_other_sums(Progress& progress) {
+  const auto whole = chunks_.source(kNoChunk);
+  if (whole->size() > kReadWhole) return;
+  std::size_t attachments = 0;
+  std::string first;
+  try {
+    for (std::uint64_t offset = kMagic.size(); offset < whole->size() && !progress.cancelled();) {
+      const Record record = read_record(*whole, offset);
+      if (record.op == kFooter) break;
+      if (record.op == kAttachment || record.op == kDataEnd) {
+        // Of an attachment the checksum is its last field; that of the data is of everything before its record.
+        if (record.bytes < kChecksumBytes) throw Error(ErrorCode::Format, record.where, "a record is too short");
+        const bool data = record.op == kDataEnd;
+        const std::uint64_t from = data ? 0 : record.offset, at = record.end() - kChecksumBytes;
+        const auto sum = ByteReader(whole->read(at, kChecksumBytes), record.where).number<std::uint32_t>();
+        const bool right = sum == 0 || file_checksum(chunks_.file(), from, (data ? offset : at) - from) == sum;
+        if (!right && data)
+          findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
+                                           "The checksum of the data does not agree with the file. What is read of it "
+                                           "may be wrong where it has no checksum of its own."));
+        if (!right && !data && attachments++ == 0) first = record.where;
+      }
+      offset = record.end();
+    }
+  } catch (const Error& error) {
+    if (error.code() != ErrorCode::Format) throw;  // that records are damaged is told where they are read
+  }
+  if (attachments > 0)
+    findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
+                                     "Attachments that do not agree with their checksums: " +
+                                         std::to_string(attachments) + ". They are not used. First: " + first + "."));
+}
+
 void McapFile::read_chunk_index(std::string_view content, const std::string& where) {
   ByteReader reader(content, where);
   reader.bytes(16);
   const auto start = reader.number<std::uint64_t>(), length = reader.number<std::uint64_t>();
   const std::size_t indexes = reader.string().size() / 10;
   const auto index_bytes = reader.number<std::uint64_t>();
+  if (!chunk_starts_.insert(start).second) throw Error(ErrorCode::Format, where, "the index names a chunk twice");
   const BagChunk described = chunk_at(start);
   if (described.cut) throw Error(ErrorCode::Format, where, "a chunk reaches behind the end of the file");
   const std::uint32_t chunk = chunks_.add(described);
@@ -223,6 +267,7 @@ void McapFile::scan_record(const ByteSource& source, const Record& record, std::
 }
 
 void McapFile::scan_chunk(std::uint32_t chunk) {
+  if (chunks_.file().size() <= kReadWhole) chunks_.check_plain(chunk);
   const auto source = chunks_.source(chunk);
   for (std::uint64_t offset = 0; offset < source->size();) {
     const Record record = read_record(*source, offset);
@@ -270,7 +315,9 @@ std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const 
   const Record record = read_record(*source, entry.offset);
   if (record.op != kMessage || record.bytes < kMessageHead)
     throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
-  return source->read(record.offset + kMessageHead, std::min<std::uint64_t>(record.bytes - kMessageHead, at_most));
+  const std::uint64_t bytes = std::min<std::uint64_t>(record.bytes - kMessageHead, at_most);
+  if (bytes >= kLargeMessage || chunks_.file().size() <= kReadWhole) chunks_.check_plain(entry.chunk);
+  return source->read(record.offset + kMessageHead, bytes);
 }
 
 }  // namespace remount

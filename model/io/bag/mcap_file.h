@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "model/io/bag/bag_file.h"
 #include "model/io/bag/chunk_store.h"
@@ -13,7 +14,8 @@ bool is_mcap(std::string_view head);
 
 /// Reads the summary and the message indexes of the chunks. Where there are none, or they are damaged, or messages lie
 /// outside of chunks, the file is read from the beginning instead; a file that was cut or damaged gives what is
-/// readable and a finding "bag-unindexed" that says how much that is.
+/// readable and a finding "bag-unindexed" that says how much that is. Checksums are compared where there are any: a
+/// chunk whose own is wrong is not read, the others are.
 class McapFile final : public BagFile {
  public:
   /// Throws Error where the file is no MCAP of this version or holds no readable message at all.
@@ -24,6 +26,8 @@ class McapFile final : public BagFile {
   struct Record;
   static Record read_record(const ByteSource& source, std::uint64_t offset, bool whole = true);
   bool read_summary(Progress& progress);
+  void check_summary(std::uint64_t start, const std::string& footer_content, const Record& footer) const;
+  void check_other_sums(Progress& progress);
   void read_chunk_index(std::string_view content, const std::string& where);
   void read_message_index(std::string_view content, std::uint32_t chunk, const std::string& where);
   void scan(const std::string& why, Progress& progress);
@@ -39,6 +43,7 @@ class McapFile final : public BagFile {
   ChunkStore chunks_;
   std::map<std::uint16_t, std::string> schemas_;  // names
   std::map<std::uint16_t, std::size_t> topic_of_channel_;
+  std::set<std::uint64_t> chunk_starts_;  // of those that the index has named
 };
 
 }  // namespace remount

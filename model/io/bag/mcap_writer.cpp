@@ -4,25 +4,13 @@
 #include "algorithms/core/error.h"
 #include "model/io/append_file.h"
 #include "model/io/bag/bag_writer.h"
+#include "model/io/bag/mcap_format.h"
+#include "model/io/crc32.h"
 
 namespace remount {
 namespace {
 
-constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
-
-enum Op : std::uint8_t {
-  kHeader = 1,
-  kFooter = 2,
-  kSchema = 3,
-  kChannel = 4,
-  kMessage = 5,
-  kChunk = 6,
-  kMessageIndex = 7,
-  kChunkIndex = 8,
-  kStatistics = 11,
-  kSummaryOffset = 14,
-  kDataEnd = 15
-};
+using namespace mcap;
 
 template <class T>
 std::string raw(T value) {
@@ -42,8 +30,8 @@ class McapWriter final : public BagWriter {
   McapWriter(const std::filesystem::path& path, MessageEncoding encoding, ChunkCompression compression,
              std::size_t chunk_bytes)
       : file_(path), encoding_(encoding), compression_(compression), chunk_bytes_(chunk_bytes) {
-    file_.append(kMagic);
-    file_.append(record(kHeader, counted(ros1() ? "ros1" : "ros2") + counted("remount")));
+    append(kMagic);
+    append(record(kHeader, counted(ros1() ? "ros1" : "ros2") + counted("remount")));
   }
 
   MessageEncoding encoding() const override { return encoding_; }
@@ -77,22 +65,28 @@ class McapWriter final : public BagWriter {
 
   void finish() override {
     if (!index_.empty()) close_chunk();
-    file_.append(record(kDataEnd, raw<std::uint32_t>(0)));
+    append(record(kDataEnd, raw(checksum_)));
+    checksum_ = 0;  // the summary has its own
     const std::uint64_t summary = file_.size();
-    file_.append(schemas_);
-    for (const std::string& channel : channels_) file_.append(channel);
-    file_.append(record(kStatistics, statistics()));
+    append(schemas_);
+    for (const std::string& channel : channels_) append(channel);
+    append(record(kStatistics, statistics()));
     const std::uint64_t chunk_indexes = file_.size();
-    for (const std::string& index : chunk_indexes_) file_.append(index);
+    for (const std::string& index : chunk_indexes_) append(index);
     const std::uint64_t offsets = file_.size();
-    file_.append(
-        record(kSummaryOffset, raw<std::uint8_t>(kChunkIndex) + raw(chunk_indexes) + raw(offsets - chunk_indexes)));
-    file_.append(record(kFooter, raw(summary) + raw(offsets) + raw<std::uint32_t>(0)));
-    file_.append(kMagic);
+    append(record(kSummaryOffset, raw<std::uint8_t>(kChunkIndex) + raw(chunk_indexes) + raw(offsets - chunk_indexes)));
+    const std::string footer = raw(summary) + raw(offsets) + raw<std::uint32_t>(0);
+    append(record(kFooter, footer).substr(0, kRecordHead + footer.size() - sizeof(std::uint32_t)));
+    append(raw(checksum_));
+    append(kMagic);
     file_.finish();
   }
 
  private:
+  void append(std::string_view bytes) {
+    file_.append(bytes);
+    checksum_ = crc32(bytes, checksum_);
+  }
   bool ros1() const { return encoding_ == MessageEncoding::Ros1; }
   std::uint64_t counts_total() const {
     std::uint64_t total = 0;
@@ -116,14 +110,14 @@ class McapWriter final : public BagWriter {
                                                                : "";
     const std::string packed = pack_chunk(compression_, chunk_);
     const std::uint64_t start = file_.size();
-    std::string head = raw(start_ns_) + raw(end_ns_) + raw<std::uint64_t>(chunk_.size()) + raw<std::uint32_t>(0);
+    std::string head = raw(start_ns_) + raw(end_ns_) + raw<std::uint64_t>(chunk_.size()) + raw(crc32(chunk_));
     head += counted(name) + raw<std::uint64_t>(packed.size());
-    file_.append(record(kChunk, head + packed));
+    append(record(kChunk, head + packed));
     const std::uint64_t indexes = file_.size();
     std::string offsets;
     for (const auto& [channel, items] : index_) {
       offsets += raw(channel) + raw(file_.size());
-      file_.append(record(kMessageIndex, raw(channel) + counted(items)));
+      append(record(kMessageIndex, raw(channel) + counted(items)));
     }
     chunk_indexes_.push_back(record(kChunkIndex, raw(start_ns_) + raw(end_ns_) + raw(start) + raw(indexes - start) +
                                                      counted(offsets) + raw(file_.size() - indexes) + counted(name) +
@@ -145,6 +139,7 @@ class McapWriter final : public BagWriter {
   std::map<std::uint16_t, std::string> index_;  // times and offsets
   std::int64_t start_ns_ = 0, end_ns_ = 0, first_ns_ = 0;
   std::vector<std::string> chunk_indexes_;  // records
+  std::uint32_t checksum_ = 0;              // of what was written: of the data, then of the summary
 };
 
 }  // namespace

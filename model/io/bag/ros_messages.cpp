@@ -69,8 +69,6 @@ InspvaxValues read_values(MessageReader& reader) {
   values.roll_std_deg = reader.number<float>();
   values.pitch_std_deg = reader.number<float>();
   values.azimuth_std_deg = reader.number<float>();
-  for (const double angle : {values.roll_deg, values.pitch_deg, values.azimuth_deg})
-    if (!(std::abs(angle) <= 360.0)) fail(reader, "roll, pitch or azimuth is no angle in degrees");
   return values;
 }
 

@@ -154,6 +154,8 @@ void Rosbag1File::read_index(std::uint64_t index_offset, std::uint32_t chunk_cou
         ErrorCode::Format, whole->place(index_offset),
         "the index names " + std::to_string(chunk_offsets.size()) + " of " + std::to_string(chunk_count) + " chunks");
   std::sort(chunk_offsets.begin(), chunk_offsets.end());
+  if (std::adjacent_find(chunk_offsets.begin(), chunk_offsets.end()) != chunk_offsets.end())
+    throw Error(ErrorCode::Format, whole->place(index_offset), "the index names a chunk twice");
   for (std::size_t i = 0; i < chunk_offsets.size() && !progress.cancelled(); ++i) {
     if (i % 1000 == 0) progress.report("reading the index", i, chunk_offsets.size());
     read_chunk_index(chunk_offsets[i]);

@@ -51,16 +51,16 @@ std::vector<fs::path> rosbag2_files(const fs::path& folder, std::vector<Finding>
   std::string missing;
   for (const DocumentView& item : information.at("relative_file_paths").items()) {
     // Names only: a bag does not reach out of its folder. Early versions wrote the folder before the name.
-    const fs::path file = folder / fs::path(item.string()).filename();
+    fs::path file = folder / fs::path(item.string()).filename();
+    // Somebody may have unpacked it by hand.
+    if (!is_file(file) && file.extension() == ".zstd") file.replace_extension();
     if (is_file(file))
       files.push_back(file);
     else
       missing += (missing.empty() ? "" : ", ") + file.filename().string();
   }
   if (files.empty())
-    throw Error(ErrorCode::Io, folder.string(),
-                "the files that metadata.yaml names are not here: " + missing +
-                    (missing.find(".zstd") != std::string::npos ? "; unpack them with 'zstd -d'" : ""));
+    throw Error(ErrorCode::Io, folder.string(), "the files that metadata.yaml names are not here: " + missing);
   if (!missing.empty())
     findings.push_back(make_finding(Severity::Warning, "bag-part-missing", folder.string(),
                                     "Parts of the bag are missing: " + missing + "."));

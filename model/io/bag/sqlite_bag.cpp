@@ -7,14 +7,16 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/bag/chunk_codec.h"
+#include "model/io/input_file.h"
 #include "model/io/random_access_file.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
 namespace {
 
-constexpr int kLongestValue = 1 << 30;
-constexpr std::string_view kZstdMagic = "\x28\xb5\x2f\xfd";
+constexpr std::uint64_t kLongestValue = std::uint64_t{1} << 30;
+constexpr std::uint64_t kPageBytes = 65536;  // the largest that there is
+constexpr std::size_t kMagicBytes = 4;       // of Zstandard
 
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
@@ -61,12 +63,26 @@ bool is_cut(const RandomAccessFile& file) {
 
 bool is_sqlite(std::string_view head) { return head.starts_with(std::string_view("SQLite format 3\0", 16)); }
 
+bool is_named_as_database(const std::filesystem::path& path) {
+  const std::string name = lower_case(path.filename().string());
+  return name.ends_with(".db3") || name.ends_with(".db3.zstd");
+}
+
 SqliteBag::SqliteBag(const std::filesystem::path& path, Progress& progress) : database_(nullptr, sqlite3_close) {
   files_ = {path};
-  const RandomAccessFile file(path);  // refuses what is no regular file, which SQLite would wait for
-  file_bytes_ = file.size();
+  if (is_zstd(read_file_head(path, kMagicBytes))) unpacked_ = std::make_unique<UnpackedFile>(path, progress);
+  if (progress.cancelled()) return;
+  const std::filesystem::path& database = unpacked_ ? unpacked_->path() : path;
+  const RandomAccessFile file(database);  // refuses what is no regular file, which SQLite would wait for
+  if (unpacked_ && !is_sqlite(file.read(0, std::min<std::uint64_t>(file.size(), 16))))
+    fail("holds no SQLite database when it is unpacked; unpack it with 'zstd -d' and open what comes out");
+  // Beside a recording that was interrupted lies a log of what is not in the file yet.
+  std::error_code none;
+  const std::uintmax_t log_bytes = std::filesystem::file_size(database.string() + "-wal", none);
+  has_log_ = !none && log_bytes > 0;
+  file_bytes_ = file.size() + (has_log_ ? log_bytes : 0);
   const bool cut = is_cut(file);
-  open_database(cut);
+  open_database(database, cut);
   read_topics();
   read_rows(cut, progress);
   sort_topics();
@@ -79,19 +95,19 @@ void SqliteBag::fail(const std::string& what) const {
               what + (database_ ? std::string(": ") + sqlite3_errmsg(database_.get()) : std::string()));
 }
 
-void SqliteBag::open_database(bool cut) {
-  // Beside a recording that was interrupted lies a log of what is not in the file yet; without one the file is read as
-  // it is, so that nothing is written beside it.
-  std::error_code none;
-  const bool log = std::filesystem::file_size(files_[0].string() + "-wal", none) > 0 && !none;
+void SqliteBag::open_database(const std::filesystem::path& path, bool cut) {
+  // Without a log the file is read as it is, so that nothing is written beside it.
   sqlite3* database = nullptr;
-  const int code = sqlite3_open_v2(uri_of(files_[0], log ? "?mode=ro" : "?mode=ro&immutable=1").c_str(), &database,
+  const int code = sqlite3_open_v2(uri_of(path, has_log_ ? "?mode=ro" : "?mode=ro&immutable=1").c_str(), &database,
                                    SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
   database_.reset(database);
   if (code != SQLITE_OK) fail("the database cannot be opened");
-  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, kLongestValue);
-  // A hostile schema must not run anything.
+  // No value is longer than the file, but for those that are computed.
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(std::min(kLongestValue, file_bytes_ + kPageBytes)));
+  // A hostile schema must not run anything: a view has rows without end.
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   // SQLite refuses a file that is shorter than its header says, but for those who mean to repair it.
   if (cut) sqlite3_exec(database, "PRAGMA writable_schema = ON", nullptr, nullptr, nullptr);
 }
@@ -156,10 +172,10 @@ std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const
       throw Error(ErrorCode::Format, where, sqlite3_errmsg(database_.get()));
     return data;
   };
-  std::string data = read(std::min<std::uint64_t>(bytes, std::max(at_most, kZstdMagic.size())));
-  if (!data.starts_with(kZstdMagic)) return data.substr(0, at_most);
+  std::string data = read(std::min<std::uint64_t>(bytes, std::max(at_most, kMagicBytes)));
+  if (!is_zstd(data)) return data.substr(0, at_most);
   // Compressed message by message; CDR begins otherwise.
-  const std::uint64_t most = std::max<std::uint64_t>(std::uint64_t{64} << 20, 4 * file_bytes_);
+  const std::uint64_t most = std::max<std::uint64_t>(std::uint64_t{64} << 20, 3 * file_bytes_);
   return unpack_chunk(ChunkCompression::Zstd, read(bytes), std::min<std::uint64_t>(at_most, most), ChunkEnd::Cut,
                       where);
 }

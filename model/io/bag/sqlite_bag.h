@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "model/io/bag/bag_file.h"
+#include "model/io/bag/unpacked_file.h"
 
 struct sqlite3;
 
@@ -12,9 +13,12 @@ namespace remount {
 
 /// True where the file begins as an SQLite database does.
 bool is_sqlite(std::string_view head);
+/// True where the name says that this is such a database, or one that is compressed as a whole.
+bool is_named_as_database(const std::filesystem::path& path);
 
 /// Reads the tables `topics` and `messages`; messages by their rows. Messages that are compressed one by one
-/// (Zstandard) are unpacked. A database that is damaged gives what can be read, with a finding "bag-damaged".
+/// (Zstandard) are unpacked; a database that is compressed as a whole is, into a temporary file, when it is opened. A
+/// database that is damaged gives what can be read, with a finding "bag-damaged".
 class SqliteBag final : public BagFile {
  public:
   /// Throws Error where the file is no such database, or nothing of it can be read.
@@ -24,13 +28,15 @@ class SqliteBag final : public BagFile {
 
  private:
   [[noreturn]] void fail(const std::string& what) const;
-  void open_database(bool cut);
+  void open_database(const std::filesystem::path& path, bool cut);
   void read_topics();
   void read_rows(bool cut, Progress& progress);
 
+  std::unique_ptr<UnpackedFile> unpacked_;  // null where the file is the database itself
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_;
-  mutable std::mutex mutex_;  // one connection, which is not to be used by two at once
-  std::uint64_t file_bytes_ = 0;
+  mutable std::mutex mutex_;      // one connection, which is not to be used by two at once
+  std::uint64_t file_bytes_ = 0;  // with the log beside it
+  bool has_log_ = false;
   std::vector<std::pair<std::int64_t, std::size_t>> topic_of_id_;
 };
 

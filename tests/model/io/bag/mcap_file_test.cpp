@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/io/crc32.h"
 #include "tests/model/io/bag/bag_fixtures.h"
 
 namespace remount {
@@ -166,6 +167,79 @@ TEST(mcap_file, that_promises_more_messages_than_its_index_has_is_read_from_its_
   const auto bag = open_quietly(folder.write("a.mcap", bytes));
   EXPECT_EQ(message_count(*bag), 2u);
   EXPECT_TRUE(bag->findings().empty());
+}
+
+// ---- Checksums
+
+/// How many messages of the bag can be read; the others must be refused for their chunk's checksum.
+std::size_t readable(const BagFile& bag) {
+  std::size_t count = 0;
+  for (const BagTopic& topic : bag.topics())
+    for (const BagEntry& entry : topic.entries) {
+      const std::string problem = error_of([&] { bag.message(entry); });
+      EXPECT_TRUE(problem.empty() || contains(problem, "checksum of the chunk")) << problem;
+      count += problem.empty();
+    }
+  return count;
+}
+
+TEST(mcap_file, whose_chunk_has_a_wrong_checksum_gives_the_other_chunks) {
+  const TemporaryFolder folder;
+  const std::vector<TestMessage> messages = test_messages(60);
+  for (const ChunkCompression compression : kCompressions) {
+    std::string bytes = written(folder, compression, messages);
+    // The second chunk's checksum, behind its times and its size; by the index first, then without one.
+    std::size_t offset = kMagic.size(), chunks = 0;
+    while (bytes[offset] != 6 || ++chunks < 2) {
+      std::uint64_t length = 0;
+      std::memcpy(&length, bytes.data() + offset + 1, sizeof length);
+      offset += 9 + length;
+      ASSERT_LT(offset, bytes.size());
+    }
+    bytes[offset + 9 + 24] ^= 1;
+    const auto indexed = open_quietly(folder.write("a.mcap", bytes));
+    const std::size_t left = readable(*indexed);
+    EXPECT_EQ(message_count(*indexed), messages.size());
+    EXPECT_GT(left, messages.size() / 2) << static_cast<int>(compression);
+    EXPECT_LT(left, messages.size()) << static_cast<int>(compression);
+    const auto scanned = open_quietly(folder.write("b.mcap", bytes.substr(0, bytes.size() - 40)));
+    EXPECT_EQ(message_count(*scanned), left);
+    EXPECT_EQ(readable(*scanned), left);
+    const Finding* finding = find(*scanned, "bag-unindexed");
+    ASSERT_NE(finding, nullptr);
+    EXPECT_TRUE(contains(finding->explanation, "checksum of the chunk")) << finding->explanation;
+    EXPECT_TRUE(contains(finding->explanation, std::to_string(left) + " messages")) << finding->explanation;
+  }
+}
+
+TEST(mcap_file, whose_summary_has_a_wrong_checksum_is_read_from_its_beginning) {
+  const TemporaryFolder folder;
+  const std::vector<TestMessage> messages = test_messages(60);
+  std::string bytes = written(folder, ChunkCompression::Zstd, messages);
+  bytes[bytes.size() - kMagic.size() - 1] ^= 1;
+  const auto bag = open_quietly(folder.write("a.mcap", bytes));
+  EXPECT_EQ(count_and_check(*bag, messages), messages.size());
+}
+
+TEST(mcap_file, whose_data_or_attachment_has_a_wrong_checksum_is_read_with_a_warning) {
+  const TemporaryFolder folder;
+  const std::string attachment = raw<std::uint64_t>(1) + raw<std::uint64_t>(1) + counted("notes.txt") +
+                                 counted("text/plain") + raw<std::uint64_t>(5) + "hello";
+  const auto bag_of = [&](std::uint32_t attachment_sum, std::uint32_t data_lie) {
+    const std::string data = opening() + schema() + channel() + hello() + record(9, attachment + raw(attachment_sum));
+    const std::uint32_t data_sum = crc32(data) + data_lie;
+    return open_quietly(folder.write("a.mcap", data + record(15, raw(data_sum)) + closing(0)));
+  };
+  expect_hello(*bag_of(crc32(attachment), 0));
+  EXPECT_EQ(find(*bag_of(crc32(attachment), 0), "bag-damaged"), nullptr);
+  EXPECT_EQ(find(*bag_of(0, 0), "bag-damaged"), nullptr) << "zero says that there is none";
+  for (const bool data : {true, false}) {
+    const auto bag = bag_of(crc32(attachment) + (data ? 0 : 1), data ? 1 : 0);
+    expect_hello(*bag);
+    const Finding* finding = find(*bag, "bag-damaged");
+    ASSERT_NE(finding, nullptr);
+    EXPECT_TRUE(contains(finding->explanation, data ? "data" : "Attachments")) << finding->explanation;
+  }
 }
 
 }  // namespace

@@ -49,8 +49,44 @@ TEST(sqlite_bag, in_a_folder_with_metadata_is_read_with_all_its_parts) {
   EXPECT_EQ(count_and_check(*half, messages), 25u);
   ASSERT_TRUE(find(*half, "bag-part-missing"));
   EXPECT_TRUE(contains(find(*half, "bag-part-missing")->explanation, "bag_1.db3"));
-  write_metadata(bag_folder, {"bag_0.db3.zstd"});
-  EXPECT_ERROR(open_quietly(bag_folder), "zstd -d");
+  write_metadata(bag_folder, {"bag_0.db3.zstd"});  // unpacked by hand
+  EXPECT_EQ(count_and_check(*open_quietly(bag_folder), messages), 25u);
+  fs::remove(bag_folder / "bag_0.db3");
+  EXPECT_ERROR(open_quietly(bag_folder), "are not here");
+}
+
+std::size_t temporary_files() {
+  std::size_t count = 0;
+  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path()))
+    count += entry.path().filename().string().starts_with("remount-bag-");
+  return count;
+}
+
+TEST(sqlite_bag, that_is_compressed_as_a_whole_is_unpacked_into_a_temporary_file) {
+  const TemporaryFolder folder;
+  const std::vector<TestMessage> messages = test_messages(60);
+  write_database(folder.path() / "plain.db3", messages);
+  const std::string bytes = bytes_of(folder.path() / "plain.db3");
+  const std::string packed = pack_chunk(ChunkCompression::Zstd, bytes);
+  const fs::path path = folder.write("bag/drive_0.db3.zstd", packed);
+  write_metadata(path.parent_path(), {"drive_0.db3.zstd"});
+  const std::size_t before = temporary_files();
+  for (const fs::path& input : {path, path.parent_path()}) {
+    EXPECT_EQ(probe_bag(input), 95) << input;
+    const auto bag = open_quietly(input);
+    EXPECT_EQ(count_and_check(*bag, messages), messages.size());
+    EXPECT_EQ(bag->files().front(), path) << "the bag is the file that was given";
+  }
+  EXPECT_ERROR(open_quietly(folder.write("cut.db3.zstd", packed.substr(0, packed.size() - 9))), "cut.db3.zstd");
+  std::string damaged = packed;
+  damaged[damaged.size() / 2] ^= 0x55;
+  EXPECT_ERROR(open_quietly(folder.write("bad.db3.zstd", damaged)), "bad.db3.zstd");
+  EXPECT_ERROR(open_quietly(folder.write("text.db3.zstd", pack_chunk(ChunkCompression::Zstd, "no database"))),
+               "zstd -d");
+  const std::string bomb = pack_chunk(ChunkCompression::Zstd, std::string(std::size_t{80} << 20, '\0'));
+  EXPECT_LT(bomb.size(), 100'000u);
+  EXPECT_ERROR(open_quietly(folder.write("bomb.db3.zstd", bomb)), "unpacks to more than");
+  EXPECT_EQ(temporary_files(), before) << "what was unpacked is gone";
 }
 
 TEST(sqlite_bag, that_is_damaged_gives_what_can_be_read_or_an_error_with_its_name) {
@@ -86,6 +122,24 @@ TEST(sqlite_bag, of_other_tables_is_refused) {
   run(database, "CREATE TABLE people(name TEXT)");
   sqlite3_close(database);
   EXPECT_ERROR(open_quietly(path), "table 'topics'");
+}
+
+TEST(sqlite_bag, with_a_view_that_has_no_end_is_refused) {
+  const TemporaryFolder folder;
+  const std::string endless = " AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) SELECT x AS id, ";
+  for (const bool topics : {true, false}) {
+    const fs::path path = folder.path() / (topics ? "topics.db3" : "messages.db3");
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+    run(database,
+        topics ? "CREATE VIEW topics" + endless + "'a' AS name, 't' AS type, 'cdr' AS serialization_format FROM c"
+               : "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT)");
+    run(database, topics
+                      ? "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB)"
+                      : "CREATE VIEW messages" + endless + "7 AS topic_id, 0 AS timestamp, x'' AS data FROM c");
+    sqlite3_close(database);
+    EXPECT_ERROR(open_quietly(path), topics ? "table 'topics'" : "table 'messages'");
+  }
 }
 
 }  // namespace

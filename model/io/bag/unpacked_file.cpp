@@ -1,0 +1,100 @@
+#include "model/io/bag/unpacked_file.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "algorithms/core/error.h"
+#include "model/io/random_access_file.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t kPieceBytes = std::uint64_t{4} << 20;
+/// A database of zeros packs well, a bomb packs better.
+constexpr std::uint64_t kMostTimes = 100, kAlwaysBytes = std::uint64_t{64} << 20;
+/// Left for others on the disk.
+constexpr std::uint64_t kSpareBytes = std::uint64_t{64} << 20;
+
+std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MB"; }
+
+[[noreturn]] void no_room(const fs::path& packed, const fs::path& folder, const std::string& why) {
+  throw Error(ErrorCode::Io, packed.string(),
+              "cannot be unpacked in " + folder.string() + ": " + why + "; set TMPDIR to a folder with more room, or " +
+                  "unpack it with 'zstd -d'");
+}
+
+void write_all(int descriptor, std::string_view bytes, const fs::path& packed, const fs::path& folder) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) no_room(packed, folder, std::strerror(errno));
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+bool is_zstd(std::string_view head) { return head.starts_with("\x28\xb5\x2f\xfd"); }
+
+UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
+  const fs::path folder = fs::temp_directory_path();
+  std::string pattern = (folder / "remount-bag-XXXXXX").string();
+  FileDescriptor file(::mkstemp(pattern.data()));
+  if (file.get() < 0) no_room(packed, folder, std::strerror(errno));
+  path_ = pattern;
+  try {
+    unpack(packed, file.get(), progress);
+  } catch (...) {
+    ::unlink(path_.c_str());
+    throw;
+  }
+}
+
+UnpackedFile::~UnpackedFile() { ::unlink(path_.c_str()); }
+
+void UnpackedFile::unpack(const fs::path& packed, int descriptor, Progress& progress) const {
+  const RandomAccessFile source(packed);
+  const std::uint64_t most = std::max(kAlwaysBytes, kMostTimes * source.size());
+  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
+  if (!context) throw std::bad_alloc();
+  std::string out(kPieceBytes, '\0');
+  std::uint64_t written = 0;
+  std::size_t hint = 1;
+  for (std::uint64_t offset = 0; offset < source.size() && !progress.cancelled(); offset += kPieceBytes) {
+    progress.report("unpacking the bag, MB", offset >> 20, source.size() >> 20);
+    const std::string in = source.read(offset, std::min(kPieceBytes, source.size() - offset));
+    ZSTD_inBuffer input{in.data(), in.size(), 0};
+    bool full = false;
+    while (input.pos < input.size || full) {
+      ZSTD_outBuffer output{out.data(), out.size(), 0};
+      hint = ZSTD_decompressStream(context.get(), &output, &input);
+      if (ZSTD_isError(hint))
+        throw Error(ErrorCode::Format, source.place(offset + input.pos), "the compressed file is damaged here");
+      written += output.pos;
+      if (written > most)
+        throw Error(ErrorCode::Format, packed.string(),
+                    "unpacks to more than " + megabytes(most) + ", which no bag of this size does");
+      std::error_code unknown;
+      const fs::space_info space = fs::space(path_.parent_path(), unknown);
+      if (!unknown && space.available < kSpareBytes + output.pos)
+        no_room(packed, path_.parent_path(),
+                "after " + megabytes(written) + " only " + megabytes(space.available) + " are free");
+      write_all(descriptor, {out.data(), output.pos}, packed, path_.parent_path());
+      full = output.pos == output.size;
+    }
+  }
+  if (hint != 0 && !progress.cancelled())
+    throw Error(ErrorCode::Format, source.place(source.size()), "the compressed file was cut: its end is missing");
+}
+
+}  // namespace remount
