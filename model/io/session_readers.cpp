@@ -1,13 +1,16 @@
 #include "algorithms/core/error.h"
 #include "model/io/bag/bag_reader.h"
 #include "model/io/gnss_log_reader.h"
+#include "model/io/input_file.h"
 #include "model/io/kitti_raw_reader.h"
 #include "model/io/native_session_reader.h"
 #include "model/io/novatel_reader.h"
 #include "model/io/opencalib_reader.h"
 #include "model/io/pose_session_reader.h"
+#include "model/io/regular_file.h"
 #include "model/io/session_reader.h"
 #include "model/io/smartloc_reader.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 
@@ -27,6 +30,16 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
   return readers;
 }
 
+namespace {
+
+/// What cannot be read is not recognised either: a file without permission must not pass for one of no known format.
+void refuse_unreadable(const std::filesystem::path& path) {
+  if (is_file(path)) (void)open_regular_file(path);
+  for (const std::filesystem::path& file : files_in(path)) (void)open_regular_file(file);
+}
+
+}  // namespace
+
 Session SessionReader::open_topics(const std::filesystem::path& path, const TopicChoice& topics,
                                    Progress& progress) const {
   if (!topics.empty())
@@ -41,7 +54,7 @@ Session open_session(const std::filesystem::path& path, Progress& progress, Look
 
 Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw Error(ErrorCode::Io, path.string(), "does not exist");
+  if (!status_of(path)) throw Error(ErrorCode::Io, path.string(), "does not exist");
   const SessionReader* best = nullptr;
   int best_score = 0;
   for (const auto& reader : session_readers()) {
@@ -53,6 +66,7 @@ Session open_session(const std::filesystem::path& path, const TopicChoice& topic
     for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
     return session;
   }
+  refuse_unreadable(path);
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
     throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
   std::string known;
