@@ -8,6 +8,8 @@
 #include <string>
 
 #include "algorithms/core/error.h"
+#include "model/io/file_lock.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 namespace {
@@ -19,18 +21,26 @@ namespace {
 }  // namespace
 
 AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)), active_(path_.string() + ".active") {
-  file_ = FileDescriptor(::open(active_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file_.get() < 0) fail(active_);
+  // The lock ends with its process: what a killed one left is written over, what another writes is not.
+  LockedFile locked = open_locked(active_);
+  if (locked.state == LockedFile::State::Busy)
+    throw Error(ErrorCode::Io, active_.string(), "is being written by another process");
+  file_ = std::move(locked.file);
+  if (uninterrupted([&] { return ::ftruncate(file_.get(), 0); }) == 0) return;
+  const int reason = errno;
+  ::unlink(active_.c_str());
+  errno = reason;
+  fail(active_);
 }
 
 AppendFile::~AppendFile() {
-  if (!finished_) ::unlink(active_.c_str());
+  if (!finished_) uninterrupted([&] { return ::unlink(active_.c_str()); });
 }
 
 void AppendFile::write_at(std::uint64_t offset, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
-    if (count < 0 && errno == EINTR) continue;
+    const ssize_t count =
+        uninterrupted([&] { return ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset)); });
     if (count <= 0) fail(active_);
     bytes.remove_prefix(static_cast<std::size_t>(count));
     offset += static_cast<std::uint64_t>(count);
@@ -48,8 +58,12 @@ void AppendFile::overwrite(std::uint64_t offset, std::string_view bytes) {
 }
 
 void AppendFile::finish() {
-  if (file_.close() != 0 || ::rename(active_.c_str(), path_.c_str()) != 0) fail(path_);
+  // On the disk before it has its name; closed, which ends the lock, when it has it.
+  if (uninterrupted([&] { return ::fsync(file_.get()); }) != 0 ||
+      uninterrupted([&] { return ::rename(active_.c_str(), path_.c_str()); }) != 0)
+    fail(path_);
   finished_ = true;
+  file_.close();
 }
 
 }  // namespace remount

@@ -7,12 +7,14 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <random>
 #include <string>
 #include <system_error>
 
 #include "algorithms/core/error.h"
 #include "model/io/input_file.h"
 #include "model/io/regular_file.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 namespace {
@@ -21,109 +23,164 @@ namespace {
   throw Error(ErrorCode::Io, path.string(), action + ": " + std::strerror(number) + "; nothing was replaced");
 }
 
+/// What a link leads to, also where nothing lies there yet.
+std::filesystem::path resolved(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  for (int i = 0; i < kMostLinks; ++i) {
+    struct stat status {};
+    if (uninterrupted([&] { return ::lstat(path.c_str(), &status); }) != 0) {
+      if (errno == ENOENT) return path;
+      if (errno == ENOTDIR)  // a file where a folder should be: said of the folder
+        return path;
+      fail(path, "cannot be saved", errno);
+    }
+    if (!S_ISLNK(status.st_mode)) return path;
+    std::error_code problem;
+    std::filesystem::path target;
+    do target = std::filesystem::read_symlink(path, problem);
+    while (problem == std::errc::interrupted);
+    if (problem) fail(path, "cannot be saved, the link cannot be read", problem.value());
+    path = path.parent_path() / target;
+  }
+  throw Error(ErrorCode::Io, path.string(),
+              std::string("cannot be saved, the link leads nowhere: ") + std::strerror(ELOOP));
+}
+
+/// Where the bytes will lie in the end, and with which permissions. Everything is done in the folder by its descriptor:
+/// a temporary name never makes a path too long, and a folder that is renamed meanwhile still gets its file.
+struct Target {
+  FileDescriptor folder;
+  std::string name;
+  mode_t mode = 0;
+};
+
+FileDescriptor opened_folder(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  FileDescriptor descriptor(uninterrupted([&] { return ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC); }));
+  if (descriptor.get() >= 0) return descriptor;
+  if (errno == ENOENT || errno == ENOTDIR)
+    throw Error(ErrorCode::Io, path.string(), "cannot be saved, there is no folder " + folder.string());
+  fail(path, "cannot be saved, its folder cannot be opened", errno);
+}
+
+Target examined(const std::filesystem::path& path) {
+  if (path.empty() || !path.has_filename())
+    throw Error(ErrorCode::Io, path.string(), "is no name of a file to save to");
+  const std::filesystem::path target = resolved(path);
+  FileDescriptor folder = opened_folder(path, target.has_parent_path() ? target.parent_path() : ".");
+  std::string name = target.filename().string();
+  struct stat existing {};
+  const bool exists = uninterrupted([&] { return ::fstatat(folder.get(), name.c_str(), &existing, 0); }) == 0;
+  if (!exists && errno != ENOENT) fail(path, "cannot be saved", errno);
+  if (exists && !S_ISREG(existing.st_mode))
+    throw Error(
+        ErrorCode::Io, path.string(),
+        S_ISDIR(existing.st_mode) ? "cannot be saved, it is a folder" : "cannot be saved, it is no regular file");
+  if (exists && uninterrupted([&] { return ::faccessat(folder.get(), name.c_str(), W_OK, 0); }) != 0)
+    fail(path, "cannot be saved", errno);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return {std::move(folder), std::move(name), exists ? existing.st_mode & 07777 : 0666 & ~mask};
+}
+
+/// Beside `name` and, where that is long, no longer: what the file system takes for the one it takes for the other.
+std::string temporary_name(const std::string& name, std::random_device& dice) {
+  constexpr std::size_t kShort = 100, kDice = 6;
+  std::size_t kept = name.size() <= kShort ? name.size() : name.size() - kDice - 1;
+  while (kept < name.size() && kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0U) == 0x80U)
+    --kept;  // no half of a character: some file systems refuse what is no UTF-8
+  std::string temporary = name.substr(0, kept) + ".";
+  constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  for (std::size_t i = 0; i < kDice; ++i) temporary += kLetters[dice() % kLetters.size()];
+  return temporary;
+}
+
 /// Removes the temporary file unless it was renamed.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::filesystem::path& beside) : pattern_(beside.string() + ".XXXXXX") {
-    file_ = FileDescriptor(::mkostemp(pattern_.data(), O_CLOEXEC));
-    if (file_.get() < 0) fail(beside, "cannot be saved, no temporary file can be made beside it", errno);
+  TemporaryFile(const Target& target, const std::filesystem::path& path) : folder_(target.folder.get()) {
+    constexpr int kTries = 100;
+    std::random_device dice;
+    for (int i = 0; i < kTries && file_.get() < 0; ++i) {
+      name_ = temporary_name(target.name, dice);
+      file_ = FileDescriptor(
+          uninterrupted([&] { return ::openat(folder_, name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600); }));
+      if (file_.get() < 0 && errno != EEXIST) break;
+    }
+    if (file_.get() < 0) fail(path, "cannot be saved, no temporary file can be made beside it", errno);
   }
   ~TemporaryFile() {
-    if (!pattern_.empty()) ::unlink(pattern_.c_str());
+    if (!name_.empty()) uninterrupted([&] { return ::unlinkat(folder_, name_.c_str(), 0); });
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   FileDescriptor& file() { return file_; }
-  const char* name() const { return pattern_.c_str(); }
-  void renamed() { pattern_.clear(); }
+  const char* name() const { return name_.c_str(); }
+  void renamed() { name_.clear(); }
 
  private:
-  std::string pattern_;
+  int folder_;
+  std::string name_;
   FileDescriptor file_;
 };
 
 void write_in_full(int descriptor, std::string_view bytes, const std::filesystem::path& path) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
+    const ssize_t count = uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
     if (count < 0) fail(path, "cannot be saved", errno);
     if (count == 0) fail(path, "cannot be saved", ENOSPC);
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
 
-/// The rename itself is only on the disk when the folder is.
-void flush_folder(const std::filesystem::path& folder) {
-  const FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  // Some file systems cannot flush a folder; the file is complete and in place all the same.
-  if (descriptor.get() >= 0) ::fsync(descriptor.get());
-}
-
-std::filesystem::path folder_of(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-}
-
-std::filesystem::path resolved(const std::filesystem::path& path) {
-  std::error_code problem;
-  if (!std::filesystem::is_symlink(path, problem)) return path;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path, problem);
-  if (problem)
-    throw Error(ErrorCode::Io, path.string(), "cannot be saved, the link leads nowhere: " + problem.message());
-  return target;
-}
-
-/// Where the bytes will lie in the end, and with which permissions.
-struct Target {
-  std::filesystem::path path;
-  mode_t mode = 0;
-};
-
-Target examined(const std::filesystem::path& path) {
-  if (path.empty() || !path.has_filename())
-    throw Error(ErrorCode::Io, path.string(), "is no name of a file to save to");
-  const std::filesystem::path target = resolved(path), folder = folder_of(target);
-  std::error_code problem;
-  if (!std::filesystem::is_directory(folder, problem))
-    throw Error(ErrorCode::Io, path.string(), "cannot be saved, there is no folder " + folder.string());
-  struct stat existing {};
-  const bool exists = ::stat(target.c_str(), &existing) == 0;
-  if (exists && !S_ISREG(existing.st_mode))
-    throw Error(
-        ErrorCode::Io, path.string(),
-        S_ISDIR(existing.st_mode) ? "cannot be saved, it is a folder" : "cannot be saved, it is no regular file");
-  if (exists && ::access(target.c_str(), W_OK) != 0) fail(path, "cannot be saved", errno);
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return {target, exists ? existing.st_mode & 07777 : 0666 & ~mask};
+/// The rename itself is only on the disk when the folder is. Some file systems cannot flush a folder, and one may be
+/// written and not read: the file is complete and in place all the same.
+void flush_folder(int folder, const std::filesystem::path& path) {
+  const FileDescriptor readable(
+      uninterrupted([&] { return ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
+  if (readable.get() >= 0 && uninterrupted([&] { return ::fsync(readable.get()); }) == 0) return;
+  if (errno == EIO || errno == ENOSPC || errno == EDQUOT)
+    throw Error(ErrorCode::Io, path.string(),
+                std::string("is saved, but the disk does not confirm it: ") + std::strerror(errno) +
+                    "; save it again, or elsewhere");
 }
 
 /// Everything is on the disk, under another name.
 class WrittenFile {
  public:
-  WrittenFile(const std::filesystem::path& path, std::string_view bytes)
-      : path_(path), target_(examined(path)), temporary_(target_.path) {
-    if (::fchmod(temporary_.file().get(), target_.mode) != 0)
+  WrittenFile(const std::filesystem::path& path, std::string_view bytes, Flush flush)
+      : path_(path), flush_(flush), target_(examined(path)), temporary_(target_, path) {
+    FileDescriptor& file = temporary_.file();
+    // The file is ours: only a file system that knows no permissions forbids to set them.
+    if (uninterrupted([&] { return ::fchmod(file.get(), target_.mode); }) != 0 && errno != EPERM && errno != ENOTSUP)
       fail(path, "cannot be saved, its permissions cannot be set", errno);
-    write_in_full(temporary_.file().get(), bytes, path);
-    if (::fsync(temporary_.file().get()) != 0) fail(path, "cannot be saved", errno);
-    if (temporary_.file().close() != 0) fail(path, "cannot be saved", errno);
+    write_in_full(file.get(), bytes, path);
+    if (flush == Flush::ToDisk && uninterrupted([&] { return ::fsync(file.get()); }) != 0)
+      fail(path, "cannot be saved", errno);
+    if (file.close() != 0) fail(path, "cannot be saved", errno);
   }
   void replace() {
-    if (::rename(temporary_.name(), target_.path.c_str()) != 0) fail(path_, "cannot be saved", errno);
+    const int folder = target_.folder.get();
+    if (uninterrupted([&] { return ::renameat(folder, temporary_.name(), folder, target_.name.c_str()); }) != 0)
+      fail(path_, "cannot be saved", errno);
     temporary_.renamed();
-    flush_folder(folder_of(target_.path));
+    if (flush_ == Flush::ToDisk) flush_folder(folder, path_);
   }
+  const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;
+  Flush flush_;
   Target target_;
   TemporaryFile temporary_;
 };
 
 }  // namespace
 
-void check_can_save(const std::filesystem::path& path) { const TemporaryFile removed_at_once(examined(path).path); }
+void check_can_save(const std::filesystem::path& path) {
+  const Target target = examined(path);
+  const TemporaryFile removed_at_once(target, path);
+}
 
 void check_replaces_its_like(const std::filesystem::path& path, std::string_view mark) {
   constexpr std::size_t kHead = 4096;
@@ -135,12 +192,21 @@ void check_replaces_its_like(const std::filesystem::path& path, std::string_view
                     "\" in it): name another file, or remove it first");
 }
 
-void save_atomically(const std::filesystem::path& path, std::string_view bytes) { save_together({{path, bytes}}); }
+void save_atomically(const std::filesystem::path& path, std::string_view bytes, Flush flush) {
+  WrittenFile(path, bytes, flush).replace();
+}
 
 void save_together(const std::vector<BytesToSave>& files) {
   std::vector<std::unique_ptr<WrittenFile>> written;
-  for (const BytesToSave& file : files) written.push_back(std::make_unique<WrittenFile>(file.path, file.bytes));
-  for (const auto& file : written) file->replace();
+  for (const BytesToSave& file : files)
+    written.push_back(std::make_unique<WrittenFile>(file.path, file.bytes, Flush::ToDisk));
+  std::string replaced;
+  for (const auto& file : written) try {
+      file->replace();
+      replaced += "; replaced already: " + file->path().string();
+    } catch (const Error& error) {
+      throw Error(error.code(), error.where(), error.what_happened() + replaced);
+    }
 }
 
 }  // namespace remount

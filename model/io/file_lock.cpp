@@ -11,6 +11,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/input_file.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 namespace {
@@ -19,27 +20,52 @@ namespace {
   throw Error(ErrorCode::Io, path.string(), std::string("cannot be locked: ") + std::strerror(errno));
 }
 
-/// As far as it goes: the name is for people, the lock holds without it.
-void write_holder(const FileDescriptor& file, const std::string& holder) {
-  const std::string line = holder + "\n";
-  if (::ftruncate(file.get(), 0) != 0) return;
-  [[maybe_unused]] const ssize_t written = ::pwrite(file.get(), line.data(), line.size(), 0);
-}
-
 }  // namespace
 
+bool lies_at(const FileDescriptor& file, const std::filesystem::path& path) {
+  struct stat ours {};
+  struct stat there {};
+  return uninterrupted([&] { return ::fstat(file.get(), &ours); }) == 0 &&
+         uninterrupted([&] { return ::stat(path.c_str(), &there); }) == 0 && ours.st_dev == there.st_dev &&
+         ours.st_ino == there.st_ino;
+}
+
+LockedFile open_locked(const std::filesystem::path& path) {
+  constexpr int kTries = 100;  // each fails only where a holder removed its file in between
+  for (int i = 0; i < kTries; ++i) {
+    FileDescriptor file(
+        uninterrupted([&] { return ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666); }));
+    if (file.get() < 0 && errno == EACCES) {  // another user's, or not allowed to be made
+      file = FileDescriptor(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
+      if (file.get() < 0) errno = EACCES;
+    }
+    struct stat status {};
+    if (file.get() < 0 || uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0) fail(path);
+    if (!S_ISREG(status.st_mode)) throw Error(ErrorCode::Io, path.string(), "cannot be locked, it is no regular file");
+    if (uninterrupted([&] { return ::flock(file.get(), LOCK_EX | LOCK_NB); }) != 0) {
+      if (errno == EWOULDBLOCK) return {std::move(file), LockedFile::State::Busy};
+      return {std::move(file), LockedFile::State::Impossible};
+    }
+    if (lies_at(file, path)) return {std::move(file), LockedFile::State::Ours};
+  }
+  throw Error(ErrorCode::Io, path.string(), "cannot be locked: it is made and removed again and again");
+}
+
+bool write_holder(const FileDescriptor& file, const std::string& text) {
+  return uninterrupted([&] { return ::ftruncate(file.get(), 0); }) == 0 &&
+         uninterrupted([&] { return ::pwrite(file.get(), text.data(), text.size(), 0); }) ==
+             static_cast<ssize_t>(text.size());
+}
+
 std::optional<FileLock> FileLock::take(const std::filesystem::path& path, const std::string& holder) {
-  FileDescriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666));
+  LockedFile locked = open_locked(path);
+  if (locked.state == LockedFile::State::Busy) return std::nullopt;
+  if (locked.state == LockedFile::State::Impossible)
+    throw Error(ErrorCode::Io, path.string(), "cannot be locked: the file system knows no locks");
+  write_holder(locked.file, holder + "\n");
   struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0) fail(path);
-  if (!S_ISREG(status.st_mode)) throw Error(ErrorCode::Io, path.string(), "cannot be locked, it is no regular file");
-  int answer = 0;
-  while ((answer = ::flock(file.get(), LOCK_EX | LOCK_NB)) != 0 && errno == EINTR) continue;
-  if (answer != 0 && errno == EWOULDBLOCK) return std::nullopt;
-  if (answer != 0) fail(path);
-  write_holder(file, holder);
-  if (::fstat(file.get(), &status) != 0) fail(path);
-  return FileLock(std::move(file), std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec);
+  if (uninterrupted([&] { return ::fstat(locked.file.get(), &status); }) != 0) fail(path);
+  return FileLock(std::move(locked.file), std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec);
 }
 
 std::string lock_holder(const std::filesystem::path& path) {
@@ -51,10 +77,11 @@ std::string lock_holder(const std::filesystem::path& path) {
   }
 }
 
-std::string this_process() {
+std::string this_host() {
   std::array<char, 256> host{};
-  if (::gethostname(host.data(), host.size() - 1) != 0) host[0] = '?';
-  return "process " + std::to_string(::getpid()) + " on " + host.data();
+  return ::gethostname(host.data(), host.size() - 1) == 0 ? host.data() : "?";
 }
+
+std::string this_process() { return "process " + std::to_string(::getpid()) + " on " + this_host(); }
 
 }  // namespace remount

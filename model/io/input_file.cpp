@@ -12,6 +12,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/regular_file.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 
@@ -19,7 +20,7 @@ namespace {
 
 std::uint64_t size_of(const FileDescriptor& file, const std::filesystem::path& path) {
   struct stat status {};
-  if (::fstat(file.get(), &status) != 0)
+  if (uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0)
     throw Error(ErrorCode::Io, path.string(), std::string("cannot be examined: ") + std::strerror(errno));
   return static_cast<std::uint64_t>(status.st_size);
 }
@@ -28,8 +29,8 @@ std::string read_bytes(const FileDescriptor& file, const std::filesystem::path& 
   std::string bytes(size, '\0');
   std::size_t filled = 0;
   while (filled < bytes.size()) {
-    const ssize_t count = ::read(file.get(), bytes.data() + filled, bytes.size() - filled);
-    if (count < 0 && errno == EINTR) continue;
+    const ssize_t count =
+        uninterrupted([&] { return ::read(file.get(), bytes.data() + filled, bytes.size() - filled); });
     if (count < 0) throw Error(ErrorCode::Io, path.string(), std::string("cannot be read: ") + std::strerror(errno));
     if (count == 0) break;  // became shorter since fstat
     filled += static_cast<std::size_t>(count);
@@ -38,12 +39,24 @@ std::string read_bytes(const FileDescriptor& file, const std::filesystem::path& 
   return bytes;
 }
 
+/// A disk that fails must not pass for a folder with fewer files; one that is not there is an empty one.
+void refuse_half(const std::error_code& problem, const std::filesystem::path& path) {
+  if (problem && problem != std::errc::no_such_file_or_directory && problem != std::errc::not_a_directory)
+    throw Error(ErrorCode::Io, path.string(), "cannot be listed: " + problem.message());
+}
+
 template <class Keep>
 std::vector<std::filesystem::path> entries(const std::filesystem::path& directory, Keep&& keep) {
   std::vector<std::filesystem::path> found;
-  std::error_code error;
-  for (std::filesystem::directory_iterator entry(directory, error), end; !error && entry != end; entry.increment(error))
-    if (keep(entry->path())) found.push_back(entry->path());
+  std::error_code problem;
+  for (std::filesystem::directory_iterator entry(directory, problem), end; !problem && entry != end;
+       entry.increment(problem)) {
+    std::error_code unknown;
+    if (keep(*entry, unknown)) found.push_back(entry->path());
+    if (unknown != std::errc::too_many_symbolic_link_levels) refuse_half(unknown, entry->path());
+  }
+  if (problem == std::errc::interrupted) return entries(directory, keep);
+  refuse_half(problem, directory);
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -73,21 +86,21 @@ std::string read_file_head(const std::filesystem::path& path, std::size_t bytes)
 }
 
 bool is_file(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::is_regular_file(path, error);
+  const std::optional<struct stat> there = status_of(path);
+  return there && S_ISREG(there->st_mode);
 }
 
 bool is_folder(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::is_directory(path, error);
+  const std::optional<struct stat> there = status_of(path);
+  return there && S_ISDIR(there->st_mode);
 }
 
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& directory) {
-  return entries(directory, is_file);
+  return entries(directory, [](const auto& entry, std::error_code& unknown) { return entry.is_regular_file(unknown); });
 }
 
 std::vector<std::filesystem::path> directories_in(const std::filesystem::path& directory) {
-  return entries(directory, is_folder);
+  return entries(directory, [](const auto& entry, std::error_code& unknown) { return entry.is_directory(unknown); });
 }
 
 LineReader::LineReader(std::string_view text) : text_(text) {

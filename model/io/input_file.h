@@ -22,14 +22,14 @@ std::string read_regular_file(const std::filesystem::path& path, std::uint64_t m
 /// The first bytes of a regular file, at most `bytes`; same errors.
 std::string read_file_head(const std::filesystem::path& path, std::size_t bytes);
 
-/// True where the path leads to a regular file. Never throws.
+/// True where the path leads to a regular file. Throws Error(Io) where that cannot be seen: that is not its absence.
 bool is_file(const std::filesystem::path& path);
-/// True where the path leads to a directory. Never throws.
+/// True where the path leads to a directory; likewise.
 bool is_folder(const std::filesystem::path& path);
 
-/// Regular files of a directory (not of its subdirectories) in the order of their names; empty where there is none.
+/// Regular files of a directory, not of its subdirectories, by name; none where it is not there. Throws Error(Io).
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& directory);
-/// Subdirectories in the order of their names.
+/// Subdirectories in the order of their names; likewise.
 std::vector<std::filesystem::path> directories_in(const std::filesystem::path& directory);
 
 /// Walks the lines of a text without copying; strips "\r" at the end and a byte order mark at the beginning.

@@ -7,13 +7,14 @@
 #include <cstring>
 
 #include "algorithms/core/error.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 
 RandomAccessFile::RandomAccessFile(std::filesystem::path path)
     : path_(std::move(path)), file_(open_regular_file(path_)) {
   struct stat status {};
-  if (::fstat(file_.get(), &status) != 0)
+  if (uninterrupted([&] { return ::fstat(file_.get(), &status); }) != 0)
     throw Error(ErrorCode::Io, path_.string(), std::string("cannot be examined: ") + std::strerror(errno));
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -29,9 +30,9 @@ std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) co
   std::string bytes(count, '\0');
   std::size_t filled = 0;
   while (filled < bytes.size()) {
-    const ssize_t got =
-        ::pread(file_.get(), bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
-    if (got < 0 && errno == EINTR) continue;
+    const ssize_t got = uninterrupted([&] {
+      return ::pread(file_.get(), bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
+    });
     if (got < 0) throw Error(ErrorCode::Io, place(offset), std::string("cannot be read: ") + std::strerror(errno));
     if (got == 0) throw Error(ErrorCode::Io, place(offset), "the file became shorter while it was read");
     filled += static_cast<std::size_t>(got);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 
@@ -36,21 +37,29 @@ int FileDescriptor::release() { return std::exchange(descriptor_, -1); }
 
 int FileDescriptor::close() {
   const int descriptor = release();
-  return descriptor < 0 ? 0 : ::close(descriptor);
+  if (descriptor < 0 || ::close(descriptor) == 0) return 0;
+  return errno == EINTR ? 0 : -1;  // interrupted or not, Linux has given the descriptor back: never again
 }
 
 FileDescriptor open_regular_file(const std::filesystem::path& path) {
   // Without O_NONBLOCK the call itself would wait for a writer where the path is a FIFO.
-  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  FileDescriptor file(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
   if (file.get() < 0)
     throw Error(ErrorCode::Io, path.string(), std::string("cannot be opened: ") + std::strerror(errno));
   struct stat status {};
-  if (::fstat(file.get(), &status) != 0)
+  if (uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0)
     throw Error(ErrorCode::Io, path.string(), std::string("cannot be examined: ") + std::strerror(errno));
   if (!S_ISREG(status.st_mode))
     throw Error(ErrorCode::Io, path.string(),
                 std::string("is ") + kind_of(status.st_mode) + ", expected a regular file");
   return file;
+}
+
+std::optional<struct stat> status_of(const std::filesystem::path& path) {
+  struct stat status {};
+  if (uninterrupted([&] { return ::stat(path.c_str(), &status); }) == 0) return status;
+  if (errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG || errno == ELOOP) return std::nullopt;
+  throw Error(ErrorCode::Io, path.string(), std::string("cannot be examined: ") + std::strerror(errno));
 }
 
 }  // namespace remount

@@ -16,7 +16,7 @@ class FileDescriptor {
 
   int get() const { return descriptor_; }
   int release();
-  /// 0, or what close(2) returned: on some file systems the first report of a failed write.
+  /// 0, or -1 and errno as close(2): on some file systems the first report of a failed write.
   int close();
 
  private:

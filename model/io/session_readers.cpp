@@ -3,14 +3,17 @@
 #include "algorithms/core/error.h"
 #include "model/io/bag/bag_reader.h"
 #include "model/io/gnss_log_reader.h"
+#include "model/io/input_file.h"
 #include "model/io/kitti_raw_reader.h"
 #include "model/io/native_session_reader.h"
 #include "model/io/novatel_reader.h"
 #include "model/io/opencalib_reader.h"
 #include "model/io/pose_session_reader.h"
+#include "model/io/regular_file.h"
 #include "model/io/session_reader.h"
 #include "model/io/several_sessions.h"
 #include "model/io/smartloc_reader.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 
@@ -29,6 +32,16 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
   }();
   return readers;
 }
+
+namespace {
+
+/// What cannot be read is not recognised either: a file without permission must not pass for one of no known format.
+void refuse_unreadable(const std::filesystem::path& path) {
+  if (is_file(path)) (void)open_regular_file(path);
+  for (const std::filesystem::path& file : files_in(path)) (void)open_regular_file(file);
+}
+
+}  // namespace
 
 Session SessionReader::open_topics(const std::filesystem::path& path, const TopicChoice& topics,
                                    Progress& progress) const {
@@ -72,12 +85,13 @@ Session open_session(const std::filesystem::path& path, Progress& progress, Look
 
 Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw Error(ErrorCode::Io, path.string(), "does not exist");
+  if (!status_of(path)) throw Error(ErrorCode::Io, path.string(), "does not exist");
   if (const SessionReader* best = surest_reader(path)) {
     Session session = best->open_topics(path, topics, progress);
     for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
     return session;
   }
+  refuse_unreadable(path);
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
     throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
   if (const auto sessions = sessions_below(path, progress); !sessions.empty())
