@@ -23,7 +23,7 @@ void MainWindow::open_project() {
 
 bool MainWindow::save_project(bool ask, std::function<void()> saved) {
   QString path = workbench_.project_path();
-  if (path.isEmpty() || ask)
+  if (path.isEmpty() || ask || workbench_.read_only())
     path = QFileDialog::getSaveFileName(this, tr("Save the project"), path, tr("Remount projects (*%1)").arg(kSuffix));
   if (path.isEmpty()) return false;
   workbench_.save_project(path.endsWith(kSuffix) ? path : path + kSuffix, std::move(saved));
@@ -32,8 +32,9 @@ bool MainWindow::save_project(bool ask, std::function<void()> saved) {
 
 void MainWindow::show_project() {
   const QString path = workbench_.project_path();
-  setWindowTitle((path.isEmpty() ? QString() : QFileInfo(path).completeBaseName() + QStringLiteral("[*] – ")) +
-                 tr("Remount"));
+  QString name = path.isEmpty() ? QString() : QFileInfo(path).completeBaseName();
+  if (workbench_.read_only()) name = tr("%1 (read-only)").arg(name);
+  setWindowTitle((path.isEmpty() ? QString() : name + QStringLiteral("[*] – ")) + tr("Remount"));
   setWindowModified(!path.isEmpty() && workbench_.unsaved());
 }
 

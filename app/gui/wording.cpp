@@ -1,6 +1,8 @@
 #include "app/gui/wording.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
 
 namespace remount {
 namespace {
@@ -57,6 +59,14 @@ QString standing_note(const Workbench& workbench) {
   if (changes.isEmpty()) return {};
   return Words::tr("This result was made with other settings or files: %1. Calibrate again (F5).")
       .arg(in_short(changes, QStringLiteral("; ")));
+}
+
+QString holder_text(const LockHolder& holder) {
+  if (holder.user.empty()) return Words::tr("it does not say whose");
+  return Words::tr("%1 on %2 (process %3), since %4")
+      .arg(QString::fromStdString(holder.user), QString::fromStdString(holder.host))
+      .arg(holder.process)
+      .arg(QLocale().toString(QDateTime::fromSecsSinceEpoch(holder.since_s), QLocale::ShortFormat));
 }
 
 QString export_warning(const Workbench& workbench) {

@@ -21,6 +21,9 @@ QString next_hint(const Workbench& workbench);
 ResultStanding standing_of(const Workbench& workbench);
 QString standing_note(const Workbench& workbench);
 
+/// Who has a project open.
+QString holder_text(const LockHolder& holder);
+
 /// What is to be known of the result before it is written for other software; empty for nothing.
 QString export_warning(const Workbench& workbench);
 

@@ -1346,6 +1346,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>In three dimensions</source>
         <translation>三维视图</translation>
     </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1（只读）</translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -2274,6 +2278,42 @@ Your work is kept safe in %2 instead. Bring the disk back, or save the project e
         <translation>无法写入项目所在的文件夹：%1
 您的工作改存于 %2。请重新连接磁盘，或把项目另存到别处（文件，项目另存为）。</translation>
     </message>
+    <message>
+        <source>was taken over by another window: %1.
+Here it is read-only from now on. Save your work under another name (File, Save project as).</source>
+        <translation>已被另一个窗口接管：%1。
+从现在起此处为只读。请以其他名称保存您的工作（文件，项目另存为）。</translation>
+    </message>
+    <message>
+        <source>The project is open in another window</source>
+        <translation>项目已在另一个窗口中打开</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window:
+%2.</source>
+        <translation>%1 已在另一个窗口中打开：
+%2。</translation>
+    </message>
+    <message>
+        <source>Read-only shows the file as it was saved last; what you change is saved under another name. A copy is work of your own that has no file yet.</source>
+        <translation>只读方式显示文件上次保存的内容；您的更改将以其他名称保存。副本是您自己的工作，尚无文件。</translation>
+    </message>
+    <message>
+        <source>If that computer was switched off or lost its connection, take the project over: the window there can save it under another name only.</source>
+        <translation>如果那台计算机已关机或失去连接，可接管该项目：那里的窗口之后只能以其他名称保存。</translation>
+    </message>
+    <message>
+        <source>Open &amp;read-only</source>
+        <translation>以只读方式打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open a &amp;copy</source>
+        <translation>打开副本(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Take over</source>
+        <translation>接管(&amp;T)</translation>
+    </message>
 </context>
 <context>
     <name>remount::QualityController</name>
@@ -3180,6 +3220,16 @@ Calibrate again (F5).</source>
     <message>
         <source>Cancelled before there was anything that could be kept.</source>
         <translation>已取消，当时还没有可以保留的内容。</translation>
+    </message>
+    <message>
+        <source>is open in another window: %1.
+Save under another name, or close it there first.</source>
+        <translation>已在另一个窗口中打开：%1。
+请以其他名称保存，或先在那里关闭它。</translation>
+    </message>
+    <message>
+        <source>another window could open it at the same time, no lock can be made: %1</source>
+        <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
     </message>
 </context>
 <context>
@@ -4335,10 +4385,6 @@ Calibrate again (F5).</source>
     <message>
         <source>cannot be saved, the link leads nowhere: %1</source>
         <translation>无法保存，链接没有指向任何位置：%1</translation>
-    </message>
-    <message>
-        <source>exists and is not a regular file</source>
-        <translation>已存在，但不是普通文件</translation>
     </message>
     <message>
         <source>is no PCD, PLY, KITTI .bin or .txt scan</source>
@@ -6388,6 +6434,30 @@ Calibrate again (F5).</source>
         <source>Of several topics this one serves as %1; not used: %2. --topic %3=TOPIC takes another.</source>
         <translation>在多个话题中，此话题用作 %1；未使用：%2。--topic %3=TOPIC 可改用其他话题。</translation>
     </message>
+    <message>
+        <source>cannot be saved, its folder cannot be opened: %1; nothing was replaced</source>
+        <translation>无法保存，无法打开其所在文件夹：%1；未替换任何内容</translation>
+    </message>
+    <message>
+        <source>cannot be saved, the link cannot be read: %1; nothing was replaced</source>
+        <translation>无法保存，无法读取该链接：%1；未替换任何内容</translation>
+    </message>
+    <message>
+        <source>is saved, but the disk does not confirm it: %1; save it again, or elsewhere</source>
+        <translation>已保存，但磁盘未确认写入：%1；请再次保存，或保存到其他位置</translation>
+    </message>
+    <message>
+        <source>cannot be listed: %1</source>
+        <translation>无法列出其内容：%1</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>文件名过长</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>文件句柄已失效</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -6664,6 +6734,14 @@ Then calibrate: F5.</source>
     <message>
         <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow.</source>
         <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新。</translation>
+    </message>
+    <message>
+        <source>it does not say whose</source>
+        <translation>未注明使用者</translation>
+    </message>
+    <message>
+        <source>%1 on %2 (process %3), since %4</source>
+        <translation>%2 上的 %1（进程 %3），自 %4 起</translation>
     </message>
 </context>
 <context>
