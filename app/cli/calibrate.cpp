@@ -8,6 +8,7 @@
 #include "app/cli/sessions.h"
 #include "app/cli/verbs.h"
 #include "model/io/atomic_save.h"
+#include "model/io/holder_lock.h"
 #include "model/methods/calibration_method.h"
 #include "model/methods/trajectory_method.h"
 #include "model/project.h"
@@ -87,6 +88,20 @@ int follow(const CalibrateArguments& arguments, Console& console) {
   return finish(make_result_file(input, followed.output, std::move(inputs)), arguments.solve.output, console);
 }
 
+/// Tried before the work begins. Held until the project is saved: a window that has it open would save over it, or over
+/// what is in the window.
+std::shared_ptr<const HolderLock> lock_to_save(const std::string& path) {
+  if (path.empty()) return nullptr;
+  check_replaces_its_like(path, "remount-project/");
+  check_can_save(path);
+  const HolderLock::Attempt attempt = HolderLock::take(lock_path_of(path));
+  if (attempt.holder)
+    throw Error(
+        ErrorCode::Io, path,
+        "is open in another window: " + to_string(*attempt.holder) + "; close it there, or save under another name");
+  return attempt.lock;
+}
+
 int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (arguments.follow) return follow(arguments, console);
   Project project;
@@ -99,10 +114,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (project.sessions.empty())
     throw Error(ErrorCode::Contract, "calibrate", "no session is given; name one, or a --project that holds some");
   arguments.solve.check_output();
-  if (!arguments.save_project.empty()) {
-    check_replaces_its_like(arguments.save_project, "remount-project/");
-    check_can_save(arguments.save_project);
-  }
+  const std::shared_ptr<const HolderLock> lock = lock_to_save(arguments.save_project);
 
   PipelineInput input;
   input.settings = arguments.solve.settings(project.settings);

@@ -22,6 +22,8 @@ Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* pa
   again_.start();
   connect(&soon_, &QTimer::timeout, this, &Autosave::write);
   connect(&again_, &QTimer::timeout, this, &Autosave::look);
+  connect(&beats_, &QTimer::timeout, this, &Autosave::show_life);
+  beats_.start(HolderLock::kBeat_ms);
   connect(&workbench_, &Workbench::project_changed, this, &Autosave::look);
   connect(&workbench_, &Workbench::project_opened, this, &Autosave::take_over);
 }
@@ -46,6 +48,15 @@ void Autosave::take_over(const ProjectToOpen& request, bool whole) {
     for (const AutosaveGeneration& generation : offer.generations)
       if (whole && request.recovered && generation.path == request.path) restored_.push_back(offer);
   restoring_.clear();
+}
+
+void Autosave::show_life() {
+  jobs_->start(
+      [lock = notes_->lock()](Progress&) -> JobRunner::Deliver {
+        lock->beat();
+        return {};
+      },
+      [](const JobFailure&) {});
 }
 
 void Autosave::look() {
@@ -75,7 +86,8 @@ AutosaveSummary Autosave::summary() const {
 void Autosave::write() {
   if (finished_ || job_ != 0 || !workbench_.unsaved()) return;
   const AutosaveSummary figures = summary();
-  const QString path = in_notes_ ? notes_->next_path_in_notes() : notes_->next_path(figures.project_path);
+  const bool away = in_notes_ || workbench_.read_only();  // who has the project keeps autosaves beside it
+  const QString path = away ? notes_->next_path_in_notes() : notes_->next_path(figures.project_path);
   job_ = jobs_->start(
       [this, path, figures, folder = notes_->folder(),
        snapshot = workbench_.snapshot()](Progress&) -> JobRunner::Deliver {

@@ -33,6 +33,7 @@ class Autosave : public QObject {
  private:
   void take_over(const ProjectToOpen& request, bool whole);
   void look();
+  void show_life();
   void write();
   void written(const QString& path, int revision);
   void could_not(const JobFailure& failure);
@@ -41,7 +42,7 @@ class Autosave : public QObject {
   Workbench& workbench_;
   std::unique_ptr<RecoveryNotes> notes_;  // null where there is no place for them
   std::vector<RecoveryOffer> restoring_, restored_;
-  QTimer soon_, again_;
+  QTimer soon_, again_, beats_;
   int job_ = 0, saved_revision_ = 0;
   bool finished_ = false, in_notes_ = false, complained_ = false;
   std::unique_ptr<JobRunner> jobs_ = std::make_unique<JobRunner>();

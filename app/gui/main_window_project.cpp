@@ -23,7 +23,7 @@ void MainWindow::open_project() {
 
 bool MainWindow::save_project(bool ask, std::function<void()> saved) {
   QString path = workbench_.project_path();
-  if (path.isEmpty() || ask)
+  if (path.isEmpty() || ask || workbench_.read_only())
     path = QFileDialog::getSaveFileName(this, tr("Save the project"), path, tr("Remount projects (*%1)").arg(kSuffix));
   if (path.isEmpty()) return false;
   workbench_.save_project(path.endsWith(kSuffix) ? path : path + kSuffix, std::move(saved));
@@ -32,9 +32,10 @@ bool MainWindow::save_project(bool ask, std::function<void()> saved) {
 
 void MainWindow::show_project() {
   const QString path = workbench_.project_path();
-  const QString name = !path.isEmpty()                 ? QFileInfo(path).completeBaseName()
-                       : workbench_.has_unsaved_work() ? tr("Not saved yet")
-                                                       : QString();
+  QString name = !path.isEmpty()                 ? QFileInfo(path).completeBaseName()
+                 : workbench_.has_unsaved_work() ? tr("Not saved yet")
+                                                 : QString();
+  if (workbench_.read_only()) name = tr("%1 (read-only)").arg(name);
   setWindowTitle((name.isEmpty() ? name : name + QStringLiteral("[*] – ")) + tr("Remount"));
   setWindowModified(workbench_.has_unsaved_work());
 }

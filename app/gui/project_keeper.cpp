@@ -5,7 +5,10 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
 
+#include "app/gui/wording.h"
 #include "widgets/panels/missing_sessions_dialog.h"
 #include "widgets/panels/recovery_dialog.h"
 
@@ -19,6 +22,45 @@ ProjectKeeper::ProjectKeeper(Workbench& workbench, QWidget& window)
     if (!request.recovered) recent_.add(request.path);
   });
   connect(&workbench_, &Workbench::sessions_missing, this, &ProjectKeeper::ask_for_sessions);
+  connect(&workbench_, &Workbench::project_held, this, &ProjectKeeper::ask_how_to_open);
+  connect(&workbench_, &Workbench::project_lost, this, [this](const QString& path, const LockHolder& holder) {
+    workbench_.say(Severity::Warning, path,
+                   tr("was taken over by another window: %1.\nHere it is read-only from now on. Save your work under "
+                      "another name (File, Save project as).")
+                       .arg(holder_text(holder)));
+  });
+}
+
+void ProjectKeeper::ask_how_to_open(const ProjectToOpen& request, const LockHolder& holder, bool on_another_computer) {
+  const QString path = request.recovered ? request.belongs_to : request.path;
+  auto* dialog =
+      new QMessageBox(QMessageBox::Question, tr("The project is open in another window"),
+                      tr("%1 is open in another window:\n%2.").arg(QDir::toNativeSeparators(path), holder_text(holder)),
+                      QMessageBox::Cancel, &window_);
+  dialog->setObjectName(QStringLiteral("held-project"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  QString explanation = tr(
+      "Read-only shows the file as it was saved last; what you change is saved under another name. A copy is work of "
+      "your own that has no file yet.");
+  if (on_another_computer)
+    explanation +=
+        QStringLiteral("\n\n") +
+        tr("If that computer was switched off or lost its connection, take the project over: the window there "
+           "can save it under another name only.");
+  dialog->setInformativeText(explanation);
+  const auto offer = [&](const QString& text, QMessageBox::ButtonRole role, ProjectToOpen::Access access) {
+    QPushButton* button = dialog->addButton(text, role);
+    connect(button, &QPushButton::clicked, this, [this, request, access] {
+      ProjectToOpen again = request;
+      again.access = access;
+      workbench_.open_project(again);
+    });
+    return button;
+  };
+  dialog->setDefaultButton(offer(tr("Open &read-only"), QMessageBox::AcceptRole, ProjectToOpen::Access::ReadOnly));
+  offer(tr("Open a &copy"), QMessageBox::AcceptRole, ProjectToOpen::Access::Copy);
+  if (on_another_computer) offer(tr("&Take over"), QMessageBox::DestructiveRole, ProjectToOpen::Access::TakeOver);
+  dialog->open();
 }
 
 void ProjectKeeper::keep_in(const QString& data_folder) {

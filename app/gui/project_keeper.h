@@ -32,6 +32,7 @@ class ProjectKeeper : public QObject {
 
  private:
   void offer(const std::vector<RecoveryOffer>& offers);
+  void ask_how_to_open(const ProjectToOpen& request, const LockHolder& holder, bool on_another_computer);
   void ask_for_sessions(const ProjectToOpen& request, const QStringList& missing);
   void locate(MissingSessionsDialog& dialog, const QStringList& missing, int row);
 

@@ -6,6 +6,8 @@
 #include <QLocale>
 #include <QUuid>
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "algorithms/core/error.h"
 #include "model/io/atomic_save.h"
@@ -34,8 +36,18 @@ std::vector<AutosaveGeneration> generations_of(const QString& base) {
     const QFileInfo file(generation_path(base, i));
     if (file.isFile() && file.size() > 0) found.push_back({file.filePath(), file.lastModified()});
   }
-  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.saved > b.saved; });
   return found;
+}
+
+/// Never a copy, as QFile::rename makes one where the file system refuses: a crash could leave half of it.
+void move_generation(const QString& base, int from, int to) {
+  std::error_code stays;
+  std::filesystem::rename(generation_path(base, from).toStdString(), generation_path(base, to).toStdString(), stays);
+}
+
+bool leaves_room_for_autosaves(const QString& project) {
+  constexpr qsizetype kLongestName = 255;
+  return generation_path(QFileInfo(project).fileName(), 1).toUtf8().size() <= kLongestName;
 }
 
 void remove_generations(const QString& base) {
@@ -76,15 +88,15 @@ RecoveryOffer read_offer(const QString& folder) {
 
 }  // namespace
 
-RecoveryNotes::RecoveryNotes(const QString& data_folder)
-    : folder_(QDir(data_folder).filePath("recovery/" + QUuid::createUuid().toString(QUuid::WithoutBraces))) {
+RecoveryNotes::RecoveryNotes(const QString& data_folder, Clock clock)
+    : folder_(QDir(data_folder).filePath("recovery/" + QUuid::createUuid().toString(QUuid::WithoutBraces))),
+      clock_(std::move(clock)) {
   if (!QDir().mkpath(folder_))
     throw Error(ErrorCode::Io, folder_.toStdString(),
                 Words::tr("cannot be made: work is not saved until you save it").toStdString());
-  lock_ = std::make_unique<QLockFile>(QDir(folder_).filePath(kLock));
-  lock_->setStaleLockTime(0);  // held as long as the process lives, however long that is
+  lock_ = HolderLock::take(QDir(folder_).filePath(kLock).toStdString()).lock;
   // Unlocked notes would be offered to the next window as those of a crash.
-  if (!lock_->tryLock(0))
+  if (!lock_)
     throw Error(ErrorCode::Io, folder_.toStdString(),
                 Words::tr("cannot be locked: work is not saved until you save it").toStdString());
 }
@@ -92,23 +104,21 @@ RecoveryNotes::RecoveryNotes(const QString& data_folder)
 RecoveryNotes::~RecoveryNotes() = default;
 
 QString RecoveryNotes::rotated(const QString& base) {
-  const QDateTime now = QDateTime::currentDateTimeUtc();
+  const auto now = clock_();
   const QString newest = generation_path(base, 1);
-  const bool first = !generation_began_.isValid() || base != base_;
   if (!used_.contains(base)) used_ << base;
-  if (first || generation_began_.secsTo(now) >= kGenerationAge_s) {
+  if (!generation_began_ || base != base_ || now - *generation_began_ >= std::chrono::seconds(kGenerationAge_s)) {
     generation_began_ = now;
-    if (QFileInfo::exists(newest)) {
-      QFile::remove(generation_path(base, kGenerations));
-      for (int i = kGenerations - 1; i >= 1; --i) QFile::rename(generation_path(base, i), generation_path(base, i + 1));
-    }
+    if (QFileInfo::exists(newest))
+      for (int i = kGenerations - 1; i >= 1; --i) move_generation(base, i, i + 1);
   }
   return newest;
 }
 
 QString RecoveryNotes::next_path(const QString& project_path) {
+  if (project_path.isEmpty() || !leaves_room_for_autosaves(project_path)) return next_path_in_notes();
   const bool ours = project_path == base_ || generations_of(project_path).empty();
-  return project_path.isEmpty() || !ours ? next_path_in_notes() : rotated(project_path);
+  return ours ? rotated(project_path) : next_path_in_notes();
 }
 
 QString RecoveryNotes::next_path_in_notes() { return rotated(own_base(folder_)); }
@@ -138,7 +148,7 @@ void RecoveryNotes::clear() {
   used_.clear();
   QFile::remove(QDir(folder_).filePath(kNote));
   base_.clear();
-  generation_began_ = {};
+  generation_began_.reset();
 }
 
 std::vector<RecoveryOffer> find_recoveries(const QString& data_folder) {
@@ -146,11 +156,10 @@ std::vector<RecoveryOffer> find_recoveries(const QString& data_folder) {
   const QDir folder(QDir(data_folder).filePath("recovery"));
   for (const QString& name : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
     const QString notes = folder.filePath(name);
-    QLockFile lock(QDir(notes).filePath(kLock));
-    lock.setStaleLockTime(0);
-    if (!lock.tryLock(0)) continue;  // its window is open
+    auto lock = HolderLock::take(QDir(notes).filePath(kLock).toStdString()).lock;
+    if (!lock) continue;  // its window is open
     const RecoveryOffer offer = read_offer(notes);
-    lock.unlock();
+    lock.reset();
     if (offer.generations.empty())
       QDir(notes).removeRecursively();
     else
@@ -169,9 +178,10 @@ void discard(const RecoveryOffer& offer) {
 
 QString age_text(const QDateTime& then, const QDateTime& now) {
   const qint64 seconds = then.secsTo(now);
-  if (seconds < 60) return Words::tr("less than a minute ago");
-  if (seconds < 3600) return Words::tr("%n minute(s) ago", nullptr, static_cast<int>(seconds / 60));
-  if (seconds < 24 * 3600) return Words::tr("%n hour(s) ago", nullptr, static_cast<int>(seconds / 3600));
+  const bool set_back = seconds < -60;  // the clock, since then
+  if (seconds < 60 && !set_back) return Words::tr("less than a minute ago");
+  if (seconds < 3600 && !set_back) return Words::tr("%n minute(s) ago", nullptr, static_cast<int>(seconds / 60));
+  if (seconds < 24 * 3600 && !set_back) return Words::tr("%n hour(s) ago", nullptr, static_cast<int>(seconds / 3600));
   return QLocale().toString(then.toLocalTime(), QLocale::ShortFormat);
 }
 

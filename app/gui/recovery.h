@@ -2,11 +2,15 @@
 #pragma once
 
 #include <QDateTime>
-#include <QLockFile>
 #include <QString>
 #include <QStringList>
+#include <chrono>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
+
+#include "model/io/holder_lock.h"
 
 namespace remount {
 
@@ -20,7 +24,7 @@ struct AutosaveSummary {
 
 struct AutosaveGeneration {
   QString path;
-  QDateTime saved;
+  QDateTime saved;  ///< for people: which is newer is known by its number, whatever the clock of the wall did
 };
 
 /// A window that ended without closing, and what it left.
@@ -37,11 +41,12 @@ class RecoveryNotes {
   static constexpr int kGenerations = 5;
   static constexpr int kGenerationAge_s = 60;  ///< a newer one is overwritten, an older one is kept beside it
 
-  explicit RecoveryNotes(const QString& data_folder);
+  using Clock = std::function<std::chrono::steady_clock::time_point()>;  ///< one that nobody can set
+  explicit RecoveryNotes(const QString& data_folder, Clock clock = std::chrono::steady_clock::now);
   ~RecoveryNotes();  ///< leaves everything as it is: only clear() says that all is well
 
-  /// Where the next autosave goes, with earlier generations moved out of the way: beside the project if it has a path
-  /// and no other window's autosaves lie there.
+  /// Where the next autosave goes, with earlier generations moved out of the way: beside the project if it has a path,
+  /// no other window's autosaves lie there, and its name leaves room for theirs.
   QString next_path(const QString& project_path);
   /// In the notes' own folder: where the project's folder cannot be written.
   QString next_path_in_notes();
@@ -50,13 +55,16 @@ class RecoveryNotes {
   void clear();  ///< all is saved or given up: removes the autosaves, also one that a cancelled write left
   bool empty() const { return used_.isEmpty(); }  ///< since the last clear()
   const QString& folder() const { return folder_; }
+  /// Its beat() is to be called now and then, by a worker.
+  std::shared_ptr<const HolderLock> lock() const { return lock_; }
 
  private:
   QString rotated(const QString& base);
   QString folder_, base_;
   QStringList used_;  // every base that was handed out
-  QDateTime generation_began_;
-  std::unique_ptr<QLockFile> lock_;
+  Clock clock_;
+  std::optional<std::chrono::steady_clock::time_point> generation_began_;
+  std::shared_ptr<const HolderLock> lock_;
 };
 
 /// Notes, in the folder of a window's notes, where its autosaves lie and what is in them. Waits for the disk: for a

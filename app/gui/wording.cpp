@@ -1,6 +1,8 @@
 #include "app/gui/wording.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
 
 namespace remount {
 namespace {
@@ -82,6 +84,14 @@ QString distance_caution(const Workbench& workbench) {
   if (const QString blind = QString::fromStdString(parameter_list(output->result, false)); !blind.isEmpty())
     lines << Words::tr("Not observed: %1. Distances and heights rest on values there that nobody measured.").arg(blind);
   return lines.join('\n');
+}
+
+QString holder_text(const LockHolder& holder) {
+  if (holder.user.empty()) return Words::tr("it does not say whose");
+  return Words::tr("%1 on %2 (process %3), since %4")
+      .arg(QString::fromStdString(holder.user), QString::fromStdString(holder.host))
+      .arg(holder.process)
+      .arg(QLocale().toString(QDateTime::fromSecsSinceEpoch(holder.since_s), QLocale::ShortFormat));
 }
 
 QString export_warning(const Workbench& workbench) {

@@ -29,6 +29,9 @@ QString standing_note(const Workbench& workbench);
 /// What distances under the result and the mounting before it rest on that nobody measured; empty for nothing.
 QString distance_caution(const Workbench& workbench);
 
+/// Who has a project open.
+QString holder_text(const LockHolder& holder);
+
 /// What is to be known of the result before it is written for other software; empty for nothing.
 QString export_warning(const Workbench& workbench);
 

@@ -25,6 +25,8 @@ Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(
   connect(&jobs_, &JobRunner::finished, this, &Workbench::state_changed);
   connect(&map_pause_, &QTimer::timeout, this, &Workbench::check_map_again);
   map_pause_.setSingleShot(true);
+  connect(&beats_, &QTimer::timeout, this, &Workbench::show_life);
+  beats_.start(HolderLock::kBeat_ms);
 }
 
 QStringList Workbench::session_names() const { return names_of(sessions_); }

@@ -15,6 +15,7 @@
 #include "app/gui/engine.h"
 #include "app/gui/job_runner.h"
 #include "model/drive_overview.h"
+#include "model/io/holder_lock.h"
 #include "model/project.h"
 #include "model/result_file.h"
 #include "model/session.h"
@@ -43,11 +44,18 @@ void write_snapshot(ProjectSnapshot snapshot, const QString& path);
 
 /// A project that is to be opened, and how.
 struct ProjectToOpen {
+  enum class Access {
+    Own,       ///< to be saved again: nobody else may have it open
+    ReadOnly,  ///< saving asks for another name
+    Copy,      ///< as work that has no file yet
+    TakeOver,  ///< as Own, from a holder that is gone
+  };
   QString path;
   bool recovered = false;  ///< an autosave: what is opened belongs to `belongs_to` and is not saved yet
   QString belongs_to;      ///< of an autosave: the project's own path; empty where it never had one
   std::map<std::string, std::filesystem::path> moved;  ///< sessions that lie elsewhere now, by the path in the file
   bool without_missing = false;                        ///< sessions that are nowhere are left out
+  Access access = Access::Own;
 };
 
 class Workbench : public QObject {
@@ -114,13 +122,17 @@ class Workbench : public QObject {
   void apply_decisions(const std::vector<PairDecision>& decisions, const QString& step);
 
   /// Reads a project and its sessions in the background and replaces what is there. Where sessions are not where the
-  /// file says, nothing is replaced and sessions_missing asks for them.
-  void open_project(const QString& path) { open_project(ProjectToOpen{path, {}, {}, {}, {}}); }
+  /// file says, nothing is replaced and sessions_missing asks for them; where another window has the project open,
+  /// project_held asks how to go on.
+  void open_project(const QString& path) { open_project(ProjectToOpen{path, {}, {}, {}, {}, {}}); }
   void open_project(const ProjectToOpen& request);
   /// Saves what is there now, after the saves that were asked for before. `saved` is called once the file is whole, but
   /// not where another project took this one's place meanwhile; a failure becomes a message.
   void save_project(const QString& path, std::function<void()> saved = {});
   const QString& project_path() const { return project_path_; }  ///< empty where it has not been saved
+  /// Another window has the project: it is not saved under its path until that one has closed it.
+  bool read_only() const { return read_only_; }
+  void show_life();  ///< to other computers, by the lock of the project; now and then by itself
   bool has_unsaved_decisions() const { return unsaved() && !decisions_.empty(); }
   /// Edits, decisions or results that no project file has. Sessions that were merely opened are none.
   bool has_unsaved_work() const {
@@ -144,6 +156,10 @@ class Workbench : public QObject {
   void project_opened(const remount::ProjectToOpen& request, bool whole);  ///< whole: with all of its sessions
   /// Ask for them and open again, with `moved` or `without_missing` filled in.
   void sessions_missing(const remount::ProjectToOpen& request, const QStringList& paths);
+  /// Another window has it open. Ask, and open again with another `access`.
+  void project_held(const remount::ProjectToOpen& request, const remount::LockHolder& holder, bool on_another_computer);
+  /// Another window took the project over: it is read-only here from now on.
+  void project_lost(const QString& path, const remount::LockHolder& holder);
   void session_opened(const QString& path);
   void settings_changed();
   void nominal_changed();
@@ -195,8 +211,10 @@ class Workbench : public QObject {
     std::function<void()> saved;
     int project = 0;
   };
+  using LockPtr = std::shared_ptr<const HolderLock>;
   void start_save();
   void end_save();
+  void hold(LockPtr lock, bool read_only);  ///< of the project that is there now
   void set_project(const QString& path, int saved_revision);
   void mark_edited();
   void take_project(const ProjectToOpen& request, struct OpenedProject& opened);
@@ -221,7 +239,10 @@ class Workbench : public QObject {
   bool exported_ = false, confirmed_ = false;
   bool recovered_ = false;  // from an autosave, and not saved since
   int revision_ = 0, saved_revision_ = 0;
-  int project_ = 0;         // goes up where another project takes this one's place
+  int project_ = 0;  // goes up where another project takes this one's place
+  LockPtr lock_;     // of project_path_; null where there is none
+  bool read_only_ = false;
+  QTimer beats_;
   std::deque<Save> saves_;  // the first is being written: two at once could leave the older in the file
   QString stage_, project_path_;
   QString moved_by_, solving_for_;  // the edits of the last solution, and of the one under way

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "app/gui/wording.h"
 #include "app/gui/workbench.h"
 #include "model/project.h"
 #include "widgets/model_text.h"
@@ -17,9 +18,43 @@ struct OpenedProject {
   std::vector<JobFailure> failures;
   QStringList missing;
   OutputPtr output;
+  HolderLock::Attempt lock;
 };
 
 namespace {
+
+using LockPtr = std::shared_ptr<const HolderLock>;
+
+/// What is held already is not taken again: a lock does not know that it is asked by its own holder.
+HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bool by_force) {
+  const std::filesystem::path path = lock_path_of(project.toStdString());
+  if (!present || present->path() != path) return HolderLock::take(path, by_force);
+  HolderLock::Attempt attempt;
+  attempt.holder = present->beat();
+  if (!attempt.holder) attempt.lock = present;
+  return attempt;
+}
+
+QString own_path_of(const ProjectToOpen& request) { return request.recovered ? request.belongs_to : request.path; }
+
+/// The lock that goes with what is asked for.
+HolderLock::Attempt lock_for(const ProjectToOpen& request, const LockPtr& present) {
+  using Access = ProjectToOpen::Access;
+  const QString path = own_path_of(request);
+  if (path.isEmpty() || request.access == Access::ReadOnly || request.access == Access::Copy) return {};
+  return take_lock(path, present, request.access == Access::TakeOver);
+}
+
+/// For saving; null where the file system knows no locks. Throws Error where another window has the project.
+LockPtr lock_to_save(const QString& path, const LockPtr& present) {
+  HolderLock::Attempt attempt = take_lock(path, present, false);
+  if (attempt.holder)
+    throw Error(ErrorCode::Contract, path.toStdString(),
+                Workbench::tr("is open in another window: %1.\nSave under another name, or close it there first.")
+                    .arg(holder_text(*attempt.holder))
+                    .toStdString());
+  return attempt.lock;
+}
 
 void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
   std::vector<std::filesystem::path>& paths = opened.project.sessions;
@@ -100,14 +135,16 @@ void Workbench::save_project(const QString& path, std::function<void()> saved) {
 
 void Workbench::start_save() {
   jobs_.start(
-      [this, save = saves_.front()](Progress&) -> JobRunner::Deliver {
+      [this, save = saves_.front(), present = lock_](Progress&) -> JobRunner::Deliver {
+        const LockPtr lock = lock_to_save(save.path, present);
         write_snapshot(save.snapshot, save.path);
-        return [this, save] {
+        return [this, save, lock] {
           end_save();
           emit message(Severity::Note, save.path, tr("project saved"));
           emit project_saved(save.path);
           if (save.project != project_) return;
           recovered_ = false;
+          hold(lock, false);
           set_project(save.path, save.snapshot.revision);
           if (save.saved) save.saved();
         };
@@ -116,6 +153,27 @@ void Workbench::start_save() {
         end_save();
         emit message(Severity::Problem, failure.where, failure.what);
       });
+}
+
+void Workbench::hold(LockPtr lock, bool read_only) {
+  lock_ = std::move(lock);
+  read_only_ = read_only;
+}
+
+void Workbench::show_life() {
+  if (!lock_) return;
+  jobs_.start(
+      [this, lock = lock_](Progress&) -> JobRunner::Deliver {
+        const std::optional<LockHolder> other = lock->beat();
+        if (!other) return {};
+        return [this, lock, other] {
+          if (lock != lock_) return;
+          hold(nullptr, true);
+          emit project_changed();
+          emit project_lost(project_path_, *other);
+        };
+      },
+      [](const JobFailure&) {});
 }
 
 void Workbench::end_save() {
@@ -130,8 +188,11 @@ void Workbench::open_project(const ProjectToOpen& request) {
     return;
   }
   open_job_ = jobs_.start(
-      [this, request, engine = engine_](Progress& progress) -> JobRunner::Deliver {
+      [this, request, engine = engine_, present = lock_](Progress& progress) -> JobRunner::Deliver {
         auto opened = std::make_shared<OpenedProject>();
+        opened->lock = lock_for(request, present);
+        if (const auto& attempt = opened->lock; attempt.holder)
+          return [this, request, attempt] { emit project_held(request, *attempt.holder, attempt.on_another_computer); };
         opened->project = load_project(request.path.toStdString());
         open_sessions(request, *opened, engine, progress);
         if (progress.cancelled()) return {};
@@ -151,13 +212,18 @@ void Workbench::take_project(const ProjectToOpen& request, OpenedProject& opened
   }
   restore(opened.sessions, opened.project, opened.output);
   ++project_;
-  recovered_ = request.recovered;
+  recovered_ = request.recovered || request.access == ProjectToOpen::Access::Copy;
   // What could not be opened in full must not replace the file that has it in full.
-  const bool whole = opened.failures.empty();
-  const QString own_path = request.recovered ? request.belongs_to : request.path;
-  const bool as_saved = whole && !request.recovered && request.moved.empty();
+  const bool whole = opened.failures.empty(), copy = request.access == ProjectToOpen::Access::Copy;
+  const bool as_saved = whole && !request.recovered && !copy && request.moved.empty();
+  const QString own_path = whole && !copy ? own_path_of(request) : QString();
   ++revision_;
-  set_project(whole ? own_path : QString(), as_saved ? revision_ : revision_ - 1);
+  hold(own_path.isEmpty() ? nullptr : opened.lock.lock, request.access == ProjectToOpen::Access::ReadOnly);
+  set_project(own_path, as_saved ? revision_ : revision_ - 1);
+  if (!opened.lock.why_none.empty())
+    emit logged(Severity::Note, own_path,
+                tr("another window could open it at the same time, no lock can be made: %1")
+                    .arg(QString::fromStdString(opened.lock.why_none)));
   emit project_opened(request, whole);
   if (const QStringList changes = changes_since_output(); !changes.isEmpty())
     emit message(Severity::Warning, request.path,

@@ -281,6 +281,10 @@
         <source>Start</source>
         <translation>起始</translation>
     </message>
+    <message>
+        <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
+        <translation>没有给出名义安装：“起始”是程序自己的初始估计，并不是激光雷达原来的位置。</translation>
+    </message>
 </context>
 <context>
     <name>remount::ComparisonView</name>
@@ -1354,6 +1358,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Next pair that yo&amp;u have not decided</source>
         <translation>下一个您尚未判定的帧对(&amp;U)</translation>
     </message>
+    <message>
+        <source>Next &amp;undecided pair</source>
+        <translation>下一个未决定的帧对(&amp;U)</translation>
+    </message>
+    <message>
+        <source>pose %1</source>
+        <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1（只读）</translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -1717,6 +1733,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Start</source>
         <translation>起始</translation>
+    </message>
+    <message>
+        <source>Start (no nominal was given)</source>
+        <translation>起始（没有给出名义安装）</translation>
     </message>
 </context>
 <context>
@@ -2205,6 +2225,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Along x</source>
         <translation>沿 x</translation>
     </message>
+    <message>
+        <source>Front</source>
+        <translation>前视</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左视</translation>
+    </message>
 </context>
 <context>
     <name>remount::PlotView</name>
@@ -2250,6 +2278,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>about %1 min left in this step</source>
         <translation>此步骤约剩 %1 分钟</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>约剩 %1 秒</translation>
+    </message>
+    <message>
+        <source>about %1 min left</source>
+        <translation>约剩 %1 分钟</translation>
     </message>
 </context>
 <context>
@@ -2305,6 +2341,42 @@ Save the project (Ctrl+S) where there is room.</source>
 Your work is kept safe in %2 instead. Bring the disk back, or save the project elsewhere (File, Save project as).</source>
         <translation>无法写入项目所在的文件夹：%1
 您的工作改存于 %2。请重新连接磁盘，或把项目另存到别处（文件，项目另存为）。</translation>
+    </message>
+    <message>
+        <source>was taken over by another window: %1.
+Here it is read-only from now on. Save your work under another name (File, Save project as).</source>
+        <translation>已被另一个窗口接管：%1。
+从现在起此处为只读。请以其他名称保存您的工作（文件，项目另存为）。</translation>
+    </message>
+    <message>
+        <source>The project is open in another window</source>
+        <translation>项目已在另一个窗口中打开</translation>
+    </message>
+    <message>
+        <source>%1 is open in another window:
+%2.</source>
+        <translation>%1 已在另一个窗口中打开：
+%2。</translation>
+    </message>
+    <message>
+        <source>Read-only shows the file as it was saved last; what you change is saved under another name. A copy is work of your own that has no file yet.</source>
+        <translation>只读方式显示文件上次保存的内容；您的更改将以其他名称保存。副本是您自己的工作，尚无文件。</translation>
+    </message>
+    <message>
+        <source>If that computer was switched off or lost its connection, take the project over: the window there can save it under another name only.</source>
+        <translation>如果那台计算机已关机或失去连接，可接管该项目：那里的窗口之后只能以其他名称保存。</translation>
+    </message>
+    <message>
+        <source>Open &amp;read-only</source>
+        <translation>以只读方式打开(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open a &amp;copy</source>
+        <translation>打开副本(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Take over</source>
+        <translation>接管(&amp;T)</translation>
     </message>
 </context>
 <context>
@@ -3212,6 +3284,16 @@ Calibrate again (F5).</source>
     <message>
         <source>Cancelled before there was anything that could be kept.</source>
         <translation>已取消，当时还没有可以保留的内容。</translation>
+    </message>
+    <message>
+        <source>is open in another window: %1.
+Save under another name, or close it there first.</source>
+        <translation>已在另一个窗口中打开：%1。
+请以其他名称保存，或先在那里关闭它。</translation>
+    </message>
+    <message>
+        <source>another window could open it at the same time, no lock can be made: %1</source>
+        <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
     </message>
 </context>
 <context>
@@ -6640,6 +6722,38 @@ Calibrate again (F5).</source>
         <source>the outline&apos;s right side is not right of its left side</source>
         <translation>轮廓的右侧不在左侧之右</translation>
     </message>
+    <message>
+        <source>The sessions say different mountings: %1 against the rest.</source>
+        <translation>各数据给出不同的安装：%1 与其余不一致。</translation>
+    </message>
+    <message>
+        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then z stays at the nominal value; measure it by tape where it matters.</source>
+        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前 z 保持名义值；重要时请用卷尺测量。</translation>
+    </message>
+    <message>
+        <source>cannot be saved, its folder cannot be opened: %1; nothing was replaced</source>
+        <translation>无法保存，无法打开其所在文件夹：%1；未替换任何内容</translation>
+    </message>
+    <message>
+        <source>cannot be saved, the link cannot be read: %1; nothing was replaced</source>
+        <translation>无法保存，无法读取该链接：%1；未替换任何内容</translation>
+    </message>
+    <message>
+        <source>is saved, but the disk does not confirm it: %1; save it again, or elsewhere</source>
+        <translation>已保存，但磁盘未确认写入：%1；请再次保存，或保存到其他位置</translation>
+    </message>
+    <message>
+        <source>cannot be listed: %1</source>
+        <translation>无法列出其内容：%1</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>文件名过长</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>文件句柄已失效</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -6928,6 +7042,14 @@ Then calibrate: F5.</source>
     <message>
         <source>pose %1</source>
         <translation>位姿 %1</translation>
+    </message>
+    <message>
+        <source>it does not say whose</source>
+        <translation>未注明使用者</translation>
+    </message>
+    <message>
+        <source>%1 on %2 (process %3), since %4</source>
+        <translation>%2 上的 %1（进程 %3），自 %4 起</translation>
     </message>
 </context>
 <context>

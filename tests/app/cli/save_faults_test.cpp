@@ -1,0 +1,74 @@
+// The program itself while the system calls fail by which it saves, and while a window has the project.
+#include <gtest/gtest.h>
+
+#include "model/exporters/exporter.h"
+#include "model/io/holder_lock.h"
+#include "tests/app/cli/program_fixture.h"
+#include "tests/support/fault_law.h"
+
+namespace remount {
+namespace {
+
+class cli_save_faults : public ProgramFixture<cli_save_faults> {
+ protected:
+  static void SetUpTestSuite() {
+    make_folder_with_drive("--duration-s 1.5 --beams 12 --azimuth-steps 200");
+    folder_ = std::filesystem::canonical(folder_);
+    for (const double x_m : {1.0, 2.0}) {
+      ResultFile file;
+      file.ins_axes = InsAxes::ForwardLeftUp;
+      file.result.status = Status::Ok;
+      file.result.observed.fill(true);
+      file.result.covariance = Matrix6d::Identity() * 1e-6;
+      file.result.ins_from_lidar = rigid_from_six({x_m, -0.3, 0.8, 0.1, 0.02, -0.02});
+      save_result(file, path(x_m < 1.5 ? "old.yaml" : "new.yaml"));
+    }
+  }
+};
+
+TEST_F(cli_save_faults, of_an_export_leave_the_old_or_the_new_file_and_the_exit_code_says_which) {
+  if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
+  std::filesystem::create_directories(folder_ / "out");
+  testing::SavedFile file{folder_ / "out" / "kit.yaml", {}, {}, {}};
+  const auto export_as = [&](const std::string& result) {
+    return std::vector<std::string>{REMOUNT_CLI, "export", path(result), "--to", "autoware", "-o", file.path.string()};
+  };
+  EXPECT_EQ(testing::run_program_traced(folder_ / "out", export_as("new.yaml")).exit_code, 0);
+  file.new_bytes = testing::bytes_of(file.path);
+  EXPECT_EQ(testing::run_program_traced(folder_ / "out", export_as("old.yaml")).exit_code, 0);
+  file.old_bytes = testing::bytes_of(file.path);
+  ASSERT_NE(file.old_bytes, file.new_bytes);
+  for (const int error : testing::kErrors) {
+    const std::size_t calls = testing::for_every_call(
+        {0, testing::Fault::Kind::Error, error},
+        [&](const testing::Fault& fault) {
+          file.put_old();
+          return testing::run_program_traced(folder_ / "out", export_as("new.yaml"), fault);
+        },
+        [&](const testing::TracedRun& run, const testing::Fault& fault) {
+          check_saved(file, run, fault);
+          EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 2) << told(run, fault);
+        });
+    EXPECT_GT(calls, 10U);
+  }
+}
+
+TEST_F(cli_save_faults, a_project_that_is_open_is_not_saved_over) {
+  const std::string project = path("job.remount");
+  {
+    const auto window = HolderLock::take(lock_path_of(project));
+    ASSERT_TRUE(window.lock) << window.why_none;
+    const Outcome refused = run("calibrate " + path("drive") + " --save-project " + project);
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    for (const std::string& part : {project, std::string("is open in another window"), this_holder().user,
+                                    "process " + std::to_string(this_holder().process)})
+      EXPECT_NE(refused.err.find(part), std::string::npos) << part << " is not in: " << refused.err;
+    EXPECT_FALSE(std::filesystem::exists(project));
+  }
+  const Outcome done = run("calibrate " + path("drive") + " --save-project " + project);
+  EXPECT_TRUE(std::filesystem::exists(project)) << done.err;
+  EXPECT_FALSE(std::filesystem::exists(lock_path_of(project)));
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,86 @@
+// Recordings whose folder disappears while the window works with them: a disk that is taken out.
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/gui/main_window.h"
+#include "model/simulator/simulator.h"
+
+namespace remount {
+namespace {
+
+constexpr int kPatience_ms = 100000;
+
+class vanished_data : public ::testing::Test {
+ protected:
+  vanished_data() : workbench_(model_engine()), window_(workbench_) {
+    QObject::connect(&workbench_, &Workbench::message,
+                     [this](Severity, const QString& where, const QString& what) { said_ << where + ": " + what; });
+  }
+  void SetUp() override {
+    SimulationOptions options;
+    options.duration_s = 4.0;
+    options.scan_rate_hz = 5.0;
+    options.beams = 16;
+    options.azimuth_steps = 300;
+    options.scenario = ScenarioKind::FigureEight;
+    Progress progress;
+    write_drive(simulate_drive(options), drive_.toStdString(), "native", 0, progress);
+    window_.open_paths({drive_});
+    ASSERT_TRUE(settle());
+    ASSERT_EQ(workbench_.sessions().size(), 1U);
+  }
+  bool settle() {
+    return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
+                           kPatience_ms);
+  }
+  void take_the_disk_out() { ASSERT_TRUE(QDir().rename(drive_, folder_.filePath("elsewhere"))); }
+  bool was_said(const QString& part) const { return said_.join('\n').contains(part); }
+
+  QTemporaryDir folder_;
+  QString drive_ = folder_.filePath("drive");
+  Workbench workbench_;
+  MainWindow window_;
+  QStringList said_;
+};
+
+TEST_F(vanished_data, before_they_are_needed_are_named_and_the_window_keeps_what_it_has) {
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  const OutputPtr before = workbench_.output();
+  ASSERT_TRUE(before);
+  ASSERT_GT(before->pairs.size(), 1U);
+  take_the_disk_out();
+  QSignalSpy failed(&workbench_, &Workbench::clouds_failed), loaded(&workbench_, &Workbench::clouds_loaded);
+  QTest::qWait(100);  // what was being read before
+  failed.clear();
+  workbench_.select_pair(static_cast<int>(before->pairs.size()) - 1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
+  EXPECT_TRUE(failed.last().at(1).toString().contains("drive/")) << failed.last().at(1).toString().toStdString();
+  workbench_.calibrate();
+  ASSERT_TRUE(settle()) << "it hangs";
+  EXPECT_TRUE(was_said(drive_)) << said_.join('\n').toStdString();
+  EXPECT_EQ(workbench_.output(), before);
+  EXPECT_EQ(workbench_.sessions().size(), 1U);
+}
+
+TEST_F(vanished_data, while_they_are_read_are_named) {
+  QSignalSpy progressed(&workbench_, &Workbench::job_progressed);
+  workbench_.calibrate();
+  ASSERT_TRUE(progressed.wait(kPatience_ms));
+  take_the_disk_out();
+  ASSERT_TRUE(settle()) << "it hangs";
+  EXPECT_TRUE(was_said(drive_)) << said_.join('\n').toStdString();
+  EXPECT_FALSE(workbench_.output()) << "half of the scans are no calibration";
+  EXPECT_EQ(workbench_.sessions().size(), 1U);
+  ASSERT_TRUE(QDir().rename(folder_.filePath("elsewhere"), drive_)) << "the disk is back";
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(workbench_.output()) << said_.join('\n').toStdString();
+}
+
+}  // namespace
+}  // namespace remount
