@@ -134,13 +134,9 @@ void FeatureMap::add(ScanFeatures features_in_vehicle, const RigidTransform& odo
   while (frames_.size() > static_cast<std::size_t>(options.map_frames)) frames_.pop_front();
 }
 
-void FeatureMap::move(const Eigen::Vector3d& pivot_in_odometry, const Vector6d& correction) {
-  const Eigen::Matrix3d turn = so3_exp(correction.tail<3>());
-  for (Frame& frame : frames_) {
-    RigidTransform& pose = frame.odometry_from_vehicle;
-    pose = make_rigid(turn * pose.linear(),
-                      pivot_in_odometry + correction.head<3>() + turn * (pose.translation() - pivot_in_odometry));
-  }
+void FeatureMap::move(const RigidTransform& odometry_from_odometry_before) {
+  for (Frame& frame : frames_)
+    frame.odometry_from_vehicle = odometry_from_odometry_before * frame.odometry_from_vehicle;
 }
 
 void FeatureMap::rebuild(const FusionOptions& options) {

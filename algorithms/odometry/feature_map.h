@@ -37,8 +37,9 @@ class FeatureMap {
   const RigidTransform& newest() const { return frames_.back().odometry_from_vehicle; }
   /// The oldest frames beyond `options.map_frames` leave.
   void add(ScanFeatures features_in_vehicle, const RigidTransform& odometry_from_vehicle, const FusionOptions& options);
-  /// The map as a whole is turned about `pivot_in_odometry` and shifted: what was learnt of its place in the world.
-  void move(const Eigen::Vector3d& pivot_in_odometry, const Vector6d& correction);
+  std::size_t frames() const { return frames_.size(); }
+  /// The map as a whole is moved: what was learnt of its place in the world.
+  void move(const RigidTransform& odometry_from_odometry_before);
   /// The trees for match(), after add or move.
   void rebuild(const FusionOptions& options);
 

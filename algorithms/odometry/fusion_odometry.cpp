@@ -59,7 +59,7 @@ FusionOdometry::FusionOdometry(const FusionMounting& mounting, SensorStreams str
       barometer_(std::move(streams.barometer)),
       reckoning_(std::move(streams.imu), std::move(streams.wheels), mounting.vehicle_from_imu, options.track_width_m),
       threads_(threads),
-      common_(options) {
+      errors_(options) {
   std::string all;
   for (const std::string& problem : option_problems(options)) all += (all.empty() ? "" : "; ") + problem;
   if (!all.empty()) throw Error(ErrorCode::Contract, "multi-sensor odometry", all);
@@ -79,24 +79,14 @@ FusedScan FusionOdometry::add(const OdometryScan& scan) {
 }
 
 void FusionOdometry::start(const OdometryScan& scan, FusedScan& result) {
-  constexpr double kNone = 1e-4;  // m, rad: by definition of the odometry frame
-  const double wide_rad = options_.barometer && !barometer_.empty() ? degrees_to_radians(3.0) : kNone;
   result.stamp_ns = scan.stamp_ns;
   result.usable = true;
-  Eigen::Matrix<double, 10, 1> sigma = Eigen::Matrix<double, 10, 1>::Constant(kNone);
-  sigma[3] = sigma[4] = wide_rad;
   const auto level = options_.accelerometer ? level_at(scan.stamp_ns, result.odometry_from_vehicle) : std::nullopt;
-  if (level) {
+  if (level)
     result.odometry_from_vehicle.linear() = rotation_from_yaw_pitch_roll({0.0, level->pitch_rad, level->roll_rad});
-    result.levelled = true;
-    sigma[3] = level->roll_sigma_rad;
-    sigma[4] = level->pitch_sigma_rad;
-    common_.levelled_at_start();
-  }
-  sigma.segment<3>(6).setConstant(std::max(degrees_to_radians(options_.gyro_bias_sigma_dps), 1e-8));
-  sigma[9] = std::max(options_.wheel_scale_sigma, 1e-8);
-  covariance_ = sigma.cwiseAbs2().asDiagonal();
-  result.covariance = stated_covariance().topLeftCorner<6, 6>();
+  result.levelled = level.has_value();
+  errors_.start(level, options_.barometer && !barometer_.empty());
+  result.covariance = errors_.covariance().topLeftCorner<6, 6>();
   start_height(result);
   ScanFeatures features = features_of(scan, std::nullopt);
   result.line_features = static_cast<int>(features.lines.size());
@@ -123,7 +113,10 @@ FusionOdometry::Step FusionOdometry::predict(std::int64_t stamp_ns, const std::o
   step.anchor.predicted = step.anchor.before * before_from_after;
   const double overlap = std::sqrt(window_overlap(step.duration_s));
   if (options_.accelerometer) step.level = level_at(stamp_ns, step.anchor.predicted);
-  if (step.level) step.level->roll_sigma_rad *= overlap, step.level->pitch_sigma_rad *= overlap;
+  if (step.level) {
+    step.level->roll_sigma_rad *= overlap, step.level->pitch_sigma_rad *= overlap;
+    step.level->roll_rad += steady_rad_[0], step.level->pitch_rad += steady_rad_[1];
+  }
   if (const auto height_m = height_offset_m_ ? height_at(stamp_ns) : std::nullopt)
     step.height.emplace(step.anchor,
                         *height_m - *height_offset_m_ - drop_of_level_m(step.anchor.predicted.translation()),
@@ -220,19 +213,9 @@ void FusionOdometry::match_and_solve(Step& step, FusedScan& result) const {
   }
 }
 
-FusionJacobian FusionOdometry::prior_root(const Step& step) const {
-  StateCovariance covariance = covariance_;
-  const double walk = degrees_to_radians(options_.gyro_bias_walk_dps);
-  covariance.diagonal().segment<3>(6).array() += walk * walk * step.duration_s;
-  const Eigen::MatrixXd root = root_information(covariance);
-  FusionJacobian rows = FusionJacobian::Zero(10, 16);
-  rows.leftCols<6>() = root.leftCols(6);
-  rows.rightCols<4>() = root.rightCols(4);
-  return rows;
-}
-
 void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms) const {
-  terms.push_back({std::make_unique<LinearTerm>(prior_root(step), FusionVector::Zero().eval()), false});
+  terms.push_back(
+      {std::make_unique<LinearTerm>(errors_.prior_root(step.duration_s), FusionVector::Zero().eval()), false});
   const auto standing =
       options_.ackermann ? reckoning_.standstill_rate_radps(step.from_ns, step.stamp_ns) : std::nullopt;
   if (!standing) return;
@@ -269,7 +252,7 @@ void FusionOdometry::add_absolute(const Step& step, std::vector<WeighedTerm>& te
 bool FusionOdometry::add_features(const Step& step, int iteration, std::vector<WeighedTerm>& terms,
                                   FusedScan& result) const {
   if (!options_.lines && !options_.planes) return false;
-  const RigidTransform at = moved_pose(step.anchor, step.x);
+  const RigidTransform at = pose_in_map(step.anchor, step.x);
   const Search search = search_at(iteration, step.predicted());
   FeatureMatches matches = map_.match(step.features, at, search.widen * options_.match_distance_m, options_, threads_);
   result.line_matches = static_cast<int>(matches.lines.size());
@@ -305,7 +288,7 @@ void FusionOdometry::start_height(FusedScan& result) {
   if (!height_m) return;
   const Eigen::Vector3d place = result.odometry_from_vehicle.translation();
   height_offset_m_ = *height_m - place.z() - drop_of_level_m(place);
-  common_.height_starts(std::sqrt(covariance_(2, 2)));
+  errors_.height_starts();
   result.height_measured = true;
 }
 
@@ -313,6 +296,7 @@ void FusionOdometry::restart_map(const OdometryScan& scan) {
   map_ = FeatureMap();
   map_.add(features_of(scan, std::nullopt), last_->odometry_from_vehicle, options_);
   map_.rebuild(options_);
+  errors_.new_map();
   velocity_.reset();  // it was carried on unchecked
   if (!options_.ackermann || !reckoning_.has_wheels()) first_scan_ = scan;
   lost_scans_ = 0;
@@ -328,18 +312,11 @@ bool FusionOdometry::enters_map(const ScanFeatures& features, const RigidTransfo
 }
 
 void FusionOdometry::propagate(const Step& step, FusedScan& result) {
-  const auto covariance = inverse_information(step.information);
-  const FusionJacobian root = prior_root(step);
-  common_.step(step.anchor, step.x, covariance, root.transpose() * root, step.level, step.height);
-  if (covariance) {
-    const Eigen::Matrix<double, 10, 16> now = state_jacobian(step.anchor, step.x);
-    covariance_ = now * *covariance * now.transpose();
-    result.step_covariance = covariance->block<6, 6>(kMotion, kMotion);
-  } else {
-    result.step_covariance = step_covariance_of(sigma_of(step), step.anchor);
-    covariance_ = grown_covariance(covariance_, step.anchor, step.x, result.step_covariance);
-  }
-  result.covariance = stated_covariance().topLeftCorner<6, 6>();
+  errors_.mark(0, step.anchor.before);
+  errors_.step(step.anchor, step.x, step.duration_s, inverse_information(step.information), step.height,
+               step_covariance_of(sigma_of(step), step.anchor));
+  result.covariance = errors_.covariance().topLeftCorner<6, 6>();
+  result.step_covariance = errors_.covariance_since(0, result.odometry_from_vehicle);
 }
 
 void FusionOdometry::accept(Step& step, FusedScan& result) {
@@ -353,16 +330,19 @@ void FusionOdometry::accept(Step& step, FusedScan& result) {
   }
   drift_.gyro_bias_radps += step.x.segment<3>(kDrift);
   drift_.wheel_scale *= 1.0 + step.x[kDrift + 3];
+  steady_rad_ += step.x.segment<2>(kSteady);
   blind_s_ = result.undetermined.empty() || result.dead_reckoned ? 0.0 : blind_s_ + step.duration_s;
-  map_.move(step.anchor.before.translation(), step.x.segment<6>(kCorrection));
+  map_.move(result.odometry_from_vehicle * pose_in_map(step.anchor, step.x).inverse());
   if (!result.usable && (options_.lines || options_.planes) &&
       step.features.lines.size() + step.features.planes.size() >= kLeastFeatures)
     ++lost_scans_;
   else if (result.usable)
     lost_scans_ = 0;
   start_height(result);
-  if (result.usable && enters_map(step.features, result.odometry_from_vehicle))
+  if (result.usable && enters_map(step.features, result.odometry_from_vehicle)) {
     map_.add(std::move(step.features), result.odometry_from_vehicle, options_);
+    errors_.entered_map(map_.frames());
+  }
   map_.rebuild(options_);
   last_ = result;
 }

@@ -8,9 +8,9 @@
 
 #include "algorithms/core/progress.h"
 #include "algorithms/odometry/ackermann.h"
-#include "algorithms/odometry/common_errors.h"
 #include "algorithms/odometry/fusion_options.h"
 #include "algorithms/odometry/joint_step.h"
+#include "algorithms/odometry/state_errors.h"
 #include "algorithms/trajectory/ins_sample.h"
 
 namespace remount {
@@ -65,7 +65,15 @@ class FusionOdometry {
   FusedScan add(const OdometryScan& scan);
 
   const DeadReckoningState& drift() const { return drift_; }
-  Eigen::Vector4d drift_sigma() const { return stated_covariance().diagonal().tail<4>().cwiseSqrt(); }
+  Eigen::Vector4d drift_sigma() const { return errors_.covariance().diagonal().segment<4>(kStateDrift).cwiseSqrt(); }
+
+  /// Errors of the motion since the scan added last are followed from here on, under this number from 0.
+  void mark(std::size_t number) { errors_.mark(number + 1, last_.value().odometry_from_vehicle); }
+  /// Covariance of the motion from the scan at a mark to the one added last: of shift (m) and turn (rad), in axes of
+  /// the odometry. Less than the two poses' covariances make, since they have most of their errors in common.
+  Matrix6d covariance_since(std::size_t number) const {
+    return errors_.covariance_since(number + 1, last_.value().odometry_from_vehicle);
+  }
 
  private:
   struct Step;
@@ -81,14 +89,12 @@ class FusionOdometry {
   bool add_features(const Step& step, int iteration, std::vector<WeighedTerm>& terms, FusedScan& result) const;
   std::optional<LevelMeasurement> level_at(std::int64_t stamp_ns, const RigidTransform& odometry_from_vehicle) const;
   std::optional<double> height_at(std::int64_t stamp_ns) const;
-  FusionJacobian prior_root(const Step& step) const;
   MotionSigma sigma_of(const Step& step) const;
   void accept(Step& step, FusedScan& result);
   void propagate(const Step& step, FusedScan& result);
   void start_height(FusedScan& result);
   bool enters_map(const ScanFeatures& features, const RigidTransform& odometry_from_vehicle) const;
   void restart_map(const OdometryScan& scan);
-  StateCovariance stated_covariance() const { return covariance_ + common_.covariance(); }
 
   FusionMounting mounting_;
   FusionOptions options_;
@@ -102,10 +108,10 @@ class FusionOdometry {
   std::optional<OdometryScan> first_scan_;  // kept until the velocity is known, without wheels
   std::optional<Vector6d> velocity_;        // vehicle axes, of the last step: m/s, rad/s
   DeadReckoningState drift_;
-  StateCovariance covariance_ = StateCovariance::Zero();
+  Eigen::Vector2d steady_rad_ = Eigen::Vector2d::Zero();  // what roll and pitch of the accelerometer lack
   double blind_s_ = 0.0;                   // how long some direction has rested on the assumption of steady motion
   std::optional<double> height_offset_m_;  // barometer - odometry
-  CommonErrors common_;
+  StateErrors errors_;                     // its mark 0 is the scan before
   int lost_scans_ = 0;  // in a row: with features of their own, but nothing in the map that they lie on
 };
 

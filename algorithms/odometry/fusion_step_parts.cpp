@@ -203,6 +203,8 @@ HeardFeatures heard_features(const FeatureMatches& matches, const RigidTransform
     return result;
   }
   const double share = std::min(1.0, options.independent_features / static_cast<double>(count));
+  // An edge lies where a ray happened to meet it. All features of an edge err alike, and along with the vehicle.
+  constexpr double kFeaturesOfEdge = 10.0;
   // Cauchy's weight, wide while the scan is still far from the map.
   const double usual_m = std::max(expected_m, 2.0 * median_distance_m(matches));
   const auto weight_of = [usual_m](const FeatureMatch& match, double sigma_m) {
@@ -215,7 +217,7 @@ HeardFeatures heard_features(const FeatureMatches& matches, const RigidTransform
   elements.reserve(count + matches.lines.size());
   for (const FeatureMatch& match : matches.lines) {
     const double weight = weight_of(match, options.line_sigma_m);
-    result.line_weights.push_back(std::sqrt(weight * share) / options.line_sigma_m);
+    result.line_weights.push_back(std::sqrt(weight * share / kFeaturesOfEdge) / options.line_sigma_m);
     const Eigen::Vector3d along = vehicle_from_odometry * match.direction;
     const Eigen::Vector3d across = along.unitOrthogonal();
     elements.push_back({across, match.point_in_vehicle, weight});

@@ -14,6 +14,16 @@ RigidTransform moved_pose(const StepAnchor& anchor, const FusionVector& x) {
   return perturbed(anchor.predicted, x.segment<6>(kMotion));
 }
 
+Matrix6d carried_to_prediction(const StepAnchor& anchor) {
+  Matrix6d carried = Matrix6d::Identity();
+  carried.topRightCorner<3, 3>() = -skew(anchor.predicted.translation() - anchor.before.translation());
+  return carried;
+}
+
+RigidTransform pose_in_map(const StepAnchor& anchor, const FusionVector& x) {
+  return perturbed(anchor.predicted, x.segment<6>(kMotion) + carried_to_prediction(anchor) * x.segment<6>(kInMap));
+}
+
 RigidTransform fused_pose(const StepAnchor& anchor, const FusionVector& x) {
   const RigidTransform moved = moved_pose(anchor, x);
   const Eigen::Matrix3d turn = so3_exp(correction_turn(x));
@@ -21,11 +31,11 @@ RigidTransform fused_pose(const StepAnchor& anchor, const FusionVector& x) {
   return make_rigid(turn * moved.linear(), pivot + x.segment<3>(kCorrection) + turn * (moved.translation() - pivot));
 }
 
-Eigen::Matrix<double, 6, 16> fused_pose_jacobian(const StepAnchor& anchor, const FusionVector& x) {
+Eigen::Matrix<double, 6, kFusionUnknowns> fused_pose_jacobian(const StepAnchor& anchor, const FusionVector& x) {
   const Eigen::Matrix3d turn = so3_exp(correction_turn(x));
   const Eigen::Matrix3d correction_jacobian = so3_left_jacobian(correction_turn(x));
   const Eigen::Vector3d arm = turn * (moved_pose(anchor, x).translation() - anchor.before.translation());
-  Eigen::Matrix<double, 6, 16> jacobian = Eigen::Matrix<double, 6, 16>::Zero();
+  Eigen::Matrix<double, 6, kFusionUnknowns> jacobian = Eigen::Matrix<double, 6, kFusionUnknowns>::Zero();
   jacobian.block<3, 3>(0, kCorrection).setIdentity();
   jacobian.block<3, 3>(0, kCorrection + 3) = -skew(arm) * correction_jacobian;
   jacobian.block<3, 3>(0, kMotion) = turn;
@@ -36,16 +46,20 @@ Eigen::Matrix<double, 6, 16> fused_pose_jacobian(const StepAnchor& anchor, const
 
 FeatureTerm::FeatureTerm(Kind kind, const StepAnchor& anchor, std::vector<FeatureMatch> matches,
                          std::vector<double> weights, const Matrix6d& heard)
-    : kind_(kind), anchor_(anchor), matches_(std::move(matches)), weights_(std::move(weights)), heard_(heard) {}
+    : kind_(kind),
+      anchor_(anchor),
+      matches_(std::move(matches)),
+      weights_(std::move(weights)),
+      heard_(heard),
+      carried_(carried_to_prediction(anchor)) {}
 
 int FeatureTerm::rows() const { return static_cast<int>(matches_.size()) * (kind_ == Kind::Lines ? 2 : 1); }
 
 void FeatureTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals,
                            FusionJacobian* jacobian) const {
-  FusionVector heard_x = x;
-  heard_x.segment<6>(kMotion) = heard_ * x.segment<6>(kMotion);
-  const RigidTransform odometry_from_vehicle = moved_pose(anchor_, heard_x);
-  const Eigen::Matrix3d turn_jacobian = so3_left_jacobian(motion_turn(heard_x));
+  const Vector6d heard = heard_ * (x.segment<6>(kMotion) + carried_ * x.segment<6>(kInMap));
+  const RigidTransform odometry_from_vehicle = perturbed(anchor_.predicted, heard);
+  const Eigen::Matrix3d turn_jacobian = so3_left_jacobian(heard.tail<3>());
   if (jacobian) jacobian->setZero();
   const auto fill = [&](Eigen::Index row, const FeatureMatch& match, const Eigen::Vector3d& arm,
                         const Eigen::Vector3d& axis, double weight) {
@@ -54,7 +68,9 @@ void FeatureTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> re
     if (!jacobian) return;
     Eigen::Matrix<double, 1, 6> slope;
     slope << axis.transpose(), arm.cross(axis).transpose() * turn_jacobian;
-    jacobian->block<1, 6>(row, kMotion).noalias() = weight * slope * heard_;
+    const Eigen::Matrix<double, 1, 6> heard_slope = weight * slope * heard_;
+    jacobian->block<1, 6>(row, kMotion) = heard_slope;
+    jacobian->block<1, 6>(row, kInMap).noalias() = heard_slope * carried_;
   };
   for (std::size_t i = 0; i < matches_.size(); ++i) {
     const FeatureMatch& match = matches_[i];
@@ -112,19 +128,23 @@ LevelMeasurement level_from_gravity(const Eigen::Vector3d& up) {
 
 void LevelTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals, FusionJacobian* jacobian) const {
   const YawPitchRoll angles = yaw_pitch_roll_from_rotation(fused_pose(anchor_, x).linear());
-  residuals << wrap_angle_rad(angles.roll_rad - measured_.roll_rad) / measured_.roll_sigma_rad,
-      (angles.pitch_rad - measured_.pitch_rad) / measured_.pitch_sigma_rad;
+  residuals << wrap_angle_rad(angles.roll_rad - measured_.roll_rad - x[kSteady]) / measured_.roll_sigma_rad,
+      (angles.pitch_rad - measured_.pitch_rad - x[kSteady + 1]) / measured_.pitch_sigma_rad;
   if (!jacobian) return;
   const Eigen::Matrix3d by_turn = yaw_pitch_roll_jacobian(angles);  // rows yaw, pitch, roll
-  const Eigen::Matrix<double, 3, 16> turn = fused_pose_jacobian(anchor_, x).bottomRows<3>();
+  const Eigen::Matrix<double, 3, kFusionUnknowns> turn = fused_pose_jacobian(anchor_, x).bottomRows<3>();
   jacobian->row(0) = by_turn.row(2) * turn / measured_.roll_sigma_rad;
   jacobian->row(1) = by_turn.row(1) * turn / measured_.pitch_sigma_rad;
+  (*jacobian)(0, kSteady) = -1.0 / measured_.roll_sigma_rad;
+  (*jacobian)(1, kSteady + 1) = -1.0 / measured_.pitch_sigma_rad;
 }
 
 void HeightTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals,
                           FusionJacobian* jacobian) const {
   residuals[0] = (fused_pose(anchor_, x).translation().z() - height_m_) / sigma_m_;
-  if (jacobian) jacobian->row(0) = fused_pose_jacobian(anchor_, x).row(2) / sigma_m_;
+  if (!jacobian) return;
+  jacobian->setZero();
+  jacobian->row(0).leftCols<12>() = fused_pose_jacobian(anchor_, x).row(2).leftCols<12>() / sigma_m_;
 }
 
 void LinearTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals,

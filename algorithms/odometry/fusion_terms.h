@@ -15,9 +15,13 @@ namespace remount {
 ///     against a map that has drifted: this is where the drift is taken back.
 ///   motion (6-11): `perturbed` of the predicted odometry_from_vehicle at the new scan, before the correction.
 ///   drift (12-15): change of the gyroscope's bias (rad/s, vehicle axes) and of the wheels' scale (share).
-using FusionVector = Eigen::Matrix<double, 16, 1>;
-using FusionJacobian = Eigen::Matrix<double, Eigen::Dynamic, 16, Eigen::RowMajor>;
-inline constexpr int kCorrection = 0, kMotion = 6, kDrift = 12;
+///   place in the map (16-21): correction of the pose before the step within the map, likewise about that vehicle. The
+///     map is the mean of many scans: it errs less than the pose before, and features tell of the motion only from it.
+///   steady errors (22-23): change of what the accelerometer's roll and pitch lack throughout, rad. Were they not asked
+///     for, the wheels' scale would have to explain why a climb by pitch is none by the barometer.
+inline constexpr int kCorrection = 0, kMotion = 6, kDrift = 12, kInMap = 16, kSteady = 22, kFusionUnknowns = 24;
+using FusionVector = Eigen::Matrix<double, kFusionUnknowns, 1>;
+using FusionJacobian = Eigen::Matrix<double, Eigen::Dynamic, kFusionUnknowns, Eigen::RowMajor>;
 
 /// odometry_from_vehicle at the scan before, as estimated, and at the new one, as predicted.
 struct StepAnchor {
@@ -29,8 +33,12 @@ struct StepAnchor {
 RigidTransform moved_pose(const StepAnchor& anchor, const FusionVector& x);
 /// The same, corrected: the pose that a step results in.
 RigidTransform fused_pose(const StepAnchor& anchor, const FusionVector& x);
+/// The pose at the new scan as the map sees it, which has not been corrected yet.
+RigidTransform pose_in_map(const StepAnchor& anchor, const FusionVector& x);
+/// The place in the map before the step as it shows at the new scan (first order: it is small).
+Matrix6d carried_to_prediction(const StepAnchor& anchor);
 /// d fused_pose / d x, the pose perturbed as in `perturbed`.
-Eigen::Matrix<double, 6, 16> fused_pose_jacobian(const StepAnchor& anchor, const FusionVector& x);
+Eigen::Matrix<double, 6, kFusionUnknowns> fused_pose_jacobian(const StepAnchor& anchor, const FusionVector& x);
 
 /// One term. Residuals are divided by their sigma: the square sum is the term's part of the cost.
 class FusionTerm {
@@ -48,8 +56,8 @@ class FeatureTerm : public FusionTerm {
  public:
   enum class Kind { Lines, Planes };
   /// @param weights root of the information of each match, 1/m
-  /// @param heard what of the motion the features can tell of: they see `heard * motion`, and the prediction in the
-  ///        directions that it takes away
+  /// @param heard what of the motion the features can tell of: they see `heard * (motion + place in the map)`, and the
+  ///        prediction in the directions that it takes away
   FeatureTerm(Kind kind, const StepAnchor& anchor, std::vector<FeatureMatch> matches, std::vector<double> weights,
               const Matrix6d& heard);
   int rows() const override;
@@ -60,7 +68,7 @@ class FeatureTerm : public FusionTerm {
   StepAnchor anchor_;
   std::vector<FeatureMatch> matches_;
   std::vector<double> weights_;
-  Matrix6d heard_;
+  Matrix6d heard_, carried_;
 };
 
 /// Rotation of the step against that of the gyroscope (or of the wheels' difference), three rows in vehicle axes.

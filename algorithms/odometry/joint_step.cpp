@@ -13,7 +13,7 @@ class TermCost : public ceres::CostFunction {
  public:
   explicit TermCost(const FusionTerm& term) : term_(term) {
     set_num_residuals(term.rows());
-    mutable_parameter_block_sizes()->push_back(16);
+    mutable_parameter_block_sizes()->push_back(kFusionUnknowns);
   }
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
@@ -23,9 +23,9 @@ class TermCost : public ceres::CostFunction {
       term_.evaluate(x, values, nullptr);
       return values.allFinite();
     }
-    FusionJacobian slope(term_.rows(), 16);
+    FusionJacobian slope(term_.rows(), kFusionUnknowns);
     term_.evaluate(x, values, &slope);
-    Eigen::Map<FusionJacobian>(jacobians[0], term_.rows(), 16) = slope;
+    Eigen::Map<FusionJacobian>(jacobians[0], term_.rows(), kFusionUnknowns) = slope;
     return values.allFinite() && slope.allFinite();
   }
 
@@ -38,7 +38,7 @@ FusionInformation information_at(const std::vector<WeighedTerm>& terms, const Fu
   for (const WeighedTerm& weighed : terms) {
     if (weighed.term->rows() == 0) continue;
     Eigen::VectorXd residuals(weighed.term->rows());
-    FusionJacobian jacobian(weighed.term->rows(), 16);
+    FusionJacobian jacobian(weighed.term->rows(), kFusionUnknowns);
     weighed.term->evaluate(x, residuals, &jacobian);
     // The first derivative of Cauchy's loss: the weight with which the term counts.
     const double weight = weighed.robust ? 1.0 / (1.0 + residuals.squaredNorm() / (kRobust * kRobust)) : 1.0;
@@ -59,7 +59,7 @@ JointStep solve_joint_step(const std::vector<WeighedTerm>& terms, const FusionVe
                                step.x.data());
   if (problem.NumResidualBlocks() == 0) return step;
   ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;  // sixteen unknowns whose units differ: no normal equations
+  options.linear_solver_type = ceres::DENSE_QR;  // few unknowns, whose units differ: no normal equations
   options.max_num_iterations = 10;
   options.function_tolerance = 1e-8;
   options.parameter_tolerance = 1e-9;

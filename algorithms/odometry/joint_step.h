@@ -8,7 +8,7 @@
 
 namespace remount {
 
-using FusionInformation = Eigen::Matrix<double, 16, 16>;
+using FusionInformation = Eigen::Matrix<double, kFusionUnknowns, kFusionUnknowns>;
 
 /// Terms of a step; `robust` ones count less where they disagree with the others by more than three sigma (wheels that
 /// slip).

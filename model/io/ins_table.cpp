@@ -158,7 +158,11 @@ std::string_view to_string(InsQuality quality) { return kQualityNames[static_cas
 
 std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout& layout,
                                       std::vector<Finding>& findings) {
-  const std::string text = read_regular_file(path);
+  return parse_ins_table(read_regular_file(path), path, layout, findings);
+}
+
+std::vector<InsSample> parse_ins_table(std::string_view text, const fs::path& path, const InsTableLayout& layout,
+                                       std::vector<Finding>& findings) {
   LineReader lines(text);
   std::string_view line;
   const std::vector<ColumnRef> columns = columns_of(layout);

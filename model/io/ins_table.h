@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/io/attitude_convention.h"
@@ -43,6 +44,9 @@ struct InsTableLayout {
 /// cannot be read, a column is missing, or no line is usable.
 std::vector<InsSample> read_ins_table(const std::filesystem::path& path, const InsTableLayout& layout,
                                       std::vector<Finding>& findings);
+/// The same of a text that was read already; `path` is for messages.
+std::vector<InsSample> parse_ins_table(std::string_view text, const std::filesystem::path& path,
+                                       const InsTableLayout& layout, std::vector<Finding>& findings);
 
 std::string_view to_string(InsQuality quality);
 

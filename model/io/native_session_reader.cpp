@@ -6,12 +6,14 @@
 
 #include "model/io/csv_table.h"
 #include "model/io/gnss_log_reader.h"
+#include "model/io/gpx_track.h"
 #include "model/io/input_file.h"
 #include "model/io/ins_table.h"
 #include "model/io/nmea_log.h"
 #include "model/io/parse_document.h"
 #include "model/io/pose_file.h"
 #include "model/io/pose_pairing.h"
+#include "model/io/scan_list.h"
 #include "model/io/sensor_tables.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
@@ -27,8 +29,6 @@ constexpr std::string_view kFormat = "remount-session/1";
 std::optional<DocumentView> find(const DocumentView& node, std::string_view key) {
   return node.has(key) ? std::optional<DocumentView>(node.at(key)) : std::nullopt;
 }
-
-fs::path manifest_of(const fs::path& path) { return is_folder(path) ? path / "session.yaml" : path; }
 
 /// The value of `node` among named choices.
 template <class Value>
@@ -139,70 +139,6 @@ InsTableLayout read_layout(const DocumentView& columns) {
   return layout;
 }
 
-/// "1317384506400000000" (ns), "1317384506.4" (s) or a date.
-std::optional<std::int64_t> stamp_from_name(std::string_view stem) {
-  if (stem.find('.') == std::string_view::npos && stem.size() > 15) return parse_integer(stem);
-  if (const auto date = parse_date_ns(stem)) return date;
-  return parse_seconds_ns(stem);
-}
-
-bool has_extension(const fs::path& file, CloudFormat format) {
-  const std::string extension = lower_case(file.extension().string());
-  switch (format) {
-    case CloudFormat::Pcd:
-      return extension == ".pcd";
-    case CloudFormat::Ply:
-      return extension == ".ply";
-    case CloudFormat::Las:
-      return extension == ".las";
-    default:
-      return extension == ".bin";
-  }
-}
-
-std::vector<ScanFile> scans_from_names(const fs::path& directory, CloudFormat format, std::vector<Finding>& findings) {
-  std::vector<ScanFile> scans;
-  BadItems bad;
-  for (const fs::path& file : files_in(directory)) {
-    if (!has_extension(file, format)) continue;
-    if (const auto stamp = stamp_from_name(file.stem().string()))
-      scans.push_back({file, *stamp});
-    else
-      bad.add(file.string() + ": the name is no time stamp (nanoseconds, seconds or 2021-10-26-16-21-29-468)");
-  }
-  bad.report(findings, "bad-scan-names", directory.string(), "files");
-  std::stable_sort(scans.begin(), scans.end(),
-                   [](const ScanFile& a, const ScanFile& b) { return a.stamp_ns < b.stamp_ns; });
-  return scans;
-}
-
-std::vector<ScanFile> scans_from_table(const fs::path& table, const fs::path& directory,
-                                       std::vector<Finding>& findings) {
-  const std::string text = read_regular_file(table);
-  LineReader lines(text);
-  std::string_view line;
-  lines.next(line);
-  const CsvHeader header(line);
-  const std::size_t file_column = header.require("file", table), stamp_column = header.require("stamp_ns", table);
-  std::vector<ScanFile> scans;
-  BadItems bad;
-  std::vector<std::string_view> fields;
-  while (lines.next(line)) {
-    if (trimmed(line).empty()) continue;
-    split_csv(line, fields);
-    const auto stamp = fields.size() == header.size() ? parse_integer(fields[stamp_column]) : std::nullopt;
-    const fs::path file = stamp ? directory / std::string(fields[file_column]) : fs::path();
-    if (!stamp)
-      bad.add(at_line(table, lines.line_number()) + ": expected a file's name and its stamp in nanoseconds");
-    else if (!is_file(file))
-      bad.add(file.string() + ": is missing or no regular file");
-    else
-      scans.push_back({file, *stamp});
-  }
-  bad.report(findings, "missing-scans", table.string(), "scans");
-  return scans;
-}
-
 void read_timing(const DocumentView& node, Session& session) {
   session.scan_timing = choice<ScanTiming>(
       node.at("timing"),
@@ -218,7 +154,7 @@ void read_timing(const DocumentView& node, Session& session) {
   if (const auto certain = find(*sweep, "certain")) session.sweep.certain = certain->boolean();
 }
 
-void read_scans(const DocumentView& node, const fs::path& folder, Session& session) {
+void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
   node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
   const auto format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
                                                             {"ply", CloudFormat::Ply},
@@ -229,11 +165,14 @@ void read_scans(const DocumentView& node, const fs::path& folder, Session& sessi
   const std::string stamps = node.at("stamps").string();
   std::vector<ScanFile> scans;
   if (stamps == "from-names") {
-    scans = scans_from_names(directory, format, session.findings);
+    scans = scans_from_names(source.files(directory), directory, format, session.findings);
   } else {
     session.files.push_back(folder / stamps);
-    scans = scans_from_table(folder / stamps, directory, session.findings);
+    const std::string text = source.table(session.files.back());
+    if (!text.empty() || !source.only_new())
+      scans = scans_from_table(text, session.files.back(), directory, session.findings);
   }
+  if (scans.empty() && source.only_new()) return;
   if (scans.empty()) node.fail("no scan with a stamp is found in " + directory.string());
   keep_ascending(scans, "scan", directory.string(), session.findings);
   for (const ScanFile& scan : scans) session.files.push_back(scan.path);
@@ -241,7 +180,8 @@ void read_scans(const DocumentView& node, const fs::path& folder, Session& sessi
   read_timing(node, session);
 }
 
-std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& folder, Session& session) {
+std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& folder, SessionSource& source,
+                                    Session& session) {
   node.allow_only({"file", "format"});
   const DocumentView& format = node.at("format");
   const auto pose_format = pose_format_from_string(format.string());
@@ -249,10 +189,12 @@ std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& fo
     format.fail("'" + format.string().substr(0, 60) +
                 "' is not one of: tum, eth-csv, aloam-csv, pose-lines, apollo-csv");
   session.files.push_back(folder / node.at("file").string());
-  return read_pose_file(session.files.back(), *pose_format, session.findings);
+  const std::string text = source.table(session.files.back());
+  if (text.empty() && source.only_new()) return {};
+  return parse_poses(text, session.files.back(), *pose_format, session.findings);
 }
 
-void read_ins(const DocumentView& node, const fs::path& folder, Session& session) {
+void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
   node.allow_only({"file", "columns"});
   const fs::path file = folder / node.at("file").string();
   if (!node.has("columns") && recognise_nmea(file)) {
@@ -264,7 +206,9 @@ void read_ins(const DocumentView& node, const fs::path& folder, Session& session
   const InsTableLayout layout = read_layout(node.at("columns"));
   if (!layout.quaternion) session.ins_axes = axes_of(layout.attitude);
   session.files.push_back(file);
-  session.ins = read_ins_table(session.files.back(), layout, session.findings);
+  const std::string text = source.table(session.files.back());
+  if (text.empty() && source.only_new()) return;
+  session.ins = parse_ins_table(text, session.files.back(), layout, session.findings);
 }
 
 void read_noise(const DocumentView& node, Session& session) {
@@ -310,6 +254,27 @@ void read_sensors(const DocumentView& root, const fs::path& folder, Session& ses
   read("barometer", session.barometer, read_barometer_table);
 }
 
+/// Of a session that grows only what trajectory alignment takes: the others are read when it is complete.
+void read_new_fixes(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+  const auto node = find(root, "gnss");
+  if (!node) return;
+  session.files.push_back(folder / node->at("file").string());
+  const std::string text = source.table(session.files.back());
+  if (!text.empty()) session.gnss = parse_gnss_table(text, session.files.back(), session.findings);
+}
+
+/// Sentences of one moment belong together, and clocks are aligned over the whole drive.
+bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
+  if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
+  const auto log = [&](std::string_view key) {
+    const auto node = find(root, key);
+    if (!node || (node->has("columns"))) return false;
+    const fs::path file = folder / node->at("file").string();
+    return recognise_nmea(file) || recognise_gpx(file);
+  };
+  return !log("ins") && !log("gnss");
+}
+
 /// A stream that can be given in two ways is given in one; where the drive has other sensors it may be missing.
 void require_streams(const DocumentView& root) {
   const bool sensors = std::any_of(kSensors.begin(), kSensors.end(), [&](auto key) { return root.has(key); });
@@ -335,10 +300,14 @@ int NativeSessionReader::probe(const fs::path& path) const {
   }
 }
 
-Session NativeSessionReader::open(const fs::path& path, Progress& progress) const {
-  const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
-  const DocumentNode document = read_document(manifest);
-  const DocumentView root(document, manifest.string());
+fs::path NativeSessionReader::manifest_of(const fs::path& path) {
+  return is_folder(path) ? path / "session.yaml" : path;
+}
+
+namespace {
+
+/// What the manifest declares, checked as far as it concerns all streams.
+void check_manifest(const DocumentView& root) {
   const std::string expected = "expected \"format: " + std::string(kFormat) + "\"";
   if (!root.is_map()) root.fail("is no map of keys and values; " + expected + " and the rest of a session");
   if (!root.has("format")) root.fail("the key \"format\" is missing; " + expected);
@@ -348,32 +317,73 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks",
                    "imu", "gnss", "wheels", "barometer"});
   require_streams(root);
+}
+
+void read_motion(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+  if (const auto ins = find(root, "ins")) {
+    read_ins(*ins, folder, source, session);
+  } else if (const auto poses = find(root, "ins_poses")) {
+    session.world_from_ins = read_poses(*poses, folder, source, session);
+    session.ins_axes = axes_of(*pose_format_from_string(poses->at("format").string()));
+  }
+}
+
+void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
+  if (const auto scans = find(root, "scans"))
+    read_scans(*scans, folder, source, session);
+  else if (const auto poses = find(root, "lidar_poses"))
+    session.odometry_from_lidar = read_poses(*poses, folder, source, session);
+}
+
+void read_declared(const DocumentView& root, Session& session) {
+  if (const auto noise = find(root, "ins_noise")) read_noise(*noise, session);
+  if (const auto nominal = find(root, "nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+}
+
+}  // namespace
+
+Session NativeSessionReader::open(const fs::path& path, Progress& progress) const {
+  const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
+  const DocumentNode document = read_document(manifest);
+  const DocumentView root(document, manifest.string());
+  check_manifest(root);
   Session session;
   session.name = root.at("name").string();
   session.path = path;
   session.format = id();
   session.files.push_back(manifest);
+  SessionSource whole;
   progress.report("reading INS", 0, 2);
-  if (const auto ins = find(root, "ins")) {
-    read_ins(*ins, folder, session);
-  } else if (const auto poses = find(root, "ins_poses")) {
-    session.world_from_ins = read_poses(*poses, folder, session);
-    session.ins_axes = axes_of(*pose_format_from_string(poses->at("format").string()));
-  }
+  read_motion(root, folder, whole, session);
   read_sensors(root, folder, session);
   progress.report("listing scans", 1, 2);
-  if (const auto scans = find(root, "scans"))
-    read_scans(*scans, folder, session);
-  else if (const auto poses = find(root, "lidar_poses"))
-    session.odometry_from_lidar = read_poses(*poses, folder, session);
-  if (const auto noise = find(root, "ins_noise")) read_noise(*noise, session);
-  if (const auto nominal = find(root, "nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+  read_lidar(root, folder, whole, session);
+  read_declared(root, session);
   ClockUse clocks = ClockUse::Shared;
   if (const auto node = find(root, "clocks"))
     clocks = choice<ClockUse>(*node, {{"shared", ClockUse::Shared}, {"unsynchronised", ClockUse::Unsynchronised}});
   if (clocks == ClockUse::Unsynchronised && session.odometry_from_lidar.empty())
     root.at("clocks").fail("clocks can be aligned only where lidar_poses are given");
   if (!session.scans) align_lidar_clock(session, clocks);
+  return session;
+}
+
+std::optional<Session> NativeSessionReader::open_part(const fs::path& path, SessionSource& source,
+                                                      Progress& progress) const {
+  const fs::path manifest = manifest_of(path), folder = manifest.parent_path();
+  const DocumentNode document = read_document(manifest);
+  const DocumentView root(document, manifest.string());
+  check_manifest(root);
+  if (!can_be_read_in_parts(root, folder)) return std::nullopt;
+  Session session;
+  session.name = root.at("name").string();
+  session.path = path;
+  session.format = id();
+  progress.report("reading what is new", 0, 0);
+  read_motion(root, folder, source, session);
+  read_new_fixes(root, folder, source, session);
+  read_lidar(root, folder, source, session);
+  read_declared(root, session);
   return session;
 }
 

@@ -1,7 +1,10 @@
 // Remount's own session folder, declared by session.yaml: see resources/formats/native-session.md.
 #pragma once
 
+#include <optional>
+
 #include "model/io/session_reader.h"
+#include "model/io/session_source.h"
 
 namespace remount {
 
@@ -14,6 +17,10 @@ class NativeSessionReader final : public SessionReader {
   }
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
+  /// What `source` hands out of a session that still grows: items of the streams that trajectory alignment takes, in
+  /// the state that their clocks have. Nothing where the session cannot be read in parts. Throws as open.
+  std::optional<Session> open_part(const std::filesystem::path& path, SessionSource& source, Progress& progress) const;
+  static std::filesystem::path manifest_of(const std::filesystem::path& path);
 };
 
 }  // namespace remount

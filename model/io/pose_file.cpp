@@ -232,7 +232,11 @@ void tell_apollo(const std::vector<StampedPose>& poses, std::size_t not_fixed, c
 }  // namespace
 
 std::vector<StampedPose> read_pose_file(const fs::path& path, PoseFormat format, std::vector<Finding>& findings) {
-  const std::string text = read_regular_file(path);
+  return parse_poses(read_regular_file(path), path, format, findings);
+}
+
+std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path, PoseFormat format,
+                                     std::vector<Finding>& findings) {
   LineParser parser(format, path);
   LineReader lines(text);
   std::string_view line;

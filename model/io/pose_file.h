@@ -32,5 +32,8 @@ std::optional<InsAxes> axes_of(PoseFormat format);
 /// Throws Error where the file cannot be read or holds no usable pose.
 std::vector<StampedPose> read_pose_file(const std::filesystem::path& path, PoseFormat format,
                                         std::vector<Finding>& findings);
+/// The same of a text that was read already; `path` is for messages.
+std::vector<StampedPose> parse_poses(std::string_view text, const std::filesystem::path& path, PoseFormat format,
+                                     std::vector<Finding>& findings);
 
 }  // namespace remount

@@ -65,12 +65,11 @@ class Row {
   std::size_t line_ = 0;
 };
 
-/// Each line of the file as a sample; `sensor` is what findings are named after.
+/// Each line of the file's text as a sample; `sensor` is what findings are named after.
 template <class Sample, class Parse>
-std::vector<Sample> read_table(const fs::path& path, const std::string& sensor,
-                               const std::vector<std::string_view>& columns, std::vector<Finding>& findings,
-                               Parse&& parse) {
-  const std::string text = read_regular_file(path);
+std::vector<Sample> parse_table(std::string_view text, const fs::path& path, const std::string& sensor,
+                                const std::vector<std::string_view>& columns, std::vector<Finding>& findings,
+                                Parse&& parse) {
   LineReader lines(text);
   std::string_view line;
   if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty, expected a line of column names");
@@ -131,7 +130,7 @@ std::string header_line(const std::vector<std::string_view>& columns) {
 }  // namespace
 
 std::vector<ImuSample> read_imu_table(const fs::path& path, std::vector<Finding>& findings) {
-  return read_table<ImuSample>(path, "imu", all({kRates}), findings, [](const Row& row) {
+  return parse_table<ImuSample>(read_regular_file(path), path, "imu", all({kRates}), findings, [](const Row& row) {
     ImuSample sample{row.stamp_ns(), row.numbers(kRates),
                      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -142,7 +141,11 @@ std::vector<ImuSample> read_imu_table(const fs::path& path, std::vector<Finding>
 }
 
 std::vector<GnssFix> read_gnss_table(const fs::path& path, std::vector<Finding>& findings) {
-  return read_table<GnssFix>(path, "gnss", all({kPlace, kVariances}), findings, [&](const Row& row) {
+  return parse_gnss_table(read_regular_file(path), path, findings);
+}
+
+std::vector<GnssFix> parse_gnss_table(std::string_view text, const fs::path& path, std::vector<Finding>& findings) {
+  return parse_table<GnssFix>(text, path, "gnss", all({kPlace, kVariances}), findings, [&](const Row& row) {
     if (row.has(kCovariances[0]) != row.has(kCovariances[1]) || row.has(kCovariances[0]) != row.has(kCovariances[2]))
       row.fail("cov_east_north_m2, cov_east_up_m2 and cov_north_up_m2 stand together or not at all");
     const Eigen::Vector3d place = row.numbers(kPlace);
@@ -154,15 +157,17 @@ std::vector<GnssFix> read_gnss_table(const fs::path& path, std::vector<Finding>&
 }
 
 std::vector<WheelSample> read_wheel_table(const fs::path& path, std::vector<Finding>& findings) {
-  return read_table<WheelSample>(path, "wheels", {"rear_left_mps", "rear_right_mps"}, findings, [](const Row& row) {
-    return WheelSample{row.stamp_ns(), row.number("rear_left_mps"), row.number("rear_right_mps")};
-  });
+  return parse_table<WheelSample>(
+      read_regular_file(path), path, "wheels", {"rear_left_mps", "rear_right_mps"}, findings, [](const Row& row) {
+        return WheelSample{row.stamp_ns(), row.number("rear_left_mps"), row.number("rear_right_mps")};
+      });
 }
 
 std::vector<BarometerSample> read_barometer_table(const fs::path& path, std::vector<Finding>& findings) {
-  return read_table<BarometerSample>(path, "barometer", {"height_m"}, findings, [](const Row& row) {
-    return BarometerSample{row.stamp_ns(), row.number("height_m")};
-  });
+  return parse_table<BarometerSample>(read_regular_file(path), path, "barometer", {"height_m"}, findings,
+                                      [](const Row& row) {
+                                        return BarometerSample{row.stamp_ns(), row.number("height_m")};
+                                      });
 }
 
 std::string imu_table(const std::vector<ImuSample>& samples) {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algorithms/trajectory/sensor_samples.h"
@@ -17,6 +18,9 @@ std::vector<ImuSample> read_imu_table(const std::filesystem::path& path, std::ve
 std::vector<GnssFix> read_gnss_table(const std::filesystem::path& path, std::vector<Finding>& findings);
 std::vector<WheelSample> read_wheel_table(const std::filesystem::path& path, std::vector<Finding>& findings);
 std::vector<BarometerSample> read_barometer_table(const std::filesystem::path& path, std::vector<Finding>& findings);
+/// As read_gnss_table, of a text that was read already; `path` is for messages.
+std::vector<GnssFix> parse_gnss_table(std::string_view text, const std::filesystem::path& path,
+                                      std::vector<Finding>& findings);
 
 // The text of such files. Reads back to the same stamps and numbers; latitude and longitude to 1e-12 degrees.
 std::string imu_table(const std::vector<ImuSample>& samples);

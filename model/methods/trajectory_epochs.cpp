@@ -10,6 +10,13 @@
 namespace remount {
 namespace {
 
+// Of items in the order of their stamps the first that is not earlier: what lies far back costs nothing.
+template <class Item>
+auto first_since(const std::vector<Item>& items, std::int64_t since_ns) {
+  return std::lower_bound(items.begin(), items.end(), since_ns,
+                          [](const Item& item, std::int64_t stamp_ns) { return item.stamp_ns < stamp_ns; });
+}
+
 // INS and GNSS of one session in one metric frame.
 struct Positions {
   MotionTrack enu_from_ins;
@@ -30,17 +37,14 @@ Positions positions_of(const Session& session, std::int64_t since_ns) {
     level.emplace(session.ins.front().latitude_rad, session.ins.front().longitude_rad, session.ins.front().height_m);
   else if (!session.gnss.empty())
     level.emplace(session.gnss.front().latitude_rad, session.gnss.front().longitude_rad, session.gnss.front().height_m);
-  std::vector<StampedPose> poses;
-  for (const StampedPose& pose : session.world_from_ins)
-    if (pose.stamp_ns >= since_ns) poses.push_back(pose);
-  for (const InsSample& sample : session.ins)
-    if (sample.stamp_ns >= since_ns && sample.quality != InsQuality::Invalid)
-      poses.push_back({sample.stamp_ns, level->enu_from_ins(sample)});
+  std::vector<StampedPose> poses(first_since(session.world_from_ins, since_ns), session.world_from_ins.end());
+  for (auto sample = first_since(session.ins, since_ns); sample != session.ins.end(); ++sample)
+    if (sample->quality != InsQuality::Invalid) poses.push_back({sample->stamp_ns, level->enu_from_ins(*sample)});
   out.enu_from_ins = MotionTrack(poses);
   // Poses in somebody's world have no place on the globe that fixes could be brought to.
   if (!session.world_from_ins.empty()) return out;
-  for (const GnssFix& fix : session.gnss) {
-    if (fix.stamp_ns < since_ns) continue;
+  for (auto at = first_since(session.gnss, since_ns); at != session.gnss.end(); ++at) {
+    const GnssFix& fix = *at;
     // No fix is exact, whatever its receiver states.
     constexpr double kLeast_m2 = 1e-6;
     out.fixes.push_back(
@@ -65,9 +69,9 @@ std::vector<EpochStamp> epoch_stamps(const std::vector<OdometryPose>& poses, con
   const auto shift_ns = static_cast<std::int64_t>(std::llround(clock_s * 1e9));
   const auto interval_ns = static_cast<std::int64_t>(std::llround(interval_s * 1e9)) - 1'000'000;
   if (!positions.enu_from_ins.empty())
-    for (const OdometryPose& pose : poses)
-      if (within(pose.stamp_ns) && (stamps.empty() || pose.stamp_ns - stamps.back().stamp_ns >= interval_ns))
-        stamps.push_back({pose.stamp_ns, std::nullopt});
+    for (auto pose = first_since(poses, range.since_ns); pose != poses.end(); ++pose)
+      if (within(pose->stamp_ns) && (stamps.empty() || pose->stamp_ns - stamps.back().stamp_ns >= interval_ns))
+        stamps.push_back({pose->stamp_ns, std::nullopt});
   for (std::size_t k = 0; k < positions.fixes.size(); ++k) {
     const std::int64_t stamp_ns = positions.fix_stamps_ns[k] - shift_ns;
     if (!poses.empty() && stamp_ns >= poses.front().stamp_ns && stamp_ns <= poses.back().stamp_ns && within(stamp_ns))
@@ -174,8 +178,8 @@ class EpochMaker {
         clock_s_(clock_s),
         range_(range) {
     std::vector<StampedPose> stamped;
-    for (const OdometryPose& pose : poses_)
-      if (pose.stamp_ns >= needed_since_ns(range)) stamped.push_back({pose.stamp_ns, pose.odometry_from_lidar});
+    for (auto pose = first_since(poses_, needed_since_ns(range)); pose != poses_.end(); ++pose)
+      stamped.push_back({pose->stamp_ns, pose->odometry_from_lidar});
     track_ = MotionTrack(stamped);
     // Fixes may come more often than poses of the INS are to be taken.
     constexpr std::int64_t kSame_ns = 1'000'000;

@@ -15,13 +15,12 @@ constexpr std::int64_t kAll = std::numeric_limits<std::int64_t>::max();
 
 std::string named(const Session& session) { return session.path.empty() ? session.name : session.path.string(); }
 
-// Somebody's poses state no errors: those of the options.
-std::vector<OdometryPose> given_poses(const std::vector<StampedPose>& odometry_from_lidar, std::size_t count,
-                                      const TrajectoryOptions& options) {
+// Adds what is new of somebody's poses. They state no errors: those of the options.
+void add_given_poses(const std::vector<StampedPose>& odometry_from_lidar, std::size_t count,
+                     const TrajectoryOptions& options, std::vector<OdometryPose>& poses) {
   const double translation = options.odometry_translation_sigma_m;
   const double rotation = degrees_to_radians(options.odometry_rotation_sigma_deg);
-  std::vector<OdometryPose> poses;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = poses.size(); i < count; ++i) {
     OdometryPose pose;
     pose.stamp_ns = odometry_from_lidar[i].stamp_ns;
     pose.odometry_from_lidar = odometry_from_lidar[i].pose;
@@ -30,7 +29,14 @@ std::vector<OdometryPose> given_poses(const std::vector<StampedPose>& odometry_f
         Eigen::Vector3d::Constant(0.5 * rotation * rotation);
     poses.push_back(pose);
   }
-  return poses;
+}
+
+// Whether poses that were taken on the way are those of the whole.
+bool begins_with(const std::vector<StampedPose>& whole, const std::vector<OdometryPose>& taken) {
+  return taken.size() <= whole.size() &&
+         std::equal(taken.begin(), taken.end(), whole.begin(), [](const OdometryPose& a, const StampedPose& b) {
+           return a.stamp_ns == b.stamp_ns && a.odometry_from_lidar.matrix() == b.pose.matrix();
+         });
 }
 
 }  // namespace
@@ -71,9 +77,23 @@ void TrajectoryFeed::begin(const Session& session) {
                 "the session has neither an INS nor GNSS fixes to align the trajectory of the LiDAR with");
   odometry_.emplace_back();
   from_scans_ = has_scans(session);
-  running_ = std::make_unique<LidarOdometry>(settings_.lidar_odometry, settings_.registration);
+  begin_odometry();
   TrajectorySession empty = trajectory_session(session, {}, settings_, 0.0);
   aligner_.add_session(std::move(empty));
+}
+
+void TrajectoryFeed::begin_odometry() {
+  odometry_.back() = {};
+  used_scans_ns_.clear();
+  running_ = std::make_unique<LidarOdometry>(settings_.lidar_odometry, settings_.registration);
+}
+
+// A scan that came out of order was not seen on the way.
+bool TrajectoryFeed::used_are_first_of(const ScanSource& scans) const {
+  if (used_scans_ns_.size() > scans.size()) return false;
+  for (std::size_t i = 0; i < used_scans_ns_.size(); ++i)
+    if (scans.stamp_ns(i) != used_scans_ns_[i]) return false;
+  return true;
 }
 
 void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after,
@@ -94,6 +114,7 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
     for (std::size_t i = 0; i < count && !progress.cancelled(); ++i) {
       progress.report("LiDAR odometry", first + i, session.scans->size());
       ++odometry.scans_used;
+      used_scans_ns_.push_back(session.scans->stamp_ns(first + i));
       if (!failures[i].empty()) {
         if (odometry.unreadable++ == 0) odometry.first_unreadable = failures[i];
         continue;
@@ -142,11 +163,14 @@ void TrajectoryFeed::offer(const Session& session, bool complete, double least_u
   };
   const std::size_t held_back = complete ? 0 : 1;
   if (from_scans_) {
+    if (complete && !used_are_first_of(*session.scans)) begin_odometry();
     const std::size_t ready = session.scans->size() - std::min(held_back, session.scans->size());
     run_odometry(session, ready, complete && !tell ? std::function<void()>([] {}) : push, progress);
   } else {
     const std::size_t given = session.odometry_from_lidar.size();
-    odometry.poses = given_poses(session.odometry_from_lidar, given - std::min(held_back, given), settings_.trajectory);
+    if (complete && !begins_with(session.odometry_from_lidar, odometry.poses)) odometry.poses.clear();
+    add_given_poses(session.odometry_from_lidar, given - std::min(held_back, given), settings_.trajectory,
+                    odometry.poses);
   }
   push();
 }

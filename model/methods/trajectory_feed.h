@@ -67,6 +67,8 @@ class TrajectoryFeed {
   const TrajectoryProblem& problem() const { return problem_; }
 
  private:
+  void begin_odometry();
+  bool used_are_first_of(const ScanSource& scans) const;
   void run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after, Progress& progress);
   void push_epochs(const Session& session, std::int64_t until_ns, double least_update_s, const Tell& tell,
                    Progress& progress);
@@ -76,8 +78,9 @@ class TrajectoryFeed {
   int threads_;
   TrajectoryAligner aligner_;
   std::vector<SessionOdometry> odometry_;
-  std::unique_ptr<LidarOdometry> running_;  // of the session begun last
-  bool from_scans_ = false;                 // likewise: decided once, for poses and scans have frames of their own
+  std::unique_ptr<LidarOdometry> running_;   // of the session begun last
+  std::vector<std::int64_t> used_scans_ns_;  // likewise
+  bool from_scans_ = false;                  // likewise: decided once, for poses and scans have frames of their own
   TrajectoryProblem problem_;
 };
 

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "model/io/growing_session.h"
 #include "model/io/session_reader.h"
 #include "model/methods/trajectory_method.h"
 
@@ -25,20 +26,6 @@ std::size_t items_of(const Session& session) {
          (session.scans ? session.scans->size() : 0);
 }
 
-// The session as far as it is written; nothing while it cannot be opened, with the reason.
-std::shared_ptr<const Session> opened(const std::filesystem::path& path, const TopicChoice& topics,
-                                      std::string& problem) {
-  try {
-    Progress quiet;
-    auto session = std::make_shared<const Session>(open_session(path, topics, quiet, LookAt::Streams));
-    problem.clear();
-    return session;
-  } catch (const Error& error) {
-    problem = error.what();
-    return nullptr;
-  }
-}
-
 bool can_begin(const Session& session) {
   const bool lidar = has_scans(session) || !session.odometry_from_lidar.empty();
   return lidar && !(session.ins.empty() && session.world_from_ins.empty() && session.gnss.empty());
@@ -58,11 +45,11 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
     feed.emplace(input.settings, with_session.nominal_ins_from_lidar, input.threads);
     feed->begin(session);
   };
-  std::string problem = "was not opened";
+  GrowingSession growing(path, options.topics);
   std::size_t items = 0;
   Clock::time_point grown = Clock::now();
   while (!following.cancelled() && seconds_since(grown) < options.settled_s) {
-    const std::shared_ptr<const Session> now = opened(path, options.topics, problem);
+    const Session* now = growing.look();
     if (now && items_of(*now) > items) {
       items = items_of(*now);
       grown = Clock::now();
@@ -75,8 +62,8 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
     wait(options.poll_s, following);
   }
   FollowedSession followed;
-  followed.session = opened(path, options.topics, problem);
-  if (!followed.session) throw Error(ErrorCode::Io, path.string(), problem);
+  Progress quiet;
+  followed.session = std::make_shared<const Session>(open_session(path, options.topics, quiet, LookAt::Streams));
   with_session.sessions = {followed.session};
   if (!feed) begin(*followed.session);
   feed->offer(*followed.session, true, 0.0, tell, finishing);

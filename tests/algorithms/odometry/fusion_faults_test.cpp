@@ -139,7 +139,7 @@ TEST(fusion_faults, without_a_solution_the_covariance_grows_by_the_prediction) {
   anchor.before = make_rigid(so3_exp({0.0, 0.0, kPi / 2}), {3.0, 0.0, 0.0});
   anchor.predicted = make_rigid(anchor.before.linear(), {3.0, 2.0, 0.0});
   StateCovariance before = StateCovariance::Zero();
-  before.diagonal() << 0.01, 0.01, 0.01, 1e-4, 1e-4, 1e-4, 1e-8, 1e-8, 1e-8, 1e-6;
+  before.diagonal() << 0.01, 0.01, 0.01, 1e-4, 1e-4, 1e-4, 1e-8, 1e-8, 1e-8, 1e-6, Eigen::Matrix<double, 8, 1>::Zero();
   const Matrix6d step = step_covariance_of({{0.5, 0.1, 0.2}, {0.01, 0.02, 0.03}}, anchor);
   EXPECT_NEAR(step(1, 1), 0.25, 1e-12);  // ahead is y of the odometry
   const StateCovariance after = grown_covariance(before, anchor, FusionVector::Zero(), step);

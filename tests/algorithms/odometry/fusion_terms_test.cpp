@@ -16,7 +16,8 @@ StepAnchor some_anchor() {
 
 FusionVector some_vector() {
   FusionVector x;
-  x << 0.2, -0.1, 0.3, 0.02, -0.03, 0.04, -0.15, 0.25, 0.1, 0.05, -0.02, 0.07, 0.001, -0.002, 0.003, 0.01;
+  x << 0.2, -0.1, 0.3, 0.02, -0.03, 0.04, -0.15, 0.25, 0.1, 0.05, -0.02, 0.07, 0.001, -0.002, 0.003, 0.01, 0.02, -0.03,
+      0.01, 0.001, -0.002, 0.0015, 0.01, -0.02;
   return x;
 }
 
@@ -38,9 +39,9 @@ void expect_true_jacobian(const FusionTerm& term) {
   constexpr double kStep = 1e-6;
   const FusionVector x = some_vector();
   Eigen::VectorXd residuals(term.rows()), more(term.rows()), less(term.rows());
-  FusionJacobian jacobian(term.rows(), 16);
+  FusionJacobian jacobian(term.rows(), kFusionUnknowns);
   term.evaluate(x, residuals, &jacobian);
-  for (int column = 0; column < 16; ++column) {
+  for (int column = 0; column < kFusionUnknowns; ++column) {
     FusionVector above = x, below = x;
     above[column] += kStep;
     below[column] -= kStep;
@@ -68,8 +69,8 @@ TEST(fusion_terms, jacobians_equal_perturbation) {
 TEST(fusion_terms, the_fused_pose_has_the_jacobian_that_it_states) {
   const StepAnchor anchor = some_anchor();
   const FusionVector x = some_vector();
-  const Eigen::Matrix<double, 6, 16> jacobian = fused_pose_jacobian(anchor, x);
-  for (int column = 0; column < 16; ++column) {
+  const Eigen::Matrix<double, 6, kFusionUnknowns> jacobian = fused_pose_jacobian(anchor, x);
+  for (int column = 0; column < kFusionUnknowns; ++column) {
     FusionVector above = x, below = x;
     above[column] += 1e-6;
     below[column] -= 1e-6;

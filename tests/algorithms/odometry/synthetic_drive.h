@@ -81,7 +81,10 @@ inline World tunnel() {
 }
 
 struct Noise {
+  // Of each sample.
   double range_m = 0.0, gyro_dps = 0.0, gyro_bias_dps = 0.0, force_mps2 = 0.0, wheel_share = 0.0, barometer_m = 0.0;
+  // That stay over the drive, or walk.
+  double gyro_walk_dps = 0.0, force_bias_mps2 = 0.0, wheel_scale = 0.0, barometer_bias_m = 0.0;
 };
 
 struct Drive {
@@ -144,6 +147,11 @@ struct Drive {
     };
     SensorStreams streams;
     const Eigen::Vector3d bias = noisy(degrees_to_radians(noise.gyro_bias_dps));
+    std::mt19937_64 lasting(seed * 104729 + 5);
+    const double scale = 1.0 + noise.wheel_scale * normal(lasting);
+    const Eigen::Vector3d force_bias = noise.force_bias_mps2 * Eigen::Vector3d(normal(lasting), normal(lasting), 0.0);
+    const double barometer_bias = noise.barometer_bias_m * normal(lasting);
+    Eigen::Vector3d walk = Eigen::Vector3d::Zero();
     const Eigen::Matrix3d imu_from_vehicle = mounting.vehicle_from_imu.linear().transpose();
     for (int i = -20; i <= 10 * scans + 20; ++i) {
       const double t = 0.01 * i;
@@ -152,14 +160,18 @@ struct Drive {
       const Eigen::Vector3d arm = mounting.vehicle_from_imu.translation(), velocity(speed_mps, 0.0, 0.0);
       const Eigen::Vector3d force =
           vehicle_from_world * Eigen::Vector3d(0.0, 0.0, 9.81) + rate.cross(velocity) + rate.cross(rate.cross(arm));
-      streams.imu.push_back({stamp_ns(t), imu_from_vehicle * (rate + bias) + noisy(degrees_to_radians(noise.gyro_dps)),
-                             imu_from_vehicle * force + noisy(noise.force_mps2)});
-      const double speed = speed_mps * (1.0 + noise.wheel_share * normal(random));
+      streams.imu.push_back({stamp_ns(t),
+                             imu_from_vehicle * (rate + bias + walk) + noisy(degrees_to_radians(noise.gyro_dps)),
+                             imu_from_vehicle * (force + force_bias) + noisy(noise.force_mps2)});
+      for (int axis = 0; axis < 3; ++axis)
+        walk[axis] += 0.1 * degrees_to_radians(noise.gyro_walk_dps) * normal(lasting);  // root of the 0.01 s
+      const double speed = speed_mps / scale * (1.0 + noise.wheel_share * normal(random));
       if (i % 2 == 0)
         streams.wheels.push_back({stamp_ns(t), speed - 0.8 * yaw_rate_radps, speed + 0.8 * yaw_rate_radps});
       if (i % 10 == 0)
-        streams.barometer.push_back(
-            {stamp_ns(t), 312.0 + world_from_vehicle(t).translation().z() + noise.barometer_m * normal(random)});
+        streams.barometer.push_back({stamp_ns(t), 312.0 + (i > 30 ? barometer_bias : 0.0) +
+                                                      world_from_vehicle(t).translation().z() +
+                                                      noise.barometer_m * normal(random)});
     }
     return streams;
   }

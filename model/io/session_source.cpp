@@ -1,0 +1,60 @@
+#include "model/io/session_source.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "algorithms/core/error.h"
+#include "model/io/random_access_file.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+std::string GrowingSource::table(const fs::path& path) {
+  const RandomAccessFile file(path);
+  if (file.size() > kMaxDataFileBytes)
+    throw Error(
+        ErrorCode::Unsupported, path.string(),
+        "holds " + std::to_string(file.size()) + " bytes, at most " + std::to_string(kMaxDataFileBytes) + " are read");
+  Table table = tables_[path];
+  shrunk_ = file.size() < table.used;
+  if (shrunk_) throw Error(ErrorCode::Io, path.string(), "has become shorter: it was written anew");
+  std::string added = file.read(table.used, file.size() - table.used);
+  bytes_read_ += added.size();
+  const std::size_t end = added.rfind('\n');
+  if (end == std::string::npos) return "";
+  added.resize(end + 1);
+  table.used += added.size();
+  std::string text = table.first_line + added;
+  if (table.first_line.empty()) table.first_line = added.substr(0, added.find('\n') + 1);
+  new_tables_[path] = std::move(table);
+  return text;
+}
+
+std::vector<fs::path> GrowingSource::files(const fs::path& folder) {
+  const std::set<std::string>& had = files_[folder];
+  std::set<std::string>& names = new_files_[folder];
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    std::string name = entry->path().filename().string();
+    if (had.contains(name)) continue;
+    ++files_examined_;
+    if (is_file(entry->path())) names.insert(std::move(name));
+  }
+  std::vector<fs::path> found;
+  for (const std::string& name : names) found.push_back(folder / name);
+  return found;
+}
+
+void GrowingSource::keep() {
+  for (auto& [path, table] : new_tables_) tables_[path] = std::move(table);
+  for (auto& [folder, names] : new_files_) files_[folder].merge(names);
+  give_back();
+}
+
+void GrowingSource::give_back() {
+  new_tables_.clear();
+  new_files_.clear();
+}
+
+}  // namespace remount
