@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/antenna_tilt.h"
+
 namespace remount {
 namespace {
 
 using Eigen::Matrix2d;
+using Eigen::Matrix3d;
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 Matrix2d turned(double angle_rad) { return Eigen::Rotation2Dd(angle_rad).toRotationMatrix(); }
 
@@ -18,24 +22,35 @@ struct Point {
   double time_s = 0.0, turn_rad = 0.0, travel_m = 0.0;  // since the start of the window
   Vector2d way_m = Vector2d::Zero(), way_by_bias = Vector2d::Zero();
   Vector2d position_m = Vector2d::Zero();
+  Vector2d up_in_vehicle = Vector2d::Zero();  // how the vehicle leans: x and y of the vertical
 };
 
+// Since the start of a window, in its axes.
 struct Motion {
-  double turn_rad = 0.0;
-  Vector2d way_m = Vector2d::Zero();
-  void advance(const std::vector<MotionStep>& steps, const Eigen::Vector3d& z_in_imu, double bias_radps) {
+  Matrix3d start_from_here = Matrix3d::Identity();
+  Vector3d way_m = Vector3d::Zero();
+  /// In the plane where the lean is not known.
+  void advance(const std::vector<MotionStep>& steps, const Matrix3d& vehicle_from_imu, const VehicleTilt& tilt,
+               double bias_radps) {
+    const Vector3d biases_radps(tilt.rate_bias_radps.x(), tilt.rate_bias_radps.y(), bias_radps);
     for (const MotionStep& step : steps) {
-      const Eigen::Vector3d turn(0.0, 0.0, z_in_imu.dot(step.turn_in_imu_rad) - bias_radps * step.duration_s);
-      way_m += turned(turn_rad) * (so3_left_jacobian(turn).col(0) * step.travel_m).head<2>();
-      turn_rad += turn.z();
+      Vector3d turn = vehicle_from_imu * step.turn_in_imu_rad - step.duration_s * biases_radps;
+      if (!tilt.known) turn.head<2>().setZero();
+      way_m += start_from_here * so3_left_jacobian(turn).col(0) * step.travel_m;
+      start_from_here = start_from_here * so3_exp(turn);
     }
+  }
+  Vector2d level_way_m(const Matrix3d& level_from_start) const { return (level_from_start * way_m).head<2>(); }
+  double heading_rad(const Matrix3d& level_from_start) const {
+    const Vector3d ahead = level_from_start * start_from_here.col(0);
+    return std::atan2(ahead.y(), ahead.x());
   }
 };
 
 // Points of the drive under a bias; a new window after `window_s` and after each gap of the sensed. Cancelled: fewer.
 std::vector<Point> points_of(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                             const Eigen::Vector3d& z_in_imu, double window_s, double bias_radps, double& distance_m,
-                             const Progress& progress) {
+                             const Matrix3d& vehicle_from_imu, const VehicleTilt& tilt, double window_s,
+                             double bias_radps, double& distance_m, const Progress& progress) {
   constexpr double kStep_radps = 1e-5;
   std::vector<Point> points;
   Motion motion, up;
@@ -45,8 +60,8 @@ std::vector<Point> points_of(const WheelImuSignals& sensed, const std::vector<St
     const auto steps = i > 0 ? sensed.steps(positions[i - 1].stamp_ns, positions[i].stamp_ns)
                              : std::optional<std::vector<MotionStep>>();
     if (steps) {
-      motion.advance(*steps, z_in_imu, bias_radps);
-      up.advance(*steps, z_in_imu, bias_radps + kStep_radps);
+      motion.advance(*steps, vehicle_from_imu, tilt, bias_radps);
+      up.advance(*steps, vehicle_from_imu, tilt, bias_radps + kStep_radps);
       for (const MotionStep& step : *steps) {
         time_s += step.duration_s;
         travel_m += std::abs(step.travel_m);
@@ -62,10 +77,12 @@ std::vector<Point> points_of(const WheelImuSignals& sensed, const std::vector<St
     Point point;
     point.window = points.empty() ? 0 : points.back().window + (time_s == 0.0 ? 1 : 0);
     point.time_s = time_s;
-    point.turn_rad = motion.turn_rad;
+    const Matrix3d level_from_start = tilt.known ? tilt.level_from_window_start[point.window] : Matrix3d::Identity();
+    point.turn_rad = motion.heading_rad(level_from_start);
     point.travel_m = travel_m;
-    point.way_m = motion.way_m;
-    point.way_by_bias = (up.way_m - motion.way_m) / kStep_radps;
+    point.way_m = motion.level_way_m(level_from_start);
+    point.way_by_bias = (up.level_way_m(level_from_start) - point.way_m) / kStep_radps;
+    if (tilt.known) point.up_in_vehicle = tilt.up_in_vehicle[points.size()];
     point.position_m = positions[i].position_m.head<2>();
     points.push_back(point);
   }
@@ -93,10 +110,14 @@ Placement place(const std::vector<Point>& points, std::size_t first, std::size_t
   return {positions - turned(heading_rad) * ways, heading_rad};
 }
 
-constexpr int kCommon = 4, kOfWindow = 3;  // lever arm twice, bias, log of the wheel scale; place twice, heading
+// Lever arm twice, bias, log of the wheel scale, height; place twice, heading.
+constexpr int kCommon = 5, kOfWindow = 3;
+// Of an antenna over the rear axle's ground, for all that is known beforehand.
+constexpr double kUsualHeight_m = 1.5, kHeightSigma_m = 1.0;
 
 struct State {
   Vector2d lever_m = Vector2d::Zero();
+  double height_m = kUsualHeight_m;
   double bias_change_radps = 0.0, log_scale = 0.0;
   std::vector<Placement> windows;
 };
@@ -109,13 +130,15 @@ Vector2d residual_of(const Point& point, const State& state, Row& jacobian) {
   const double turn_rad = point.turn_rad - state.bias_change_radps * point.time_s;
   const Vector2d way_m = scale * (point.way_m + state.bias_change_radps * point.way_by_bias);
   const Matrix2d world_from_window = turned(window.heading_rad), window_from_vehicle = turned(turn_rad);
-  const Vector2d in_window = way_m + window_from_vehicle * state.lever_m;
+  // What is high leans away from where the vertical points.
+  const Vector2d in_window = way_m + window_from_vehicle * (state.lever_m - state.height_m * point.up_in_vehicle);
   Matrix2d quarter;
   quarter << 0.0, -1.0, 1.0, 0.0;
   jacobian.leftCols<2>() = world_from_window * window_from_vehicle;
   jacobian.col(2) =
       world_from_window * (scale * point.way_by_bias - point.time_s * quarter * window_from_vehicle * state.lever_m);
   jacobian.col(3) = world_from_window * way_m;
+  jacobian.col(4) = -world_from_window * window_from_vehicle * point.up_in_vehicle;
   jacobian.middleCols<2>(kCommon).setIdentity();
   jacobian.col(kCommon + 2) = quarter * world_from_window * in_window;
   return window.place_m + world_from_window * in_window - point.position_m;
@@ -170,7 +193,7 @@ double improve(const std::vector<Point>& points, State& state, CommonMatrix& cov
   Row jacobian = Row::Zero();
   residuals.clear();
   for (const Point& point : points) residuals.push_back(residual_of(point, state, jacobian));
-  const double limit = std::max(1e-9, 2.0 * median_norm(residuals));
+  const double median_m = median_norm(residuals), limit = std::max(1e-9, 2.0 * median_m);
   for (std::size_t i = 0; i < points.size(); ++i) {
     residual_of(points[i], state, jacobian);
     const double weight = std::min(1.0, limit / std::max(1e-300, residuals[i].norm()));
@@ -186,6 +209,9 @@ double improve(const std::vector<Point>& points, State& state, CommonMatrix& cov
   // A lever arm of more than 5 m is no car's: without turns it stays near the axle.
   normal(0, 0) += 1e-4;
   normal(1, 1) += 1e-4;
+  const double height_weight = 0.5 * median_m * median_m / (kHeightSigma_m * kHeightSigma_m) + 1e-12;
+  normal(4, 4) += height_weight;
+  gradient[4] += height_weight * (state.height_m - kUsualHeight_m);
   for (WindowNormal& window : windows) {
     // The last window may hold a single position: its heading is then anything, and stays as it is.
     window.own(2, 2) += 1e-6;
@@ -198,6 +224,7 @@ double improve(const std::vector<Point>& points, State& state, CommonMatrix& cov
   state.lever_m += step.head<2>();
   state.bias_change_radps += step[2];
   state.log_scale += step[3];
+  state.height_m += step[4];
   for (std::size_t w = 0; w < windows.size(); ++w) {
     const Eigen::Vector3d change =
         -windows[w].own.ldlt().solve(windows[w].gradient + windows[w].link.transpose() * step);
@@ -215,11 +242,12 @@ struct WholeDrive {
 
 // The drive from its start, whose heading comes from its first `kStart_s`, up to the first gap of the signals.
 WholeDrive integrate_all(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                         const Eigen::Vector3d& z_in_imu, double bias_radps, double scale, const Vector2d& lever_m,
+                         const Matrix3d& vehicle_from_imu, double bias_radps, double scale, const Vector2d& lever_m,
                          const Progress& progress) {
   constexpr double kStart_s = 20.0;
   double distance_m = 0.0;
-  std::vector<Point> points = points_of(sensed, positions, z_in_imu, 1e12, bias_radps, distance_m, progress);
+  std::vector<Point> points =
+      points_of(sensed, positions, vehicle_from_imu, {}, 1e12, bias_radps, distance_m, progress);
   WholeDrive drive;
   if (points.size() < 3 || progress.cancelled()) return drive;
   std::size_t start = 0, of_first = 0;
@@ -266,13 +294,14 @@ std::vector<Placement> placed(const std::vector<Point>& points) {
 
 // Rounds until the unknowns stand still. False, with the reason, where nothing can be found.
 bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-              const Eigen::Vector3d& z_in_imu, double window_s, Progress& progress, Running& running, AntennaFit& fit) {
+              const Matrix3d& vehicle_from_imu, double window_s, const VehicleTilt& tilt, Progress& progress,
+              Running& running, AntennaFit& fit) {
   constexpr int kRounds = 30;
   constexpr std::size_t kFewest = 30;
   for (int round = 0; round < kRounds; ++round) {
     progress.report("integrating wheels and yaw rate", static_cast<std::size_t>(round), kRounds);
     const std::vector<Point> points =
-        points_of(sensed, positions, z_in_imu, window_s, running.bias_radps, fit.distance_m, progress);
+        points_of(sensed, positions, vehicle_from_imu, tilt, window_s, running.bias_radps, fit.distance_m, progress);
     if (progress.cancelled()) {
       fit.why = "cancelled";
       return false;
@@ -291,7 +320,7 @@ bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>&
   return true;
 }
 
-void describe(const Running& running, AntennaFit& fit) {
+void describe(const Running& running, const VehicleTilt& tilt, AntennaFit& fit) {
   double sum = 0.0;
   for (const Vector2d& r : running.residuals) sum += r.squaredNorm();
   const double count = static_cast<double>(running.residuals.size());
@@ -300,7 +329,9 @@ void describe(const Running& running, AntennaFit& fit) {
   const CommonMatrix covariance = variance * lasting(running.residuals) * running.covariance;
   fit.found = covariance.allFinite();
   fit.antenna_in_vehicle_m = running.state.lever_m;
-  fit.covariance_m2 = covariance.topLeftCorner<2, 2>();
+  // A lean that is wrong alike all along the drive shifts the antenna by its height, and leaves no residual.
+  const double height2_m2 = running.state.height_m * running.state.height_m + covariance(4, 4);
+  fit.covariance_m2 = covariance.topLeftCorner<2, 2>() + height2_m2 * tilt.common_covariance;
   fit.yaw_rate_bias_radps = running.bias_radps;
   fit.yaw_rate_bias_sigma_radps = std::sqrt(covariance(2, 2));
   fit.wheel_scale = std::exp(running.state.log_scale);
@@ -314,17 +345,21 @@ void describe(const Running& running, AntennaFit& fit) {
 AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
                        const Eigen::Matrix3d& vehicle_from_imu, double window_s, Progress& progress) {
   AntennaFit fit;
-  const Eigen::Vector3d z_in_imu = vehicle_from_imu.row(2).transpose();
   Running running;
-  if (!converge(sensed, positions, z_in_imu, window_s, progress, running, fit)) return fit;
-  describe(running, fit);
-  WholeDrive drive = integrate_all(sensed, positions, z_in_imu, fit.yaw_rate_bias_radps, fit.wheel_scale,
+  // The lever arm is part of the heights, and the lean of the lever arm: twice is enough.
+  VehicleTilt tilt;
+  for (int round = 0; round < 2; ++round) {
+    tilt = vehicle_tilt(sensed, positions, vehicle_from_imu, window_s, running.state.lever_m, progress);
+    if (!converge(sensed, positions, vehicle_from_imu, window_s, tilt, progress, running, fit)) return fit;
+  }
+  describe(running, tilt, fit);
+  WholeDrive drive = integrate_all(sensed, positions, vehicle_from_imu, fit.yaw_rate_bias_radps, fit.wheel_scale,
                                    fit.antenna_in_vehicle_m, progress);
   fit.integrated = std::move(drive.integrated);
   fit.end_error_m = drive.end_error_m;
   fit.integrated_m = drive.way_m;
   fit.first_gap_s = drive.first_gap_s;
-  WholeDrive raw = integrate_all(sensed, positions, z_in_imu, 0.0, 1.0, Vector2d::Zero(), progress);
+  WholeDrive raw = integrate_all(sensed, positions, vehicle_from_imu, 0.0, 1.0, Vector2d::Zero(), progress);
   fit.integrated_raw = std::move(raw.integrated);
   fit.end_error_raw_m = raw.end_error_m;
   if (progress.cancelled()) {

@@ -35,8 +35,10 @@ struct AntennaFit {
 
 /// Planar: yaw rate about z of the vehicle (`vehicle_from_imu`) and way of the wheels. The drive is cut into windows of
 /// `window_s` whose place and heading are free, so that drift of the heading within a window is all that must be small;
-/// lever arm, yaw-rate bias and wheel scale are common. Robust (Huber); sigma allows for errors that last from position
-/// to position. A drive that hardly turns shows no lever arm: its sigma is large then.
+/// lever arm, yaw-rate bias and wheel scale are common. An antenna stands high, and moves sideways where the vehicle
+/// leans: what rates and heights tell of that is taken out (antenna_tilt.h), the rest is in the sigma. Robust (Huber);
+/// sigma allows for errors that last from position to position. A drive that hardly turns shows no lever arm: its sigma
+/// is large then.
 AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
                        const Eigen::Matrix3d& vehicle_from_imu, double window_s, Progress& progress);
 

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 
 #include "algorithms/calibration/observability.h"
-#include "algorithms/calibration/slew_turn.h"
+#include "algorithms/calibration/slew_details.h"
 #include "algorithms/core/error.h"
 
 namespace remount {
@@ -64,38 +65,44 @@ RigidTransform frame_of(const Pieces& pieces) {
   return make_rigid(machine_from_lidar, -machine_from_lidar * origin_m);
 }
 
-// Covariance of the frame under `perturbed`: three errors of each piece at a time, carried through `frame_of`.
-Matrix6d propagate(const Pieces& pieces,
-                   const std::vector<std::pair<std::function<void(Pieces&, const Vector3d&)>, Matrix3d>>& errors) {
+// An error of the pieces, [m; rad] as `apply` takes them, and its covariance.
+struct PieceError {
+  std::function<void(Pieces&, const Vector6d&)> apply;
+  Matrix6d spread;
+};
+
+// Covariance of the frame under `perturbed`: each error carried through `frame_of`.
+Matrix6d propagate(const Pieces& pieces, const std::vector<PieceError>& errors) {
   constexpr double kStep = 1e-6;
   const RigidTransform frame = frame_of(pieces);
   Matrix6d covariance = Matrix6d::Zero();
-  for (const auto& [apply, spread] : errors) {
-    Eigen::Matrix<double, 6, 3> jacobian;
-    for (int k = 0; k < 3; ++k) {
+  for (const PieceError& error : errors) {
+    Matrix6d jacobian;
+    for (int k = 0; k < 6; ++k) {
       Pieces up = pieces, down = pieces;
-      apply(up, kStep * Vector3d::Unit(k));
-      apply(down, -kStep * Vector3d::Unit(k));
+      error.apply(up, kStep * Vector6d::Unit(k));
+      error.apply(down, -kStep * Vector6d::Unit(k));
       jacobian.col(k) = (difference(frame, frame_of(up)) - difference(frame, frame_of(down))) / (2.0 * kStep);
     }
-    covariance += jacobian * spread * jacobian.transpose();
+    covariance += jacobian * error.spread * jacobian.transpose();
   }
   return covariance;
 }
 
-// How often each ray was measured: a LiDAR that stands still sees the same spots in every scan, whose roughness and
-// errors of its beams no repetition averages out.
-double repeats_of(const std::vector<Vector3d>& points) {
-  constexpr double kRay_rad = 0.004;
-  std::vector<std::array<int, 3>> rays;
+// Which of the points were measured along neighbouring rays: a LiDAR that stands still sees the same spots in every
+// scan, whose roughness and errors of its beams no repetition averages out. What repeats is seen by what it does.
+std::vector<std::size_t> spots_of(const std::vector<Vector3d>& points) {
+  constexpr double kSpot_rad = 0.01;
+  std::map<std::array<long, 3>, std::size_t> numbers;
+  std::vector<std::size_t> spots;
+  spots.reserve(points.size());
   for (const Vector3d& point : points) {
-    const Vector3d ray = point.normalized() / kRay_rad;
-    rays.push_back({static_cast<int>(std::lround(ray.x())), static_cast<int>(std::lround(ray.y())),
-                    static_cast<int>(std::lround(ray.z()))});
+    const Vector3d ray = point.normalized() / kSpot_rad;
+    spots.push_back(
+        numbers.try_emplace({std::lround(ray.x()), std::lround(ray.y()), std::lround(ray.z())}, numbers.size())
+            .first->second);
   }
-  std::sort(rays.begin(), rays.end());
-  const auto distinct = std::unique(rays.begin(), rays.end()) - rays.begin();
-  return distinct > 0 ? static_cast<double>(points.size()) / static_cast<double>(distinct) : 1.0;
+  return spots;
 }
 
 bool fit_ground_plane(const SlewData& data, const SlewOptions& options, const Progress& progress, SlewResult& result) {
@@ -103,7 +110,7 @@ bool fit_ground_plane(const SlewData& data, const SlewOptions& options, const Pr
   fit.inlier_m = options.plane_inlier_m;
   fit.near_normal = data.up_in_lidar;
   fit.most_lean_rad = kMostLean_rad;
-  result.ground = fit_plane(data.ground_points, fit, repeats_of(data.ground_points), progress);
+  result.ground = fit_plane(data.ground_points, fit, spots_of(data.ground_points), progress);
   constexpr double kLeastExtent_m = 0.5;
   if (result.ground.found && result.ground.short_extent_m < kLeastExtent_m) {
     result.ground.found = false;
@@ -119,7 +126,7 @@ bool arm_is_missing(const SlewData& data, const Vector3d& up, const SlewOptions&
   fit.square_to = up;
   fit.most_lean_rad = degrees_to_radians(15.0);
   fit.trials = 1500;
-  result.arm = fit_plane(data.arm_points, fit, repeats_of(data.arm_points), progress);
+  result.arm = fit_plane(data.arm_points, fit, spots_of(data.arm_points), progress);
   constexpr std::size_t kFewest = 50;
   constexpr double kLeastLong_m = 0.5, kLeastShort_m = 0.2;
   std::string why = result.arm.why;
@@ -170,11 +177,11 @@ bool turn_is_unusable(const SlewOptions& options, SlewResult& result) {
 
 // Whether ground and turn contradict each other; with the ground as first plane that is a refusal.
 bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
-  const Vector3d axis =
-      result.circle.axis.dot(result.ground.normal) < 0.0 ? Vector3d(-result.circle.axis) : result.circle.axis;
+  Vector3d axis = result.axis.direction_in_lidar;
+  if (axis.dot(result.ground.normal) < 0.0) axis = -axis;
   const Vector3d lean = result.ground.normal.cross(axis);
   result.ground_to_turn_rad = std::atan2(lean.norm(), result.ground.normal.dot(axis));
-  const Matrix3d spread = result.ground.normal_covariance_rad2 + result.circle.axis_covariance_rad2;
+  const Matrix3d spread = result.ground.normal_covariance_rad2 + result.axis.covariance.bottomRightCorner<3, 3>();
   result.ground_to_turn_sigma_rad = std::sqrt(std::max(0.0, 0.5 * spread.trace()));
   if (options.first_plane != FirstPlane::Ground) return false;
   // A turn that is too noisy would let any ground pass.
@@ -236,73 +243,20 @@ void fill_calibration(const Pieces& pieces, const Matrix6d& covariance, const So
   result.status = all ? Status::Ok : Status::Degenerate;
 }
 
-void name_quantities(const Pieces& pieces, SlewResult& result) {
-  const CircleFit& circle = result.circle;
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  auto& list = result.quantities;
-  constexpr std::array<const char*, 3> kCentre{"slew centre x", "slew centre y", "slew centre z"};
-  for (int k = 0; k < 3; ++k)
-    list.push_back({kCentre[static_cast<std::size_t>(k)], pieces.centre_m[k],
-                    std::sqrt(circle.centre_covariance_m2(k, k)), "m", true});
-  list.push_back({"slew radius", circle.radius_m, circle.radius_sigma_m, "m", true});
-  list.push_back({"arc", circle.arc_rad, kNone, "rad", true});
-  list.push_back({"circle residual", circle.in_plane_rms_m, kNone, "m", true});
-  list.push_back({"turn plane residual", circle.off_plane_rms_m, kNone, "m", true});
-  if (result.ground.found) {
-    list.push_back({"ground residual", result.ground.rms_m, kNone, "m", true});
-    list.push_back(
-        {"angle between ground and turn", result.ground_to_turn_rad, result.ground_to_turn_sigma_rad, "rad", true});
-  }
-  list.push_back({"arm residual", result.arm.rms_m, kNone, "m", true});
-  list.push_back({"angle between arm and first plane", 0.5 * kPi - result.arm_square_error_rad, kNone, "rad", true});
-}
-
-void draw(const SlewData& data, SlewResult& result) {
-  const RigidTransform& machine_from_lidar = result.calibration.ins_from_lidar;
-  Curve poses{"LiDAR", {}, {}, {}, true, {}}, circle{"fitted circle", {}, {}, {}, false, {}},
-      centre{"slew axis", {}, {}, {}, true, {}};
-  Curve off{"from the circle", {}, {}, {}, true, {}}, high{"from its plane", {}, {}, {}, true, {}};
-  const Vector3d middle = machine_from_lidar * result.circle.centre_m;
-  const Vector3d axis = machine_from_lidar.linear() * result.circle.axis;
-  for (const RigidTransform& pose : data.first_from_lidar) {
-    const Vector3d at = machine_from_lidar * pose.translation();
-    poses.x.push_back(at.x());
-    poses.y.push_back(at.y());
-    poses.z.push_back(at.z());
-    const Vector3d out = pose.translation() - result.circle.centre_m;
-    const double along = out.dot(result.circle.axis);
-    const double angle = std::atan2(at.y() - middle.y(), at.x() - middle.x());
-    off.x.push_back(radians_to_degrees(angle));
-    high.x.push_back(radians_to_degrees(angle));
-    off.y.push_back(1e3 * ((out - along * result.circle.axis).norm() - result.circle.radius_m));
-    high.y.push_back(1e3 * along);
-  }
-  for (int i = 0; i <= 180; ++i) {
-    const double angle = 2.0 * kPi * i / 180.0;
-    const double x = result.circle.radius_m * std::cos(angle), y = result.circle.radius_m * std::sin(angle);
-    circle.x.push_back(middle.x() + x);
-    circle.y.push_back(middle.y() + y);
-    circle.z.push_back(middle.z() - (axis.x() * x + axis.y() * y) / axis.z());  // in the plane of the turn
-  }
-  centre.x = {middle.x()};
-  centre.y = {middle.y()};
-  centre.z = {middle.z()};
-  result.plots.push_back({"Turn of the LiDAR about the slew axis", "x (m)", "y (m)", true, {poses, circle, centre}});
-  result.plots.push_back({"Distance from the fitted circle", "slew angle (deg)", "mm", false, {off, high}});
-}
-
-void fit_circle_of_turn(const SlewData& data, SlewResult& result) {
+void fit_turn(const SlewData& data, SlewResult& result) {
   std::vector<Vector3d> positions;
   for (const RigidTransform& pose : data.first_from_lidar) positions.push_back(pose.translation());
-  CircleFit& circle = result.circle = fit_circle(positions);
-  if (!circle.found || !data.first_scan_in_common) return;
-  // The first scan's own error in place moves the circle as a whole; its error in attitude turns the circle about the
-  // first pose. Both are as large as what the other poses show of theirs.
-  const double attitude2 = tilt_variance_rad2(data.first_from_lidar);
-  const double place2 = 0.5 * (std::pow(circle.in_plane_rms_m, 2) + std::pow(circle.off_plane_rms_m, 2));
-  const Matrix3d lever = skew(circle.centre_m - positions.front());
-  circle.centre_covariance_m2 += place2 * Matrix3d::Identity() + attitude2 * lever * lever.transpose();
-  circle.axis_covariance_rad2 += attitude2 * (Matrix3d::Identity() - circle.axis * circle.axis.transpose());
+  result.circle = fit_circle(positions);
+  result.axis = fit_slew_axis(data.first_from_lidar);
+  CircleFit& circle = result.circle;
+  if (circle.found && !result.axis.found) {
+    circle.found = false;
+    circle.why = "the LiDAR moves, but its attitude does not turn";
+  }
+  // The height of the origin is that of the circle: known as well as its poses lie in a plane.
+  const double height2 = circle.axis.dot(circle.centre_covariance_m2 * circle.axis);
+  const Vector3d& along = result.axis.direction_in_lidar;
+  result.axis.covariance.topLeftCorner<3, 3>() += height2 * along * along.transpose();
 }
 
 // Whether the recordings fit together; the arm's plane is fitted on the way. Otherwise refused.
@@ -322,13 +276,14 @@ bool are_usable(const SlewData& data, const SlewOptions& options, const Progress
   }
   if (ground && ground_is_tilted(options, result)) return false;
   const Vector3d up_hint = ground ? result.ground.normal : data.up_in_lidar;
-  if (result.circle.axis.dot(up_hint) < 0.0) result.circle.axis = -result.circle.axis;
-  pieces.up = options.first_plane == FirstPlane::Ground ? result.ground.normal : result.circle.axis;
+  for (Vector3d* axis : {&result.circle.axis, &result.axis.direction_in_lidar})
+    if (axis->dot(up_hint) < 0.0) *axis = -*axis;
+  pieces.up = options.first_plane == FirstPlane::Ground ? result.ground.normal : result.axis.direction_in_lidar;
   if (arm_is_missing(data, pieces.up, options, progress, result) || arm_leans(pieces.up, options, result) ||
       cancelled())
     return false;
   pieces.across = result.arm.normal;
-  pieces.centre_m = result.circle.centre_m;
+  pieces.centre_m = result.axis.centre_in_lidar_m;
   pieces.arm_m = result.arm.centre_m;
   if (options.origin == MachineOrigin::Ground) {
     pieces.ground_normal = result.ground.normal;
@@ -337,25 +292,31 @@ bool are_usable(const SlewData& data, const SlewOptions& options, const Progress
   return true;
 }
 
+Matrix6d as_turn(const Matrix3d& spread_rad2) {
+  Matrix6d spread = Matrix6d::Zero();
+  spread.bottomRightCorner<3, 3>() = spread_rad2;
+  return spread;
+}
+
 Matrix6d covariance_of(const Pieces& pieces, const SlewOptions& options, const SlewResult& result) {
   const Matrix3d make = std::pow(degrees_to_radians(options.surface_sigma_deg), 2) * Matrix3d::Identity();
-  const Matrix3d ground = result.ground.normal_covariance_rad2 + make;
   const bool by_ground = options.first_plane == FirstPlane::Ground;
-  const auto tilt_ground = [](Pieces& p, const Vector3d& phi) {
-    if (p.ground_normal) p.ground_normal = so3_exp(phi) * *p.ground_normal;
+  const auto ground = [by_ground](Pieces& p, const Vector6d& error) {
+    const Matrix3d turn = so3_exp(error.tail<3>());
+    p.ground_m += error.head<3>();
+    if (p.ground_normal) p.ground_normal = turn * *p.ground_normal;
+    if (by_ground) p.up = turn * p.up;  // one plane, one error
   };
-  const auto tilt_up = [&](Pieces& p, const Vector3d& phi) {
-    p.up = so3_exp(phi) * p.up;
-    if (by_ground) tilt_ground(p, phi);  // one plane, one error
+  const auto axis = [by_ground](Pieces& p, const Vector6d& error) {
+    p.centre_m += error.head<3>();
+    if (!by_ground) p.up = so3_exp(error.tail<3>()) * p.up;
   };
-  return propagate(pieces,
-                   {{tilt_up, by_ground ? ground : Matrix3d(result.circle.axis_covariance_rad2 + make)},
-                    {tilt_ground, by_ground ? Matrix3d(Matrix3d::Zero()) : ground},
-                    {[](Pieces& p, const Vector3d& phi) { p.across = so3_exp(phi) * p.across; },
-                     result.arm.normal_covariance_rad2 + make},
-                    {[](Pieces& p, const Vector3d& step) { p.centre_m += step; }, result.circle.centre_covariance_m2},
-                    {[](Pieces& p, const Vector3d& step) { p.ground_m += step; },
-                     std::pow(result.ground.offset_sigma_m, 2) * Matrix3d::Identity()}});
+  const auto arm = [](Pieces& p, const Vector6d& error) { p.across = so3_exp(error.tail<3>()) * p.across; };
+  Matrix6d of_ground = as_turn(result.ground.normal_covariance_rad2 + make);
+  of_ground.diagonal().head<3>().setConstant(std::pow(result.ground.offset_sigma_m, 2));
+  return propagate(pieces, {{ground, of_ground},
+                            {axis, result.axis.covariance + as_turn(make)},
+                            {arm, as_turn(result.arm.normal_covariance_rad2 + make)}});
 }
 
 }  // namespace
@@ -369,7 +330,7 @@ SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>&
   calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
   if (nominal_machine_from_lidar) calibration.ins_from_lidar = *nominal_machine_from_lidar;
   progress.report("fitting planes and circle", 0, 0);
-  fit_circle_of_turn(data, result);
+  fit_turn(data, result);
   Pieces pieces;
   if (!are_usable(data, options, progress, pieces, result)) return result;
   fill_calibration(pieces, covariance_of(pieces, options, result), solve, nominal_machine_from_lidar, calibration);
@@ -377,8 +338,8 @@ SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>&
                                 options.first_plane == FirstPlane::Ground ? "the ground" : "the plane of the turn",
                                 radians_to_degrees(result.circle.arc_rad));
   calibration.translation_rms_m = std::hypot(result.circle.in_plane_rms_m, result.circle.off_plane_rms_m);
-  name_quantities(pieces, result);
-  draw(data, result);
+  name_slew_quantities(result);
+  draw_slew(data, result);
   return result;
 }
 

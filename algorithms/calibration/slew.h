@@ -10,6 +10,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/method_details.h"
+#include "algorithms/calibration/slew_axis.h"
 #include "algorithms/calibration/slew_options.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/progress.h"
@@ -20,18 +21,18 @@ namespace remount {
 
 /// All in the lidar frame at a standstill; the LiDAR turns with the upper structure.
 struct SlewData {
-  std::vector<Eigen::Vector3d> ground_points;              ///< m; may be empty with FirstPlane::Turn
-  std::vector<Eigen::Vector3d> arm_points;                 ///< m; what moved while the arm was swept
-  std::vector<RigidTransform> first_from_lidar;            ///< poses of the LiDAR while the machine turned, in order
+  std::vector<Eigen::Vector3d> ground_points;  ///< m; may be empty with FirstPlane::Turn
+  std::vector<Eigen::Vector3d> arm_points;     ///< m; what moved while the arm was swept
+  /// Poses of the LiDAR while the machine turned, in order; an error that all have in common does no harm.
+  std::vector<RigidTransform> first_from_lidar;
   Eigen::Vector3d up_in_lidar = Eigen::Vector3d::UnitZ();  ///< rough, within 30 deg; unit length
-  /// Poses by registration to the first scan: they share its error, which is as large as that of each of them.
-  bool first_scan_in_common = false;
 };
 
 struct SlewResult {
   CalibrationResult calibration;  ///< reference_frame "machine": ins_from_lidar is machine_from_lidar
   PlaneFit ground, arm;
-  CircleFit circle;
+  CircleFit circle;  ///< of the LiDAR's places as they were aligned: shows whether the turn is one
+  SlewAxis axis;
   double ground_to_turn_rad = std::numeric_limits<double>::quiet_NaN();  ///< angle between their normals
   double ground_to_turn_sigma_rad = std::numeric_limits<double>::quiet_NaN();
   double arm_square_error_rad = std::numeric_limits<double>::quiet_NaN();  ///< 0: arm and first plane are square
@@ -39,9 +40,11 @@ struct SlewResult {
   std::vector<Plot> plots;
 };
 
-/// Planes, circle, axes n1, n2, n1 x n2 made orthonormal, translation from the circle's centre. A short arc, a missing
-/// ground or arm plane, an arm that is not square and a ground that is tilted against the slew axis are refused:
-/// nothing is then observed, and the message says why. Throws Error(Contract) for options out of range.
+/// Planes, circle, axes n1, n2, n1 x n2 made orthonormal, translation from the circle's centre. The centre, and the
+/// direction of the slew axis where the turn gives the first plane, are taken as the LiDAR sees them (slew_axis.h). A
+/// short arc, a missing ground or arm plane, an arm that is not square and a ground that is tilted against the slew
+/// axis are refused: nothing is then observed, and the message says why. Throws Error(Contract) for options out of
+/// range.
 SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>& nominal_machine_from_lidar,
                       const SlewOptions& options, const SolveOptions& solve, Progress& progress);
 

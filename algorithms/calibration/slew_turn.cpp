@@ -1,6 +1,5 @@
 #include "algorithms/calibration/slew_turn.h"
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -125,21 +124,6 @@ std::vector<Eigen::Vector3d> moving_points(const std::vector<PointCloud>& scans_
       if (range_m <= within_m && far_m > 0.0f && range_m < far_m - margin_m) moving.push_back(point.cast<double>());
     }
   return moving;
-}
-
-// All turn about one axis, which the LiDAR sees as v and the first scan's frame has as w; these differ by the first
-// scan's tilt. The best two unit vectors are the first singular ones of the sum of rotations, and what is left between
-// R v and w is the tilt about two axes.
-double tilt_variance_rad2(const std::vector<RigidTransform>& first_from_lidar) {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (const RigidTransform& pose : first_from_lidar) sum += pose.linear();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d in_first = svd.matrixU().col(0), in_lidar = svd.matrixV().col(0);
-  double squares = 0.0;
-  for (const RigidTransform& pose : first_from_lidar) squares += (pose.linear() * in_lidar - in_first).squaredNorm();
-  // Two tilts a pose, less the two angles of each vector.
-  const double freedom = 2.0 * static_cast<double>(first_from_lidar.size()) - 4.0;
-  return freedom > 0.0 ? squares / freedom : 0.0;
 }
 
 }  // namespace remount

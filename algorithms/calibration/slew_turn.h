@@ -28,10 +28,6 @@ TurnTrajectory turn_trajectory(const std::vector<std::int64_t>& stamps_ns, const
                                const RegistrationOptions& options, const std::vector<StampedPose>& start,
                                Progress& progress);
 
-/// Variance of the tilt of one pose about each axis across the turn, without the first scan's own tilt, which is in all
-/// poses alike. 0 where too few poses tell.
-double tilt_variance_rad2(const std::vector<RigidTransform>& first_from_lidar);
-
 /// Points that move while the LiDAR stands: those in front of what is seen in the same direction at other times.
 /// @param within_m points farther away are not looked at
 std::vector<Eigen::Vector3d> moving_points(const std::vector<PointCloud>& scans_in_lidar, double within_m);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "algorithms/geometry/lasting_errors.h"
+
 namespace remount {
 namespace {
 
@@ -108,32 +110,12 @@ double root_mean_square(const std::vector<double>& values, const std::vector<boo
   return std::sqrt(sum / std::max(1.0, count - unknowns));
 }
 
-// How many offsets in a row, around the circle, have one error in common: neighbours of a smooth error say little more
-// than one of them. The fit takes the slowest part of such an error out of the residuals: it is put back, in rounds.
-// What chance alone shows does not count.
 double lasting(const std::vector<double>& offsets, const std::vector<bool>& used) {
   constexpr double kTaken = 3.0;  // unknowns of circle or plane
   std::vector<double> kept;
   for (std::size_t i = 0; i < offsets.size(); ++i)
     if (used[i]) kept.push_back(offsets[i]);
-  const auto count = static_cast<double>(kept.size());
-  std::vector<double> linked(kept.size() / 4, 0.0);  // by lag
-  for (std::size_t lag = 0; lag < linked.size(); ++lag)
-    for (std::size_t i = lag; i < kept.size(); ++i) linked[lag] += kept[i] * kept[i - lag] / count;
-  if (linked.size() < 2 || linked[1] <= 2.0 / std::sqrt(count) * linked[0]) return 1.0;
-  double total = linked[0];
-  constexpr int kRounds = 5;
-  for (int round = 0; round < kRounds; ++round) {
-    const double taken = std::min(linked[0], kTaken * total / count);
-    const double power = linked[0] + taken;
-    total = power;
-    for (std::size_t lag = 1; lag < linked.size(); ++lag) {
-      const double value = linked[lag] + taken * (1.0 - static_cast<double>(lag) / count);
-      if (value < 0.05 * power) break;
-      total += 2.0 * value;
-    }
-  }
-  return std::max(1.0, total / linked[0] * (count - kTaken) / count);
+  return lasting_factor(kept, kTaken);
 }
 
 void describe(const std::vector<Vector3d>& points, const std::vector<bool>& used, const Plane& plane,

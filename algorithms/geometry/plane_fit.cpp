@@ -53,8 +53,14 @@ std::optional<Plane> best_of_trials(const std::vector<Vector3d>& points, const P
   return best;
 }
 
+// Tukey's biweight.
+double weight_of(const Plane& plane, const Vector3d& point, double inlier_m) {
+  const double share = plane.normal.dot(point - plane.centre) / inlier_m;
+  return std::abs(share) < 1.0 ? std::pow(1.0 - share * share, 2) : 0.0;
+}
+
 struct Moments {
-  double weight = 0.0, weight2 = 0.0, stiffness = 0.0, squares = 0.0;
+  double weight = 0.0, stiffness = 0.0, squares = 0.0;
   Vector3d mean = Vector3d::Zero();
   Matrix3d scatter = Matrix3d::Zero();
   std::size_t inliers = 0;
@@ -62,12 +68,8 @@ struct Moments {
 
 Moments moments_of(const Plane& plane, const std::vector<Vector3d>& points, double inlier_m) {
   Moments sum;
-  const auto weight_of = [&](const Vector3d& point) {
-    const double share = plane.normal.dot(point - plane.centre) / inlier_m;
-    return std::abs(share) < 1.0 ? std::pow(1.0 - share * share, 2) : 0.0;
-  };
   for (const Vector3d& point : points) {
-    const double weight = weight_of(point);
+    const double weight = weight_of(plane, point, inlier_m);
     if (weight <= 0.0) continue;
     sum.mean += weight * point;
     sum.weight += weight;
@@ -76,16 +78,42 @@ Moments moments_of(const Plane& plane, const std::vector<Vector3d>& points, doub
   if (sum.weight <= 0.0) return sum;
   sum.mean /= sum.weight;
   for (const Vector3d& point : points) {
-    const double weight = weight_of(point);
+    const double weight = weight_of(plane, point, inlier_m);
     if (weight <= 0.0) continue;
     sum.scatter += weight * (point - sum.mean) * (point - sum.mean).transpose();
     const double off = plane.normal.dot(point - sum.mean);
     sum.squares += off * off;
-    sum.weight2 += weight * weight * off * off;
     const double share2 = off * off / (inlier_m * inlier_m);
     sum.stiffness += (1.0 - share2) * (1.0 - 5.0 * share2);
   }
   return sum;
+}
+
+// Covariance of offset and slopes along the axes: of an estimate with a soft limit (Huber 1964), squared pull over
+// squared stiffness, which falls off faster than the weights do; pulls of one spot are added before they are squared
+// (Liang and Zeger 1986).
+Matrix3d spread_of(const Plane& plane, const Eigen::SelfAdjointEigenSolver<Matrix3d>& eigen, const Moments& sum,
+                   const std::vector<Vector3d>& points, const std::vector<std::size_t>& spots, double inlier_m) {
+  const Matrix3d& axes = eigen.eigenvectors();
+  const Vector3d& spread2 = eigen.eigenvalues();
+  const std::size_t count = spots.empty() ? points.size() : 1 + *std::max_element(spots.begin(), spots.end());
+  std::vector<Vector3d> pulls(count, Vector3d::Zero());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double weight = weight_of(plane, points[i], inlier_m);
+    if (weight <= 0.0) continue;
+    const Vector3d out = points[i] - sum.mean;
+    pulls[spots.empty() ? i : spots[i]] +=
+        weight * plane.normal.dot(out) * Vector3d(1.0, axes.col(1).dot(out), axes.col(2).dot(out));
+  }
+  Matrix3d squares = Matrix3d::Zero();
+  double used = 0.0;
+  for (const Vector3d& pull : pulls) squares += pull * pull.transpose(), used += pull.isZero(0.0) ? 0.0 : 1.0;
+  constexpr double kUnknowns = 3.0;
+  squares *= used / std::max(1.0, used - kUnknowns);
+  const double stiffness = std::max(sum.stiffness, 0.1 * sum.weight);
+  const Vector3d compliance =
+      Vector3d(1.0, 1.0 / std::max(spread2[1], 1e-12), 1.0 / std::max(spread2[2], 1e-12)) / stiffness;
+  return compliance.asDiagonal() * squares * compliance.asDiagonal();
 }
 
 // Where the points are finer than the limit allows for, a plane next to this one (the stick beside the boom) would
@@ -104,8 +132,8 @@ double limit_of(const Plane& plane, const std::vector<Vector3d>& points, double 
 
 }  // namespace
 
-PlaneFit fit_plane(const std::vector<Vector3d>& points_m, const PlaneFitOptions& options, double correlated,
-                   const Progress& progress) {
+PlaneFit fit_plane(const std::vector<Vector3d>& points_m, const PlaneFitOptions& options,
+                   const std::vector<std::size_t>& spots, const Progress& progress) {
   PlaneFit fit;
   constexpr std::size_t kFewest = 10;
   if (points_m.size() < kFewest) {
@@ -118,11 +146,13 @@ PlaneFit fit_plane(const std::vector<Vector3d>& points_m, const PlaneFitOptions&
     return fit;
   }
   Plane plane = *start;
+  double limit_m = options.inlier_m;
   Moments sum;
   Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;
   constexpr int kRounds = 20;
   for (int round = 0; round < kRounds; ++round) {
-    sum = moments_of(plane, points_m, limit_of(plane, points_m, options.inlier_m));
+    limit_m = limit_of(plane, points_m, options.inlier_m);
+    sum = moments_of(plane, points_m, limit_m);
     if (sum.inliers < kFewest) {
       fit.why = "only " + std::to_string(sum.inliers) + " points lie in one plane";
       return fit;
@@ -142,17 +172,12 @@ PlaneFit fit_plane(const std::vector<Vector3d>& points_m, const PlaneFitOptions&
   fit.short_extent_m = std::sqrt(std::max(0.0, eigen.eigenvalues()[1]));
   fit.inliers = sum.inliers;
   fit.rms_m = std::sqrt(sum.squares / static_cast<double>(sum.inliers));
-  // Of an estimate with a soft limit (Huber 1964): squared influence over squared stiffness, whose weights fall off
-  // faster than those of the fit itself.
-  const double stiffness = std::max(sum.stiffness, 0.1 * sum.weight);
-  const double variance = correlated * sum.weight2 / (stiffness * stiffness);
-  fit.offset_sigma_m = std::sqrt(variance);
-  for (int k = 1; k <= 2; ++k) {
-    const Vector3d axis = eigen.eigenvectors().col(k);
-    const Vector3d turned_about = fit.normal.cross(axis);
-    fit.normal_covariance_rad2 +=
-        turned_about * turned_about.transpose() * variance / std::max(eigen.eigenvalues()[k], 1e-12);
-  }
+  const Matrix3d spread = spread_of(plane, eigen, sum, points_m, spots, limit_m);
+  fit.offset_sigma_m = std::sqrt(spread(0, 0));
+  // The normal leans against a slope along an axis about the other one.
+  Eigen::Matrix<double, 3, 2> turned_about;
+  for (int k = 1; k <= 2; ++k) turned_about.col(k - 1) = fit.normal.cross(eigen.eigenvectors().col(k));
+  fit.normal_covariance_rad2 = turned_about * spread.bottomRightCorner<2, 2>() * turned_about.transpose();
   return fit;
 }
 

@@ -40,9 +40,9 @@ struct PlaneFit {
 };
 
 /// The plane of most points by random trials, then least squares with a soft limit (Tukey).
-/// @param correlated points that lie so near to each other that their errors are alike count as one: an even
-///        `correlated`-th part of the points is taken for independent
+/// @param spots empty, or for each point the number of the spot that it lies on, from 0 without gaps: errors within a
+///        spot may be alike, by as much as they turn out to be; those of different spots are independent
 PlaneFit fit_plane(const std::vector<Eigen::Vector3d>& points_m, const PlaneFitOptions& options,
-                   double correlated = 1.0, const Progress& progress = {});
+                   const std::vector<std::size_t>& spots = {}, const Progress& progress = {});
 
 }  // namespace remount

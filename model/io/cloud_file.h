@@ -20,6 +20,10 @@ PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, 
 /// there.
 void write_pcd(const std::filesystem::path& path, const PointCloud& cloud);
 
+/// LAS 1.2 with intensity, of which 0 to 1 becomes 0 to 65535, and GPS time where the cloud has times from `stamp_ns`
+/// (Unix time). Points to 0.1 mm, times to a microsecond; rings are lost.
+void write_las(const std::filesystem::path& path, const PointCloud& cloud, std::int64_t stamp_ns);
+
 /// KITTI: x, y, z, intensity as little-endian floats; intensity 0 where the cloud has none. Ring and time are lost.
 void write_kitti_bin(const std::filesystem::path& path, const PointCloud& cloud);
 

@@ -91,10 +91,11 @@ std::string ins_section(const Session& session) {
   return text;
 }
 
-std::string scans_section(const Session& session) {
+std::string scans_section(const Session& session, CloudFormat scans) {
   if (!has_lidar(session)) return "";
   if (!session.scans) return "lidar_poses:\n  file: lidar_poses.txt\n  format: tum\n";
-  std::string text = "scans:\n  directory: scans\n  type: pcd\n  stamps: scan_stamps.csv\n  timing: ";
+  std::string text = std::string("scans:\n  directory: scans\n  type: ") + (scans == CloudFormat::Las ? "las" : "pcd") +
+                     "\n  stamps: scan_stamps.csv\n  timing: ";
   if (session.scan_timing == ScanTiming::Instant) return text + "instant\n";
   if (session.scan_timing == ScanTiming::PerPoint) return text + "per-point\n";
   const SweepModel& sweep = session.sweep;
@@ -195,17 +196,23 @@ std::string tum_text(const std::vector<StampedPose>& poses) {
   return text;
 }
 
-void write_native_session(const Session& session, const fs::path& folder, int threads, Progress& progress) {
+void write_native_session(const Session& session, const fs::path& folder, int threads, Progress& progress,
+                          CloudFormat scans) {
   check_writable(session);
+  const bool las = scans == CloudFormat::Las;
+  const char* const extension = las ? ".las" : ".pcd";
   make_directories(folder);
   if (session.scans) {
     const fs::path directory = folder / "scans";
     make_directories(directory);
     std::string stamps = "file,stamp_ns\n";
     for (std::size_t i = 0; i < session.scans->size(); ++i)
-      stamps += scan_name(i, ".pcd") + "," + std::to_string(session.scans->stamp_ns(i)) + "\n";
+      stamps += scan_name(i, extension) + "," + std::to_string(session.scans->stamp_ns(i)) + "\n";
     const auto write = [&](std::size_t i, const PointCloud& cloud) {
-      write_pcd(directory / scan_name(i, ".pcd"), cloud);
+      if (las)
+        write_las(directory / scan_name(i, extension), cloud, session.scans->stamp_ns(i));
+      else
+        write_pcd(directory / scan_name(i, extension), cloud);
     };
     if (!write_scans(*session.scans, threads, progress, write)) return;
     write_file(folder / "scan_stamps.csv", stamps);
@@ -219,7 +226,7 @@ void write_native_session(const Session& session, const fs::path& folder, int th
   const std::string sensors = write_sensors(session, folder);
   // Last: a folder without its manifest is not taken for a session.
   write_file(folder / "session.yaml", "format: remount-session/1\nname: " + quoted(session.name) + "\n" +
-                                          scans_section(session) + ins_section(session) + sensors +
+                                          scans_section(session, scans) + ins_section(session) + sensors +
                                           optional_sections(session));
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "model/io/cloud_file.h"
 #include "model/session.h"
 
 namespace remount {
@@ -16,7 +17,9 @@ namespace remount {
 /// do not depend on their number. The folder is made. Throws Error(Contract) where the session has no INS or no LiDAR
 /// motion and no other sensor either, Error(Io) where writing fails; returns early where `progress` is cancelled,
 /// without session.yaml.
-void write_native_session(const Session& session, const std::filesystem::path& folder, int threads, Progress& progress);
+/// @param scans Pcd or Las: scans/*.las holds no rings, points to 0.1 mm
+void write_native_session(const Session& session, const std::filesystem::path& folder, int threads, Progress& progress,
+                          CloudFormat scans = CloudFormat::Pcd);
 
 /// Poses as lines of `t x y z qx qy qz qw`, t in seconds.
 std::string tum_text(const std::vector<StampedPose>& poses);

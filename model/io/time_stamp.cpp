@@ -102,4 +102,11 @@ std::optional<std::int64_t> unix_ns_from_gps_week(std::int64_t week, std::int64_
   return unix_ns_from_gps_ns(week * kWeek_s * kSecond + time_of_week_ns);
 }
 
+std::int64_t gps_ns_from_unix_ns(std::int64_t stamp_ns) {
+  const std::int64_t without_leap_ns = stamp_ns - kGpsEpochUnix_s * kSecond;
+  // The table is by GPS time, which is ahead by what is looked for.
+  const int leap = leap_seconds_at_gps_s(without_leap_ns / kSecond);
+  return without_leap_ns + leap_seconds_at_gps_s(without_leap_ns / kSecond + leap) * kSecond;
+}
+
 }  // namespace remount

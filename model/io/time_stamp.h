@@ -24,4 +24,7 @@ std::int64_t unix_ns_from_gps_ns(std::int64_t gps_ns);
 /// As above, from week and time of week. Nothing where week or time of week is out of its range.
 std::optional<std::int64_t> unix_ns_from_gps_week(std::int64_t week, std::int64_t time_of_week_ns);
 
+/// GPS time since 6 January 1980 from Unix nanoseconds.
+std::int64_t gps_ns_from_unix_ns(std::int64_t stamp_ns);
+
 }  // namespace remount

@@ -182,7 +182,6 @@ PipelineOutput run_slew(const PipelineInput& input, Progress& progress) {
   if (recordings[kGround])
     data.ground_points = ground_points(*recordings[kGround], input.settings, output.findings, progress);
   if (recordings[kArm]) data.arm_points = arm_points(*recordings[kArm], input.settings, output.findings, progress);
-  data.first_scan_in_common = recordings[kTurn]->scans != nullptr;
   data.first_from_lidar = turn_poses(*recordings[kTurn], input.settings, output.findings, progress);
   const SlewResult result =
       solve_slew(data, input.nominal_ins_from_lidar, input.settings.slew, input.settings.solve, progress);

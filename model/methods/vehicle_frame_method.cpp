@@ -139,11 +139,16 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
 }
 
 std::vector<Plot> plots_of(const Integrated& drive) {
-  Plot map{"Trajectory of the vehicle by three integrations", "x (m)", "y (m)", true, {}};
-  Plot height{"Height along the way", "way (m)", "z (m)", false, {}};
-  Plot distance{"Distance from the sensor's trajectory", "way (m)", "m", false, {}};
+  Plot map{.title = "Trajectory of the vehicle by three integrations",
+           .x_label = "x (m)",
+           .y_label = "y (m)",
+           .equal_axes = true,
+           .curves = {}};
+  Plot height{.title = "Height along the way", .x_label = "way (m)", .y_label = "z (m)", .curves = {}};
+  Plot distance{.title = "Distance from the sensor's trajectory", .x_label = "way (m)", .y_label = "m", .curves = {}};
   const auto add = [&](const char* name, const std::vector<RigidTransform>& poses, bool with_distance) {
-    Curve across{name, {}, {}, {}, false, {}}, up = across, off = across;
+    Curve across, up, off;
+    across.name = up.name = off.name = name;
     for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
       across.x.push_back(poses[i].translation().x());
       across.y.push_back(poses[i].translation().y());

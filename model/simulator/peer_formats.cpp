@@ -14,6 +14,7 @@
 #include "model/io/output_file.h"
 #include "model/io/time_stamp.h"
 #include "model/session_frames.h"
+#include "model/simulator/drive_formats.h"
 #include "model/simulator/lidar_model.h"
 #include "model/simulator/local_earth.h"
 
@@ -34,16 +35,6 @@ std::string name_from_stamp(std::int64_t stamp_ns) {
   return text;
 }
 
-/// The LiDAR in the frame of its first scan, stamped on its own clock.
-std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive) {
-  std::vector<StampedPose> poses;
-  const RigidTransform start_from_enu = (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse();
-  for (std::size_t scan = 0; scan < drive.enu_from_ins.size(); ++scan)
-    poses.push_back(
-        {drive.session.scans->stamp_ns(scan), start_from_enu * drive.enu_from_ins[scan].pose * drive.ins_from_lidar});
-  return poses;
-}
-
 /// What one INSPVAXA line says beside the sample; the velocity is that between the neighbouring samples.
 std::string inspvaxa(const Session& session, const std::vector<StampedPose>& enu_from_ins, std::size_t i) {
   const InsSample& sample = session.ins[i];
@@ -58,11 +49,8 @@ std::string inspvaxa(const Session& session, const std::vector<StampedPose>& enu
   const double position_m = known(session.ins_position_white_sigma_m, 0.0);
   const double attitude_deg = radians_to_degrees(known(session.ins_attitude_white_sigma_rad, 0.0));
   const double heading_deg = std::fmod(radians_to_degrees(angles.yaw_rad) + 360.0, 360.0);
-  // GPS time is ahead of UTC by the leap seconds, and counts from 6 January 1980.
-  constexpr std::int64_t kEpoch_s = 315'964'800, kWeek_ns = 604'800'000'000'000;
-  std::int64_t gps_ns = sample.stamp_ns - kEpoch_s * 1'000'000'000;
-  gps_ns += leap_seconds_at_gps_s(gps_ns / 1'000'000'000) * std::int64_t{1'000'000'000};
-  const std::int64_t in_week_ns = gps_ns % kWeek_ns;
+  constexpr std::int64_t kWeek_ns = 604'800'000'000'000;
+  const std::int64_t gps_ns = gps_ns_from_unix_ns(sample.stamp_ns), in_week_ns = gps_ns % kWeek_ns;
   char time[48];
   std::snprintf(time, sizeof time, "%lld,%lld.%09lld", static_cast<long long>(gps_ns / kWeek_ns),
                 static_cast<long long>(in_week_ns / 1'000'000'000), static_cast<long long>(in_week_ns % 1'000'000'000));
@@ -139,12 +127,21 @@ void write_opencalib_drive(const SimulatedDrive& drive, const fs::path& folder, 
   if (!progress.cancelled()) write_file(folder / "novatel-pose.txt", lines);
 }
 
-void write_pose_drive(const SimulatedDrive& drive, const fs::path& folder) {
+std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive) {
+  std::vector<StampedPose> poses;
+  const RigidTransform start_from_enu = (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse();
+  for (std::size_t scan = 0; scan < drive.enu_from_ins.size(); ++scan)
+    poses.push_back(
+        {drive.session.scans->stamp_ns(scan), start_from_enu * drive.enu_from_ins[scan].pose * drive.ins_from_lidar});
+  return poses;
+}
+
+void write_pose_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
   write_file(folder / "ins.txt", tum_text(metric_poses(drive.session)));
   write_file(folder / "lidar.txt", tum_text(exact_odometry(drive)));
 }
 
-void write_novatel_drive(const SimulatedDrive& drive, const fs::path& folder) {
+void write_novatel_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
   const std::vector<StampedPose> enu_from_ins = metric_poses(drive.session);
   std::string log;
   for (std::size_t i = 0; i < enu_from_ins.size(); ++i) log += inspvaxa(drive.session, enu_from_ins, i);
@@ -152,7 +149,7 @@ void write_novatel_drive(const SimulatedDrive& drive, const fs::path& folder) {
   write_file(folder / "lidar_odometry.txt", tum_text(exact_odometry(drive)));
 }
 
-void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder) {
+void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
   const Session& session = drive.session;
   const Scene* scene = scene_of(session.scans);
   if (!scene || session.wheels.empty() || session.imu.empty())

@@ -2,13 +2,11 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/document.h"
-#include "model/io/native_session_writer.h"
 #include "model/io/output_file.h"
 #include "model/io/transform_document.h"
 #include "model/session_frames.h"
-#include "model/simulator/bag_drive.h"
+#include "model/simulator/drive_formats.h"
 #include "model/simulator/lidar_model.h"
-#include "model/simulator/peer_formats.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {
@@ -55,11 +53,27 @@ void add_sensors(const SimulatedDrive& drive, DocumentNode& root) {
   if (!session.wheels.empty()) root.add("track_m", DocumentNode::number(sensors.track_m));
 }
 
-/// NovAtel's logs speak of axes of their own; only native sessions have a place for the other sensors.
-DocumentNode truth(const SimulatedDrive& drive, const std::string& format) {
+void add_other_truth(const SimulatedDrive& drive, OtherTruth what, DocumentNode& root) {
+  const Eigen::Vector3d& antenna_in_ins_m = drive.sensors.antenna_in_ins_m;
+  switch (what) {
+    case OtherTruth::None:
+      return;
+    case OtherTruth::Sensors:
+      add_sensors(drive, root);
+      return;
+    case OtherTruth::AntennaInVehicle:
+      root.add("antenna_in_vehicle_m", numbers(drive.sensors.vehicle_from_ins * antenna_in_ins_m));
+      return;
+    case OtherTruth::AntennaInLidar:
+      root.add("antenna_in_lidar_m", numbers(drive.ins_from_lidar.inverse() * antenna_in_ins_m));
+      return;
+  }
+}
+
+DocumentNode truth(const SimulatedDrive& drive, const DriveFormat& format) {
   DocumentNode root = DocumentNode::map();
   root.add("format", DocumentNode::string("remount-truth/1"));
-  const bool right_forward_up = format == "novatel-inspvax";
+  const bool right_forward_up = format.ins_axes == InsAxes::RightForwardUp;
   if (right_forward_up) root.add("ins_axes", DocumentNode::string("right-forward-up"));
   const RigidTransform ins_from_lidar =
       right_forward_up ? forward_left_up_from(InsAxes::RightForwardUp).inverse() * drive.ins_from_lidar
@@ -74,10 +88,7 @@ DocumentNode truth(const SimulatedDrive& drive, const std::string& format) {
   parameters.add("yaw_deg", DocumentNode::number(radians_to_degrees(six.yaw_rad)));
   parameters.add("pitch_deg", DocumentNode::number(radians_to_degrees(six.pitch_rad)));
   parameters.add("roll_deg", DocumentNode::number(radians_to_degrees(six.roll_rad)));
-  if (format == "native") add_sensors(drive, root);
-  // smartLoc speaks of no LiDAR and no INS, but of wheels and an antenna.
-  if (format == "smartloc")
-    root.add("antenna_in_vehicle_m", numbers(drive.sensors.vehicle_from_ins * drive.sensors.antenna_in_ins_m));
+  add_other_truth(drive, format.other_truth, root);
   if (const Scene* scene = scene_of(drive.session.scans)) {
     DocumentNode& options = root.add("simulation", DocumentNode::map());
     SimulationOptions::visit(scene->options(), OptionWriter{options});
@@ -93,42 +104,28 @@ void require_empty(const fs::path& folder) {
     throw Error(ErrorCode::Io, folder.string(), "is not empty; name a new folder, so that no recording is overwritten");
 }
 
-/// What readers of KITTI take for granted.
-void check_fits_kitti(const Session& session) {
-  if (session.scan_timing == ScanTiming::Instant)
-    throw Error(ErrorCode::Contract, "kitti-raw",
-                "drives of this format are taken to be distorted by motion; simulate with motion_distortion, or write "
-                "the native format");
-  if (session.sweep.clockwise)
-    throw Error(ErrorCode::Contract, "kitti-raw",
-                "the LiDAR of this format turns counter-clockwise; simulate with clockwise false, or write the native "
-                "format");
-}
-
 }  // namespace
 
 const std::vector<std::string>& drive_formats() {
-  static const std::vector<std::string> formats{"native", "kitti-raw", "opencalib", "novatel-inspvax",
-                                                "poses",  "smartloc",  "rosbag1",   "mcap"};
+  static const std::vector<std::string> formats = [] {
+    std::vector<std::string> ids;
+    for (const DriveFormat& format : drive_format_list()) ids.emplace_back(format.id);
+    return ids;
+  }();
   return formats;
 }
 
 void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std::string& format, int threads,
                  Progress& progress) {
-  const std::vector<std::string>& formats = drive_formats();
-  if (std::find(formats.begin(), formats.end(), format) == formats.end())
-    throw Error(ErrorCode::Contract, format, "is not a format that drives are written in");
-  if (format == "kitti-raw") check_fits_kitti(drive.session);
+  const std::vector<DriveFormat>& formats = drive_format_list();
+  const auto chosen =
+      std::find_if(formats.begin(), formats.end(), [&](const DriveFormat& one) { return one.id == format; });
+  if (chosen == formats.end()) throw Error(ErrorCode::Contract, format, "is not a format that drives are written in");
+  if (chosen->check) chosen->check(drive);
   require_empty(folder);
   make_directories(folder);
-  if (format == "native") write_native_session(drive.session, folder, threads, progress);
-  if (format == "kitti-raw") write_kitti_raw_session(drive.session, folder, threads, progress);
-  if (format == "opencalib") write_opencalib_drive(drive, folder, threads, progress);
-  if (format == "novatel-inspvax") write_novatel_drive(drive, folder);
-  if (format == "poses") write_pose_drive(drive, folder);
-  if (format == "smartloc") write_smartloc_drive(drive, folder);
-  if (format == "rosbag1" || format == "mcap") write_bag_drive(drive, folder, format, threads, progress);
-  if (!progress.cancelled()) write_file(folder / "truth.yaml", to_yaml(truth(drive, format)));
+  chosen->write(drive, folder, threads, progress);
+  if (!progress.cancelled()) write_file(folder / "truth.yaml", to_yaml(truth(drive, *chosen)));
 }
 
 }  // namespace remount

@@ -63,10 +63,11 @@ inline Settings settings_with(FirstPlane first) {
 }
 
 /// How far the parameters scatter over simulated recordings, in units of what is stated: squares, mean of `seeds`.
-inline std::array<double, 6> squares_over_recordings(FirstPlane first, int first_seed, int seeds) {
+inline std::array<double, 6> squares_over_recordings(FirstPlane first, int first_seed, int seeds,
+                                                     const SlewYardOptions& options = {}) {
   std::array<double, 6> squares{};
   for (int seed = first_seed; seed < first_seed + seeds; ++seed) {
-    const Yard yard = yard_of({}, false, seed);
+    const Yard yard = yard_of(options, false, seed);
     Settings settings = settings_with(first);
     settings.slew.surface_sigma_deg = 0.0;  // ground and arm of the yard are planes
     const PipelineOutput output = run(yard, settings);
@@ -80,7 +81,8 @@ inline std::array<double, 6> squares_over_recordings(FirstPlane first, int first
     const std::array<double, 6> errors = normalised_errors(output.result, yard.machine_from_lidar);
     for (std::size_t i = 0; i < 6; ++i) squares[i] += errors[i] * errors[i] / seeds;
   }
-  std::printf("  chi-square over %d recordings, first plane %s:", seeds, first == FirstPlane::Turn ? "turn" : "ground");
+  std::printf("  chi-square over %d recordings, slope %.0f deg, first plane %s:", seeds, options.slope_deg,
+              first == FirstPlane::Turn ? "turn" : "ground");
   for (std::size_t i = 0; i < 6; ++i) std::printf(" %s %.2f", std::string(kParameterNames[i]).c_str(), squares[i]);
   std::printf("\n");
   return squares;

@@ -70,6 +70,53 @@ TEST(antenna_fit, errors_are_as_large_as_the_covariance_says) {
   EXPECT_LT(chi2 / (2.0 * kSeeds), 1.34);
 }
 
+// An antenna at 1.5 m moves by 26 mm with each degree of roll: what the rates and the heights tell of it is taken out.
+TEST(antenna_fit, a_road_that_leans_does_not_pass_for_a_lever_arm) {
+  WheelDriveOptions options;
+  options.duration_s = 90.0;
+  options.bank_rad = degrees_to_radians(2.5);
+  options.slope_rad = degrees_to_radians(2.0);
+  options.vehicle_from_imu.setIdentity();
+  options.rate_noise_radps = 1e-4;
+  options.gyro_bias_radps = {0.002, -0.003, 0.001};
+  double chi2[2] = {0.0, 0.0}, worst_m = 0.0;
+  constexpr int kSeeds = 40;
+  for (int seed = 0; seed < kSeeds; ++seed) {
+    const AntennaFit found = fit(options, 0.02, 400 + seed);
+    ASSERT_TRUE(found.found) << found.why;
+    const Eigen::Vector2d error = found.antenna_in_vehicle_m - kAntenna;
+    worst_m = std::max(worst_m, error.norm());
+    for (int i = 0; i < 2; ++i) chi2[i] += error[i] * error[i] / found.covariance_m2(i, i) / kSeeds;
+  }
+  std::printf("  chi2 / n: x %.2f, y %.2f; worst %.4f m\n", chi2[0], chi2[1], worst_m);
+  for (const double one : chi2) {
+    // 40 degrees of freedom: the 0.1% limits are 0.44 and 1.84.
+    EXPECT_GT(one, 0.44);
+    EXPECT_LT(one, 1.84);
+  }
+  EXPECT_LT(worst_m, 0.02);
+}
+
+TEST(antenna_fit, a_yaw_rate_alone_leaves_the_lean_of_the_road_open) {
+  WheelDriveOptions options = flat_drive();
+  WheelDrive drive = wheel_drive(options, 9);
+  Progress progress;
+  const auto sigma_of = [&] {
+    return fit_antenna(WheelImuSignals(drive.imu, drive.wheels), positions_of(drive, 0.02, 10),
+                       Eigen::Matrix3d::Identity(), 30.0, progress)
+        .covariance_m2.diagonal()
+        .cwiseSqrt()
+        .eval();
+  };
+  for (ImuSample& sample : drive.imu) sample.angular_rate_radps.head<2>() << 1e-9, -1e-9;
+  const Eigen::Vector2d with_all = sigma_of();
+  for (ImuSample& sample : drive.imu) sample.angular_rate_radps.head<2>().setZero();
+  const Eigen::Vector2d by_yaw = sigma_of();
+  EXPECT_NEAR(by_yaw.x(), with_all.x(), 0.3 * with_all.x());
+  EXPECT_GT(by_yaw.y(), 0.015);  // a percent of crossfall at 1.5 m
+  EXPECT_LT(with_all.y(), 0.01);
+}
+
 TEST(antenna_fit, a_straight_drive_shows_no_lever_arm) {
   WheelDriveOptions options = flat_drive();
   options.turn_rad = 0.0;

@@ -51,6 +51,41 @@ TEST(plane_fit, errors_are_as_large_as_the_covariance_says) {
   EXPECT_LT(chi2 / (2.0 * kSeeds), 1.25);
 }
 
+TEST(plane_fit, errors_within_a_spot_count_for_as_much_as_they_are_alike) {
+  for (const double alike : {0.0, 0.7, 1.0}) {  // share of the error that a spot has in common
+    double chi2 = 0.0, offset = 0.0;
+    constexpr int kSeeds = 120;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+      std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+      std::normal_distribution<double> normal(0.0, 0.015);
+      std::vector<Eigen::Vector3d> points;
+      std::vector<std::size_t> spots;
+      for (std::size_t spot = 0; spot < 120; ++spot) {
+        const Eigen::Vector3d at = random_vector(random, 1.0);
+        const double common = normal(random);
+        for (int i = 0; i < 12; ++i) {
+          points.emplace_back(3.0 * at.x(), at.y(),
+                              -2.0 + alike * common + std::sqrt(1.0 - alike * alike) * normal(random));
+          spots.push_back(spot);
+        }
+      }
+      PlaneFitOptions options;
+      options.inlier_m = 0.08;
+      const PlaneFit fit = fit_plane(points, options, spots);
+      ASSERT_TRUE(fit.found);
+      for (int k = 0; k < 2; ++k)
+        chi2 += std::pow(fit.normal.cross(Eigen::Vector3d::UnitZ())[k], 2) / fit.normal_covariance_rad2(k, k);
+      offset += std::pow((fit.height_of({0.0, 0.0, -2.0})) / fit.offset_sigma_m, 2);
+    }
+    std::printf("  %.1f alike: tilt %.2f, offset %.2f\n", alike, chi2 / (2.0 * kSeeds), offset / kSeeds);
+    // 240 degrees of freedom: the 0.1% limits are 0.74 and 1.31; the offset is taken at the middle, not at the centre.
+    EXPECT_GT(chi2 / (2.0 * kSeeds), 0.72) << alike;
+    EXPECT_LT(chi2 / (2.0 * kSeeds), 1.36) << alike;
+    EXPECT_GT(offset / kSeeds, 0.6) << alike;
+    EXPECT_LT(offset / kSeeds, 1.6) << alike;
+  }
+}
+
 TEST(plane_fit, points_that_do_not_belong_are_left_out) {
   const Eigen::Matrix3d axes = rotation_from_yaw_pitch_roll({0.3, 0.2, 0.1});
   std::vector<Eigen::Vector3d> points = plate(axes, {4, -2, -3}, 0.01, 3);
@@ -88,7 +123,7 @@ TEST(plane_fit, cancelled_finds_nothing) {
   std::stop_source stop;
   stop.request_stop();
   EXPECT_FALSE(
-      fit_plane(plate(Eigen::Matrix3d::Identity(), {0, 0, 1}, 0.01, 1), {}, 1.0, Progress(stop.get_token())).found);
+      fit_plane(plate(Eigen::Matrix3d::Identity(), {0, 0, 1}, 0.01, 1), {}, {}, Progress(stop.get_token())).found);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <set>
 
 #include "algorithms/geometry/local_level.h"
 #include "model/io/parse_document.h"
@@ -159,15 +158,6 @@ TEST(peer_formats, smartloc_refuses_a_machine_without_wheels) {
   SimulationOptions options = small_options();
   options.wheels.rate_hz = 0.0;
   EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "a", "smartloc", 1, progress), "wheels and IMU");
-}
-
-TEST(peer_formats, every_session_format_that_is_read_is_written_but_logs_of_gnss_alone) {
-  std::set<std::string> read, written;
-  for (const auto& reader : session_readers()) read.emplace(reader->id());
-  EXPECT_EQ(read.erase("gnss-log"), 1U);
-  for (const std::string& format : drive_formats())  // one reader for both containers of bags
-    written.insert(format == "rosbag1" || format == "mcap" ? "ros-bag" : format);
-  EXPECT_EQ(written, read);
 }
 
 TEST(peer_formats, opencalib_refuses_what_it_cannot_say) {

@@ -1,0 +1,62 @@
+#include "model/simulator/drive_formats.h"
+
+#include "algorithms/core/error.h"
+#include "model/io/native_session_writer.h"
+#include "model/simulator/bag_drive.h"
+#include "model/simulator/peer_formats.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What readers of KITTI take for granted.
+void check_fits_kitti(const SimulatedDrive& drive) {
+  if (drive.session.scan_timing == ScanTiming::Instant)
+    throw Error(ErrorCode::Contract, "kitti-raw",
+                "drives of this format are taken to be distorted by motion; simulate with motion_distortion, or write "
+                "the native format");
+  if (drive.session.sweep.clockwise)
+    throw Error(ErrorCode::Contract, "kitti-raw",
+                "the LiDAR of this format turns counter-clockwise; simulate with clockwise false, or write the native "
+                "format");
+}
+
+void write_native(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_native_session(drive.session, folder, threads, progress);
+}
+void write_native_las(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_native_session(drive.session, folder, threads, progress, CloudFormat::Las);
+}
+void write_kitti(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_kitti_raw_session(drive.session, folder, threads, progress);
+}
+void write_rosbag1(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_bag_drive(drive, folder, "rosbag1", threads, progress);
+}
+void write_mcap(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_bag_drive(drive, folder, "mcap", threads, progress);
+}
+
+}  // namespace
+
+const std::vector<DriveFormat>& drive_format_list() {
+  constexpr InsAxes kOwnAxes = InsAxes::ForwardLeftUp, kRightForwardUp = InsAxes::RightForwardUp;
+  static const std::vector<DriveFormat> formats{
+      {"native", "native", write_native, OtherTruth::Sensors},
+      {"native-las", "native", write_native_las, OtherTruth::Sensors},
+      {"kitti-raw", "kitti-raw", write_kitti, OtherTruth::None, kOwnAxes, check_fits_kitti},
+      {"opencalib", "opencalib", write_opencalib_drive},
+      {"novatel-inspvax", "novatel-inspvax", write_novatel_drive, OtherTruth::None, kRightForwardUp},
+      {"poses", "poses", write_pose_drive},
+      {"apollo-csv", "poses", write_apollo_drive, OtherTruth::None, kRightForwardUp},
+      {"nmea", "gnss-log", write_nmea_drive},
+      {"gpx", "gnss-log", write_gpx_drive, OtherTruth::AntennaInLidar},
+      {"smartloc", "smartloc", write_smartloc_drive, OtherTruth::AntennaInVehicle},
+      {"rosbag1", "ros-bag", write_rosbag1},
+      {"mcap", "ros-bag", write_mcap}};
+  return formats;
+}
+
+}  // namespace remount

@@ -1,0 +1,47 @@
+// The formats in which simulated drives are written: the list, and a function each.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "model/simulator/simulator.h"
+
+namespace remount {
+
+/// What is true of a drive beside `ins_from_lidar`, as far as its format speaks of such things.
+enum class OtherTruth { None, Sensors, AntennaInVehicle, AntennaInLidar };
+
+struct DriveFormat {
+  std::string_view id;      ///< as drives are asked for
+  std::string_view reader;  ///< id of the session reader that reads it
+  /// Writes the files into `folder`, which is there and empty. What the format has no place for is left out. Returns
+  /// early where `progress` is cancelled.
+  void (*write)(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads, Progress& progress);
+  OtherTruth other_truth = OtherTruth::None;
+  InsAxes ins_axes = InsAxes::ForwardLeftUp;  ///< of the files, and so of the truth
+  /// Throws Error(Contract) for a drive that cannot be written, before anything is; null: `write` refuses.
+  void (*check)(const SimulatedDrive& drive) = nullptr;
+};
+
+/// In the order in which they are listed; native first.
+const std::vector<DriveFormat>& drive_format_list();
+
+/// An NMEA log as an INS with a GNSS receiver writes it (ZDA once; GGA, GST where errors are known and PASHR of every
+/// sample), and the LiDAR's poses. Angles to 1e-9 degrees, heights to 0.1 mm.
+void write_nmea_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                      Progress& progress);
+
+/// A GPX track of the GNSS antenna's fixes, and the LiDAR's poses. There is no place for errors and for an INS: a drive
+/// without fixes is Error(Contract).
+void write_gpx_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads, Progress& progress);
+
+/// The INS as Apollo's odometry CSV: UTM positions in the zone of the first sample, attitudes relative to true north of
+/// axes right-forward-up; and the LiDAR's poses.
+void write_apollo_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, int threads,
+                        Progress& progress);
+
+/// The LiDAR in the frame of its first scan, exact, stamped on its own clock.
+std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive);
+
+}  // namespace remount

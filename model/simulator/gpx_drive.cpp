@@ -1,0 +1,33 @@
+// A GPX track of the GNSS antenna.
+#include "algorithms/core/error.h"
+#include "model/io/native_session_writer.h"
+#include "model/io/number_text.h"
+#include "model/io/output_file.h"
+#include "model/io/time_stamp.h"
+#include "model/simulator/drive_formats.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+void write_gpx_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
+  const Session& session = drive.session;
+  if (session.gnss.empty())
+    throw Error(ErrorCode::Contract, "gpx",
+                "this format holds the fixes of a GNSS receiver and nothing else; simulate with a gnss_rate_hz");
+  std::string track =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<gpx version=\"1.1\" creator=\"Remount\" "
+      "xmlns=\"http://www.topografix.com/GPX/1/1\">\n<trk><name>" +
+      session.name + "</name><trkseg>\n";
+  for (const GnssFix& fix : session.gnss) {
+    std::string time = format_date_ns(fix.stamp_ns);
+    time[10] = 'T';
+    track += "<trkpt lat=\"" + exact_text(radians_to_degrees(fix.latitude_rad)) + "\" lon=\"" +
+             exact_text(radians_to_degrees(fix.longitude_rad)) + "\"><ele>" + exact_text(fix.height_m) +
+             "</ele><time>" + time + "Z</time></trkpt>\n";
+  }
+  write_file(folder / "track.gpx", track + "</trkseg></trk>\n</gpx>\n");
+  write_file(folder / "lidar_odometry.txt", tum_text(exact_odometry(drive)));
+}
+
+}  // namespace remount

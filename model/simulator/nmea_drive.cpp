@@ -1,0 +1,98 @@
+// NMEA 0183 as an INS with a GNSS receiver writes it.
+#include <cmath>
+#include <cstdio>
+
+#include "model/io/native_session_writer.h"
+#include "model/io/output_file.h"
+#include "model/io/time_stamp.h"
+#include "model/simulator/drive_formats.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// `body` without '$' and checksum.
+std::string sentence(const std::string& body) {
+  unsigned sum = 0;
+  for (const char c : body) sum ^= static_cast<unsigned char>(c);
+  char end[8];
+  std::snprintf(end, sizeof end, "*%02X\r\n", sum);
+  return "$" + body + end;
+}
+
+/// "130225.964389445"
+std::string time_of_day(std::int64_t stamp_ns) {
+  const std::string text = format_date_ns(stamp_ns);  // 2011-09-26 13:02:25.964389445
+  return text.substr(11, 2) + text.substr(14, 2) + text.substr(17);
+}
+
+std::string number(double value, int decimals) {
+  if (!std::isfinite(value)) return "";
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+/// Degrees and minutes with the letter of the side; minutes never round up to 60.
+std::string angle(double value_rad, int degree_digits, const char* positive, const char* negative) {
+  constexpr double kUnits = 6e10;  // of 1e-9 minutes in a degree
+  const auto units = static_cast<long long>(std::llround(std::abs(radians_to_degrees(value_rad)) * kUnits));
+  const auto whole = static_cast<long long>(kUnits);
+  char text[48];
+  std::snprintf(text, sizeof text, "%0*lld%02lld.%09lld,", degree_digits, units / whole, units % whole / 1'000'000'000,
+                units % 1'000'000'000);
+  return text + std::string(value_rad < 0.0 ? negative : positive);
+}
+
+double known_or(double value, double otherwise) { return std::isfinite(value) ? value : otherwise; }
+
+std::string position(const InsSample& sample, const std::string& time) {
+  // 4: whole ambiguities, 5: not yet. The geoid lies on the ellipsoid here.
+  const char* quality = sample.quality == InsQuality::Degraded ? "5" : "4";
+  return sentence("GPGGA," + time + "," + angle(sample.latitude_rad, 2, "N", "S") + "," +
+                  angle(sample.longitude_rad, 3, "E", "W") + "," + quality + ",12,0.8," + number(sample.height_m, 4) +
+                  ",M,0.0,M,,");
+}
+
+std::string errors(const Session& session, const InsSample& sample, const std::string& time) {
+  Eigen::Vector3d sigma_m = sample.sigma.position_enu_m;
+  for (int axis = 0; axis < 3; ++axis) sigma_m[axis] = known_or(sigma_m[axis], session.ins_position_white_sigma_m);
+  if (!sigma_m.allFinite() || sigma_m.minCoeff() <= 0.0) return "";
+  return sentence("GPGST," + time + "," + number(sigma_m.norm(), 4) + ",,,," + number(sigma_m.y(), 6) + "," +
+                  number(sigma_m.x(), 6) + "," + number(sigma_m.z(), 6));
+}
+
+std::string attitude(const Session& session, const InsSample& sample, const std::string& time) {
+  const AttitudeAngles angles = angles_from(sample.enu_from_ins, AttitudeConvention::Heading);
+  Eigen::Vector3d sigma_rad = sample.sigma.attitude_rad;  // about x, y, z: of roll, pitch, heading
+  for (int axis = 0; axis < 3; ++axis)
+    sigma_rad[axis] = known_or(sigma_rad[axis], session.ins_attitude_white_sigma_rad);
+  std::string body = "PASHR," + time + "," + number(radians_to_degrees(angles.yaw_rad), 9) + ",T," +
+                     number(radians_to_degrees(angles.roll_rad), 9) + "," +
+                     number(radians_to_degrees(angles.pitch_rad), 9) + ",0.00";
+  for (int axis = 0; axis < 3; ++axis) (body += ',') += number(radians_to_degrees(sigma_rad[axis]), 6);
+  return sentence(body + ",2");
+}
+
+}  // namespace
+
+void write_nmea_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress& progress) {
+  const Session& session = drive.session;
+  std::string log;
+  for (const InsSample& sample : session.ins) {
+    if (progress.cancelled()) return;
+    const std::string time = time_of_day(sample.stamp_ns);
+    if (log.empty()) {
+      const std::string date = format_date_ns(sample.stamp_ns);
+      log += sentence("GPZDA," + time + "," + date.substr(8, 2) + "," + date.substr(5, 2) + "," + date.substr(0, 4) +
+                      ",00,00");
+    }
+    log += position(sample, time) + errors(session, sample, time) + attitude(session, sample, time);
+  }
+  write_file(folder / "receiver.nmea", log);
+  write_file(folder / "lidar_odometry.txt", tum_text(exact_odometry(drive)));
+}
+
+}  // namespace remount

@@ -1,0 +1,222 @@
+#include "model/simulator/drive_formats.h"
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <set>
+
+#include "algorithms/geometry/geodesy.h"
+#include "algorithms/geometry/local_level.h"
+#include "model/io/parse_document.h"
+#include "model/io/session_reader.h"
+#include "model/io/transform_document.h"
+#include "model/methods/calibration_method.h"
+#include "model/session_frames.h"
+#include "tests/model/io/temporary_folder.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+SimulationOptions small_options() {
+  SimulationOptions options;
+  options.duration_s = 3.0;
+  options.beams = 8;
+  options.azimuth_steps = 90;
+  return options;
+}
+
+Session read_back(const SimulatedDrive& drive, const std::string& format, const TemporaryFolder& folder) {
+  Progress progress;
+  write_drive(drive, folder.path() / "drive", format, 1, progress);
+  return open_session(folder.path() / "drive", progress);
+}
+
+/// Where the sensors are, as truth.yaml says.
+DocumentNode truth_in(const TemporaryFolder& folder) { return read_document(folder.path() / "drive" / "truth.yaml"); }
+
+RigidTransform true_mounting(const TemporaryFolder& folder) {
+  const DocumentNode root = truth_in(folder);
+  return transform_from_document(DocumentView(*root.find("ins_from_lidar"), "truth.yaml"));
+}
+
+/// Largest distances of the LiDAR's poses as read from those of the drive, m + rad.
+double pose_error(const Session& session, const SimulatedDrive& drive) {
+  const std::vector<StampedPose> exact = exact_odometry(drive);
+  EXPECT_EQ(session.odometry_from_lidar.size(), exact.size());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < std::min(exact.size(), session.odometry_from_lidar.size()); ++i) {
+    EXPECT_EQ(session.odometry_from_lidar[i].stamp_ns, exact[i].stamp_ns);
+    worst = std::max(worst, difference(session.odometry_from_lidar[i].pose, exact[i].pose).norm());
+  }
+  return worst;
+}
+
+TEST(drive_formats, every_session_format_that_is_read_is_written) {
+  std::set<std::string_view> read, written, ids;
+  for (const auto& reader : session_readers()) read.insert(reader->id());
+  for (const DriveFormat& format : drive_format_list()) {
+    written.insert(format.reader);
+    EXPECT_TRUE(ids.insert(format.id).second) << format.id;
+  }
+  EXPECT_EQ(written, read);
+  EXPECT_EQ(drive_formats().front(), "native");
+}
+
+TEST(drive_formats, every_format_is_opened_by_the_reader_that_the_list_names) {
+  SimulationOptions options = small_options();
+  options.duration_s = 1.0;
+  for (const DriveFormat& format : drive_format_list()) {
+    options.clockwise = format.id != "kitti-raw";
+    const TemporaryFolder folder;
+    const Session session = read_back(simulate_drive(options), std::string(format.id), folder);
+    EXPECT_EQ(session.format, format.reader) << format.id;
+    if (!session.ins.empty() || !session.world_from_ins.empty()) {
+      EXPECT_EQ(session.ins_axes.value_or(format.ins_axes), format.ins_axes) << format.id;
+    }
+    for (const Finding& finding : session.findings)
+      EXPECT_NE(finding.severity, Severity::Problem) << format.id << ": " << finding.explanation;
+  }
+}
+
+TEST(drive_formats, nmea_logs_hold_positions_attitudes_and_their_errors) {
+  SimulationOptions options = small_options();
+  options.latitude_deg = -33.9;  // south and west: letters, not signs
+  options.longitude_deg = -70.6;
+  const SimulatedDrive drive = simulate_drive(options);
+  const TemporaryFolder folder;
+  const Session session = read_back(drive, "nmea", folder);
+  ASSERT_EQ(session.ins.size(), drive.session.ins.size());
+  ASSERT_EQ(session.gnss.size(), session.ins.size());
+  for (std::size_t i = 0; i < session.ins.size(); ++i) {
+    const InsSample &read = session.ins[i], &written = drive.session.ins[i];
+    ASSERT_EQ(read.stamp_ns, written.stamp_ns);
+    ASSERT_NEAR(read.latitude_rad, written.latitude_rad, 2e-13);
+    ASSERT_NEAR(read.longitude_rad, written.longitude_rad, 2e-13);
+    ASSERT_NEAR(read.height_m, written.height_m, 1e-4);
+    ASSERT_LT(read.enu_from_ins.angularDistance(written.enu_from_ins), 1e-7);
+    ASSERT_EQ(read.quality, InsQuality::Good);
+    ASSERT_NEAR(read.sigma.position_enu_m.x(), options.ins_position_noise_m, 1e-6);
+    ASSERT_NEAR(read.sigma.attitude_rad.z(), degrees_to_radians(options.ins_attitude_noise_deg), 1e-7);
+  }
+  EXPECT_LT(pose_error(session, drive), 1e-9);
+}
+
+TEST(drive_formats, nmea_logs_run_over_midnight_and_say_when_corrections_are_lost) {
+  SimulationOptions options = small_options();
+  options.ins_trouble.degraded_start_s = 1.0;
+  options.ins_trouble.degraded_s = 1.0;
+  SimulatedDrive drive = simulate_drive(options);
+  constexpr std::int64_t kDay_ns = 86'400'000'000'000;
+  const std::int64_t shift_ns = kDay_ns - drive.session.ins[50].stamp_ns % kDay_ns;
+  for (InsSample& sample : drive.session.ins) sample.stamp_ns += shift_ns;
+  const TemporaryFolder folder;
+  const Session session = read_back(drive, "nmea", folder);
+  ASSERT_EQ(session.ins.size(), drive.session.ins.size());
+  std::size_t degraded = 0;
+  for (std::size_t i = 0; i < session.ins.size(); ++i) {
+    ASSERT_EQ(session.ins[i].stamp_ns, drive.session.ins[i].stamp_ns);
+    ASSERT_EQ(session.ins[i].quality, drive.session.ins[i].quality);
+    degraded += session.ins[i].quality == InsQuality::Degraded;
+  }
+  EXPECT_GT(degraded, 50u);
+}
+
+TEST(drive_formats, nmea_drives_give_the_mounting_that_stands_beside_them) {
+  SimulationOptions options = small_options();
+  options.scenario = ScenarioKind::ParkingRamp;
+  options.duration_s = 40.0;
+  options.ins_rate_hz = 10.0;  // each sample is a fix as well
+  const SimulatedDrive drive = simulate_drive(options);
+  const TemporaryFolder folder;
+  PipelineInput input;
+  input.sessions = {std::make_shared<Session>(read_back(drive, "nmea", folder))};
+  Progress progress;
+  const CalibrationResult result = calibration_method("trajectory").run(input, progress).result;
+  const CalibrationError error = error_of(result, true_mounting(folder));
+  EXPECT_TRUE(is_usable(result)) << result.message;
+  EXPECT_LT(error.rotation_deg, 0.05);
+  EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.02);
+}
+
+TEST(drive_formats, gpx_tracks_hold_the_fixes_of_the_antenna) {
+  const SimulatedDrive drive = simulate_drive(small_options());
+  const TemporaryFolder folder;
+  const Session session = read_back(drive, "gpx", folder);
+  ASSERT_EQ(session.gnss.size(), drive.session.gnss.size());
+  EXPECT_TRUE(session.ins.empty());
+  for (std::size_t i = 0; i < session.gnss.size(); ++i) {
+    ASSERT_EQ(session.gnss[i].stamp_ns, drive.session.gnss[i].stamp_ns);
+    ASSERT_NEAR(session.gnss[i].latitude_rad, drive.session.gnss[i].latitude_rad, 1e-15);
+    ASSERT_NEAR(session.gnss[i].longitude_rad, drive.session.gnss[i].longitude_rad, 1e-15);
+    ASSERT_NEAR(session.gnss[i].height_m, drive.session.gnss[i].height_m, 1e-9);
+  }
+  EXPECT_LT(pose_error(session, drive), 1e-9);
+  const DocumentNode truth = truth_in(folder);
+  ASSERT_NE(truth.find("antenna_in_lidar_m"), nullptr);
+  SimulationOptions without = small_options();
+  without.gnss.rate_hz = 0.0;
+  Progress progress;
+  EXPECT_ERROR(write_drive(simulate_drive(without), folder.path() / "a", "gpx", 1, progress), "gnss_rate_hz");
+}
+
+TEST(drive_formats, apollo_odometry_is_on_the_grid_with_attitudes_of_true_north) {
+  const SimulatedDrive drive = simulate_drive(small_options());
+  const TemporaryFolder folder;
+  const Session session = read_back(drive, "apollo-csv", folder);
+  ASSERT_EQ(session.world_from_ins.size(), drive.session.ins.size());
+  EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp);
+  const UtmGrid grid(drive.session.ins.front().latitude_rad, drive.session.ins.front().longitude_rad);
+  const Eigen::Matrix3d flu_from_rfu = forward_left_up_from(InsAxes::RightForwardUp).linear();
+  for (std::size_t i = 0; i < session.world_from_ins.size(); ++i) {
+    const InsSample& written = drive.session.ins[i];
+    const StampedPose& read = session.world_from_ins[i];
+    ASSERT_EQ(read.stamp_ns, written.stamp_ns);
+    const GridFix place = grid.project(written.latitude_rad, written.longitude_rad);
+    ASSERT_LT((read.pose.translation() - Eigen::Vector3d(place.easting_m, place.northing_m, written.height_m)).norm(),
+              1e-6);
+    ASSERT_LT((read.pose.linear() - written.enu_from_ins.toRotationMatrix() * flu_from_rfu).norm(), 1e-9);
+  }
+  EXPECT_LT(pose_error(session, drive), 1e-9);
+}
+
+TEST(drive_formats, apollo_drives_in_the_middle_of_a_zone_give_the_mounting_in_their_own_axes) {
+  SimulationOptions options = small_options();
+  options.scenario = ScenarioKind::ParkingRamp;
+  options.duration_s = 40.0;
+  options.longitude_deg = 9.0;  // grid north is true north
+  const SimulatedDrive drive = simulate_drive(options);
+  const TemporaryFolder folder;
+  PipelineInput input;
+  input.sessions = {std::make_shared<Session>(read_back(drive, "apollo-csv", folder))};
+  Progress progress;
+  const CalibrationResult result = calibration_method("trajectory").run(input, progress).result;
+  const CalibrationError error = error_of(result, true_mounting(folder));
+  EXPECT_LT(error.rotation_deg, 0.05) << result.message;
+  EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.02);
+}
+
+TEST(drive_formats, scans_in_las_are_those_of_the_drive_but_for_their_rings) {
+  SimulationOptions options = small_options();
+  options.duration_s = 1.0;
+  const SimulatedDrive drive = simulate_drive(options);
+  const TemporaryFolder folder;
+  const Session session = read_back(drive, "native-las", folder);
+  ASSERT_EQ(session.scans->size(), drive.session.scans->size());
+  EXPECT_EQ(session.scan_timing, ScanTiming::PerPoint);
+  EXPECT_NE(session.scans->name(0).find(".las"), std::string::npos) << session.scans->name(0);
+  for (std::size_t scan = 0; scan < session.scans->size(); ++scan) {
+    const PointCloud read = session.scans->load(scan), written = drive.session.scans->load(scan);
+    ASSERT_EQ(session.scans->stamp_ns(scan), drive.session.scans->stamp_ns(scan));
+    ASSERT_EQ(read.size(), written.size());
+    ASSERT_EQ(read.time_from_stamp_s.size(), written.size());
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      ASSERT_LT((read.points[i] - written.points[i]).cwiseAbs().maxCoeff(), 6e-5f);
+      ASSERT_NEAR(read.time_from_stamp_s[i], written.time_from_stamp_s[i], 1e-6);
+      ASSERT_NEAR(read.intensity[i], 65535.0f * written.intensity[i], 1.0f);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace remount
