@@ -238,6 +238,7 @@ std::vector<StampedPose> read_pose_file(const fs::path& path, PoseFormat format,
   std::string_view line;
   read_head(format, text, path, parser, lines);
   std::vector<StampedPose> poses;
+  poses.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);  // they are large
   BadItems bad;
   while (lines.next(line)) {
     if (trimmed(line).empty() || line.starts_with('#')) continue;
