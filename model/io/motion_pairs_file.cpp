@@ -13,6 +13,8 @@ namespace remount {
 namespace {
 
 constexpr double kRotationTolerance = 1e-3;
+/// A pair takes far more memory than the shortest line that can hold one: so many, and one more for so many bytes.
+constexpr std::size_t kAlwaysPairs = 200'000, kBytesOfPair = 400;
 
 /// Columns of one 3x4 matrix, row by row.
 std::array<std::size_t, 12> matrix_columns(const CsvHeader& header, char letter, const std::filesystem::path& path) {
@@ -24,19 +26,26 @@ std::array<std::size_t, 12> matrix_columns(const CsvHeader& header, char letter,
 
 class PairsReader {
  public:
-  PairsReader(const std::filesystem::path& path, const CsvHeader& header)
+  PairsReader(const std::filesystem::path& path, const CsvHeader& header, const std::string& text)
       : path_(path),
         header_size_(header.size()),
         set_(header.has("set") ? header.find("set") : header.find("seq")),
         i_(header.find("i")),
         j_(header.find("j")),
         p_(matrix_columns(header, 'P', path)),
-        q_(matrix_columns(header, 'Q', path)) {}
+        q_(matrix_columns(header, 'Q', path)),
+        most_pairs_(kAlwaysPairs + text.size() / kBytesOfPair) {
+    const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    found_.pairs.reserve(std::min(most_pairs_, lines + 1));
+  }
 
   void add(const std::vector<std::string_view>& fields, std::size_t line) {
     if (fields.size() != header_size_)
       throw Error(ErrorCode::Format, at_line(path_, line),
                   "has " + std::to_string(fields.size()) + " fields, the header has " + std::to_string(header_size_));
+    if (found_.pairs.size() >= most_pairs_)
+      throw Error(ErrorCode::Format, at_line(path_, line),
+                  "more than " + std::to_string(most_pairs_) + " pairs, too many for a file of this size");
     const int set = set_index(set_ < 0 ? "" : fields[static_cast<std::size_t>(set_)]);
     const int row = static_cast<int>(found_.pairs.size());
     Pair pair;
@@ -99,6 +108,7 @@ class PairsReader {
   std::array<std::size_t, 12> p_, q_;
   MotionPairs found_;
   std::map<std::pair<int, int>, int> keyframes_;
+  std::size_t most_pairs_;
 };
 
 }  // namespace
@@ -111,7 +121,7 @@ MotionPairs read_motion_pairs(const std::filesystem::path& path) {
   for (std::string_view line; lines.next(line);) {
     if (trimmed(line).empty() || trimmed(line).starts_with("#")) continue;
     if (!reader) {
-      reader.emplace(path, CsvHeader(line));
+      reader.emplace(path, CsvHeader(line), text);
       continue;
     }
     split_csv(line, fields);

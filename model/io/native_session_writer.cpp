@@ -5,6 +5,7 @@
 
 #include "algorithms/core/parallel.h"
 #include "model/io/attitude_convention.h"
+#include "model/io/document.h"
 #include "model/io/ins_table.h"
 #include "model/io/number_text.h"
 #include "model/io/output_file.h"
@@ -66,13 +67,10 @@ std::string ins_csv(const Session& session) {
   return text;
 }
 
-std::string quoted(const std::string& name) {
-  std::string text = "\"";
-  for (const char c : name) {
-    if (c == '"' || c == '\\') text += '\\';
-    if (static_cast<unsigned char>(c) >= 0x20) text += c;
-  }
-  return text + "\"";
+std::string name_line(const Session& session) {
+  DocumentNode root = DocumentNode::map();
+  root.add("name", DocumentNode::string(session.name));
+  return to_yaml(root);
 }
 
 std::string ins_section(const Session& session) {
@@ -225,7 +223,8 @@ void write_native_session(const Session& session, const fs::path& folder, int th
     write_file(folder / "ins_poses.txt", tum_text(session.world_from_ins));
   const std::string sensors = write_sensors(session, folder);
   // Last: a folder without its manifest is not taken for a session.
-  write_file(folder / "session.yaml", "format: remount-session/1\nname: " + quoted(session.name) + "\n" +
+  write_file(folder / "session.yaml", "format: remount-session/1
+" + name_line(session) +
                                           scans_section(session, scans) + ins_section(session) + sensors +
                                           optional_sections(session));
 }

@@ -45,10 +45,10 @@ std::optional<Stated> stated(const NmeaSentence& sentence) {
   return Stated{*north, *east, *up};
 }
 
-/// An angle in degrees; nothing where it is none or beyond a turn.
+/// An angle in degrees; nothing where it is none or beyond two turns.
 std::optional<double> angle_rad(std::string_view text) {
   const auto degrees = parse_number(text);
-  if (!degrees || std::abs(*degrees) > 360.0) return std::nullopt;
+  if (!degrees || std::abs(*degrees) > 720.0) return std::nullopt;
   return degrees_to_radians(*degrees);
 }
 

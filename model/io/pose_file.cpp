@@ -242,6 +242,7 @@ std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path
   std::string_view line;
   read_head(format, text, path, parser, lines);
   std::vector<StampedPose> poses;
+  poses.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);  // they are large
   BadItems bad;
   while (lines.next(line)) {
     if (trimmed(line).empty() || line.starts_with('#')) continue;

@@ -67,22 +67,20 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
     findings.push_back(make_finding(Severity::Warning, code + "-impossible-stamps", where,
                                     std::to_string(impossible) + " entries have no possible time (expected nanoseconds "
                                                                  "since 1970) and are left out."));
-  std::size_t duplicates = 0, reversed = 0;
-  std::vector<Item> kept;
-  kept.reserve(items.size());
+  std::size_t duplicates = 0, reversed = 0, kept = 0;  // in place: there may be millions
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::int64_t stamp = items[i].stamp_ns;
+    const auto behind_last = [&](std::int64_t other) { return kept == 0 || other > items[kept - 1].stamp_ns; };
     // One stamp ahead of its successor while that goes on from its predecessor: a glitch that would swallow the rest.
-    const bool glitch = i + 1 < items.size() && stamp > items[i + 1].stamp_ns &&
-                        (kept.empty() || items[i + 1].stamp_ns > kept.back().stamp_ns);
-    if (glitch || (!kept.empty() && stamp < kept.back().stamp_ns))
-      ++reversed;
-    else if (!kept.empty() && stamp == kept.back().stamp_ns)
-      ++duplicates;
-    else
-      kept.push_back(items[i]);
+    const bool glitch = i + 1 < items.size() && stamp > items[i + 1].stamp_ns && behind_last(items[i + 1].stamp_ns);
+    if (!glitch && behind_last(stamp)) {
+      if (kept != i) items[kept] = std::move(items[i]);
+      ++kept;
+    } else {
+      ++(!glitch && stamp == items[kept - 1].stamp_ns ? duplicates : reversed);
+    }
   }
-  items = std::move(kept);
+  items.erase(items.begin() + static_cast<std::ptrdiff_t>(kept), items.end());
   if (duplicates > 0)
     findings.push_back(
         make_finding(Severity::Note, code + "-duplicate-stamps", where,

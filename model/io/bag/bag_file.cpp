@@ -88,6 +88,10 @@ void BagFile::add_entry(std::size_t topic, const BagEntry& entry, std::uint64_t 
                 "the index names more than " + std::to_string(entry_count_) + " messages, too many for a file of " +
                     std::to_string(file_bytes) + " bytes");
   topics_[topic].entries.push_back(entry);
+  // Before 1843 and after 2096 is no time; differences of what is left fit 64 bits.
+  constexpr std::int64_t kLatest_ns = 4'000'000'000'000'000'000;
+  std::int64_t& log_time_ns = topics_[topic].entries.back().log_time_ns;
+  log_time_ns = std::clamp(log_time_ns, -kLatest_ns, kLatest_ns);
   ++entry_count_;
 }
 

