@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/plot_curves.h"
 #include "algorithms/calibration/slew_turn.h"
 #include "algorithms/core/error.h"
 
@@ -259,9 +260,8 @@ void name_quantities(const Pieces& pieces, SlewResult& result) {
 
 void draw(const SlewData& data, SlewResult& result) {
   const RigidTransform& machine_from_lidar = result.calibration.ins_from_lidar;
-  Curve poses{"LiDAR", {}, {}, {}, true, {}}, circle{"fitted circle", {}, {}, {}, false, {}},
-      centre{"slew axis", {}, {}, {}, true, {}};
-  Curve off{"from the circle", {}, {}, {}, true, {}}, high{"from its plane", {}, {}, {}, true, {}};
+  Curve poses = dot_curve("LiDAR"), circle = line_curve("fitted circle"), centre = dot_curve("slew axis");
+  Curve off = dot_curve("from the circle"), high = dot_curve("from its plane");
   const Vector3d middle = machine_from_lidar * result.circle.centre_m;
   const Vector3d axis = machine_from_lidar.linear() * result.circle.axis;
   for (const RigidTransform& pose : data.first_from_lidar) {

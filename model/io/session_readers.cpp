@@ -35,11 +35,10 @@ Session SessionReader::open_topics(const std::filesystem::path& path, const Topi
   return open(path, progress);
 }
 
-Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at) {
-  return open_session(path, {}, progress, look_at);
-}
+namespace {
 
-Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
+/// The reader that is surest of what lies there. Throws Error where none recognises it.
+const SessionReader& reader_of(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw Error(ErrorCode::Io, path.string(), "does not exist");
   const SessionReader* best = nullptr;
@@ -48,16 +47,37 @@ Session open_session(const std::filesystem::path& path, const TopicChoice& topic
     const int score = reader->probe(path);
     if (score > best_score) best = reader.get(), best_score = score;
   }
-  if (best) {
-    Session session = best->open_topics(path, topics, progress);
-    for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
-    return session;
-  }
+  if (best) return *best;
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
     throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
   std::string known;
   for (const auto& reader : session_readers()) known += "\n  " + std::string(reader->description());
   throw Error(ErrorCode::Unsupported, path.string(), "is no session that Remount knows. It looks for:" + known);
+}
+
+Session looked_at(Session session, LookAt look_at, const Progress& progress) {
+  for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
+  return session;
+}
+
+}  // namespace
+
+Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at) {
+  return open_session(path, {}, progress, look_at);
+}
+
+Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
+  return looked_at(reader_of(path).open_topics(path, topics, progress), look_at, progress);
+}
+
+std::optional<TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) {
+  const auto* bags = dynamic_cast<const BagReader*>(&reader_of(path));  // no other format has topics
+  if (!bags) return std::nullopt;
+  TopicOffer offer = bags->offer_topics(path, progress);
+  offer.open = [open = offer.open](const TopicChoice& topics, Progress& reading) {
+    return looked_at(open(topics, reading), LookAt::StreamsAndScans, reading);
+  };
+  return offer;
 }
 
 }  // namespace remount

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/plot_curves.h"
 #include "algorithms/calibration/vehicle_frame.h"
 #include "algorithms/core/error.h"
 #include "algorithms/odometry/lidar_odometry.h"
@@ -143,7 +144,7 @@ std::vector<Plot> plots_of(const Integrated& drive) {
   Plot height{"Height along the way", "way (m)", "z (m)", false, {}};
   Plot distance{"Distance from the sensor's trajectory", "way (m)", "m", false, {}};
   const auto add = [&](const char* name, const std::vector<RigidTransform>& poses, bool with_distance) {
-    Curve across{name, {}, {}, {}, false, {}}, up = across, off = across;
+    Curve across = line_curve(name), up = across, off = across;
     for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
       across.x.push_back(poses[i].translation().x());
       across.y.push_back(poses[i].translation().y());
