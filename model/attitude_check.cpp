@@ -72,6 +72,12 @@ Eigen::Matrix3d other_way_up(const Eigen::Matrix3d& rotation) {
   return ned_from_enu * rotation * Eigen::Vector3d(1, -1, -1).asDiagonal();
 }
 
+/// A heading from north clockwise taken for a yaw from east counter-clockwise; pitch and roll are right.
+Eigen::Matrix3d yaw_was_heading(const Eigen::Matrix3d& rotation) {
+  const YawPitchRoll angles = yaw_pitch_roll_from_rotation(rotation);
+  return rotation_from_yaw_pitch_roll({0.5 * kPi - angles.yaw_rad, angles.pitch_rad, angles.roll_rad});
+}
+
 /// The scalar part taken from the wrong end.
 Eigen::Matrix3d scalar_was_last(const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond q(rotation);
@@ -86,10 +92,11 @@ struct Alternative {
   Eigen::Matrix3d (*convention)(const Eigen::Matrix3d&);
   const char* words;
 };
-constexpr std::array<Alternative, 4> kAlternatives{{
+constexpr std::array<Alternative, 5> kAlternatives{{
     {other_way_up,
      "NED instead of ENU (or the other way round), or a heading from north instead of a yaw from east (this looks like "
      "a compass heading)"},
+    {yaw_was_heading, "a heading from north instead of a yaw from east (this looks like a compass heading)"},
     {inverse, "the inverse rotation"},
     {scalar_was_last, "a quaternion whose scalar part stands at the other end"},
     {scalar_was_first, "a quaternion whose scalar part stands at the other end"},

@@ -6,6 +6,7 @@
 
 #include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/core/error.h"
+#include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
 #include "model/io/pair_document.h"
 #include "model/io/parse_document.h"
@@ -312,8 +313,9 @@ ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& ou
   file.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   file.pairs = pair_records(output.keyframes, output.pairs);
   file.sharpness = output.sharpness;
+  // Of the notes, what data are suspected of: how the program went about its work is for its log.
   for (const Finding& finding : output.findings)
-    if (finding.severity != Severity::Note) file.findings.push_back(finding);
+    if (finding.severity != Severity::Note || finding_kind(finding.code)) file.findings.push_back(finding);
   file.version = kVersion;
   file.settings = input.settings;
   file.inputs = std::move(inputs);

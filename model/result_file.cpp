@@ -4,7 +4,8 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <map>
+#include <set>
+#include <tuple>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
@@ -245,13 +246,13 @@ std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const Sessi
 }
 
 std::string changed_file(const std::vector<InputFile>& then, const std::vector<InputFile>& now) {
-  std::map<std::pair<std::string, std::string>, const InputFile*> present;
-  for (const InputFile& file : now) present[{file.session, file.file}] = &file;
+  // Two sessions of one name may have files of one name.
+  std::multiset<std::tuple<std::string, std::string, std::uint64_t, std::string>> left;
+  for (const InputFile& file : now) left.emplace(file.session, file.file, file.bytes, file.sha256);
   for (const InputFile& file : then) {
-    const auto found = present.find({file.session, file.file});
-    const bool same =
-        found != present.end() && found->second->bytes == file.bytes && found->second->sha256 == file.sha256;
-    if (!same) return file.session + "/" + file.file;
+    const auto found = left.find({file.session, file.file, file.bytes, file.sha256});
+    if (found == left.end()) return file.session + "/" + file.file;
+    left.erase(found);
   }
   return {};
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
 #include "model/checks/data_check.h"
 #include "model/clock_hint.h"
 
@@ -196,9 +197,7 @@ StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns) {
   std::vector<std::int64_t> steps;
   for (std::size_t i = 1; i < stamps_ns.size(); ++i) steps.push_back(stamps_ns[i] - stamps_ns[i - 1]);
   if (steps.empty()) return report;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const std::int64_t median = *middle;
+  const std::int64_t median = median_of(steps);
   if (median > 0) report.rate_hz = 1e9 / static_cast<double>(median);
   for (const std::int64_t step : steps) {
     if (median > 0 && step > 3 * median) ++report.gaps;

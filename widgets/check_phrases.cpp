@@ -31,6 +31,8 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "NED instead of ENU (or the other way round), or a heading from north instead of a yaw from "
                         "east (this looks like a compass heading)"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "a heading from north instead of a yaw from east (this looks like a compass heading)"),
       // what each code means, and what to do about it
       QT_TRANSLATE_NOOP("remount::model", "Every relative motion of the INS is wrong; no result stands on it."),
       QT_TRANSLATE_NOOP(
@@ -97,6 +99,25 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Nothing, where they are few; otherwise the log holds more than one drive."),
       QT_TRANSLATE_NOOP("remount::model", "Files whose names are no stamps are left out."),
       QT_TRANSLATE_NOOP("remount::model", "Name scans by their time, or give a table of stamps."),
+      QT_TRANSLATE_NOOP("remount::model", "What lies in the damaged part of the bag takes no part."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Copy the bag again, whole; close the recorder before copying. rosbag reindex or mcap recover "
+                        "restore an index."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The clocks were brought together by the recorder's, as well as it took messages down."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Synchronise the clocks before the next drive; look at the clock offset of the result."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Within a scan, points may be compensated for the motion of another instant."),
+      QT_TRANSLATE_NOOP("remount::model", "Have the driver stamp scans and points by one clock."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Either the LiDAR sits otherwise than assumed, or the nominal is given in other terms."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Look at the vehicle; check axes, signs, order of angles and direction of the nominal."),
+      QT_TRANSLATE_NOOP("remount::model", "The accumulated scans contradict the result, whatever its residuals say."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Look at the pairs that were accepted and at the clock offset; do not use the result before "
+                        "that."),
       QT_TRANSLATE_NOOP("remount::model", "Lines that are damaged are left out."),
       QT_TRANSLATE_NOOP("remount::model", "Export the log again where they are many."),
       QT_TRANSLATE_NOOP("remount::model",

@@ -6,11 +6,13 @@
 #include "widgets/file_phrases.h"
 #include "widgets/method_phrases.h"
 #include "widgets/model_text.h"
+#include "widgets/topic_phrases.h"
 
 namespace remount {
 namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
-  for (const auto* others : {&check_phrases(), &file_phrases(), &method_phrases(), &method_option_phrases()})
+  for (const auto* others :
+       {&check_phrases(), &file_phrases(), &method_phrases(), &method_option_phrases(), &topic_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }

@@ -41,21 +41,24 @@ void write_table(const Fleet& fleet, const std::vector<FleetRow>& rows, const Ba
 }
 
 /// Prints and writes the table. Says aloud which mountings have drifted; true where any has.
-bool collect(const Fleet& fleet, const BatchArguments& arguments, Console& console, std::vector<FleetRow>& rows) {
-  rows = fleet_rows(fleet);
+bool collect(const Fleet& fleet, const BatchArguments& arguments, Console& console, const std::vector<FleetRow>& rows) {
   console.print(fleet_text(fleet, rows));
   write_table(fleet, rows, arguments, console);
   bool drift = false;
   for (const FleetRow& row : rows) {
-    if (row.drift.empty()) continue;
-    console.complain("alarm: " + title_of(fleet, fleet.jobs[row.job]) + ": " + row.drift);
+    const std::string words = row.drift();
+    if (words.empty()) continue;
+    console.complain("alarm: " + title_of(fleet, fleet.jobs[row.job]) + ": " + words);
     drift = true;
   }
   return drift;
 }
 
 int show_table(const Fleet& fleet, const BatchArguments& arguments, Console& console) {
-  std::vector<FleetRow> rows;
+  const std::vector<FleetRow> rows = fleet_rows(fleet, [&](const FleetJob& job, const ResultFile& stored) {
+    return why_out_of_date(fleet, job, stored, console);
+  });
+  if (console.cancelled()) return kNoResult;
   const bool drift = collect(fleet, arguments, console, rows);
   if (std::any_of(rows.begin(), rows.end(), [](const FleetRow& row) { return row.state == JobState::Failed; }))
     return kUnreadable;
@@ -76,8 +79,8 @@ int run_all(const Fleet& fleet, const BatchArguments& arguments, Console& consol
     console.complain("stopped: the same command goes on where this one was");
     return kNoResult;
   }
-  std::vector<FleetRow> rows;
-  const bool drift = collect(fleet, arguments, console, rows);
+  // Each job has looked at its own files just now.
+  const bool drift = collect(fleet, arguments, console, fleet_rows(fleet));
   if (end.unreadable > 0) return kUnreadable;
   return end.no_result > 0 || drift ? kNoResult : kSolved;
 }

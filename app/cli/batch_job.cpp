@@ -99,7 +99,31 @@ void note_failure(const FleetJob& job, const std::string& message) {
   }
 }
 
+/// The nominal that the fleet asks for, in the axes of a result; where it leaves it to the sessions, theirs is the one
+/// that the result has, as long as their files are the same.
+std::optional<RigidTransform> asked_nominal(const FleetVehicle& vehicle, const ResultFile& stored) {
+  if (vehicle.nominal.empty()) return stored.nominal_ins_from_lidar;
+  if (vehicle.nominal == "none") return std::nullopt;
+  std::vector<std::string> doubts;  // were told when the job ran
+  return in_axes_of(parse_nominal(vehicle.nominal, doubts), stored.ins_axes, doubts);
+}
+
 }  // namespace
+
+std::string why_out_of_date(const Fleet& fleet, const FleetJob& job, const ResultFile& stored, Console& console) {
+  const FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
+  try {
+    const std::string other = why_other_job(stored, vehicle.settings, asked_nominal(vehicle, stored));
+    if (!other.empty()) return other;
+    // The fleet's file may have had a nominal then.
+    const bool other_nominal =
+        vehicle.nominal.empty() && stored.nominal_ins_from_lidar && written_since_result(fleet.path, job);
+    if (!other_nominal && !may_have_changed(job, stored)) return {};
+    return why_not_done(job, input_of(vehicle, job, console), console.progress());
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
 
 int run_job(const Fleet& fleet, const FleetJob& job, Console& console) {
   make_job_folder(job);

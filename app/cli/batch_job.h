@@ -3,6 +3,7 @@
 
 #include "app/cli/console.h"
 #include "model/batch/fleet.h"
+#include "model/result_file.h"
 
 namespace remount {
 
@@ -10,5 +11,9 @@ namespace remount {
 /// at the same job. Cancelled, it leaves what was there; where it cannot run, it leaves the reason beside the result
 /// and throws Error.
 int run_job(const Fleet& fleet, const FleetJob& job, Console& console);
+
+/// Why a job's result is not what the job would make now; empty where it is. Sessions are opened only where something
+/// has been written since.
+std::string why_out_of_date(const Fleet& fleet, const FleetJob& job, const ResultFile& stored, Console& console);
 
 }  // namespace remount

@@ -35,6 +35,15 @@ bool SettingsCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
+TopicsCommand::TopicsCommand(Workbench& workbench, std::shared_ptr<const Session> before,
+                             std::shared_ptr<const Session> after)
+    : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "other topics of %1")
+                       .arg(QString::fromStdString(before->name))),
+      workbench_(workbench),
+      before_(std::move(before)),
+      after_(std::move(after)),
+      calibrated_(workbench.calibrated()) {}
+
 NominalCommand::NominalCommand(Workbench& workbench, const QString& text, const std::optional<RigidTransform>& after)
     : QUndoCommand(text), workbench_(workbench), before_(workbench.nominal_ins_from_lidar()), after_(after) {}
 

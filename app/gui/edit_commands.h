@@ -40,6 +40,19 @@ class SettingsCommand : public QUndoCommand {
   Settings before_, after_;
 };
 
+/// Another session of the same recording takes the place of one; its result goes and comes back with it.
+class TopicsCommand : public QUndoCommand {
+ public:
+  TopicsCommand(Workbench& workbench, std::shared_ptr<const Session> before, std::shared_ptr<const Session> after);
+  void undo() override { workbench_.apply_session(after_, before_, calibrated_); }
+  void redo() override { workbench_.apply_session(before_, after_, nullptr); }
+
+ private:
+  Workbench& workbench_;
+  std::shared_ptr<const Session> before_, after_;
+  std::shared_ptr<const Workbench::Calibrated> calibrated_;  ///< with `before_`
+};
+
 class NominalCommand : public QUndoCommand {
  public:
   NominalCommand(Workbench& workbench, const QString& text, const std::optional<RigidTransform>& after);

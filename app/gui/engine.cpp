@@ -9,8 +9,9 @@ Engine model_engine() {
   const auto open = [](const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) {
     return open_session(path, topics, progress);
   };
+  const auto offer = [](const std::filesystem::path& path, Progress& progress) { return offer_topics(path, progress); };
   return {open,           calibrate,          solve_again,    load_pair_clouds, solve_at_once,
-          load_map_scans, load_keyframe_scan, check_hold_out, check_map};
+          load_map_scans, load_keyframe_scan, check_hold_out, check_map,        offer};
 }
 
 }  // namespace remount

@@ -6,7 +6,7 @@
 
 #include "model/pipeline.h"
 #include "model/pipeline/hold_out.h"
-#include "model/topic_choice.h"
+#include "model/topic_offer.h"
 
 namespace remount {
 
@@ -24,10 +24,12 @@ struct Engine {
   std::function<HoldOut(const PipelineInput&, const PipelineOutput&, Progress&)> check_hold_out;
   /// May be empty: then a result that moved keeps no map check.
   std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> check_map;
+  /// May be empty: then topics are taken as they are suggested, and nobody is asked.
+  std::function<std::optional<TopicOffer>(const std::filesystem::path&, Progress&)> offer_topics;
 };
 
 /// The model's own: open_session, calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
-/// load_keyframe_scan, check_hold_out, check_map.
+/// load_keyframe_scan, check_hold_out, check_map, offer_topics.
 Engine model_engine();
 
 }  // namespace remount

@@ -26,6 +26,7 @@
 #include "app/gui/project_keeper.h"
 #include "app/gui/remembering.h"
 #include "app/gui/report_maker.h"
+#include "app/gui/topic_controller.h"
 #include "app/gui/turn_queue.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
@@ -71,6 +72,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
   statusBar()->addWidget(progress_, 1);
   keeper_ = new ProjectKeeper(workbench_, *this);
   report_ = new ReportMaker(workbench_, this);
+  new TopicController(workbench_, *this);
   make_file_menu();
   make_edit_menu();
   make_calibrate_menu();

@@ -51,6 +51,7 @@ void MainWindow::connect_intents() {
   connect(welcome_, &WelcomePanel::sample_requested, this, &MainWindow::open_sample);
   connect(sessions_, &SessionsPanel::open_requested, this, &MainWindow::ask_for_folder);
   connect(sessions_, &SessionsPanel::remove_requested, &workbench_, &Workbench::remove_session);
+  connect(sessions_, &SessionsPanel::topics_requested, &workbench_, &Workbench::list_topics);
   connect(nominal_, &NominalPanel::nominal_edited, &workbench_, &Workbench::edit_nominal);
   connect(nominal_, &NominalPanel::file_requested, this, &MainWindow::ask_for_nominal);
   connect(range_, &RangePanel::edited, &workbench_, &Workbench::edit_option);

@@ -59,36 +59,59 @@ void Workbench::open(const QStringList& paths) {
                  tr("Wait until the present work is done, or cancel it, before opening sessions."));
     return;
   }
-  std::vector<std::filesystem::path> wanted;
-  for (const QString& path : paths) wanted.emplace_back(path.toStdString());
+  std::vector<ToOpen> wanted;
+  for (const QString& path : paths)
+    wanted.push_back({path.toStdString(), [engine = engine_, path](Progress& progress) {
+                        return open_or_ask(engine, path.toStdString(), progress);
+                      }});
+  open_all(std::move(wanted));
+}
+
+void Workbench::open_all(std::vector<ToOpen> wanted) {
   open_job_ = jobs_.start(
-      [this, wanted, open = engine_.open](Progress& progress) -> JobRunner::Deliver {
-        std::vector<std::shared_ptr<const Session>> opened(wanted.size());
-        std::vector<JobFailure> failures(wanted.size());
+      [this, wanted = std::move(wanted)](Progress& progress) -> JobRunner::Deliver {
+        std::vector<Opened> opened(wanted.size());
         std::atomic<std::size_t> done = 0;
         parallel_for(wanted.size(), 0, [&](std::size_t i) {
           if (progress.cancelled()) return;
           // Several readers would count over each other: of several sessions, those that are open are counted.
           Progress quiet = progress.without_reports();
           try {
-            opened[i] =
-                std::make_shared<const Session>(open(wanted[i], TopicChoice{}, wanted.size() > 1 ? quiet : progress));
+            opened[i] = wanted[i].open(wanted.size() > 1 ? quiet : progress);
           } catch (const Error& error) {
-            failures[i] = failure_of(error);
-            if (failures[i].where.isEmpty()) failures[i].where = QString::fromStdString(wanted[i].string());
+            opened[i].failure = failure_of(error);
+            if (opened[i].failure.where.isEmpty())
+              opened[i].failure.where = QString::fromStdString(wanted[i].path.string());
           }
+          if (progress.cancelled()) opened[i] = {};  // what was read of it is not all
           if (wanted.size() > 1) progress.report("opening sessions", ++done, wanted.size());
         });
-        std::erase(opened, nullptr);
-        std::erase_if(failures, [](const JobFailure& failure) { return failure.what.isEmpty(); });
-        return [this, opened, failures] {
-          add_sessions(opened);
-          if (failures.size() == 1) emit message(Severity::Problem, failures[0].where, failures[0].what);
-          if (failures.size() > 1) say_several_failed(failures);
-        };
+        return [this, opened] { take_opened(opened); };
       },
       report_failure());
   emit state_changed();
+}
+
+void Workbench::take_opened(std::vector<Opened> opened) {
+  std::vector<std::shared_ptr<const Session>> sessions;
+  std::vector<JobFailure> failures;
+  std::vector<TopicOffer> questions;
+  for (Opened& one : opened) {
+    if (one.session) sessions.push_back(std::move(one.session));
+    if (one.question && !is_open(one.question->path)) questions.push_back(std::move(*one.question));
+    if (!one.failure.what.isEmpty()) failures.push_back(std::move(one.failure));
+  }
+  add_sessions(std::move(sessions));
+  if (failures.size() == 1) emit message(Severity::Problem, failures[0].where, failures[0].what);
+  if (failures.size() > 1) say_several_failed(failures);
+  if (!questions.empty()) emit topics_asked(questions);
+}
+
+bool Workbench::is_open(const std::filesystem::path& path) {
+  const bool open =
+      std::any_of(sessions_.begin(), sessions_.end(), [&](const auto& session) { return session->path == path; });
+  if (open) emit message(Severity::Note, QString::fromStdString(path.string()), tr("is open already"));
+  return open;
 }
 
 void Workbench::say_several_failed(const std::vector<JobFailure>& failures) {
@@ -104,22 +127,10 @@ void Workbench::say_several_failed(const std::vector<JobFailure>& failures) {
 void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
   const std::size_t count_before = sessions_.size();
   for (auto& session : sessions) {
+    if (is_open(session->path)) continue;
     const QString path = QString::fromStdString(session->path.string());
-    const bool known = std::any_of(sessions_.begin(), sessions_.end(),
-                                   [&](const auto& other) { return other->path == session->path; });
-    if (known) {
-      emit message(Severity::Note, path, tr("is open already"));
-      continue;
-    }
     emit message(Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
-    for (const Finding& finding : session->findings) {
-      const QString where = QString::fromStdString(finding.where), what = QString::fromStdString(finding.explanation);
-      // A problem spoils all that follows: it is shown while it can still be corrected.
-      if (finding.severity == Severity::Problem)
-        emit message(finding.severity, where, what);
-      else
-        emit logged(finding.severity, where, what);
-    }
+    tell_findings(*session);
     if (session->nominal_ins_from_lidar && !nominal_ins_from_lidar_) {
       apply_nominal(session->nominal_ins_from_lidar);
       emit message(Severity::Note, path, tr("its nominal mounting is used"));
@@ -132,9 +143,29 @@ void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> session
   if (sessions_.size() != count_before) mark_edited();
 }
 
+void Workbench::tell_findings(const Session& session) {
+  for (const Finding& finding : session.findings) {
+    const QString where = QString::fromStdString(finding.where), what = QString::fromStdString(finding.explanation);
+    // A problem spoils all that follows: it is shown while it can still be corrected.
+    if (finding.severity == Severity::Problem)
+      emit message(finding.severity, where, what);
+    else
+      emit logged(finding.severity, where, what);
+  }
+}
+
 void Workbench::remove_session(int session) {
   if (session < 0 || static_cast<std::size_t>(session) >= sessions_.size() || calibrating()) return;
   sessions_.erase(sessions_.begin() + session);
+  forget_calibration();
+  undo_.clear();
+  emit sessions_changed();
+  emit output_changed();
+  emit state_changed();
+  mark_edited();
+}
+
+void Workbench::forget_calibration() {
   jobs_.cancel(solve_job_);
   jobs_.cancel(cloud_job_);
   solve_job_ = cloud_job_ = 0;
@@ -142,12 +173,7 @@ void Workbench::remove_session(int session) {
   data_changed_ = exported_ = confirmed_ = false;
   ++solution_;
   check_map_soon();
-  undo_.clear();
   select_pair(-1);
-  emit sessions_changed();
-  emit output_changed();
-  emit state_changed();
-  mark_edited();
 }
 
 void Workbench::calibrate() {
@@ -185,6 +211,7 @@ void Workbench::calibrate() {
           if (answered && engine.check_map) engine.check_map(input, *output, progress);
         }
         return [this, input, output, answered] {
+          if (input.sessions != sessions_) return;  // other topics were chosen meanwhile
           take_run(input, output);
           if (answered) return;
           output_solved_ = nullptr;  // whole, but for the decisions that were carried over
@@ -197,6 +224,7 @@ void Workbench::calibrate() {
 
 void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output,
                                    const Decisions& decisions) {
+  if (input.sessions != sessions_) return;  // other topics were chosen meanwhile
   // A complete result is not given up for part of another.
   const std::size_t finished = output_ ? 0 : keep_finished(input, *output);
   if (finished == 0) {

@@ -58,6 +58,12 @@ struct ProjectToOpen {
   Access access = Access::Own;
 };
 
+/// A recording of topics, and which of them were chosen.
+struct ChosenOffer {
+  TopicOffer offer;
+  TopicChoice choice;
+};
+
 class Workbench : public QObject {
   Q_OBJECT
  public:
@@ -100,7 +106,14 @@ class Workbench : public QObject {
   const PipelineInput& input_of_output() const { return run_input_; }
   PipelineInput input_of_next_run() const;
 
+  /// Where topics have to be chosen first, topics_asked says so.
   void open(const QStringList& paths);
+  /// Reads what a session's recording offers; topics_listed follows.
+  void list_topics(int session);
+  /// The answer to topics_asked.
+  void open_chosen(const std::vector<ChosenOffer>& offers);
+  /// Reads a session anew with other topics; an edit that can be undone. The result of its former topics goes with it.
+  void choose_topics(int session, const TopicChoice& choice);
   void remove_session(int session);
   void calibrate();
   void cancel();
@@ -120,6 +133,12 @@ class Workbench : public QObject {
   void apply_settings(const Settings& settings, const QString& step);
   void apply_nominal(const std::optional<RigidTransform>& ins_from_lidar);
   void apply_decisions(const std::vector<PairDecision>& decisions, const QString& step);
+  /// What was calibrated, to be put back when the sessions are again those that it was calibrated from.
+  struct Calibrated;
+  std::shared_ptr<const Calibrated> calibrated() const;
+  /// Puts one session in the place of another; without `calibrated`, nothing is calibrated yet.
+  void apply_session(const std::shared_ptr<const Session>& from, const std::shared_ptr<const Session>& to,
+                     const std::shared_ptr<const Calibrated>& calibrated);
 
   /// Reads a project and its sessions in the background and replaces what is there. Where sessions are not where the
   /// file says, nothing is replaced and sessions_missing asks for them; where another window has the project open,
@@ -161,6 +180,10 @@ class Workbench : public QObject {
   /// Another window took the project over: it is read-only here from now on.
   void project_lost(const QString& path, const remount::LockHolder& holder);
   void session_opened(const QString& path);
+  /// What list_topics was asked for; `used_as` as the session has it.
+  void topics_listed(int session, const std::vector<remount::OfferedTopic>& topics);
+  /// These cannot be opened before somebody has said which of their topics are meant.
+  void topics_asked(const std::vector<remount::TopicOffer>& offers);
   void settings_changed();
   void nominal_changed();
   void output_changed();
@@ -186,8 +209,26 @@ class Workbench : public QObject {
   static DecisionKey key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair);
   /// Takes over the user's earlier decisions on the same pairs of scans; true where there was one.
   static bool carry_over(const PipelineInput& input, const Decisions& decisions, PipelineOutput& output);
+  /// What became of a path that was to be opened: one of the three.
+  struct Opened {
+    std::shared_ptr<const Session> session;
+    std::optional<TopicOffer> question;
+    JobFailure failure;
+  };
+  struct ToOpen {
+    std::filesystem::path path;
+    std::function<Opened(Progress&)> open;
+  };
+  static Opened open_or_ask(const Engine& engine, const std::filesystem::path& path, Progress& progress);
+  void open_all(std::vector<ToOpen> wanted);
+  void take_opened(std::vector<Opened> opened);
+  bool is_open(const std::filesystem::path& path);  ///< says so where it is
   void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
   void say_several_failed(const std::vector<JobFailure>& failures);
+  void tell_findings(const Session& session);
+  void put_back(const Calibrated& calibrated);
+  void leave_topics_of(const Session& from, const Session& to);
+  void forget_calibration();
   void take_run(const PipelineInput& input, OutputPtr output);
   /// What is shown before the whole solution: how X moved by a decision, or the ranking in another search range.
   enum class FirstAnswer { None, Moved, Ranking };

@@ -125,7 +125,7 @@ class JobReader {
 
 void add_vehicle(const DocumentView& view, const Settings& settings, const std::filesystem::path& folder,
                  Fleet& fleet) {
-  view.allow_only({"name", "sessions", "settings", "nominal", "last"});
+  view.allow_only({"name", "sessions", "settings", "nominal", "last", "reference"});
   FleetVehicle vehicle;
   vehicle.name = vehicle_name(view.at("name"));
   for (const FleetVehicle& other : fleet.vehicles)
@@ -133,6 +133,7 @@ void add_vehicle(const DocumentView& view, const Settings& settings, const std::
   vehicle.settings = view.has("settings") ? settings_from_document(view.at("settings"), settings) : settings;
   if (view.has("nominal")) vehicle.nominal = nominal_from(view.at("nominal"), folder);
   if (view.has("last")) vehicle.last = resolved(view.at("last"), folder);
+  if (view.has("reference")) vehicle.reference = resolved(view.at("reference"), folder);
   fleet.vehicles.push_back(std::move(vehicle));
   const std::vector<DocumentView> sessions = view.at("sessions").items();
   if (sessions.empty()) view.at("sessions").fail("is empty, expected the vehicle's sessions, the oldest first");

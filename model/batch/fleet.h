@@ -34,6 +34,8 @@ struct FleetVehicle {
   Settings settings;           ///< of the fleet, changed by those of the vehicle
   std::string nominal;         ///< as --nominal takes it; empty: as the sessions declare it
   std::filesystem::path last;  ///< a calibration from before the first job; empty: none is known
+  /// The calibration that the mounting is judged by, whatever came since; empty: the oldest that is known.
+  std::filesystem::path reference;
 };
 
 struct Fleet {

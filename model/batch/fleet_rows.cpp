@@ -15,41 +15,62 @@ namespace {
 
 constexpr std::uint64_t kMaxFailureBytes = std::uint64_t{1} << 20;
 
-/// The vehicle's latest usable calibration so far.
-struct LastCalibration {
+/// An earlier calibration of a vehicle.
+struct Earlier {
   std::optional<NamedResult> result;
-  std::string problem;  ///< why the one that the file names cannot be had
+  std::string problem;  ///< why the one that the fleet names cannot be had
 };
 
-LastCalibration named_last(const FleetVehicle& vehicle) {
-  LastCalibration last;
-  if (vehicle.last.empty()) return last;
+Earlier named(const std::filesystem::path& path) {
+  Earlier earlier;
+  if (path.empty()) return earlier;
   try {
-    last.result = NamedResult{vehicle.last.filename().string(), load_result(vehicle.last)};
-    if (!is_usable(last.result->file.result)) {
-      last.problem = vehicle.last.string() + " has nothing to use";
-      last.result.reset();
-    }
+    earlier.result = NamedResult{path.filename().string(), load_result(path)};
+    if (!is_usable(earlier.result->file.result)) earlier = {std::nullopt, path.string() + " has nothing to use"};
   } catch (const Error& error) {
-    last.problem = error.what();
+    earlier.problem = error.what();
   }
-  return last;
+  return earlier;
 }
 
-void compare(FleetRow& row, const ResultFile& file, const std::string& name, const LastCalibration& last,
-             const DriftLimits& limits) {
-  if (!last.problem.empty()) row.comparison = "Not compared: " + last.problem + ".";
-  if (!last.result || !is_usable(file.result)) return;
-  const ComparedResults compared = compare_results({NamedResult{name, file}, *last.result}).front();
-  row.compared_with = last.result->name;
-  row.comparison = compared.words;
-  row.change = compared.difference;
-  row.drift = drift_in_words(row.change, limits);
-  if (!row.drift.empty()) row.drift += "; since " + row.compared_with;
+FleetChange not_compared() {
+  FleetChange change;
+  change.change.difference.fill(std::nan(""));
+  change.change.sigma.fill(std::nan(""));
+  return change;
 }
 
-/// What is there of one job; its result where it is usable or not.
-std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, FleetRow& row) {
+FleetChange change_since(const Earlier& earlier, const NamedResult& now, const DriftLimits& limits) {
+  FleetChange change = not_compared();
+  if (!earlier.problem.empty()) change.words = "Not compared: " + earlier.problem + ".";
+  if (!earlier.result || !is_usable(now.file.result)) return change;
+  const ComparedResults compared = compare_results({now, *earlier.result}).front();
+  change.since = earlier.result->name;
+  change.words = compared.words;
+  change.change = compared.difference;
+  change.drift = drift_in_words(change.change, limits);
+  if (!change.drift.empty()) change.drift += "; since " + change.since;
+  return change;
+}
+
+/// What a vehicle's calibrations are compared with, from its first job to its last.
+struct VehicleHistory {
+  Earlier last, reference;
+
+  explicit VehicleHistory(const FleetVehicle& vehicle)
+      : last(named(vehicle.last)), reference(named(vehicle.reference)) {
+    if (vehicle.reference.empty()) reference = last;
+  }
+  void add(const NamedResult& calibration) {
+    last = {calibration, ""};
+    // One that is named and cannot be read is not replaced in silence.
+    if (!reference.result && reference.problem.empty()) reference = last;
+  }
+};
+
+/// What is there of one job; its result, usable or not.
+std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, const WhyOutOfDate& why_out_of_date,
+                                   FleetRow& row) {
   try {
     if (is_file(job.failure)) {
       row.state = JobState::Failed;
@@ -59,6 +80,7 @@ std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, Flee
     if (!is_file(job.result)) return std::nullopt;
     ResultFile file = load_result(job.result);
     row.message = why_other_job(file, fleet.vehicles[job.vehicle].settings, file.nominal_ins_from_lidar);
+    if (row.message.empty() && why_out_of_date) row.message = why_out_of_date(job, file);
     row.state = row.message.empty() ? JobState::Done : JobState::OutOfDate;
     if (row.message.empty()) row.message = file.result.message;
     row.result = file.result;
@@ -92,20 +114,26 @@ std::string drift_in_words(const ResultDifference& change, const DriftLimits& li
   return words;
 }
 
-std::vector<FleetRow> fleet_rows(const Fleet& fleet) {
+std::string FleetRow::drift() const {
+  if (!has_reference_of_its_own() || reference.drift.empty()) return last.drift;
+  return (last.drift.empty() ? "" : last.drift + "; ") + reference.drift + ", the reference";
+}
+
+std::vector<FleetRow> fleet_rows(const Fleet& fleet, const WhyOutOfDate& why_out_of_date) {
   std::vector<FleetRow> rows;
-  LastCalibration last;
+  std::optional<VehicleHistory> history;
   for (std::size_t i = 0; i < fleet.jobs.size(); ++i) {
     const FleetJob& job = fleet.jobs[i];
-    if (i == 0 || job.vehicle != fleet.jobs[i - 1].vehicle) last = named_last(fleet.vehicles[job.vehicle]);
+    if (i == 0 || job.vehicle != fleet.jobs[i - 1].vehicle) history.emplace(fleet.vehicles[job.vehicle]);
     FleetRow& row = rows.emplace_back();
     row.job = i;
-    row.change.difference.fill(std::nan(""));
-    row.change.sigma.fill(std::nan(""));
-    const std::optional<ResultFile> file = examined(fleet, job, row);
+    row.last = row.reference = not_compared();
+    const std::optional<ResultFile> file = examined(fleet, job, why_out_of_date, row);
     if (!file) continue;
-    compare(row, *file, job.name, last, fleet.drift);
-    if (is_usable(file->result)) last = {NamedResult{job.name, *file}, ""};
+    const NamedResult now{job.name, *file};
+    row.last = change_since(history->last, now, fleet.drift);
+    row.reference = change_since(history->reference, now, fleet.drift);
+    if (is_usable(file->result)) history->add(now);
   }
   return rows;
 }

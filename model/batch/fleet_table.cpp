@@ -43,8 +43,10 @@ std::string text_line(const Fleet& fleet, const FleetRow& row) {
     line += std::string(i > 0 ? ", " : "") + std::string(kParameterNames[i]) + " ";
     line += sigma ? format("%.4f +-%.4f %s", values[i], on_screen(i, *sigma), unit_of(i)) : "not observed";
   }
-  if (!row.comparison.empty()) line += "\n    " + row.comparison;
-  if (!row.drift.empty()) line += "\n    DRIFT: " + row.drift;
+  if (!row.last.words.empty()) line += "\n    " + row.last.words;
+  if (row.has_reference_of_its_own() && !row.reference.words.empty())
+    line += "\n    By the reference: " + row.reference.words;
+  if (const std::string drift = row.drift(); !drift.empty()) line += "\n    DRIFT: " + drift;
   return line + "\n";
 }
 
@@ -57,33 +59,67 @@ std::string csv_cell(const std::string& text) {
 
 std::string csv_number(double value) { return std::isfinite(value) ? shortest(value) : ""; }
 
+/// One line; what holds commas or quotes is quoted.
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + csv_cell(cells[i]);
+  return line + "\n";
+}
+
+/// With what, by how much, and whether that is drift.
+void add_change(const FleetChange& change, std::vector<std::string>& cells) {
+  cells.push_back(change.since);
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
+    cells.push_back(csv_number(on_screen(i, change.change.difference[i])));
+    cells.push_back(csv_number(on_screen(i, change.change.sigma[i])));
+  }
+  cells.push_back(change.drift.empty() ? "no" : "yes");
+  cells.push_back(change.drift);
+}
+
+std::string csv_columns(const std::string& prefix) {
+  std::string columns;
+  for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
+    const std::string name = prefix + std::string(kParameterNames[i]);
+    columns += "," + name + "_" + unit_of(i) + "," + name + "_sigma_" + unit_of(i);
+  }
+  return columns;
+}
+
 std::string csv_line(const Fleet& fleet, const FleetRow& row) {
   const FleetJob& job = fleet.jobs[row.job];
-  std::string line = csv_cell(fleet.vehicles[job.vehicle].name) + "," + std::to_string(row.job + 1) + "," +
-                     csv_cell(job.name) + "," + std::string(to_string(row.state)) + "," + status_of(row);
+  std::vector<std::string> cells{fleet.vehicles[job.vehicle].name, std::to_string(row.job + 1), job.name,
+                                 std::string(to_string(row.state)), status_of(row)};
   const std::array<double, 6> values =
       usable(row) ? six_on_screen(row.result->ins_from_lidar) : std::array<double, 6>{};
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto sigma = usable(row) ? row.result->sigma(i) : std::nullopt;
     // What is not observed has no value either: a number without a sigma would be taken for one.
-    line += "," + (sigma ? csv_number(values[i]) : "") + "," + (sigma ? csv_number(on_screen(i, *sigma)) : "");
+    cells.push_back(sigma ? csv_number(values[i]) : "");
+    cells.push_back(sigma ? csv_number(on_screen(i, *sigma)) : "");
   }
-  line += "," + csv_cell(row.compared_with);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    line +=
-        "," + csv_number(on_screen(i, row.change.difference[i])) + "," + csv_number(on_screen(i, row.change.sigma[i]));
-  return line + "," + (row.drift.empty() ? "no" : "yes") + "," + csv_cell(row.drift) + "," + csv_cell(row.message) +
-         "," + csv_cell(job.result.string()) + "\n";
+  add_change(row.last, cells);
+  cells.push_back(row.message);
+  cells.push_back(job.result.string());
+  add_change(row.reference, cells);
+  return csv_line(cells);
 }
 
 std::string cell(const std::string& text, bool is_text = false) {
   return (is_text ? "<td class=\"text\">" : "<td>") + html_escaped(text) + "</td>";
 }
 
+std::string html_change(const FleetChange& change, std::size_t i, const char* what) {
+  const double by = change.change.difference[i];
+  if (!std::isfinite(by)) return {};
+  return format("<br><span class=\"weak\">%s%+.4f ± %.4f (%.1f σ)</span>", what, on_screen(i, by),
+                on_screen(i, change.change.sigma[i]), std::abs(by) / change.change.sigma[i]);
+}
+
 std::string html_row(const Fleet& fleet, const FleetRow& row) {
   const FleetJob& job = fleet.jobs[row.job];
   const bool failed = row.state == JobState::Failed || (row.result && !is_usable(*row.result));
-  std::string html = !row.drift.empty() ? "<tr class=\"drift\">" : failed ? "<tr class=\"failed\">" : "<tr>";
+  std::string html = !row.drift().empty() ? "<tr class=\"drift\">" : failed ? "<tr class=\"failed\">" : "<tr>";
   html += cell(std::to_string(row.job + 1)) + cell(fleet.vehicles[job.vehicle].name, true) + cell(job.name, true) +
           cell(row.state == JobState::Done ? status_of(row) : std::string(to_string(row.state)), true);
   for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
@@ -93,12 +129,11 @@ std::string html_row(const Fleet& fleet, const FleetRow& row) {
       html += format("%.4f ± %.4f", six_on_screen(row.result->ins_from_lidar)[i], on_screen(i, *sigma));
     else if (usable(row))
       html += "<span class=\"weak\">not observed</span>";
-    if (const double change = row.change.difference[i]; std::isfinite(change))
-      html += format("<br><span class=\"weak\">%+.4f (%.1f σ)</span>", on_screen(i, change),
-                     std::abs(change) / row.change.sigma[i]);
+    html += html_change(row.last, i, "");
+    if (row.has_reference_of_its_own()) html += html_change(row.reference, i, "ref. ");
     html += "</td>";
   }
-  return html + cell(row.compared_with, true) + cell(row.message, true) + "</tr>\n";
+  return html + cell(row.last.since, true) + cell(row.reference.since, true) + cell(row.message, true) + "</tr>\n";
 }
 
 }  // namespace
@@ -113,7 +148,7 @@ std::string fleet_counts(const std::vector<FleetRow>& rows) {
   for (const JobState state : {JobState::Failed, JobState::Waiting, JobState::OutOfDate})
     if (const std::size_t those = count([&](const FleetRow& row) { return row.state == state; }); those > 0)
       text += ", " + std::to_string(those) + " " + std::string(to_string(state));
-  const std::size_t drifting = count([](const FleetRow& row) { return !row.drift.empty(); });
+  const std::size_t drifting = count([](const FleetRow& row) { return !row.drift().empty(); });
   return text + (drifting > 0 ? "; drift in " + std::to_string(drifting) : "; no drift");
 }
 
@@ -126,14 +161,9 @@ std::string fleet_text(const Fleet& fleet, const std::vector<FleetRow>& rows) {
 std::string fleet_csv(const Fleet& fleet, const std::vector<FleetRow>& rows) {
   std::string csv(kFleetCsvMark);
   csv.pop_back();
-  for (const std::string prefix : {"", "change_"}) {
-    if (!prefix.empty()) csv += ",compared_with";
-    for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
-      const std::string name = prefix + std::string(kParameterNames[i]);
-      csv += "," + name + "_" + unit_of(i) + "," + name + "_sigma_" + unit_of(i);
-    }
-  }
-  csv += ",drift,drift_in_words,message,result\n";
+  csv += csv_columns("") + ",compared_with" + csv_columns("change_") +
+         ",drift,drift_in_words,message,result,reference" + csv_columns("since_reference_") +
+         ",reference_drift,reference_drift_in_words\n";
   for (const FleetRow& row : rows) csv += csv_line(fleet, row);
   return csv;
 }
@@ -145,18 +175,20 @@ std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, co
                      "</h1>\n<p class=\"weak\">" + html_escaped(created) + "</p>\n<p><b>" +
                      html_escaped(fleet_counts(rows)) + ".</b></p>\n<ul>";
   for (const FleetRow& row : rows)
-    if (!row.drift.empty())
-      html += "<li class=\"drift\">" + html_escaped(title_of(fleet, fleet.jobs[row.job]) + ": " + row.drift) + "</li>";
+    if (const std::string drift = row.drift(); !drift.empty())
+      html += "<li class=\"drift\">" + html_escaped(title_of(fleet, fleet.jobs[row.job]) + ": " + drift) + "</li>";
   html +=
       "</ul>\n<p class=\"weak\">ins_from_lidar ± 1 sigma; below it the change since the vehicle's calibration "
-      "before. Drift: a change of more than " +
+      "before, and since its reference where that is another one, each ± the sigma of both. Drift: a change of more "
+      "than " +
       format("%g times the sigma of both together, and of more than %g m or %g deg", fleet.drift.sigmas,
              fleet.drift.translation_m, fleet.drift.rotation_deg) +
       ".</p>\n<table>\n<tr><th>job</th><th class=\"text\">vehicle</th><th class=\"text\">sessions</th>"
       "<th class=\"text\">status</th>";
   for (std::size_t i = 0; i < kParameterNames.size(); ++i)
     html += "<th>" + std::string(kParameterNames[i]) + " [" + unit_of(i) + "]</th>";
-  html += "<th class=\"text\">compared with</th><th class=\"text\">message</th></tr>\n";
+  html +=
+      "<th class=\"text\">compared with</th><th class=\"text\">reference</th><th class=\"text\">message</th></tr>\n";
   for (const FleetRow& row : rows) html += html_row(fleet, row);
   return html + "</table></body></html>\n";
 }

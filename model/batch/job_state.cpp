@@ -2,8 +2,10 @@
 
 #include <sys/stat.h>
 
-#include <map>
-#include <utility>
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <tuple>
 
 #include "algorithms/core/error.h"
 #include "model/io/input_file.h"
@@ -15,16 +17,55 @@ namespace {
 
 std::int64_t nanoseconds(const timespec& time) { return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec; }
 
-/// The first file that is not among both, or with another size; empty where there is none.
+/// Time of the last change of any kind: copying may set the other one back, this one it cannot. Nothing where no file
+/// is there.
+std::optional<std::int64_t> changed_ns(const std::filesystem::path& file) {
+  struct stat status {};
+  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
+  return nanoseconds(status.st_ctim);
+}
+
+/// When the job's result was made.
+std::optional<std::int64_t> made_ns(const FleetJob& job) {
+  struct stat status {};
+  if (::stat(job.result.c_str(), &status) != 0) return std::nullopt;
+  return nanoseconds(status.st_mtim);
+}
+
+/// The first file that is not among both, or with another size; empty where there is none. Two sessions of one name may
+/// have files of one name.
 std::string other_file(const std::vector<InputFile>& then, const std::vector<InputFile>& now) {
-  std::map<std::pair<std::string, std::string>, std::uint64_t> sizes;
-  for (const InputFile& file : now) sizes[{file.session, file.file}] = file.bytes;
+  std::multiset<std::tuple<std::string, std::string, std::uint64_t>> left;
+  for (const InputFile& file : now) left.emplace(file.session, file.file, file.bytes);
   for (const InputFile& file : then) {
-    const auto found = sizes.find({file.session, file.file});
-    if (found == sizes.end() || found->second != file.bytes) return file.session + "/" + file.file;
-    sizes.erase(found);
+    const auto found = left.find({file.session, file.file, file.bytes});
+    if (found == left.end()) return file.session + "/" + file.file;
+    left.erase(found);
   }
-  return sizes.empty() ? "" : sizes.begin()->first.first + "/" + sizes.begin()->first.second;
+  return left.empty() ? "" : std::get<0>(*left.begin()) + "/" + std::get<1>(*left.begin());
+}
+
+/// Adds the names by which a result may know the files of a session. False where one of them, or a folder, was changed
+/// at `since_ns` or later, or cannot be looked at.
+bool unchanged_since(const std::filesystem::path& session, std::int64_t since_ns, std::set<std::string>& names) {
+  const auto old = [&](const std::filesystem::path& file) {
+    const auto changed = changed_ns(file);
+    return changed && *changed < since_ns;
+  };
+  if (!old(session)) return false;
+  std::error_code error;
+  if (!is_folder(session)) {
+    // The other files of a log lie beside it.
+    for (const std::filesystem::path& file : files_in(session.parent_path()))
+      if (old(file)) names.insert(file.filename().string());
+    return true;
+  }
+  std::filesystem::recursive_directory_iterator entry(session, error), end;
+  for (; !error && entry != end; entry.increment(error)) {
+    if (!old(entry->path()) || (entry->is_symlink() && is_folder(entry->path()))) return false;
+    names.insert(entry->path().lexically_relative(session).generic_string());
+  }
+  return !error;
 }
 
 std::string changed_input(const ResultFile& stored, std::int64_t stored_ns, const PipelineInput& input,
@@ -47,26 +88,38 @@ std::string why_other_job(const ResultFile& stored, const Settings& settings,
 }
 
 std::string why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress) {
-  struct stat status {};
-  if (!is_file(job.result) || ::stat(job.result.c_str(), &status) != 0) return "there is no result yet";
+  const auto made = made_ns(job);
+  if (!is_file(job.result) || !made) return "there is no result yet";
   try {
     const ResultFile stored = load_result(job.result);
     const std::string other = why_other_job(stored, input.settings, input.nominal_ins_from_lidar);
     if (!other.empty()) return other;
-    const std::string changed = changed_input(stored, nanoseconds(status.st_mtim), input, progress);
+    const std::string changed = changed_input(stored, *made, input, progress);
     return changed.empty() ? "" : changed + " has changed";
   } catch (const Error& error) {
     return error.what();
   }
 }
 
+bool written_since_result(const std::filesystem::path& file, const FleetJob& job) {
+  const auto made = made_ns(job), changed = changed_ns(file);
+  return !made || !changed || *changed >= *made;
+}
+
+bool may_have_changed(const FleetJob& job, const ResultFile& stored) {
+  const auto made = made_ns(job);
+  std::set<std::string> names;
+  for (const std::filesystem::path& session : job.sessions)
+    if (!made || !unchanged_since(session, *made, names)) return true;
+  return std::any_of(stored.inputs.begin(), stored.inputs.end(),
+                     [&](const InputFile& file) { return !names.contains(file.file); });
+}
+
 std::string file_written_since(const std::vector<std::shared_ptr<const Session>>& sessions, std::int64_t since_ns) {
   for (const auto& session : sessions)
     for (const std::filesystem::path& file : session->files) {
-      struct stat status {};
-      // The time of the last change of any kind: copying may set the other one back, this one it cannot.
-      if (::stat(file.c_str(), &status) != 0 || nanoseconds(status.st_ctim) >= since_ns)
-        return session->name + "/" + file.filename().string();
+      const auto changed = changed_ns(file);
+      if (!changed || *changed >= since_ns) return session->name + "/" + file.filename().string();
     }
   return {};
 }

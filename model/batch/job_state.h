@@ -1,6 +1,7 @@
 // Whether a job of a fleet is done: what there is already need not be calibrated again.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "model/batch/fleet.h"
@@ -17,6 +18,13 @@ std::string why_other_job(const ResultFile& stored, const Settings& settings,
 /// Why the job must run (again); empty where its result answers `input` as it is now. Files that have not been written
 /// since the result was are taken to be unchanged; others are compared by their hashes.
 std::string why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress);
+
+/// Whether anything where the job's sessions lie was written, added or taken away since its result was made, judged by
+/// the files' times alone: only then need they be opened to be sure. True where it cannot be told.
+bool may_have_changed(const FleetJob& job, const ResultFile& stored);
+
+/// Whether a file was written at the time of the job's result or later; true where one of them is not there.
+bool written_since_result(const std::filesystem::path& file, const FleetJob& job);
 
 /// "session/file" of the first input that was written at `since_ns` (ns since 1970) or later; empty where none was.
 std::string file_written_since(const std::vector<std::shared_ptr<const Session>>& sessions, std::int64_t since_ns);

@@ -12,13 +12,15 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 }  // namespace
 
 DataCheck attitude_data_check() {
-  return {{{"attitude-convention", "Every relative motion of the INS is wrong; no result stands on it.",
+  return {
+      .kinds =
+          {{"attitude-convention", "Every relative motion of the INS is wrong; no result stands on it.",
             "Declare the convention that the finding names; in session.yaml it is ins.columns.attitude.convention."},
            {"heading-against-travel", "Heading and direction of travel have nothing to do with each other.",
             "Look which column is the heading, and how it counts; set the mounting of the INS in the INS itself."},
            {"attitude-upside-down", "Roll of the INS is off by half a turn, and that of the result with it.",
             "Declare the convention of the attitude (ENU or NED) as the INS has it."}},
-          look};
+      .look = look};
 }
 
 }  // namespace remount

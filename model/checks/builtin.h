@@ -16,5 +16,6 @@ DataCheck stamp_check();
 DataCheck scan_check();
 DataCheck handedness_check();
 DataCheck reading_check();
+DataCheck calibration_check();
 
 }  // namespace remount

@@ -79,13 +79,13 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 }  // namespace
 
 DataCheck drive_variety_check() {
-  return {{{"little-turning", "Only turns tell where the LiDAR sits: straight driving tells how it is turned, no more.",
-            "Drive at least one full turn to each side, a figure of eight for instance."},
-           {"flat-driving", "Only tilting tells the height: on level ground it keeps the nominal value.",
-            "Drive over a ramp or a kerb, or measure the height and give it with --measured."}},
-          look,
-          false,
-          true};
+  return {.kinds = {{"little-turning",
+                     "Only turns tell where the LiDAR sits: straight driving tells how it is turned, no more.",
+                     "Drive at least one full turn to each side, a figure of eight for instance."},
+                    {"flat-driving", "Only tilting tells the height: on level ground it keeps the nominal value.",
+                     "Drive over a ramp or a kerb, or measure the height and give it with --measured."}},
+          .look = look,
+          .of_the_drive = true};
 }
 
 }  // namespace remount

@@ -93,11 +93,13 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 }  // namespace
 
 DataCheck handedness_check() {
-  return {{{"cloud-left-handed", "No mounting turns a mirrored cloud into the world: no result can be right.",
+  return {
+      .kinds =
+          {{"cloud-left-handed", "No mounting turns a mirrored cloud into the world: no result can be right.",
             "Give x forward, y left, z up or any other right-handed axes: turn the sign of y where the driver has y to "
             "the right."}},
-          look,
-          true};
+      .look = look,
+      .reads_scans = true};
 }
 
 }  // namespace remount

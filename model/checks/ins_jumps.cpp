@@ -1,6 +1,7 @@
 // Positions that no vehicle can have reached: jumps of the INS.
 #include <cmath>
 
+#include "algorithms/core/median.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
 #include "model/session_report.h"
@@ -92,10 +93,12 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 }  // namespace
 
 DataCheck ins_jump_check() {
-  return {{{"ins-jump", "A pair across a jump tells of a motion that never was; it is rejected where that shows.",
+  return {
+      .kinds =
+          {{"ins-jump", "A pair across a jump tells of a motion that never was; it is rejected where that shows.",
             "See whether RTK was lost there or the filter was reset; reject the pairs across it, or use a log that was "
             "processed afterwards (PPK)."}},
-          look};
+      .look = look};
 }
 
 }  // namespace remount

@@ -1,6 +1,7 @@
 // What the INS says of itself, and where it says nothing: status, gaps, one solution over and over.
 #include <algorithm>
 
+#include "algorithms/core/median.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
 
@@ -78,13 +79,15 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 
 DataCheck ins_solution_check() {
   return {
-      {{"ins-gaps", "Scans that fall into a gap of the INS have no motion to be compared with, and are not used.",
-        "Look for messages that the recorder drops (disk, network, buffers); record again where much is missing."},
-       {"ins-status", "The INS doubts its own solution there: it may be off by more than it claims.",
-        "Record under open sky after the INS has finished aligning, or leave that part of the drive out."},
-       {"ins-frozen", "A solution that stands still while the vehicle moves makes pairs that contradict all others.",
-        "Wait until the INS has aligned before you drive, and see whether the log or its driver stalled."}},
-      look};
+      .kinds =
+          {{"ins-gaps", "Scans that fall into a gap of the INS have no motion to be compared with, and are not used.",
+            "Look for messages that the recorder drops (disk, network, buffers); record again where much is missing."},
+           {"ins-status", "The INS doubts its own solution there: it may be off by more than it claims.",
+            "Record under open sky after the INS has finished aligning, or leave that part of the drive out."},
+           {"ins-frozen",
+            "A solution that stands still while the vehicle moves makes pairs that contradict all others.",
+            "Wait until the INS has aligned before you drive, and see whether the log or its driver stalled."}},
+      .look = look};
 }
 
 }  // namespace remount

@@ -4,19 +4,23 @@
 namespace remount {
 
 DataCheck reading_check() {
-  return {
-      {{"missing-scans", "Scans that are listed are not there, and take no part.", "Copy the recording again, whole."},
-       {"scans-without-stamp", "Scans without a time cannot be used.",
-        "Copy the file of stamps again, as it was recorded."},
-       {"ins-far-away", "Positions far from all others are glitches of the receiver, and left out.",
-        "Nothing, where they are few; otherwise the log holds more than one drive."},
-       {"bad-scan-names", "Files whose names are no stamps are left out.",
-        "Name scans by their time, or give a table of stamps."},
-       {"heading-alone", "Roll and pitch are guesses: of the mounting only yaw, and x and y, can be relied on.",
-        "Log PASHR as well, or use an INS."},
-       {"utm-poses", "Yaw of the result is off by as much as the grid turns against true north there.",
-        "Give latitude and longitude where you have them, or turn the poses by the grid convergence."},
-       {"bad-*", "Lines that are damaged are left out.", "Export the log again where they are many."}}};
+  return {.kinds = {
+              {"missing-scans", "Scans that are listed are not there, and take no part.",
+               "Copy the recording again, whole."},
+              {"scans-without-stamp", "Scans without a time cannot be used.",
+               "Copy the file of stamps again, as it was recorded."},
+              {"ins-far-away", "Positions far from all others are glitches of the receiver, and left out.",
+               "Nothing, where they are few; otherwise the log holds more than one drive."},
+              {"bad-scan-names", "Files whose names are no stamps are left out.",
+               "Name scans by their time, or give a table of stamps."},
+              {"heading-alone", "Roll and pitch are guesses: of the mounting only yaw, and x and y, can be relied on.",
+               "Log PASHR as well, or use an INS."},
+              {"utm-poses", "Yaw of the result is off by as much as the grid turns against true north there.",
+               "Give latitude and longitude where you have them, or turn the poses by the grid convergence."},
+              {"bag-*", "What lies in the damaged part of the bag takes no part.",
+               "Copy the bag again, whole; close the recorder before copying. rosbag reindex or mcap recover restore "
+               "an index."},
+              {"bad-*", "Lines that are damaged are left out.", "Export the log again where they are many."}}};
 }
 
 }  // namespace remount

@@ -1,4 +1,5 @@
 // Where the stated error of positions grows: corrections were lost.
+#include <algorithm>
 #include <cmath>
 
 #include "model/checks/builtin.h"
@@ -57,9 +58,9 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 }  // namespace
 
 DataCheck rtk_check() {
-  return {{{"rtk-lost", "Positions drift while corrections are missing, and jump when they come back.",
-            "Check the link to the corrections; record under open sky, or process the log afterwards (PPK)."}},
-          look};
+  return {.kinds = {{"rtk-lost", "Positions drift while corrections are missing, and jump when they come back.",
+                     "Check the link to the corrections; record under open sky, or process the log afterwards (PPK)."}},
+          .look = look};
 }
 
 }  // namespace remount

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
 
@@ -66,14 +67,14 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 }  // namespace
 
 DataCheck scan_check() {
-  return {{{"scan-few-points", "Few points do not hold a scan in place: its pairs are rejected or loose.",
-            "See whether the sensor was blocked, or packets were lost; record sweeps whole."},
-           {"scan-nan", "Points without a place are left out, nothing else is.",
-            "Nothing, where they are beams without a return; otherwise check the driver of the sensor."},
-           {"bad-scan", "A scan that cannot be read takes no part.", "Copy or export the scan again."},
-           {"scan-unreadable", "A scan that cannot be read takes no part.", "Copy or export the scan again."}},
-          look,
-          true};
+  return {.kinds = {{"scan-few-points", "Few points do not hold a scan in place: its pairs are rejected or loose.",
+                     "See whether the sensor was blocked, or packets were lost; record sweeps whole."},
+                    {"scan-nan", "Points without a place are left out, nothing else is.",
+                     "Nothing, where they are beams without a return; otherwise check the driver of the sensor."},
+                    {"bad-scan", "A scan that cannot be read takes no part.", "Copy or export the scan again."},
+                    {"scan-unreadable", "A scan that cannot be read takes no part.", "Copy or export the scan again."}},
+          .look = look,
+          .reads_scans = true};
 }
 
 }  // namespace remount

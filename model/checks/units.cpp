@@ -1,6 +1,7 @@
 // Degrees taken for radians and the like, as far as the motion gives them away.
 #include <cmath>
 
+#include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
@@ -75,15 +76,16 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 }  // namespace
 
 DataCheck unit_check() {
-  return {{{"angle-unit", "Angles in the wrong unit make every attitude wrong.",
-            "Declare attitude: {unit: deg} or {unit: rad} as the log has it."},
-           {"position-unit", "The whole drive shrinks to centimetres, and nothing agrees with the LiDAR.",
-            "Declare the unit of latitude and longitude as the log has it."},
-           {"imu-rate-unit", "Odometry that lives on the IMU turns dozens of times too far, or hardly.",
-            "Declare the unit of the angular rate as the log has it."},
-           {"imu-force-unit", "The direction of gravity is found, but forces are taken for a tenth of what they are.",
-            "Declare the unit of the specific force; record raw values, with gravity in them."}},
-          look};
+  return {.kinds = {{"angle-unit", "Angles in the wrong unit make every attitude wrong.",
+                     "Declare attitude: {unit: deg} or {unit: rad} as the log has it."},
+                    {"position-unit", "The whole drive shrinks to centimetres, and nothing agrees with the LiDAR.",
+                     "Declare the unit of latitude and longitude as the log has it."},
+                    {"imu-rate-unit", "Odometry that lives on the IMU turns dozens of times too far, or hardly.",
+                     "Declare the unit of the angular rate as the log has it."},
+                    {"imu-force-unit",
+                     "The direction of gravity is found, but forces are taken for a tenth of what they are.",
+                     "Declare the unit of the specific force; record raw values, with gravity in them."}},
+          .look = look};
 }
 
 }  // namespace remount

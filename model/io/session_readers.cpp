@@ -77,20 +77,11 @@ std::vector<std::filesystem::path> sessions_below(const std::filesystem::path& f
   return found;
 }
 
-}  // namespace
-
-Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at) {
-  return open_session(path, {}, progress, look_at);
-}
-
-Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
+/// The reader that is surest of what lies there. Throws Error where none recognises it.
+const SessionReader& reader_of(const std::filesystem::path& path, const Progress& progress) {
   std::error_code error;
   if (!status_of(path)) throw Error(ErrorCode::Io, path.string(), "does not exist");
-  if (const SessionReader* best = surest_reader(path)) {
-    Session session = best->open_topics(path, topics, progress);
-    for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
-    return session;
-  }
+  if (const SessionReader* best = surest_reader(path)) return *best;
   refuse_unreadable(path);
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
     throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
@@ -100,6 +91,31 @@ Session open_session(const std::filesystem::path& path, const TopicChoice& topic
   std::string known;
   for (const auto& reader : session_readers()) known += "\n  " + std::string(reader->description());
   throw Error(ErrorCode::Unsupported, path.string(), "is no session that Remount knows. It looks for:" + known);
+}
+
+Session looked_at(Session session, LookAt look_at, const Progress& progress) {
+  for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
+  return session;
+}
+
+}  // namespace
+
+Session open_session(const std::filesystem::path& path, Progress& progress, LookAt look_at) {
+  return open_session(path, {}, progress, look_at);
+}
+
+Session open_session(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress, LookAt look_at) {
+  return looked_at(reader_of(path, progress).open_topics(path, topics, progress), look_at, progress);
+}
+
+std::optional<TopicOffer> offer_topics(const std::filesystem::path& path, Progress& progress) {
+  const auto* bags = dynamic_cast<const BagReader*>(&reader_of(path, progress));  // no other format has topics
+  if (!bags) return std::nullopt;
+  TopicOffer offer = bags->offer_topics(path, progress);
+  offer.open = [open = offer.open](const TopicChoice& topics, Progress& reading) {
+    return looked_at(open(topics, reading), LookAt::StreamsAndScans, reading);
+  };
+  return offer;
 }
 
 }  // namespace remount

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <future>
 
+#include "algorithms/calibration/plot_curves.h"
 #include "algorithms/core/error.h"
 #include "model/io/native_session_writer.h"
 #include "model/scan_times.h"
@@ -196,9 +197,8 @@ FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidT
 }
 
 std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run) {
-  Curve path{session.name, {}, {}, {}, false, {}}, height{"height", {}, {}, {}, false, {}};
-  Curve pitch{"pitch", {}, {}, {}, false, {}}, roll{"roll", {}, {}, {}, false, {}},
-      residual{"residual", {}, {}, {}, false, {}};
+  Curve path = line_curve(session.name), height = line_curve("height"), pitch = line_curve("pitch"),
+        roll = line_curve("roll"), residual = line_curve("residual");
   const std::vector<FusedScan>& scans = run.odometry.scans;
   for (const FusedScan& scan : scans) {
     const double t = static_cast<double>(scan.stamp_ns - scans.front().stamp_ns) * 1e-9;

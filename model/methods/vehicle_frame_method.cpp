@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/plot_curves.h"
 #include "algorithms/calibration/vehicle_frame.h"
 #include "algorithms/core/error.h"
 #include "algorithms/odometry/lidar_odometry.h"
@@ -147,8 +148,7 @@ std::vector<Plot> plots_of(const Integrated& drive) {
   Plot height{.title = "Height along the way", .x_label = "way (m)", .y_label = "z (m)", .curves = {}};
   Plot distance{.title = "Distance from the sensor's trajectory", .x_label = "way (m)", .y_label = "m", .curves = {}};
   const auto add = [&](const char* name, const std::vector<RigidTransform>& poses, bool with_distance) {
-    Curve across, up, off;
-    across.name = up.name = off.name = name;
+    Curve across = line_curve(name), up = across, off = across;
     for (std::size_t i = 0; i < poses.size() && i < drive.way_m.size(); ++i) {
       across.x.push_back(poses[i].translation().x());
       across.y.push_back(poses[i].translation().y());

@@ -2946,6 +2946,14 @@ Everything else works.</source>
         <source>A folder or file with a recorded drive; several drives of one vehicle are calibrated together</source>
         <translation>含有行驶记录的文件夹或文件；同一车辆的多次行驶一起标定</translation>
     </message>
+    <message>
+        <source>Topics…</source>
+        <translation>话题…</translation>
+    </message>
+    <message>
+        <source>Which topics of a bag the session is made of</source>
+        <translation>数据由 bag 中的哪些话题组成</translation>
+    </message>
 </context>
 <context>
     <name>remount::SharpnessView</name>
@@ -3295,6 +3303,22 @@ Save under another name, or close it there first.</source>
         <source>another window could open it at the same time, no lock can be made: %1</source>
         <translation>另一个窗口可能同时打开它，无法创建锁：%1</translation>
     </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before choosing other topics.</source>
+        <translation>请等待当前工作完成，或先取消，再选择其他话题。</translation>
+    </message>
+    <message>
+        <source>opened with other topics. Its result belonged to the former ones: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
+        <translation>已用其他话题打开。原结果属于先前的话题：请重新标定（F5），或撤销（Ctrl+Z）以恢复。</translation>
+    </message>
+    <message>
+        <source>opened with other topics</source>
+        <translation>已用其他话题打开</translation>
+    </message>
+    <message>
+        <source>decisions before the topics were changed</source>
+        <translation>更改话题之前的决定</translation>
+    </message>
 </context>
 <context>
     <name>remount::axes_picture</name>
@@ -3312,6 +3336,10 @@ Save under another name, or close it there first.</source>
     <message>
         <source>undo: %1</source>
         <translation>撤销：%1</translation>
+    </message>
+    <message>
+        <source>other topics of %1</source>
+        <translation>更改 %1 的话题</translation>
     </message>
 </context>
 <context>
@@ -6754,6 +6782,142 @@ Save under another name, or close it there first.</source>
         <source>Stale file handle</source>
         <translation>文件句柄已失效</translation>
     </message>
+    <message>
+        <source>What lies in the damaged part of the bag takes no part.</source>
+        <translation>bag 损坏部分中的数据不参与计算。</translation>
+    </message>
+    <message>
+        <source>Copy the bag again, whole; close the recorder before copying. rosbag reindex or mcap recover restore an index.</source>
+        <translation>请重新完整复制 bag；复制前先关闭录制程序。可用 rosbag reindex 或 mcap recover 恢复索引。</translation>
+    </message>
+    <message>
+        <source>The clocks were brought together by the recorder&apos;s, as well as it took messages down.</source>
+        <translation>各时钟已按录制程序的时钟对齐，精度取决于其记录消息的及时程度。</translation>
+    </message>
+    <message>
+        <source>Synchronise the clocks before the next drive; look at the clock offset of the result.</source>
+        <translation>下次行驶前请同步时钟；请查看结果中的时钟偏差。</translation>
+    </message>
+    <message>
+        <source>Within a scan, points may be compensated for the motion of another instant.</source>
+        <translation>扫描内的点可能按另一时刻的运动做了补偿。</translation>
+    </message>
+    <message>
+        <source>Have the driver stamp scans and points by one clock.</source>
+        <translation>请让驱动程序用同一时钟为扫描和点打时间戳。</translation>
+    </message>
+    <message>
+        <source>Either the LiDAR sits otherwise than assumed, or the nominal is given in other terms.</source>
+        <translation>激光雷达的实际安装与假定不同，或名义值采用了其他约定。</translation>
+    </message>
+    <message>
+        <source>Look at the vehicle; check axes, signs, order of angles and direction of the nominal.</source>
+        <translation>请查看车辆；检查名义值的坐标轴、符号、角度顺序和变换方向。</translation>
+    </message>
+    <message>
+        <source>The accumulated scans contradict the result, whatever its residuals say.</source>
+        <translation>无论残差如何，累积的扫描与结果相矛盾。</translation>
+    </message>
+    <message>
+        <source>Look at the pairs that were accepted and at the clock offset; do not use the result before that.</source>
+        <translation>请检查已接受的帧对和时钟偏差；在此之前不要使用该结果。</translation>
+    </message>
+    <message>
+        <source>scans of %1 points that have times</source>
+        <translation>每帧 %1 点的扫描，点带时间</translation>
+    </message>
+    <message>
+        <source>scans of %1 points without times</source>
+        <translation>每帧 %1 点的扫描，点不带时间</translation>
+    </message>
+    <message>
+        <source>scans; the first cannot be read</source>
+        <translation>扫描；第一帧无法读取</translation>
+    </message>
+    <message>
+        <source>rare, as maps are: %1 points</source>
+        <translation>发布稀少，像是地图：%1 点</translation>
+    </message>
+    <message>
+        <source>poses: they stand for the LiDAR where they are asked for</source>
+        <translation>位姿：指定时可代表激光雷达</translation>
+    </message>
+    <message>
+        <source>position and attitude of the INS itself</source>
+        <translation>INS 自身的位置和姿态</translation>
+    </message>
+    <message>
+        <source>poses; the name speaks of an INS</source>
+        <translation>位姿；名称表明来自 INS</translation>
+    </message>
+    <message>
+        <source>poses; the name does not say of what</source>
+        <translation>位姿；名称未说明来源</translation>
+    </message>
+    <message>
+        <source>its name speaks of another sensor than an INS</source>
+        <translation>名称表明来自 INS 以外的传感器</translation>
+    </message>
+    <message>
+        <source>it stands for the LiDAR</source>
+        <translation>它代表激光雷达</translation>
+    </message>
+    <message>
+        <source>an orientation, to which fixes give the position</source>
+        <translation>姿态，由定位消息给出位置</translation>
+    </message>
+    <message>
+        <source>an orientation, but no fixes are there to give the position</source>
+        <translation>姿态，但没有定位消息给出位置</translation>
+    </message>
+    <message>
+        <source>fixes; by its name of the device of the orientation</source>
+        <translation>定位；名称表明与姿态来自同一设备</translation>
+    </message>
+    <message>
+        <source>fixes of a receiver</source>
+        <translation>接收机的定位</translation>
+    </message>
+    <message>
+        <source>fixes that place the INS already</source>
+        <translation>已用作 INS 位置的定位</translation>
+    </message>
+    <message>
+        <source>turn rates and accelerations</source>
+        <translation>角速度和加速度</translation>
+    </message>
+    <message>
+        <source>where the transforms lead from the LiDAR to the INS</source>
+        <translation>若变换从激光雷达通向 INS</translation>
+    </message>
+    <message>
+        <source>it has no messages</source>
+        <translation>没有消息</translation>
+    </message>
+    <message>
+        <source>its messages are serialised in a way that is not read</source>
+        <translation>其消息的序列化方式无法读取</translation>
+    </message>
+    <message>
+        <source>transforms that change with time are not read</source>
+        <translation>不读取随时间变化的变换</translation>
+    </message>
+    <message>
+        <source>neither its orientation nor its rates are measured</source>
+        <translation>既没有测量姿态，也没有测量角速度</translation>
+    </message>
+    <message>
+        <source>messages of this type are not read</source>
+        <translation>不读取此类型的消息</translation>
+    </message>
+    <message>
+        <source>was chosen for lidar and for ins: a motion that is compared with itself tells nothing</source>
+        <translation>同时被选作 lidar 和 ins：运动与自身比较说明不了任何问题</translation>
+    </message>
+    <message>
+        <source>a heading from north instead of a yaw from east (this looks like a compass heading)</source>
+        <translation>以北为零的航向角，而非以东为零的偏航角（看起来像罗盘航向）</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -7329,6 +7493,136 @@ Then calibrate: F5.</source>
     <message>
         <source>what it means, and what to do</source>
         <translation>含义与处理办法</translation>
+    </message>
+</context>
+<context>
+    <name>remount::TopicController</name>
+    <message>
+        <source>was not opened</source>
+        <translation>未打开</translation>
+    </message>
+</context>
+<context>
+    <name>remount::TopicsDialog</name>
+    <message>
+        <source>&amp;LiDAR</source>
+        <translation>激光雷达(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;INS</source>
+        <translation>INS(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Position of the INS</source>
+        <translation>INS 的位置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;GNSS</source>
+        <translation>GNSS(&amp;G)</translation>
+    </message>
+    <message>
+        <source>I&amp;MU</source>
+        <translation>IMU(&amp;M)</translation>
+    </message>
+    <message>
+        <source>nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+    <message>
+        <source>Topics of %1</source>
+        <translation>%1 的话题</translation>
+    </message>
+    <message>
+        <source>Which topics is the session made of? The most likely ones are selected; the table says what speaks for each. A project keeps the choice.</source>
+        <translation>数据由哪些话题组成？已选中最可能的话题；表中说明各话题的依据。项目会保存所做的选择。</translation>
+    </message>
+    <message>
+        <source>What prevents it</source>
+        <translation>阻碍原因</translation>
+    </message>
+    <message>
+        <source>As it was</source>
+        <translation>还原</translation>
+    </message>
+    <message>
+        <source>Selects again what was selected when this was opened</source>
+        <translation>重新选中打开此窗口时所选的话题</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Topic that serves as %1</source>
+        <translation>用作%1的话题</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>话题</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>消息数</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Can serve as</source>
+        <translation>可用作</translation>
+    </message>
+    <message>
+        <source>Serves as</source>
+        <translation>用作</translation>
+    </message>
+    <message>
+        <source>What speaks for or against it</source>
+        <translation>依据</translation>
+    </message>
+    <message>
+        <source>All topics of the recording</source>
+        <translation>记录中的全部话题</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1</source>
+        <translation>不能使用：%1</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>One topic cannot be LiDAR and INS: a motion that is compared with itself tells nothing.</source>
+        <translation>同一话题不能既作激光雷达又作 INS：运动与自身比较说明不了任何问题。</translation>
+    </message>
+    <message>
+        <source>An orientation alone is no INS: choose the topic that gives its position.</source>
+        <translation>仅有姿态不足以作为 INS：请选择给出其位置的话题。</translation>
+    </message>
+    <message>
+        <source>An orientation alone is no INS, and no topic here gives its position: choose another INS, or none.</source>
+        <translation>仅有姿态不足以作为 INS，而此处没有话题给出其位置：请选择其他 INS，或选“无”。</translation>
+    </message>
+    <message>
+        <source>the INS gives its position itself</source>
+        <translation>INS 自身给出位置</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>不使用</translation>
     </message>
 </context>
 </TS>

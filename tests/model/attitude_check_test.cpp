@@ -72,6 +72,22 @@ TEST(attitude_check, a_quaternion_of_another_convention_is_named_with_the_right_
   }
 }
 
+TEST(attitude_check, a_heading_from_north_that_is_taken_for_a_yaw_looks_like_a_compass) {
+  Session session = drive();
+  for (InsSample& sample : session.ins) {
+    const YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());
+    const double heading_rad = 0.5 * kPi - angles.yaw_rad;  // clockwise from north
+    sample.enu_from_ins =
+        Eigen::Quaterniond(rotation_from_yaw_pitch_roll({heading_rad, angles.pitch_rad, angles.roll_rad}));
+  }
+  const std::vector<Finding> findings = attitude_findings(session);
+  ASSERT_EQ(findings.size(), 1U) << codes(session);
+  EXPECT_EQ(findings[0].code, "attitude-convention");
+  EXPECT_EQ(findings[0].severity, Severity::Problem);
+  EXPECT_NE(findings[0].explanation.find("this looks like a compass heading"), std::string::npos)
+      << findings[0].explanation;
+}
+
 /// Poses of a vehicle on a circle of `radius_m` at 5 m/s, 10 Hz, half to either side; seen `ahead_m` of its rear axle.
 Session eight(double radius_m, double ahead_m, double noise_m) {
   Session session;

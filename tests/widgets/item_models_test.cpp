@@ -121,6 +121,23 @@ TEST(session_list_model, a_finding_tells_its_code_what_it_means_and_what_to_do) 
     EXPECT_TRUE(told.contains(part)) << part.toStdString() << "\n" << told.toStdString();
 }
 
+TEST(session_list_model, every_code_is_explained) {
+  for (const DataCheck& check : data_checks())
+    for (const FindingKind& kind : check.kinds) {
+      std::string code(kind.code);
+      if (const std::size_t star = code.find('*'); star != std::string::npos) code.replace(star, 1, "of-a-stream");
+      Session session = testing::sample_session("drive1");
+      session.findings = {{Severity::Warning, code, "a place", "Something was found there."}};
+      SessionListModel model;
+      model.show_sessions({std::make_shared<const Session>(session)});
+      const QString told = model.index(0, 0, model.index(0, 0)).data(Qt::ToolTipRole).toString();
+      for (const std::string_view part : {std::string_view(code), kind.meaning, kind.remedy})
+        EXPECT_TRUE(told.contains(QString::fromUtf8(part.data(), static_cast<qsizetype>(part.size()))))
+            << code << ": " << part << "\n"
+            << told.toStdString();
+    }
+}
+
 TEST(candidate_table_model, the_row_that_became_the_result_is_marked_and_no_other) {
   auto output = std::make_shared<PipelineOutput>(*output_of(20));
   std::swap(output->result.candidates[0], output->result.candidates[3]);

@@ -60,6 +60,10 @@ int SessionListModel::session_of(const QModelIndex& index) const {
   return index.internalId() == kTop ? index.row() : static_cast<int>(index.internalId()) - 1;
 }
 
+bool SessionListModel::has_topics(int session) const {
+  return !sessions_.at(static_cast<std::size_t>(session))->topics.empty();
+}
+
 QModelIndex SessionListModel::index(int row, int column, const QModelIndex& parent) const {
   if (!hasIndex(row, column, parent)) return {};
   return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row() + 1) : kTop);

@@ -20,6 +20,7 @@ class SessionListModel : public QAbstractItemModel {
   void set_palette(const QPalette& palette);
   /// The session of an index, itself or its parent; -1 for none.
   int session_of(const QModelIndex& index) const;
+  bool has_topics(int session) const;  ///< that can be chosen
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& child) const override;

@@ -10,7 +10,11 @@
 namespace remount {
 
 SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
-    : QWidget(parent), model_(model), tree_(new QTreeView(this)), remove_(new QPushButton(tr("Remove"), this)) {
+    : QWidget(parent),
+      model_(model),
+      tree_(new QTreeView(this)),
+      remove_(new QPushButton(tr("Remove"), this)),
+      topics_(new QPushButton(tr("Topics…"), this)) {
   tree_->setModel(&model_);
   tree_->setAccessibleName(tr("Open sessions and findings"));
   tree_->setHeaderHidden(true);
@@ -23,11 +27,13 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
     const int session = model_.session_of(tree_->currentIndex());
     if (session >= 0) emit remove_requested(session);
   });
+  topics_->setToolTip(tr("Which topics of a bag the session is made of"));
+  connect(topics_, &QPushButton::clicked, this, [this] { emit topics_requested(session_with_topics()); });
   connect(&model_, &QAbstractItemModel::modelReset, this, &SessionsPanel::after_reset);
-  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          [this](const QModelIndex& current) { remove_->setEnabled(current.isValid()); });
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &SessionsPanel::update_buttons);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(open);
+  buttons->addWidget(topics_);
   buttons->addWidget(remove_);
   buttons->addStretch();
   auto* column = new QVBoxLayout(this);
@@ -38,8 +44,19 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
 }
 
 void SessionsPanel::after_reset() {
-  remove_->setEnabled(false);
   tree_->expandAll();  // what was found is not to be hidden
+  update_buttons();
+}
+
+void SessionsPanel::update_buttons() {
+  remove_->setEnabled(tree_->currentIndex().isValid());
+  topics_->setEnabled(session_with_topics() >= 0);
+}
+
+int SessionsPanel::session_with_topics() const {
+  const int current = model_.session_of(tree_->currentIndex());
+  const int session = current < 0 && model_.rowCount() == 1 ? 0 : current;  // of one it is clear which is meant
+  return session >= 0 && model_.has_topics(session) ? session : -1;
 }
 
 }  // namespace remount

@@ -19,12 +19,15 @@ class SessionsPanel : public QWidget {
  signals:
   void open_requested();
   void remove_requested(int session);
+  void topics_requested(int session);  ///< of a bag
 
  private:
   void after_reset();
+  void update_buttons();
+  int session_with_topics() const;  ///< the current one; -1 where its format has none
   SessionListModel& model_;
   QTreeView* tree_;
-  QPushButton* remove_;
+  QPushButton *remove_, *topics_;
 };
 
 }  // namespace remount

@@ -98,12 +98,38 @@ void add_nominal(const BagFile& bag, const BagStreams& streams, const std::strin
   if (streams.static_transforms.empty() || ins.empty() || lidar.empty() || ins == lidar) return;
   const auto ins_from_lidar = find_transform(streams.static_transforms, ins, lidar);
   const std::string frames = "from " + lidar + " to " + ins;
-  if (ins_from_lidar) session.nominal_ins_from_lidar = *ins_from_lidar;
+  if (ins_from_lidar) {
+    session.nominal_ins_from_lidar = *ins_from_lidar;
+    for (SessionTopic& topic : session.topics)
+      if (topic.can_be == std::vector<std::string>{std::string(kNominalRole)}) topic.used_as = topic.can_be;
+  }
   session.findings.push_back(
       ins_from_lidar ? make_finding(Severity::Note, "nominal-found", bag.files().front().string(),
                                     "The static transforms lead " + frames + "; that serves as the nominal.")
                      : make_finding(Severity::Note, "nominal-not-found", bag.files().front().string(),
                                     "The static transforms do not lead " + frames + "."));
+}
+
+/// A session of the chosen topics; of the bag itself no more than its index has been read.
+Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& path, const TopicChoice& choice,
+                   Progress& progress) {
+  Session session;
+  session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  session.path = path;
+  session.format = BagReader().id();
+  session.files = bag->files();
+  session.findings = bag->findings();
+  session.topic_choice = choice;
+  if (progress.cancelled()) return session;
+  const auto [roles, topics] = choose_topics(*bag, choice, session.findings);
+  for (const OfferedTopic& offered : topics) session.topics.push_back(offered.topic);
+  BagStreams streams = read_streams(*bag, roles, session.findings, progress);
+  if (progress.cancelled()) return session;
+  const std::string frame = ins_frame(*bag, roles, streams);
+  add_ins(*bag, roles, streams, session);
+  add_nominal(*bag, streams, frame, session);
+  add_lidar(bag, roles, streams, session);
+  return session;
 }
 
 }  // namespace
@@ -113,24 +139,15 @@ int BagReader::probe(const fs::path& path) const { return probe_bag(path); }
 Session BagReader::open(const fs::path& path, Progress& progress) const { return open_topics(path, {}, progress); }
 
 Session BagReader::open_topics(const fs::path& path, const TopicChoice& topics, Progress& progress) const {
+  return session_of(open_bag(path, progress), path, topics, progress);
+}
+
+TopicOffer BagReader::offer_topics(const fs::path& path, Progress& progress) const {
   const std::shared_ptr<const BagFile> bag = open_bag(path, progress);
-  Session session;
-  session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
-  session.path = path;
-  session.format = id();
-  session.files = bag->files();
-  session.findings = bag->findings();
-  session.topic_choice = topics;
-  if (progress.cancelled()) return session;
-  const TopicRoles roles = choose_topics(*bag, topics, session.findings);
-  session.topics = list_topics(*bag, roles);
-  BagStreams streams = read_streams(*bag, roles, session.findings, progress);
-  if (progress.cancelled()) return session;
-  const std::string frame = ins_frame(*bag, roles, streams);
-  add_ins(*bag, roles, streams, session);
-  add_nominal(*bag, streams, frame, session);
-  add_lidar(bag, roles, streams, session);
-  return session;
+  std::vector<Finding> none;
+  return TopicOffer{
+      path, choose_topics(*bag, {}, none).topics,
+      [bag, path](const TopicChoice& topics, Progress& reading) { return session_of(bag, path, topics, reading); }};
 }
 
 }  // namespace remount

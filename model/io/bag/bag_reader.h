@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/io/session_reader.h"
+#include "model/topic_offer.h"
 
 namespace remount {
 
@@ -25,6 +26,7 @@ class BagReader final : public SessionReader {
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
   Session open_topics(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) const override;
+  TopicOffer offer_topics(const std::filesystem::path& path, Progress& progress) const;
 };
 
 }  // namespace remount

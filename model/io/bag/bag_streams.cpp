@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "algorithms/core/median.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -139,8 +140,7 @@ class StreamReader {
   }
   void add_static_transforms() {
     for (std::size_t i = 0; i < bag_.topics().size(); ++i)
-      if (message_kind(bag_.topics()[i].type) == MessageKind::Transforms &&
-          bag_.topics()[i].name.ends_with("tf_static"))
+      if (is_static_transforms(bag_.topics()[i]))
         add(i, kAll, [&all = streams_.static_transforms](const BagEntry&, std::size_t, MessageReader& reader) {
           for (PoseMessage& transform : read_transforms(reader)) all.push_back(std::move(transform));
         });
@@ -182,9 +182,7 @@ double StreamClock::behind_s() const {
   std::vector<double> apart_s;
   for (const ClockReading& reading : readings)
     apart_s.push_back(static_cast<double>(reading.log_time_ns - reading.stamp_ns) * 1e-9);
-  const auto middle = apart_s.begin() + static_cast<std::ptrdiff_t>(apart_s.size() / 2);
-  std::nth_element(apart_s.begin(), middle, apart_s.end());
-  return *middle;
+  return median_of(std::move(apart_s));
 }
 
 BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector<Finding>& findings,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "algorithms/core/median.h"
 #include "model/io/bag/cloud_message.h"
 #include "model/io/pose_session_reader.h"
 #include "model/io/stream_tools.h"
@@ -13,12 +14,18 @@ namespace {
 struct Candidate {
   std::size_t topic = 0;
   MessageKind kind = MessageKind::Other;
-  std::vector<std::string> can_be;
-  bool oriented = false;     ///< IMU: its orientation is measured
-  bool inertial = false;     ///< IMU: its rates are measured
+  bool damaged = false;      ///< its first message cannot be read, perhaps others can
+  bool oriented = true;      ///< IMU: its orientation is measured
+  bool inertial = true;      ///< IMU: its rates are measured
   bool timed = false;        ///< cloud: its points have times or rings
   std::uint64_t points = 0;  ///< cloud
   std::size_t messages = 0;
+};
+
+/// How well a topic serves as something: higher is better; 0: not without being asked.
+struct Fitness {
+  double points = 0.0;
+  std::string why;
 };
 
 /// Looks at the first message.
@@ -41,23 +48,19 @@ void examine(const BagFile& bag, Candidate& candidate) {
   }
 }
 
-std::vector<std::string> roles_of(const Candidate& candidate) {
+bool can_be(const Candidate& candidate, std::string_view role) {
   switch (candidate.kind) {
     case MessageKind::PointCloud2:
     case MessageKind::LivoxCustom:
-      return {"lidar"};
-    case MessageKind::Imu: {
-      std::vector<std::string> roles;
-      if (candidate.oriented) roles.emplace_back("ins");
-      if (candidate.inertial) roles.emplace_back("imu");
-      return roles;
-    }
+      return role == "lidar";
+    case MessageKind::Imu:
+      return (role == "ins" && candidate.oriented) || (role == "imu" && candidate.inertial);
     case MessageKind::NavSatFix:
-      return {"ins-position", "gnss"};
+      return role == "ins-position" || role == "gnss";
     case MessageKind::Inspvax:
-      return {"ins"};
+      return role == "ins";
     default:
-      return is_pose(candidate.kind) ? std::vector<std::string>{"ins", "lidar"} : std::vector<std::string>{};
+      return is_pose(candidate.kind) && (role == "ins" || role == "lidar");
   }
 }
 
@@ -73,74 +76,76 @@ std::vector<Candidate> candidates_of(const BagFile& bag) {
     try {
       examine(bag, candidate);
     } catch (const Error&) {
-      // Its first message is damaged, perhaps no other: it can still be what its type says.
-      candidate.oriented = candidate.inertial = true;
+      candidate.damaged = true;  // it can still be what its type says
     }
-    candidate.can_be = roles_of(candidate);
-    if (!candidate.can_be.empty()) candidates.push_back(std::move(candidate));
+    candidates.push_back(candidate);
   }
   return candidates;
 }
 
-bool can_be(const Candidate& candidate, std::string_view role) {
-  return std::find(candidate.can_be.begin(), candidate.can_be.end(), role) != candidate.can_be.end();
+/// Why a topic that no role can have has none.
+std::string unusable_reason(const BagTopic& topic) {
+  if (topic.entries.empty()) return "it has no messages";
+  if (topic.encoding == MessageEncoding::Other) return "its messages are serialised in a way that is not read";
+  const MessageKind kind = message_kind(topic.type);
+  if (kind == MessageKind::Transforms) return "transforms that change with time are not read";
+  if (kind == MessageKind::Imu) return "neither its orientation nor its rates are measured";
+  return "messages of this type are not read";
 }
 
-/// Higher is better; 0: not without being asked.
-double lidar_score(const Candidate& candidate, std::size_t most_messages) {
-  if (!is_cloud(candidate.kind)) return 0.0;
+Fitness fit_lidar(const Candidate& candidate, std::size_t most_messages) {
+  if (!is_cloud(candidate.kind)) return {0.0, "poses: they stand for the LiDAR where they are asked for"};
+  const std::string size = std::to_string(candidate.points) + " points";
   // A map that is published now and then is a cloud, too.
   const bool steady = candidate.messages * 3 >= most_messages;
-  return 1.0 + (steady ? 1e12 : 0.0) + (candidate.timed ? 1e11 : 0.0) + static_cast<double>(candidate.points);
+  const double points =
+      1.0 + (steady ? 1e12 : 0.0) + (candidate.timed ? 1e11 : 0.0) + static_cast<double>(candidate.points);
+  if (candidate.damaged) return {points, "scans; the first cannot be read"};
+  if (!steady) return {points, "rare, as maps are: " + size};
+  return {points, "scans of " + size + (candidate.timed ? " that have times" : " without times")};
 }
 
-double pose_score(const std::string& topic, MessageKind kind) {
+Fitness fit_pose(std::string topic, MessageKind kind) {
   const std::initializer_list<std::string_view> ins_words{"ins",  "gnss",       "gps",      "novatel", "span",
                                                           "oxts", "septentrio", "applanix", "pos",     "nav"};
   const std::initializer_list<std::string_view> other_words{"lidar",  "laser", "loam",   "lio", "visual",
                                                             "camera", "wheel", "wheels", "icp", "mapped"};
-  if (name_has_word(topic, other_words)) return 0.0;
-  double score = kind == MessageKind::Odometry ? 30.0 : kind == MessageKind::TransformStamped ? 10.0 : 20.0;
-  if (name_has_word(topic, ins_words)) score += 100.0;
-  return score;
-}
-
-double ins_score(const BagFile& bag, const Candidate& candidate, bool positions) {
-  if (!can_be(candidate, "ins")) return 0.0;
-  if (candidate.kind == MessageKind::Inspvax) return 1000.0;
-  if (candidate.kind == MessageKind::Imu) return positions ? 50.0 : 0.0;
-  std::string words = bag.topics()[candidate.topic].name;
-  std::replace(words.begin(), words.end(), '/', '_');
-  return pose_score(words, candidate.kind);
+  std::replace(topic.begin(), topic.end(), '/', '_');
+  if (name_has_word(topic, other_words)) return {0.0, "its name speaks of another sensor than an INS"};
+  const double score = kind == MessageKind::Odometry ? 30.0 : kind == MessageKind::TransformStamped ? 10.0 : 20.0;
+  if (name_has_word(topic, ins_words)) return {score + 100.0, "poses; the name speaks of an INS"};
+  return {score, "poses; the name does not say of what"};
 }
 
 class Chooser {
  public:
   Chooser(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings)
-      : bag_(bag), choice_(choice), findings_(findings), candidates_(candidates_of(bag)) {}
+      : bag_(bag), choice_(choice), findings_(findings), candidates_(candidates_of(bag)), uses_(bag.topics().size()) {}
 
-  TopicRoles choose() {
+  ChosenTopics choose() {
     TopicRoles roles;
     std::size_t most_clouds = 0;
-    bool positions = false;
     for (const Candidate& candidate : candidates_) {
       if (is_cloud(candidate.kind)) most_clouds = std::max(most_clouds, candidate.messages);
-      positions = positions || candidate.kind == MessageKind::NavSatFix;
+      fixes_ = fixes_ || (candidate.kind == MessageKind::NavSatFix && !left_out("ins-position"));
     }
-    roles.lidar = take("lidar", [&](const Candidate& c) { return lidar_score(c, most_clouds); });
-    const bool fixes_allowed = positions && !left_out("ins-position");
-    roles.ins = take(
-        "ins", [&](const Candidate& c) { return roles.lidar == c.topic ? 0.0 : ins_score(bag_, c, fixes_allowed); });
-    if (roles.ins && kind(*roles.ins) == MessageKind::Imu)
-      roles.ins_position = take("ins-position", [&](const Candidate& c) { return of_same_device(c, *roles.ins); });
-    else if (choice_.contains("ins-position") && !left_out("ins-position"))
+    roles.lidar = take("lidar", [&](const Candidate& c) { return fit_lidar(c, most_clouds); });
+    roles.ins = take("ins", [&](const Candidate& c) { return fit_ins(c, roles.lidar); });
+    if (roles.lidar && roles.lidar == roles.ins)
+      throw Error(ErrorCode::Contract, bag_.topics()[*roles.ins].name,
+                  "was chosen for lidar and for ins: a motion that is compared with itself tells nothing");
+    const bool completes = roles.ins && kind(*roles.ins) == MessageKind::Imu;
+    if (!completes && choice_.contains("ins-position") && !left_out("ins-position"))
       throw Error(ErrorCode::Contract, "ins-position",
                   "goes with an IMU whose orientation serves as ins; give --topic ins=TOPIC of that IMU");
+    const auto position = take(
+        "ins-position", [&](const Candidate& c) { return fit_position(c, roles.ins); }, completes);
+    if (completes) roles.ins_position = position;
     roles.gnss = take(
-        "gnss", [&](const Candidate& c) { return roles.ins_position == c.topic ? 1.0 : 2.0; }, false);
+        "gnss", [&](const Candidate& c) { return fit_gnss(c, roles.ins_position); }, false);
     roles.imu = take(
-        "imu", [&](const Candidate& c) { return 1.0 + static_cast<double>(c.messages); }, false);
-    return roles;
+        "imu", [&](const Candidate& c) { return fit_imu(c); }, false);
+    return {roles, list(roles)};
   }
 
  private:
@@ -150,15 +155,37 @@ class Chooser {
     return chosen != choice_.end() && chosen->second == kNoTopic;
   }
 
-  /// Devices publish under one name: "/ins/imu" and "/ins/fix". As long a common beginning as can be.
-  double of_same_device(const Candidate& candidate, std::size_t other) const {
-    const std::string &a = bag_.topics()[candidate.topic].name, &b = bag_.topics()[other].name;
-    const auto differs = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-    return 1.0 + static_cast<double>(differs.first - a.begin()) +
-           1e-9 * static_cast<double>(std::min<std::size_t>(candidate.messages, 100'000'000));
+  Fitness fit_ins(const Candidate& candidate, const std::optional<std::size_t>& lidar) const {
+    if (lidar == candidate.topic) return {0.0, "it stands for the LiDAR"};
+    if (candidate.kind == MessageKind::Inspvax) return {1000.0, "position and attitude of the INS itself"};
+    if (candidate.kind != MessageKind::Imu) return fit_pose(bag_.topics()[candidate.topic].name, candidate.kind);
+    return fixes_ ? Fitness{50.0, "an orientation, to which fixes give the position"}
+                  : Fitness{0.0, "an orientation, but no fixes are there to give the position"};
   }
 
-  const Candidate& chosen(std::string_view role, const std::string& name) const {
+  /// Devices publish under one name: "/ins/imu" and "/ins/fix". As long a common beginning as can be.
+  Fitness fit_position(const Candidate& candidate, const std::optional<std::size_t>& ins) const {
+    const std::string& own = bag_.topics()[candidate.topic].name;
+    const std::string other = ins ? bag_.topics()[*ins].name : std::string();
+    const auto alike = std::mismatch(own.begin(), own.end(), other.begin(), other.end()).first - own.begin();
+    const std::string device = own.substr(0, own.rfind('/') + 1);
+    const bool same = device.size() > 1 && static_cast<std::ptrdiff_t>(device.size()) <= alike;
+    return {1.0 + static_cast<double>(alike) + 1e-9 * few_messages(candidate),
+            same ? "fixes; by its name of the device of the orientation" : "fixes of a receiver"};
+  }
+
+  static Fitness fit_gnss(const Candidate& candidate, const std::optional<std::size_t>& ins_position) {
+    return ins_position == candidate.topic ? Fitness{1.0, "fixes that place the INS already"}
+                                           : Fitness{2.0, "fixes of a receiver"};
+  }
+  static Fitness fit_imu(const Candidate& candidate) {
+    return {1.0 + few_messages(candidate), "turn rates and accelerations"};
+  }
+  static double few_messages(const Candidate& candidate) {
+    return static_cast<double>(std::min<std::size_t>(candidate.messages, 100'000'000));
+  }
+
+  std::size_t chosen(std::string_view role, const std::string& name) const {
     bool there = false;
     for (const BagTopic& topic : bag_.topics()) there = there || topic.name == name;
     if (!there) {
@@ -167,28 +194,30 @@ class Chooser {
       throw Error(ErrorCode::Contract, name, "is no topic of this bag. It has:" + names);
     }
     for (const Candidate& candidate : candidates_)
-      if (bag_.topics()[candidate.topic].name == name && can_be(candidate, role)) return candidate;
+      if (bag_.topics()[candidate.topic].name == name && can_be(candidate, role)) return candidate.topic;
     throw Error(ErrorCode::Contract, name, "cannot serve as " + std::string(role) + ": see what inspect says of it");
   }
 
-  /// The topic that was chosen for a role, or the one that scores best.
-  template <class Score>
-  std::optional<std::size_t> take(std::string_view role, Score&& score, bool tell = true) {
-    if (left_out(role)) return std::nullopt;
-    if (const auto asked = choice_.find(role); asked != choice_.end()) return chosen(role, asked->second).topic;
-    const Candidate* best = nullptr;
-    double best_score = 0.0;
+  /// The topic that was chosen for a role, or the one that fits best; notes how all of them fit.
+  template <class Fit>
+  std::optional<std::size_t> take(std::string_view role, Fit&& fit, bool tell = true) {
+    std::optional<std::size_t> best;
+    double best_points = 0.0;
     std::vector<std::string> in_question;
     for (const Candidate& candidate : candidates_) {
       if (!can_be(candidate, role)) continue;
-      const double points = score(candidate);
-      if (points <= 0.0) continue;
+      Fitness fitness = fit(candidate);
+      const bool unasked = fitness.points > 0.0;
+      uses_[candidate.topic].push_back(
+          {std::string(role), std::move(fitness.why), unasked, role == "ins" && candidate.kind == MessageKind::Imu});
+      if (!unasked) continue;
       in_question.push_back(bag_.topics()[candidate.topic].name);
-      if (points > best_score) best = &candidate, best_score = points;
+      if (fitness.points > best_points) best = candidate.topic, best_points = fitness.points;
     }
-    if (!best) return std::nullopt;
-    if (tell && in_question.size() > 1) report(role, bag_.topics()[best->topic].name, in_question);
-    return best->topic;
+    if (left_out(role)) return std::nullopt;
+    if (const auto asked = choice_.find(role); asked != choice_.end()) return chosen(role, asked->second);
+    if (best && tell && in_question.size() > 1) report(role, bag_.topics()[*best].name, in_question);
+    return best;
   }
 
   void report(std::string_view role, const std::string& taken, const std::vector<std::string>& in_question) {
@@ -200,40 +229,48 @@ class Chooser {
                                          others + ". --topic " + std::string(role) + "=TOPIC takes another."));
   }
 
+  std::vector<OfferedTopic> list(const TopicRoles& roles) {
+    std::vector<OfferedTopic> topics;
+    for (std::size_t i = 0; i < bag_.topics().size(); ++i) {
+      const BagTopic& topic = bag_.topics()[i];
+      OfferedTopic offered{
+          {topic.name, topic.type, topic.entries.size(), rate_hz(topic), {}, {}}, std::move(uses_[i]), {}};
+      if (is_static_transforms(topic) && !topic.entries.empty())
+        offered.uses.push_back({std::string(kNominalRole), "where the transforms lead from the LiDAR to the INS"});
+      if (offered.uses.empty()) offered.unusable = unusable_reason(topic);
+      for (const TopicUse& use : offered.uses) offered.topic.can_be.push_back(use.role);
+      for (std::size_t role = 0; role < kTopicRoles.size(); ++role)
+        if (roles.all()[role] == i) offered.topic.used_as.emplace_back(kTopicRoles[role]);
+      topics.push_back(std::move(offered));
+    }
+    return topics;
+  }
+
+  static double rate_hz(const BagTopic& topic) {
+    std::vector<std::int64_t> steps;
+    for (std::size_t k = 1; k < topic.entries.size(); ++k)
+      steps.push_back(topic.entries[k].log_time_ns - topic.entries[k - 1].log_time_ns);
+    const std::int64_t step = steps.empty() ? 0 : median_of(std::move(steps));
+    return step > 0 ? 1e9 / static_cast<double>(step) : 0.0;
+  }
+
   const BagFile& bag_;
   const TopicChoice& choice_;
   std::vector<Finding>& findings_;
   std::vector<Candidate> candidates_;
+  std::vector<std::vector<TopicUse>> uses_;  ///< of each topic of the bag
+  bool fixes_ = false;                       ///< there are some that may give positions
 };
 
 }  // namespace
 
-TopicRoles choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings) {
+ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings) {
   return Chooser(bag, choice, findings).choose();
 }
 
-std::vector<SessionTopic> list_topics(const BagFile& bag, const TopicRoles& roles) {
-  const std::vector<Candidate> candidates = candidates_of(bag);
-  std::vector<SessionTopic> topics;
-  for (std::size_t i = 0; i < bag.topics().size(); ++i) {
-    const BagTopic& topic = bag.topics()[i];
-    SessionTopic listed{topic.name, topic.type, topic.entries.size(), 0.0, {}, {}};
-    std::vector<std::int64_t> steps;
-    for (std::size_t k = 1; k < topic.entries.size(); ++k)
-      steps.push_back(topic.entries[k].log_time_ns - topic.entries[k - 1].log_time_ns);
-    if (!steps.empty()) {
-      const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-      std::nth_element(steps.begin(), middle, steps.end());
-      if (*middle > 0) listed.rate_hz = 1e9 / static_cast<double>(*middle);
-    }
-    for (const Candidate& candidate : candidates)
-      if (candidate.topic == i) listed.can_be = candidate.can_be;
-    const auto all = roles.all();
-    for (std::size_t role = 0; role < kTopicRoles.size(); ++role)
-      if (*all[role] == i) listed.used_as.emplace_back(kTopicRoles[role]);
-    topics.push_back(std::move(listed));
-  }
-  return topics;
+bool is_static_transforms(const BagTopic& topic) {
+  return message_kind(topic.type) == MessageKind::Transforms && topic.name.ends_with("tf_static") &&
+         topic.encoding != MessageEncoding::Other;
 }
 
 }  // namespace remount

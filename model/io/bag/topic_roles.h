@@ -6,22 +6,28 @@
 #include <vector>
 
 #include "model/io/bag/bag_file.h"
-#include "model/topic_choice.h"
+#include "model/topic_offer.h"
 
 namespace remount {
 
 /// The topic of each role, by its index in BagFile::topics(); nothing where the bag has none for it.
 struct TopicRoles {
   std::optional<std::size_t> lidar, ins, ins_position, gnss, imu;
-  std::array<const std::optional<std::size_t>*, 5> all() const { return {&lidar, &ins, &ins_position, &gnss, &imu}; }
+  std::array<std::optional<std::size_t>, 5> all() const { return {lidar, ins, ins_position, gnss, imu}; }
+};
+
+/// Which topic has which role, and what each topic of the bag can be and is used as.
+struct ChosenTopics {
+  TopicRoles roles;
+  std::vector<OfferedTopic> topics;
 };
 
 /// Takes what `choice` says and suggests the rest; what of several was taken without being asked is a finding. Reads
 /// one message of each topic that comes into question. Throws Error(Contract) for a topic that the bag does not have,
-/// or that cannot serve as what it was chosen for.
-TopicRoles choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings);
+/// that cannot serve as what it was chosen for, or that was chosen for LiDAR and INS at once.
+ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings);
 
-/// All topics, with what each can be and is used as.
-std::vector<SessionTopic> list_topics(const BagFile& bag, const TopicRoles& roles);
+/// Whether all transforms of a topic are read for the nominal mounting.
+bool is_static_transforms(const BagTopic& topic);
 
 }  // namespace remount

@@ -104,6 +104,43 @@ TEST_F(cli_batch, a_job_is_done_once_until_what_it_stands_on_changes) {
   said("nominal mounting");
 }
 
+TEST_F(cli_batch, the_table_names_what_has_changed_since_a_result_was_made) {
+  std::filesystem::copy(path("drive"), path("kept"), std::filesystem::copy_options::recursive);
+  const std::string vehicle = "  - {name: v, sessions: [[kept, drive]]}\n";
+  fleet_of("aged.yaml", vehicle);
+  ASSERT_EQ(run("batch " + path("aged.yaml") + " --job 1").code, 2) << "one recording, twice";
+  fleet_of("aged.yaml", "  - {name: v, sessions: [kept]}\n");
+  const std::string table = "batch " + path("aged.yaml") + " --table";
+  ASSERT_EQ(run("batch " + path("aged.yaml") + " --job 1").code, 0);
+  EXPECT_EQ(run(table + " -q").code, 0);
+  const auto says = [&](const std::string& words) {
+    const Outcome outcome = run(table);
+    EXPECT_EQ(outcome.code, 3) << outcome.out << outcome.err;
+    expect_contains(outcome.out, "v, kept: out of date, ");
+    expect_contains(outcome.out, words);
+  };
+  // A new time of the same bytes is no change.
+  std::filesystem::last_write_time(path("kept/ins.csv"), std::filesystem::file_time_type::clock::now());
+  EXPECT_EQ(run(table + " -q").code, 0);
+  const std::string samples = text_of(path("kept/ins.csv"));
+  std::ofstream(path("kept/ins.csv"), std::ios::app) << samples.substr(samples.rfind('\n', samples.size() - 2) + 1);
+  says("/ins.csv has changed");
+  expect_contains(text_of(path("aged.results/fleet.html")), "ins.csv has changed");
+  std::ofstream(path("kept/ins.csv")) << samples;
+  EXPECT_EQ(run(table + " -q").code, 0) << "as it was";
+  const auto scan = std::filesystem::directory_iterator(path("kept/scans"))->path();
+  std::filesystem::rename(scan, path("elsewhere"));
+  says("/scans/" + scan.filename().string() + " has changed");
+  std::filesystem::rename(path("elsewhere"), scan);
+  fleet_of("aged.yaml", "  - {name: v, nominal: [1.2, -0.3, 0.8, 4, 0, 0], sessions: [kept]}\n");
+  says("nominal mounting");
+  fleet_of("aged.yaml", "  - {name: v, settings: {pairing: {max_gap_s: 1.9}}, sessions: [kept]}\n");
+  says("pairing.max_gap_s");
+  fleet_of("aged.yaml", "  - {name: v, sessions: [kept]}\n");
+  std::filesystem::rename(path("kept"), path("gone"));
+  says("kept: does not exist");
+}
+
 TEST_F(cli_batch, a_job_that_failed_is_tried_again_and_its_failure_forgotten) {
   const Fleet fleet = fleet_of("later.yaml", "  - {name: v, sessions: [later]}\n");
   EXPECT_EQ(run("batch " + path("later.yaml") + " --job 1").code, 2);

@@ -52,18 +52,19 @@ TEST_F(fleet_rows_of, a_change_is_drift_where_it_exceeds_both_the_combined_sigma
   make(2, result(1.215, 179.9, 0.001));
   const std::vector<FleetRow> rows = fleet_rows(fleet_);
   ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[0].compared_with, "before.yaml");
-  EXPECT_NEAR(rows[0].change.difference[0], 0.015, 1e-12);
-  EXPECT_NEAR(rows[0].change.sigma[0], 0.001 * std::sqrt(2.0), 1e-12);
-  EXPECT_EQ(rows[0].drift, "") << "less than the threshold";
-  EXPECT_EQ(rows[1].compared_with, "mon");
-  EXPECT_EQ(rows[1].drift, "") << "less than the sigmas allow";
-  EXPECT_NE(rows[2].drift.find("yaw has changed by +169.8"), std::string::npos) << rows[2].drift;
-  EXPECT_NE(rows[2].drift.find("since tue"), std::string::npos) << rows[2].drift;
-  EXPECT_EQ(rows[2].drift.find("x has"), std::string::npos) << "0.1 m at a combined sigma of 0.05 m: " << rows[2].drift;
+  EXPECT_EQ(rows[0].last.since, "before.yaml");
+  EXPECT_NEAR(rows[0].last.change.difference[0], 0.015, 1e-12);
+  EXPECT_NEAR(rows[0].last.change.sigma[0], 0.001 * std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(rows[0].last.drift, "") << "less than the threshold";
+  EXPECT_EQ(rows[1].last.since, "mon");
+  EXPECT_EQ(rows[1].last.drift, "") << "less than the sigmas allow";
+  EXPECT_NE(rows[2].last.drift.find("yaw has changed by +169.8"), std::string::npos) << rows[2].last.drift;
+  EXPECT_NE(rows[2].last.drift.find("since tue"), std::string::npos) << rows[2].last.drift;
+  EXPECT_EQ(rows[2].last.drift.find("x has"), std::string::npos)
+      << "0.1 m at a combined sigma of 0.05 m: " << rows[2].last.drift;
   EXPECT_EQ(rows[3].state, JobState::Waiting);
-  EXPECT_EQ(rows[3].compared_with, "") << "the vehicles are not compared with each other";
-  std::printf("drift: %s\n", rows[2].drift.c_str());
+  EXPECT_EQ(rows[3].last.since, "") << "the vehicles are not compared with each other";
+  std::printf("drift: %s\n", rows[2].last.drift.c_str());
 }
 
 TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
@@ -79,14 +80,14 @@ TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
   make(2, flat);
   std::ofstream(folder_.path() / "before.yaml") << "format: something else\n";
   const std::vector<FleetRow> rows = fleet_rows(fleet_);
-  EXPECT_NE(rows[0].comparison.find("before.yaml:1"), std::string::npos) << rows[0].comparison;
+  EXPECT_NE(rows[0].last.words.find("before.yaml:1"), std::string::npos) << rows[0].last.words;
   EXPECT_EQ(rows[1].state, JobState::Done);
   EXPECT_EQ(rows[1].message, "It went in circles.");
-  EXPECT_EQ(rows[1].drift, "");
-  EXPECT_EQ(rows[2].compared_with, "mon") << "the one in between has nothing to use";
-  EXPECT_NEAR(rows[2].change.difference[0], 0.001, 1e-12);
-  EXPECT_TRUE(std::isnan(rows[2].change.difference[3]));
-  EXPECT_EQ(rows[2].drift, "") << "yaw is not observed";
+  EXPECT_EQ(rows[1].last.drift, "");
+  EXPECT_EQ(rows[2].last.since, "mon") << "the one in between has nothing to use";
+  EXPECT_NEAR(rows[2].last.change.difference[0], 0.001, 1e-12);
+  EXPECT_TRUE(std::isnan(rows[2].last.change.difference[3]));
+  EXPECT_EQ(rows[2].last.drift, "") << "yaw is not observed";
 }
 
 TEST_F(fleet_rows_of, failures_damaged_results_and_other_settings_are_told_apart) {
@@ -110,6 +111,66 @@ TEST_F(fleet_rows_of, failures_damaged_results_and_other_settings_are_told_apart
   EXPECT_EQ(rows[3].state, JobState::OutOfDate);
   EXPECT_NE(rows[3].message.find("0.0.1"), std::string::npos) << rows[3].message;
   EXPECT_EQ(fleet_counts(rows), "4 jobs: 0 solved, 2 failed, 2 out of date; no drift");
+}
+
+// Every step is below the limit for one, and all together are not.
+TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
+  save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
+  make(0, result(1.008, 10.0, 0.001));
+  make(1, result(1.016, 10.0, 0.001));
+  make(2, result(1.024, 10.0, 0.001));
+  std::vector<FleetRow> rows = fleet_rows(fleet_);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(rows[i].last.drift, "") << "a step of 8 mm";
+    EXPECT_EQ(rows[i].reference.since, "before.yaml") << "no reference is named: the oldest";
+    EXPECT_NEAR(rows[i].reference.change.difference[0], 0.008 * static_cast<double>(i + 1), 1e-12);
+    EXPECT_NEAR(rows[i].reference.change.sigma[0], 0.001 * std::sqrt(2.0), 1e-12) << "of both";
+  }
+  EXPECT_EQ(rows[1].drift(), "");
+  EXPECT_NE(rows[2].drift().find("x has changed by +0.0240 m"), std::string::npos) << rows[2].drift();
+  EXPECT_NE(rows[2].drift().find("since before.yaml, the reference"), std::string::npos) << rows[2].drift();
+  EXPECT_EQ(fleet_counts(rows), "4 jobs: 3 solved, 1 waiting; drift in 1");
+  EXPECT_NE(fleet_text(fleet_, rows).find("By the reference: "), std::string::npos);
+  EXPECT_NE(fleet_html(fleet_, rows, "now").find("ref. +0.0240 ± 0.0014 (17.0 σ)"), std::string::npos);
+
+  // Without one from before, the first of its jobs is the oldest, and is not compared with itself.
+  fleet_.vehicles[0].last.clear();
+  rows = fleet_rows(fleet_);
+  EXPECT_EQ(rows[0].reference.since, "");
+  EXPECT_FALSE(rows[1].has_reference_of_its_own()) << "the last one is the reference";
+  EXPECT_EQ(rows[2].reference.since, "mon");
+  EXPECT_EQ(rows[2].drift(), "") << "16 mm";
+  std::printf("creep: %s\n", rows[2].reference.words.c_str());
+}
+
+TEST_F(fleet_rows_of, a_reference_that_is_named_stands_before_the_oldest) {
+  save_result(result(1.0, 10.0, 0.001), folder_.path() / "before.yaml");
+  save_result(result(1.1, 10.0, 0.001), folder_.path() / "refitted.yaml");
+  fleet_.vehicles[0].reference = folder_.path() / "refitted.yaml";
+  make(0, result(1.1, 10.0, 0.001));
+  make(1, result(1.19, 10.0, 0.001));
+  std::vector<FleetRow> rows = fleet_rows(fleet_);
+  EXPECT_NE(rows[0].last.drift, "") << "it was refitted";
+  EXPECT_EQ(rows[0].reference.drift, "") << "and is as it was then";
+  EXPECT_NE(rows[1].last.drift.find("since mon"), std::string::npos);
+  EXPECT_NE(rows[1].reference.drift.find("since refitted.yaml"), std::string::npos);
+  // One that cannot be read is said, and no other is taken in its place.
+  std::filesystem::remove(folder_.path() / "refitted.yaml");
+  rows = fleet_rows(fleet_);
+  EXPECT_NE(rows[1].reference.words.find("refitted.yaml"), std::string::npos) << rows[1].reference.words;
+  EXPECT_EQ(rows[1].reference.since, "");
+}
+
+TEST_F(fleet_rows_of, what_has_changed_beside_the_result_is_asked_and_named) {
+  make(0, result(1.0, 10.0, 0.001));
+  make(1, result(1.0, 10.0, 0.001));
+  const std::vector<FleetRow> rows = fleet_rows(fleet_, [&](const FleetJob& job, const ResultFile&) {
+    return job.name == "tue" ? std::string("tue/ins.csv has changed") : std::string();
+  });
+  EXPECT_EQ(rows[0].state, JobState::Done);
+  EXPECT_EQ(rows[1].state, JobState::OutOfDate);
+  EXPECT_EQ(rows[1].message, "tue/ins.csv has changed");
+  EXPECT_TRUE(rows[1].result) << "it is shown, as what it is";
 }
 
 TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
@@ -140,6 +201,10 @@ TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
   EXPECT_NEAR(std::stod(cell("yaw_sigma_deg")), radians_to_degrees(0.001), 1e-9);
   EXPECT_NEAR(std::stod(cell("change_x_m")), 0.1, 1e-12);
   EXPECT_EQ(cell("drift"), "yes");
+  EXPECT_EQ(cell("reference"), "before.yaml");
+  EXPECT_NEAR(std::stod(cell("since_reference_x_m")), 0.1, 1e-12);
+  EXPECT_NEAR(std::stod(cell("since_reference_yaw_sigma_deg")), radians_to_degrees(0.001 * std::sqrt(2.0)), 1e-9);
+  EXPECT_EQ(cell("reference_drift"), "yes");
   ASSERT_TRUE(lines.next(line));
   split_csv(line, cells);
   EXPECT_EQ(cell("z_m"), "") << "not observed";
@@ -149,7 +214,7 @@ TEST_F(fleet_rows_of, the_table_holds_what_the_rows_hold) {
   const std::string html = fleet_html(fleet_, rows, "2026-11-22 05:00:00 UTC");
   EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0U);
   for (const char* expected : {"<tr class=\"drift\">", "<tr class=\"failed\">", "1.1000 ± 0.0010", "not observed",
-                               "two lines &amp; &lt;tags&gt;", "4 jobs: 2 solved, 1 failed, 1 waiting; drift in 1"})
+                               "two lines &amp; &lt;tags&gt;", "4 jobs: 2 solved, 1 failed, 1 waiting; drift in 2"})
     EXPECT_NE(html.find(expected), std::string::npos) << expected << "\n" << html;
   EXPECT_EQ(html.find("<tags>"), std::string::npos);
   EXPECT_NE(fleet_text(fleet_, rows).find("DRIFT: x has changed by +0.1000 m"), std::string::npos);

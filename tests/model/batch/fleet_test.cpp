@@ -22,7 +22,8 @@ class fleet_file : public ::testing::Test {
       ADD_FAILURE() << "accepted:\n" << text;
     } catch (const Error& error) {
       EXPECT_EQ(error.code(), ErrorCode::Format) << error.what();
-      EXPECT_NE(std::string(error.what()).find("fleet.yaml" + where), std::string::npos) << error.what() << "\nof\n" << text;
+      EXPECT_NE(std::string(error.what()).find("fleet.yaml" + where), std::string::npos) << error.what() << "\nof\n"
+                                                                                         << text;
       EXPECT_NE(error.what_happened().find(expectation), std::string::npos) << error.what();
     }
   }
@@ -41,6 +42,7 @@ TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
                            "  - name: bus 12\n"
                            "    nominal: [1.2, 0, 1.6, -90, 0, 0]\n"
                            "    last: old/bus12.yaml\n"
+                           "    reference: new/bus12.yaml\n"
                            "    settings: {pairing: {min_distance_m: 0.5}}\n"
                            "    sessions: [mon/drive, [tue/a, tue/b], /abs/drive]\n"
                            "  - {name: bus 13, nominal: apollo-rfu:x/novatel.yaml, sessions: [mon/drive]}\n");
@@ -50,6 +52,8 @@ TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
   EXPECT_EQ(fleet.results, here / "made");
   EXPECT_EQ(fleet.vehicles[0].nominal, "1.2,0,1.6,-90,0,0");
   EXPECT_EQ(fleet.vehicles[0].last, here / "old/bus12.yaml");
+  EXPECT_EQ(fleet.vehicles[0].reference, here / "new/bus12.yaml");
+  EXPECT_TRUE(fleet.vehicles[1].reference.empty());
   EXPECT_EQ(fleet.vehicles[1].nominal, "apollo-rfu:" + (here / "x/novatel.yaml").string());
   EXPECT_EQ(fleet.vehicles[0].settings.pairing.max_gap_s, 3.0) << "of the fleet";
   EXPECT_EQ(fleet.vehicles[0].settings.pairing.min_distance_m, 0.5) << "of the vehicle";

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "model/io/session_reader.h"
+#include "model/report/drawing.h"
 #include "model/report/report.h"
 #include "model/session_report.h"
 #include "tests/model/checks/check_fixture.h"
@@ -25,7 +26,8 @@ TEST(data_checks, every_code_stands_once_with_what_it_means_and_what_to_do) {
 
 TEST(data_checks, streams_of_any_name_have_the_code_of_their_trouble) {
   for (const char* code : {"ins-reversed-stamps", "wheels-duplicate-stamps", "scans-impossible-stamps", "bad-imu",
-                           "ins-gaps", "cloud-left-handed", "host-clock", "angle-unit"})
+                           "ins-gaps", "cloud-left-handed", "host-clock", "angle-unit", "nominal-far", "map-less-sharp",
+                           "clock-moved", "point-clock", "bag-damaged"})
     EXPECT_NE(finding_kind(code), nullptr) << code;
   EXPECT_EQ(finding_kind("deskew-on"), nullptr);
   EXPECT_EQ(finding_kind(""), nullptr);
@@ -46,6 +48,28 @@ TEST(data_checks, inspect_and_report_tell_code_meaning_and_remedy) {
     EXPECT_TRUE(contains(inspected, part)) << part << "\n" << inspected;
     EXPECT_TRUE(contains(page, part)) << part << "\n" << page;
   }
+}
+
+// Whatever code a reader, a check or a stage gives its finding: where it has a meaning, nobody is left without it.
+TEST(data_checks, every_code_is_explained_in_inspect_and_report) {
+  for (const DataCheck& check : data_checks())
+    for (const FindingKind& kind : check.kinds) {
+      std::string code(kind.code);
+      if (const std::size_t star = code.find('*'); star != std::string::npos) code.replace(star, 1, "of-a-stream");
+      Session session = good_drive();
+      session.findings = {{Severity::Warning, code, "a place", "Something was found there."}};
+      Progress progress;
+      const std::string inspected = describe(session, report_session(session, progress));
+      Report report;
+      report.file.findings = session.findings;
+      const std::string page = report_html(report);
+      for (const std::string_view part : {std::string_view("Something was found there."), kind.meaning, kind.remedy}) {
+        EXPECT_TRUE(contains(inspected, part)) << code << ": " << part << "\n" << inspected;
+        EXPECT_TRUE(contains(page, html_escaped(part))) << code << ": " << part;
+      }
+      EXPECT_TRUE(contains(inspected, "warning [" + code + "] a place")) << inspected;
+      EXPECT_TRUE(contains(page, code)) << code;
+    }
 }
 
 // A check that cries wolf is worse than none: recorded data that calibrate well have no problem.

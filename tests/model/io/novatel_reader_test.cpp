@@ -40,6 +40,24 @@ TEST(inspvax_log, ascii_lines_with_their_convention) {
   EXPECT_NEAR(nose_in_enu.z(), std::sin(degrees_to_radians(-2.5)), 1e-12) << "nose down";
 }
 
+TEST(inspvax_log, the_hosts_clock_is_compared_with_gps_time_and_not_used) {
+  const TemporaryFolder folder;
+  std::string csv =
+      "time,.header.gps_week,.header.gps_week_seconds,.ins_status,.latitude,.longitude,.altitude,.undulation,.roll,"
+      ".pitch,.azimuth,.latitude_std,.longitude_std,.altitude_std,.roll_std,.pitch_std,.azimuth_std\n";
+  constexpr std::int64_t kGps_ns = 1'636'512'535'000'000'000;  // UTC of week 2183, second 269353: 18 leap seconds
+  for (int i = 0; i < 20; ++i)
+    csv += std::to_string(kGps_ns + i * 10'000'000LL + 2'300'000'000LL) + ",2183," +
+           std::to_string(269353.0 + 0.01 * i) + ",3,51.1,-114.0,1000,-16.9,0,0,90,1,1,1,0.1,0.1,0.1\n";
+  std::vector<Finding> findings;
+  const InspvaxLog log = read_inspvax(folder.write("a.csv", csv), InspvaxFormat::BagCsv, findings);
+  ASSERT_EQ(log.ins.size(), 20U);
+  EXPECT_EQ(log.ins[0].stamp_ns, kGps_ns) << "by GPS";
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "host-clock");
+  EXPECT_TRUE(contains(findings[0].explanation, "2.300 s off UTC by GPS")) << findings[0].explanation;
+}
+
 TEST(inspvax_log, bad_lines_are_counted_and_skipped) {
   const TemporaryFolder folder;
   std::string flipped = inspvaxa(2183, 2.0, 90.0);

@@ -18,6 +18,8 @@ constexpr int kPatience_ms = 20000;
 class WindowFixture : public ::testing::Test {
  protected:
   explicit WindowFixture(int stages = 10) : workbench_(sample_engine(stages, hold_at_)), window_(workbench_) {}
+  using MakeEngine = Engine (*)(std::shared_ptr<const std::atomic<int>> hold_at);
+  explicit WindowFixture(MakeEngine make_engine) : workbench_(make_engine(hold_at_)), window_(workbench_) {}
 
   void show() {
     window_.show();
