@@ -2,21 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "algorithms/calibration/plot_curves.h"
 
 namespace remount {
 
 using Eigen::Vector3d;
-
-namespace {
-
-Curve dots(const char* name) {
-  Curve curve;
-  curve.name = name;
-  curve.dots = true;
-  return curve;
-}
-
-}  // namespace
 
 void name_slew_quantities(SlewResult& result) {
   const CircleFit& circle = result.circle;
@@ -41,9 +33,8 @@ void name_slew_quantities(SlewResult& result) {
 
 void draw_slew(const SlewData& data, SlewResult& result) {
   const RigidTransform& machine_from_lidar = result.calibration.ins_from_lidar;
-  Curve poses = dots("LiDAR"), centre = dots("slew axis"), off = dots("from the circle"), high = dots("from its plane");
-  Curve circle;
-  circle.name = "fitted circle";
+  Curve poses = dot_curve("LiDAR"), circle = line_curve("fitted circle"), centre = dot_curve("slew axis");
+  Curve off = dot_curve("from the circle"), high = dot_curve("from its plane");
   const Vector3d middle = machine_from_lidar * result.circle.centre_m;
   const Vector3d axis = machine_from_lidar.linear() * result.circle.axis;
   for (const RigidTransform& pose : data.first_from_lidar) {

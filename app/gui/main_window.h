@@ -115,6 +115,7 @@ class MainWindow : public QMainWindow {
   bool may_close(std::function<void()> saved);
   void show_project();
   void ask_for_folder();
+  void ask_for_sessions_below(const QString& folder, const QStringList& paths);
   void ask_for_file();
   void ask_for_nominal();
   void show_options();

@@ -9,6 +9,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/project_keeper.h"
 #include "app/gui/report_maker.h"
+#include "widgets/panels/sessions_below_dialog.h"
 
 namespace remount {
 namespace {
@@ -38,6 +39,13 @@ void MainWindow::show_project() {
   if (workbench_.read_only()) name = tr("%1 (read-only)").arg(name);
   setWindowTitle((name.isEmpty() ? name : name + QStringLiteral("[*] – ")) + tr("Remount"));
   setWindowModified(workbench_.has_unsaved_work());
+}
+
+void MainWindow::ask_for_sessions_below(const QString& folder, const QStringList& paths) {
+  auto* dialog = new SessionsBelowDialog(folder, paths, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] { open_paths(dialog->chosen()); });
+  dialog->open();
 }
 
 void MainWindow::keep_work_in(const QString& data_folder) { keeper_->keep_in(data_folder); }

@@ -94,6 +94,7 @@ void MainWindow::connect_state() {
   });
   connect(&workbench_, &Workbench::output_changed, this, &MainWindow::show_output);
   connect(&workbench_, &Workbench::state_changed, this, &MainWindow::show_state);
+  connect(&workbench_, &Workbench::sessions_found, this, &MainWindow::ask_for_sessions_below);
   connect(&workbench_, &Workbench::message, this, &MainWindow::show_message);
   connect(&workbench_, &Workbench::logged, this, [this](Severity severity, const QString& where, const QString& what) {
     log_->add(severity, where, model_text(what));

@@ -8,6 +8,7 @@
 #include "app/gui/edit_commands.h"
 #include "app/gui/error_words.h"
 #include "app/gui/wording.h"
+#include "model/io/several_sessions.h"
 #include "model/pipeline/keep_finished.h"
 #include "widgets/forms/option_access.h"
 #include "widgets/model_text.h"
@@ -78,6 +79,8 @@ void Workbench::open_all(std::vector<ToOpen> wanted) {
           Progress quiet = progress.without_reports();
           try {
             opened[i] = wanted[i].open(wanted.size() > 1 ? quiet : progress);
+          } catch (const SeveralSessions& several) {
+            for (const auto& path : several.sessions()) opened[i].below << QString::fromStdString(path.string());
           } catch (const Error& error) {
             opened[i].failure = failure_of(error);
             if (opened[i].failure.where.isEmpty())
@@ -86,7 +89,12 @@ void Workbench::open_all(std::vector<ToOpen> wanted) {
           if (progress.cancelled()) opened[i] = {};  // what was read of it is not all
           if (wanted.size() > 1) progress.report("opening sessions", ++done, wanted.size());
         });
-        return [this, opened] { take_opened(opened); };
+        return [this, wanted, opened] {
+          take_opened(opened);
+          for (std::size_t i = 0; i < opened.size(); ++i)
+            if (!opened[i].below.isEmpty())
+              emit sessions_found(QString::fromStdString(wanted[i].path.string()), opened[i].below);
+        };
       },
       report_failure());
   emit state_changed();

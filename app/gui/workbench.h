@@ -184,6 +184,8 @@ class Workbench : public QObject {
   void topics_listed(int session, const std::vector<remount::OfferedTopic>& topics);
   /// These cannot be opened before somebody has said which of their topics are meant.
   void topics_asked(const std::vector<remount::TopicOffer>& offers);
+  /// A folder that was to be opened is no session, but holds these: somebody has to say which are meant.
+  void sessions_found(const QString& folder, const QStringList& paths);
   void settings_changed();
   void nominal_changed();
   void output_changed();
@@ -209,11 +211,12 @@ class Workbench : public QObject {
   static DecisionKey key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair);
   /// Takes over the user's earlier decisions on the same pairs of scans; true where there was one.
   static bool carry_over(const PipelineInput& input, const Decisions& decisions, PipelineOutput& output);
-  /// What became of a path that was to be opened: one of the three.
+  /// What became of a path that was to be opened: one of the four.
   struct Opened {
     std::shared_ptr<const Session> session;
     std::optional<TopicOffer> question;
     JobFailure failure;
+    QStringList below;  ///< a folder of sessions: these
   };
   struct ToOpen {
     std::filesystem::path path;

@@ -36,6 +36,16 @@
     </message>
 </context>
 <context>
+    <name>remount::SessionsBelowDialog</name>
+    <message numerus="yes">
+        <source>%1 is no session itself, but %n session(s) lie in it. Open together those of one vehicle between which the LiDAR was not moved.</source>
+        <translation>
+            <numerusform>%1 is no session itself, but one session lies in it. Open it?</numerusform>
+            <numerusform>%1 is no session itself, but %n sessions lie in it. Open together those of one vehicle between which the LiDAR was not moved.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>remount::recovery</name>
     <message numerus="yes">
         <source>%n minute(s) ago</source>

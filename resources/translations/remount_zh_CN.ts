@@ -281,10 +281,6 @@
         <source>Start</source>
         <translation>起始</translation>
     </message>
-    <message>
-        <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
-        <translation>没有给出名义安装：“起始”是程序自己的初始估计，并不是激光雷达原来的位置。</translation>
-    </message>
 </context>
 <context>
     <name>remount::ComparisonView</name>
@@ -1359,14 +1355,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>下一个您尚未判定的帧对(&amp;U)</translation>
     </message>
     <message>
-        <source>Next &amp;undecided pair</source>
-        <translation>下一个未决定的帧对(&amp;U)</translation>
-    </message>
-    <message>
-        <source>pose %1</source>
-        <translation>位姿 %1</translation>
-    </message>
-    <message>
         <source>%1 (read-only)</source>
         <translation>%1（只读）</translation>
     </message>
@@ -1733,10 +1721,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Start</source>
         <translation>起始</translation>
-    </message>
-    <message>
-        <source>Start (no nominal was given)</source>
-        <translation>起始（没有给出名义安装）</translation>
     </message>
 </context>
 <context>
@@ -2225,14 +2209,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Along x</source>
         <translation>沿 x</translation>
     </message>
-    <message>
-        <source>Front</source>
-        <translation>前视</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>左视</translation>
-    </message>
 </context>
 <context>
     <name>remount::PlotView</name>
@@ -2278,14 +2254,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>about %1 min left in this step</source>
         <translation>此步骤约剩 %1 分钟</translation>
-    </message>
-    <message>
-        <source>about %1 s left</source>
-        <translation>约剩 %1 秒</translation>
-    </message>
-    <message>
-        <source>about %1 min left</source>
-        <translation>约剩 %1 分钟</translation>
     </message>
 </context>
 <context>
@@ -2929,6 +2897,27 @@ Everything else works.</source>
     </message>
 </context>
 <context>
+    <name>remount::SessionsBelowDialog</name>
+    <message>
+        <source>Which sessions?</source>
+        <translation>要打开哪些数据？</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is no session itself, but %n session(s) lie in it. Open together those of one vehicle between which the LiDAR was not moved.</source>
+        <translation>
+            <numerusform>%1 本身不是数据，但其中有 %n 个数据。请只一起打开同一辆车、期间激光雷达未被移动过的数据。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Sessions in the folder</source>
+        <translation>文件夹中的数据</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+</context>
+<context>
     <name>remount::SessionsPanel</name>
     <message>
         <source>Remove</source>
@@ -3131,6 +3120,136 @@ Everything else works.</source>
     <message>
         <source>Check</source>
         <translation>检查</translation>
+    </message>
+</context>
+<context>
+    <name>remount::TopicController</name>
+    <message>
+        <source>was not opened</source>
+        <translation>未打开</translation>
+    </message>
+</context>
+<context>
+    <name>remount::TopicsDialog</name>
+    <message>
+        <source>&amp;LiDAR</source>
+        <translation>激光雷达(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;INS</source>
+        <translation>INS(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Position of the INS</source>
+        <translation>INS 的位置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;GNSS</source>
+        <translation>GNSS(&amp;G)</translation>
+    </message>
+    <message>
+        <source>I&amp;MU</source>
+        <translation>IMU(&amp;M)</translation>
+    </message>
+    <message>
+        <source>nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+    <message>
+        <source>Topics of %1</source>
+        <translation>%1 的话题</translation>
+    </message>
+    <message>
+        <source>Which topics is the session made of? The most likely ones are selected; the table says what speaks for each. A project keeps the choice.</source>
+        <translation>数据由哪些话题组成？已选中最可能的话题；表中说明各话题的依据。项目会保存所做的选择。</translation>
+    </message>
+    <message>
+        <source>What prevents it</source>
+        <translation>阻碍原因</translation>
+    </message>
+    <message>
+        <source>As it was</source>
+        <translation>还原</translation>
+    </message>
+    <message>
+        <source>Selects again what was selected when this was opened</source>
+        <translation>重新选中打开此窗口时所选的话题</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Topic that serves as %1</source>
+        <translation>用作%1的话题</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>话题</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>消息数</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Can serve as</source>
+        <translation>可用作</translation>
+    </message>
+    <message>
+        <source>Serves as</source>
+        <translation>用作</translation>
+    </message>
+    <message>
+        <source>What speaks for or against it</source>
+        <translation>依据</translation>
+    </message>
+    <message>
+        <source>All topics of the recording</source>
+        <translation>记录中的全部话题</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>cannot be used: %1</source>
+        <translation>不能使用：%1</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>One topic cannot be LiDAR and INS: a motion that is compared with itself tells nothing.</source>
+        <translation>同一话题不能既作激光雷达又作 INS：运动与自身比较说明不了任何问题。</translation>
+    </message>
+    <message>
+        <source>An orientation alone is no INS: choose the topic that gives its position.</source>
+        <translation>仅有姿态不足以作为 INS：请选择给出其位置的话题。</translation>
+    </message>
+    <message>
+        <source>An orientation alone is no INS, and no topic here gives its position: choose another INS, or none.</source>
+        <translation>仅有姿态不足以作为 INS，而此处没有话题给出其位置：请选择其他 INS，或选“无”。</translation>
+    </message>
+    <message>
+        <source>the INS gives its position itself</source>
+        <translation>INS 自身给出位置</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>不使用</translation>
     </message>
 </context>
 <context>
@@ -4469,10 +4588,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>cannot be saved, the link leads nowhere: %1</source>
         <translation>无法保存，链接没有指向任何位置：%1</translation>
-    </message>
-    <message>
-        <source>exists and is not a regular file</source>
-        <translation>已存在，但不是普通文件</translation>
     </message>
     <message>
         <source>is no PCD, PLY, KITTI .bin or .txt scan</source>
@@ -6751,14 +6866,6 @@ Save under another name, or close it there first.</source>
         <translation>轮廓的右侧不在左侧之右</translation>
     </message>
     <message>
-        <source>The sessions say different mountings: %1 against the rest.</source>
-        <translation>各数据给出不同的安装：%1 与其余不一致。</translation>
-    </message>
-    <message>
-        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then z stays at the nominal value; measure it by tape where it matters.</source>
-        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前 z 保持名义值；重要时请用卷尺测量。</translation>
-    </message>
-    <message>
         <source>cannot be saved, its folder cannot be opened: %1; nothing was replaced</source>
         <translation>无法保存，无法打开其所在文件夹：%1；未替换任何内容</translation>
     </message>
@@ -7493,136 +7600,6 @@ Then calibrate: F5.</source>
     <message>
         <source>what it means, and what to do</source>
         <translation>含义与处理办法</translation>
-    </message>
-</context>
-<context>
-    <name>remount::TopicController</name>
-    <message>
-        <source>was not opened</source>
-        <translation>未打开</translation>
-    </message>
-</context>
-<context>
-    <name>remount::TopicsDialog</name>
-    <message>
-        <source>&amp;LiDAR</source>
-        <translation>激光雷达(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;INS</source>
-        <translation>INS(&amp;I)</translation>
-    </message>
-    <message>
-        <source>&amp;Position of the INS</source>
-        <translation>INS 的位置(&amp;P)</translation>
-    </message>
-    <message>
-        <source>&amp;GNSS</source>
-        <translation>GNSS(&amp;G)</translation>
-    </message>
-    <message>
-        <source>I&amp;MU</source>
-        <translation>IMU(&amp;M)</translation>
-    </message>
-    <message>
-        <source>nominal mounting</source>
-        <translation>名义安装</translation>
-    </message>
-    <message>
-        <source>Topics of %1</source>
-        <translation>%1 的话题</translation>
-    </message>
-    <message>
-        <source>Which topics is the session made of? The most likely ones are selected; the table says what speaks for each. A project keeps the choice.</source>
-        <translation>数据由哪些话题组成？已选中最可能的话题；表中说明各话题的依据。项目会保存所做的选择。</translation>
-    </message>
-    <message>
-        <source>What prevents it</source>
-        <translation>阻碍原因</translation>
-    </message>
-    <message>
-        <source>As it was</source>
-        <translation>还原</translation>
-    </message>
-    <message>
-        <source>Selects again what was selected when this was opened</source>
-        <translation>重新选中打开此窗口时所选的话题</translation>
-    </message>
-    <message>
-        <source>Open</source>
-        <translation>打开</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>Topic that serves as %1</source>
-        <translation>用作%1的话题</translation>
-    </message>
-    <message>
-        <source>Topic</source>
-        <translation>话题</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>类型</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>消息数</translation>
-    </message>
-    <message>
-        <source>Rate</source>
-        <translation>频率</translation>
-    </message>
-    <message>
-        <source>Can serve as</source>
-        <translation>可用作</translation>
-    </message>
-    <message>
-        <source>Serves as</source>
-        <translation>用作</translation>
-    </message>
-    <message>
-        <source>What speaks for or against it</source>
-        <translation>依据</translation>
-    </message>
-    <message>
-        <source>All topics of the recording</source>
-        <translation>记录中的全部话题</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>cannot be used: %1</source>
-        <translation>不能使用：%1</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
-    <message>
-        <source>One topic cannot be LiDAR and INS: a motion that is compared with itself tells nothing.</source>
-        <translation>同一话题不能既作激光雷达又作 INS：运动与自身比较说明不了任何问题。</translation>
-    </message>
-    <message>
-        <source>An orientation alone is no INS: choose the topic that gives its position.</source>
-        <translation>仅有姿态不足以作为 INS：请选择给出其位置的话题。</translation>
-    </message>
-    <message>
-        <source>An orientation alone is no INS, and no topic here gives its position: choose another INS, or none.</source>
-        <translation>仅有姿态不足以作为 INS，而此处没有话题给出其位置：请选择其他 INS，或选“无”。</translation>
-    </message>
-    <message>
-        <source>the INS gives its position itself</source>
-        <translation>INS 自身给出位置</translation>
-    </message>
-    <message>
-        <source>left out</source>
-        <translation>不使用</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,70 @@
+// A folder of sessions: the window asks which of them are meant.
+#include <QListWidget>
+#include <QPushButton>
+
+#include "model/io/several_sessions.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/sessions_below_dialog.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+using testing::WindowFixture;
+
+/// "/data/day" holds three sessions; other paths are drives.
+Engine day_engine(std::shared_ptr<const std::atomic<int>> hold_at) {
+  Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.open = [drive = engine.open](const std::filesystem::path& path, const TopicChoice& choice,
+                                      Progress& progress) {
+    if (path == "/data/day")
+      throw SeveralSessions(path, "is no session itself", {"/data/day/drive1", "/data/day/drive2", "/data/day/drive3"});
+    return drive(path, choice, progress);
+  };
+  return engine;
+}
+
+class sessions_below : public WindowFixture {
+ protected:
+  sessions_below() : WindowFixture(&day_engine) {}
+  void SetUp() override {
+    show();
+    window_.open_paths({"/data/day"});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_.findChild<SessionsBelowDialog*>() != nullptr; }, kPatience_ms));
+    dialog_ = window_.findChild<SessionsBelowDialog*>();
+  }
+  QListWidget& list() { return *dialog_->findChild<QListWidget*>(); }
+  QPushButton& open_button() {
+    for (QPushButton* button : dialog_->findChildren<QPushButton*>())
+      if (button->isDefault()) return *button;
+    throw std::logic_error("no button is the default");
+  }
+  SessionsBelowDialog* dialog_ = nullptr;
+};
+
+TEST_F(sessions_below, enter_opens_all_of_them) {
+  ASSERT_EQ(list().count(), 3);
+  photograph(*dialog_, "sessions-below");
+  QTest::keyClick(dialog_, Qt::Key_Return);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 3; }, kPatience_ms))
+      << workbench_.sessions().size();
+}
+
+TEST_F(sessions_below, only_those_that_are_ticked_are_opened) {
+  list().item(1)->setCheckState(Qt::Unchecked);
+  open_button().click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 2; }, kPatience_ms));
+  EXPECT_EQ(workbench_.sessions().at(0)->path, "/data/day/drive1");
+  EXPECT_EQ(workbench_.sessions().at(1)->path, "/data/day/drive3");
+}
+
+TEST_F(sessions_below, none_is_no_answer_and_escape_opens_nothing) {
+  for (int i = 0; i < 3; ++i) list().item(i)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(open_button().isEnabled());
+  QTest::keyClick(dialog_, Qt::Key_Escape);
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(workbench_.sessions().empty());
+}
+
+}  // namespace
+}  // namespace remount
