@@ -223,8 +223,7 @@ void write_native_session(const Session& session, const fs::path& folder, int th
     write_file(folder / "ins_poses.txt", tum_text(session.world_from_ins));
   const std::string sensors = write_sensors(session, folder);
   // Last: a folder without its manifest is not taken for a session.
-  write_file(folder / "session.yaml", "format: remount-session/1
-" + name_line(session) +
+  write_file(folder / "session.yaml", "format: remount-session/1\n" + name_line(session) +
                                           scans_section(session, scans) + ins_section(session) + sensors +
                                           optional_sections(session));
 }
