@@ -143,11 +143,12 @@ QDockWidget* MainWindow::make_dock(const QString& title, const QString& name, QW
   addDockWidget(area, dock);
   // A panel behind another keeps the focus otherwise: F1 and keys would be for what is not seen.
   connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {
+    if (!seen) return;  // the window may be going
     const QList<QDockWidget*> others = tabifiedDockWidgets(dock);
     const bool behind = std::any_of(others.begin(), others.end(), [](const QDockWidget* other) {
       return other->isAncestorOf(QApplication::focusWidget());
     });
-    if (seen && behind) dock->widget()->setFocus();
+    if (behind) dock->widget()->setFocus();
   });
   return dock;
 }

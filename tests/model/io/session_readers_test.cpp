@@ -246,8 +246,8 @@ TEST(several_sessions, are_named_so_that_they_can_be_opened) {
   const TemporaryFolder folder;
   for (const char* drive : {"day/2011_09_26_drive_0001_sync", "day/2011_09_26_drive_0002_sync"})
     write_kitti(folder, drive);
-  folder.write("logs/monday/a_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
-  folder.write("logs/tuesday/b_hand.csv", poses(0, 0, ",", 0, 10, 0.1));
+  for (const char* file : {"monday/a_hand.csv", "monday/a_lidar.csv", "tuesday/b_hand.csv", "tuesday/b_lidar.csv"})
+    folder.write(std::string("logs/") + file, poses(0, 0, ",", 0, 10, 0.1));
   folder.write("logs/notes/readme.txt", "nothing\n");
   for (const char* below : {"day", "logs"}) {
     try {
