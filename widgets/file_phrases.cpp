@@ -35,6 +35,8 @@ const std::vector<const char*>& file_phrases() {
                         "Too few scans show the ground near the vehicle; the height of the INS is not used."),
       QT_TRANSLATE_NOOP("remount::model", "%1 The scan is skipped."),
       QT_TRANSLATE_NOOP("remount::model",
+                        "was there when it was opened and is gone now: nothing is made of the part that could be read"),
+      QT_TRANSLATE_NOOP("remount::model",
                         "The format does not say whether its scans are compensated for motion. Compensating them "
                         "changes the registration residual by %1: scans are compensated."),
       QT_TRANSLATE_NOOP("remount::model",

@@ -32,7 +32,7 @@ bool is_measured(const MeasuredOptions& measured);
 /// Throws Error(Contract) where one is, for a method whose result is in the frame of something else than the INS.
 void refuse_measured(const MeasuredOptions& measured, std::string_view method, std::string_view frame);
 
-/// The method that the settings choose. Throws as it does.
+/// The method that the settings choose. Throws as it does, and Error(Io) where recordings are gone at the end.
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress);
 
 }  // namespace remount

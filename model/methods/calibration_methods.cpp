@@ -2,6 +2,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/methods/builtin.h"
+#include "model/pipeline/input_checks.h"
 
 namespace remount {
 
@@ -44,6 +45,7 @@ PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
   const std::string_view id = kMethodIds.at(static_cast<std::size_t>(input.settings.run.method));
   PipelineOutput output = calibration_method(id).run(input, progress);
   if (id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
+  if (!progress.cancelled()) refuse_vanished(input.sessions);
   return output;
 }
 

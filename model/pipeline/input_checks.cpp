@@ -7,6 +7,7 @@
 #include "algorithms/core/error.h"
 #include "model/clock_hint.h"
 #include "model/io/document.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 namespace {
@@ -176,6 +177,13 @@ CalibrationResult result_without_scans(std::size_t scans, const std::string& fir
       "None of the " + std::to_string(scans) + " scans that are needed can be read. First: " + sentence(first);
   result.advice.push_back("Copy or export the scans again: they are incomplete, or of another type than declared.");
   return result;
+}
+
+void refuse_vanished(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  for (const auto& session : sessions)
+    if (!session->files.empty() && !status_of(session->files.front()))
+      throw Error(ErrorCode::Io, session->path.string(),
+                  "was there when it was opened and is gone now: nothing is made of the part that could be read");
 }
 
 std::string all_scans_unreadable(const std::vector<KeyframeObjects>& objects, const std::vector<Keyframe>& keyframes,

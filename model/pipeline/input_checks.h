@@ -22,6 +22,10 @@ void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions)
 /// What check_sessions says of sessions beside each other: their axes, and that none is given twice.
 void check_companions(const std::vector<std::shared_ptr<const Session>>& sessions);
 
+/// Throws Error(Io) where the files of a session are no longer there: a disk that was taken out while its scans were
+/// read looks like a recording with fewer scans.
+void refuse_vanished(const std::vector<std::shared_ptr<const Session>>& sessions);
+
 /// Why the LiDAR's stamps of a session all lie outside its INS data; for a session where none lies within.
 std::string why_not_covered(const DriveMotion& motion, int session);
 

@@ -7025,6 +7025,10 @@ Save under another name, or close it there first.</source>
         <source>a heading from north instead of a yaw from east (this looks like a compass heading)</source>
         <translation>以北为零的航向角，而非以东为零的偏航角（看起来像罗盘航向）</translation>
     </message>
+    <message>
+        <source>was there when it was opened and is gone now: nothing is made of the part that could be read</source>
+        <translation>打开时存在，现已消失：不使用只读到的部分</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>

@@ -187,6 +187,8 @@ TEST_F(topics, several_bags_that_are_dropped_ask_one_after_the_other_and_open_to
   QMimeData data;
   data.setUrls(
       {QUrl::fromLocalFile("/data/a.bag"), QUrl::fromLocalFile("/data/b.bag"), QUrl::fromLocalFile("/data/drive1")});
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window_, &enter);
   QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window_, &drop);
   ASSERT_TRUE(asked());

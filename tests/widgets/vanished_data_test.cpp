@@ -32,6 +32,7 @@ class vanished_data : public ::testing::Test {
     window_.open_paths({drive_});
     ASSERT_TRUE(settle());
     ASSERT_EQ(workbench_.sessions().size(), 1U);
+    said_.clear();
   }
   bool settle() {
     return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
