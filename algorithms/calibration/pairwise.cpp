@@ -207,7 +207,8 @@ std::string title_of_session(const PairwiseInput& input, int session) {
 std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std::vector<int>& usable,
                                                      std::vector<Pair>& pairs, PairwiseDetails& details,
                                                      JointProblem& problem, CalibrationResult& result) {
-  const auto& [input, prior, prior_x, progress] = context;
+  const PairwiseInput& input = context.input;
+  const Progress& progress = context.progress;
   if (problem.terms.size() < kFewestPairs || progress.cancelled()) return {};
   std::vector<SessionAnswer> answers = session_answers(problem, details, progress);
   const std::optional<OutlierSession> outlier = outlier_session(answers, input.options);
