@@ -3,8 +3,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/calibration/antenna_tilt.h"
+#include "algorithms/core/median.h"
 
 namespace remount {
 namespace {
@@ -162,8 +164,7 @@ double lasting(const std::vector<Vector2d>& residuals) {
 double median_norm(const std::vector<Vector2d>& residuals) {
   std::vector<double> norms;
   for (const Vector2d& r : residuals) norms.push_back(r.norm());
-  std::nth_element(norms.begin(), norms.begin() + static_cast<std::ptrdiff_t>(norms.size() / 2), norms.end());
-  return norms[norms.size() / 2];
+  return median_of(std::move(norms));
 }
 
 using CommonMatrix = Eigen::Matrix<double, kCommon, kCommon>;
