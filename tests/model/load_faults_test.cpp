@@ -109,6 +109,7 @@ TEST_P(load_faults, no_call_that_fails_makes_a_session_smaller_without_a_word) {
 }
 
 TEST(load_access, what_cannot_be_read_does_not_pass_for_what_is_not_known) {
+  if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("drive.mcap", "whatever");
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
