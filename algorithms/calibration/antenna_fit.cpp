@@ -3,8 +3,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "algorithms/calibration/antenna_tilt.h"
+#include "algorithms/core/median.h"
 
 namespace remount {
 namespace {
@@ -70,12 +72,13 @@ std::vector<Point> points_of(const WheelImuSignals& sensed, const std::vector<St
     }
     const bool covered = positions[i].stamp_ns >= sensed.begin_ns() && positions[i].stamp_ns <= sensed.end_ns();
     if (!covered) continue;
-    if (!steps || points.empty() || time_s > window_s) {
+    const bool anew = !steps || points.empty() || time_s > window_s;  // as in vehicle_tilt
+    if (anew) {
       motion = up = {};
       time_s = travel_m = 0.0;
     }
     Point point;
-    point.window = points.empty() ? 0 : points.back().window + (time_s == 0.0 ? 1 : 0);
+    point.window = points.empty() ? 0 : points.back().window + (anew ? 1 : 0);
     point.time_s = time_s;
     const Matrix3d level_from_start = tilt.known ? tilt.level_from_window_start[point.window] : Matrix3d::Identity();
     point.turn_rad = motion.heading_rad(level_from_start);
@@ -162,8 +165,7 @@ double lasting(const std::vector<Vector2d>& residuals) {
 double median_norm(const std::vector<Vector2d>& residuals) {
   std::vector<double> norms;
   for (const Vector2d& r : residuals) norms.push_back(r.norm());
-  std::nth_element(norms.begin(), norms.begin() + static_cast<std::ptrdiff_t>(norms.size() / 2), norms.end());
-  return norms[norms.size() / 2];
+  return median_of(std::move(norms));
 }
 
 using CommonMatrix = Eigen::Matrix<double, kCommon, kCommon>;

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "algorithms/core/median.h"
 #include "algorithms/geometry/lasting_errors.h"
 
 namespace remount {
@@ -185,9 +187,7 @@ Eigen::Matrix2d common_covariance_of(const std::vector<Lean>& leans, const std::
 double median_size(const std::vector<double>& residuals) {
   std::vector<double> sizes;
   for (const double residual : residuals) sizes.push_back(std::abs(residual));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle;
+  return median_of(std::move(sizes));
 }
 
 }  // namespace

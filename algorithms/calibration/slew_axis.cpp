@@ -9,6 +9,8 @@
 #include <limits>
 #include <numeric>
 
+#include "algorithms/core/median.h"
+
 namespace remount {
 namespace {
 
@@ -93,12 +95,9 @@ bool solve(const Turns& turns, const std::vector<Vector2d>& offsets, Fit& fit) {
 void weigh(double least, Fit& fit) {
   std::vector<double> sizes;
   for (const Vector2d& residual : fit.residuals) sizes.push_back(residual.norm());
-  std::vector<double> sorted = sizes;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
   constexpr double kMedianOfTwo = 1.1774;  // of the length of two unit normal errors
   constexpr double kTukey = 4.685;
-  fit.limit = std::max(least, kTukey * *middle / kMedianOfTwo);
+  fit.limit = std::max(least, kTukey * median_of(sizes) / kMedianOfTwo);
   for (std::size_t i = 0; i < sizes.size(); ++i)
     fit.weights[i] = sizes[i] < fit.limit ? std::pow(1.0 - std::pow(sizes[i] / fit.limit, 2), 2) : 0.0;
 }

@@ -67,7 +67,8 @@ class FusionOdometry {
   const DeadReckoningState& drift() const { return drift_; }
   Eigen::Vector4d drift_sigma() const { return errors_.covariance().diagonal().segment<4>(kStateDrift).cwiseSqrt(); }
 
-  /// Errors of the motion since the scan added last are followed from here on, under this number from 0.
+  /// Errors of the motion since the scan added last are followed from here on, under this number from 0. One must have
+  /// been added.
   void mark(std::size_t number) { errors_.mark(number + 1, last_.value().odometry_from_vehicle); }
   /// Covariance of the motion from the scan at a mark to the one added last: of shift (m) and turn (rad), in axes of
   /// the odometry. Less than the two poses' covariances make, since they have most of their errors in common.

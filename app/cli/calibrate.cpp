@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
@@ -88,19 +92,45 @@ int follow(const CalibrateArguments& arguments, Console& console) {
   return finish(make_result_file(input, followed.output, std::move(inputs)), arguments.solve.output, console);
 }
 
-/// Tried before the work begins. Held until the project is saved: a window that has it open would save over it, or over
-/// what is in the window.
-std::shared_ptr<const HolderLock> lock_to_save(const std::string& path) {
-  if (path.empty()) return nullptr;
-  check_replaces_its_like(path, "remount-project/");
-  check_can_save(path);
-  const HolderLock::Attempt attempt = HolderLock::take(lock_path_of(path));
-  if (attempt.holder)
-    throw Error(
-        ErrorCode::Io, path,
-        "is open in another window: " + to_string(*attempt.holder) + "; close it there, or save under another name");
-  return attempt.lock;
-}
+/// Where the project goes, tried before the work begins. Held until it is saved: a window that has it open would save
+/// over it, or over what is in the window. Nowhere for an empty path.
+class ProjectFile {
+ public:
+  explicit ProjectFile(const std::string& path) : path_(path) {
+    if (path.empty()) return;
+    check_replaces_its_like(path, "remount-project/");
+    check_can_save(path);
+    const HolderLock::Attempt attempt = HolderLock::take(lock_path_of(path));
+    if (attempt.holder) refuse("is open in another window: ", *attempt.holder);
+    lock_ = attempt.lock;
+    if (lock_) beats_ = std::jthread([lock = lock_](const std::stop_token& stop) { show_life(*lock, stop); });
+  }
+
+  void save(const Project& project) const {
+    if (const auto other = lock_ ? lock_->beat() : std::nullopt) refuse("was taken over by another window: ", *other);
+    save_project(project, path_);
+  }
+
+ private:
+  /// Where the kernel's lock does not reach, others see by the file's time that somebody works on it.
+  static void show_life(const HolderLock& lock, const std::stop_token& stop) {
+    std::mutex mutex;
+    std::condition_variable_any stopped;
+    std::unique_lock waiting(mutex);
+    const auto never = [] { return false; };
+    while (!stop.stop_requested()) {
+      stopped.wait_for(waiting, stop, std::chrono::milliseconds(HolderLock::kBeat_ms), never);
+      lock.beat();
+    }
+  }
+  [[noreturn]] void refuse(const char* why, const LockHolder& holder) const {
+    throw Error(ErrorCode::Io, path_, why + to_string(holder) + "; close it there, or save under another name");
+  }
+
+  std::string path_;
+  std::shared_ptr<const HolderLock> lock_;
+  std::jthread beats_;
+};
 
 int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (arguments.follow) return follow(arguments, console);
@@ -114,7 +144,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (project.sessions.empty())
     throw Error(ErrorCode::Contract, "calibrate", "no session is given; name one, or a --project that holds some");
   arguments.solve.check_output();
-  const std::shared_ptr<const HolderLock> lock = lock_to_save(arguments.save_project);
+  const ProjectFile project_file(arguments.save_project);
 
   PipelineInput input;
   input.settings = arguments.solve.settings(project.settings);
@@ -145,7 +175,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     project.inputs = inputs;
     project.output = output;
     project.basis = basis_of(input);
-    save_project(project, arguments.save_project);
+    project_file.save(project);
   }
   return finish(make_result_file(input, output, std::move(inputs)), arguments.solve.output, console);
 }

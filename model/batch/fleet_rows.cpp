@@ -56,15 +56,19 @@ FleetChange change_since(const Earlier& earlier, const NamedResult& now, const D
 /// What a vehicle's calibrations are compared with, from its first job to its last.
 struct VehicleHistory {
   Earlier last, reference;
+  bool reference_is_last;  ///< names do not tell: files of different folders may have one
 
   explicit VehicleHistory(const FleetVehicle& vehicle)
-      : last(named(vehicle.last)), reference(named(vehicle.reference)) {
-    if (vehicle.reference.empty()) reference = last;
+      : last(named(vehicle.last)),
+        reference(named(vehicle.reference)),
+        reference_is_last(vehicle.reference.empty() || vehicle.reference == vehicle.last) {
+    if (reference_is_last) reference = last;
   }
   void add(const NamedResult& calibration) {
     last = {calibration, ""};
     // One that is named and cannot be read is not replaced in silence.
-    if (!reference.result && reference.problem.empty()) reference = last;
+    reference_is_last = !reference.result && reference.problem.empty();
+    if (reference_is_last) reference = last;
   }
 };
 
@@ -115,7 +119,7 @@ std::string drift_in_words(const ResultDifference& change, const DriftLimits& li
 }
 
 std::string FleetRow::drift() const {
-  if (!has_reference_of_its_own() || reference.drift.empty()) return last.drift;
+  if (!has_reference_of_its_own || reference.drift.empty()) return last.drift;
   return (last.drift.empty() ? "" : last.drift + "; ") + reference.drift + ", the reference";
 }
 
@@ -133,6 +137,7 @@ std::vector<FleetRow> fleet_rows(const Fleet& fleet, const WhyOutOfDate& why_out
     const NamedResult now{job.name, *file};
     row.last = change_since(history->last, now, fleet.drift);
     row.reference = change_since(history->reference, now, fleet.drift);
+    row.has_reference_of_its_own = !history->reference_is_last;
     if (is_usable(file->result)) history->add(now);
   }
   return rows;

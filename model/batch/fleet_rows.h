@@ -40,8 +40,8 @@ struct FleetRow {
   /// Since the one that the vehicle's mounting is judged by: many small steps add up. Where the fleet file names no
   /// reference, the vehicle's oldest usable calibration.
   FleetChange reference;
+  bool has_reference_of_its_own = false;  ///< that is another calibration than the one of `last`
 
-  bool has_reference_of_its_own() const { return reference.since != last.since; }
   /// Every alarm of the row in words, once; empty: none.
   std::string drift() const;
 };

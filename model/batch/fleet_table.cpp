@@ -44,7 +44,7 @@ std::string text_line(const Fleet& fleet, const FleetRow& row) {
     line += sigma ? format("%.4f +-%.4f %s", values[i], on_screen(i, *sigma), unit_of(i)) : "not observed";
   }
   if (!row.last.words.empty()) line += "\n    " + row.last.words;
-  if (row.has_reference_of_its_own() && !row.reference.words.empty())
+  if (row.has_reference_of_its_own && !row.reference.words.empty())
     line += "\n    By the reference: " + row.reference.words;
   if (const std::string drift = row.drift(); !drift.empty()) line += "\n    DRIFT: " + drift;
   return line + "\n";
@@ -130,7 +130,7 @@ std::string html_row(const Fleet& fleet, const FleetRow& row) {
     else if (usable(row))
       html += "<span class=\"weak\">not observed</span>";
     html += html_change(row.last, i, "");
-    if (row.has_reference_of_its_own()) html += html_change(row.reference, i, "ref. ");
+    if (row.has_reference_of_its_own) html += html_change(row.reference, i, "ref. ");
     html += "</td>";
   }
   return html + cell(row.last.since, true) + cell(row.reference.since, true) + cell(row.message, true) + "</tr>\n";

@@ -62,7 +62,8 @@ bool unchanged_since(const std::filesystem::path& session, std::int64_t since_ns
   }
   std::filesystem::recursive_directory_iterator entry(session, error), end;
   for (; !error && entry != end; entry.increment(error)) {
-    if (!old(entry->path()) || (entry->is_symlink() && is_folder(entry->path()))) return false;
+    const bool link = entry->is_symlink(error);
+    if (error || !old(entry->path()) || (link && is_folder(entry->path()))) return false;
     names.insert(entry->path().lexically_relative(session).generic_string());
   }
   return !error;

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <system_error>
@@ -51,7 +52,7 @@ std::filesystem::path resolved(std::filesystem::path path) {
 struct Target {
   FileDescriptor folder;
   std::string name;
-  mode_t mode = 0;
+  std::optional<mode_t> mode;  ///< of the file that is there; of a new one as the process has it
 };
 
 FileDescriptor opened_folder(const std::filesystem::path& path, const std::filesystem::path& folder) {
@@ -77,9 +78,9 @@ Target examined(const std::filesystem::path& path) {
         S_ISDIR(existing.st_mode) ? "cannot be saved, it is a folder" : "cannot be saved, it is no regular file");
   if (exists && uninterrupted([&] { return ::faccessat(folder.get(), name.c_str(), W_OK, 0); }) != 0)
     fail(path, "cannot be saved", errno);
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return {std::move(folder), std::move(name), exists ? existing.st_mode & 07777 : 0666 & ~mask};
+  Target found{std::move(folder), std::move(name), std::nullopt};
+  if (exists) found.mode = existing.st_mode & 07777;
+  return found;
 }
 
 /// Beside `name` and, where that is long, no longer: what the file system takes for the one it takes for the other.
@@ -99,11 +100,13 @@ class TemporaryFile {
  public:
   TemporaryFile(const Target& target, const std::filesystem::path& path) : folder_(target.folder.get()) {
     constexpr int kTries = 100;
+    // The kernel takes the process's mask off: to ask for the mask is to set it, for all threads.
+    const mode_t mode = target.mode ? 0600 : 0666;
     std::random_device dice;
     for (int i = 0; i < kTries && file_.get() < 0; ++i) {
       name_ = temporary_name(target.name, dice);
       file_ = FileDescriptor(
-          uninterrupted([&] { return ::openat(folder_, name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600); }));
+          uninterrupted([&] { return ::openat(folder_, name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode); }));
       if (file_.get() < 0 && errno != EEXIST) break;
     }
     if (file_.get() < 0) fail(path, "cannot be saved, no temporary file can be made beside it", errno);
@@ -152,7 +155,8 @@ class WrittenFile {
       : path_(path), flush_(flush), target_(examined(path)), temporary_(target_, path) {
     FileDescriptor& file = temporary_.file();
     // The file is ours: only a file system that knows no permissions forbids to set them.
-    if (uninterrupted([&] { return ::fchmod(file.get(), target_.mode); }) != 0 && errno != EPERM && errno != ENOTSUP)
+    if (target_.mode && uninterrupted([&] { return ::fchmod(file.get(), *target_.mode); }) != 0 && errno != EPERM &&
+        errno != ENOTSUP)
       fail(path, "cannot be saved, its permissions cannot be set", errno);
     write_in_full(file.get(), bytes, path);
     if (flush == Flush::ToDisk && uninterrupted([&] { return ::fsync(file.get()); }) != 0)

@@ -1,5 +1,6 @@
 #include "model/io/input_file.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -39,12 +40,6 @@ std::string read_bytes(const FileDescriptor& file, const std::filesystem::path& 
   return bytes;
 }
 
-/// A disk that fails must not pass for a folder with fewer files; one that is not there is an empty one.
-void refuse_half(const std::error_code& problem, const std::filesystem::path& path) {
-  if (problem && problem != std::errc::no_such_file_or_directory && problem != std::errc::not_a_directory)
-    throw Error(ErrorCode::Io, path.string(), "cannot be listed: " + problem.message());
-}
-
 template <class Keep>
 std::vector<std::filesystem::path> entries(const std::filesystem::path& directory, Keep&& keep) {
   std::vector<std::filesystem::path> found;
@@ -53,10 +48,10 @@ std::vector<std::filesystem::path> entries(const std::filesystem::path& director
        entry.increment(problem)) {
     std::error_code unknown;
     if (keep(*entry, unknown)) found.push_back(entry->path());
-    if (unknown != std::errc::too_many_symbolic_link_levels) refuse_half(unknown, entry->path());
+    if (unknown != std::errc::too_many_symbolic_link_levels) check_listed(unknown, entry->path());
   }
   if (problem == std::errc::interrupted) return entries(directory, keep);
-  refuse_half(problem, directory);
+  check_listed(problem, directory);
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -93,6 +88,16 @@ bool is_file(const std::filesystem::path& path) {
 bool is_folder(const std::filesystem::path& path) {
   const std::optional<struct stat> there = status_of(path);
   return there && S_ISDIR(there->st_mode);
+}
+
+bool may_look_into(const std::filesystem::path& directory) {
+  return uninterrupted([&] { return ::faccessat(AT_FDCWD, directory.c_str(), R_OK | X_OK, AT_EACCESS); }) == 0 ||
+         errno != EACCES;
+}
+
+void check_listed(const std::error_code& problem, const std::filesystem::path& directory) {
+  if (problem && problem != std::errc::no_such_file_or_directory && problem != std::errc::not_a_directory)
+    throw Error(ErrorCode::Io, directory.string(), "cannot be listed: " + problem.message());
 }
 
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& directory) {

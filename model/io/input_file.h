@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace remount {
@@ -26,6 +27,13 @@ std::string read_file_head(const std::filesystem::path& path, std::size_t bytes)
 bool is_file(const std::filesystem::path& path);
 /// True where the path leads to a directory; likewise.
 bool is_folder(const std::filesystem::path& path);
+
+/// False where permission to look into a directory is missing: what lies there is somebody else's.
+bool may_look_into(const std::filesystem::path& directory);
+
+/// Throws Error(Io) where `problem` kept a directory from being listed to its end: that must not pass for fewer files.
+/// One that is not there has none.
+void check_listed(const std::error_code& problem, const std::filesystem::path& directory);
 
 /// Regular files of a directory, not of its subdirectories, by name; none where it is not there. Throws Error(Io).
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& directory);

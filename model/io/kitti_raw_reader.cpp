@@ -35,7 +35,8 @@ std::vector<fs::path> find_drives(const fs::path& path) {
     if (is_drive(folder)) {
       drives.push_back(folder);
     } else if (depth < kSearchDepth) {
-      for (const fs::path& child : directories_in(folder)) waiting.emplace_back(child, depth + 1);
+      for (const fs::path& child : directories_in(folder))
+        if (may_look_into(child)) waiting.emplace_back(child, depth + 1);  // else no drive of ours: lost+found, say
     }
   }
   return drives;

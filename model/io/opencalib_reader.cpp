@@ -64,7 +64,7 @@ Contents examine(const fs::path& folder) {
     (poses.size() > 1 && is_lidar_pose_name(file) ? contents.lidar_poses : contents.ins_poses).push_back(file);
   std::stable_sort(contents.ins_poses.begin(), contents.ins_poses.end(),
                    [](const fs::path& a, const fs::path& b) { return ins_rank(a) < ins_rank(b); });
-  find_scans(folder, contents);
+  if (!contents.ins_poses.empty()) find_scans(folder, contents);
   return contents;
 }
 

@@ -200,6 +200,18 @@ std::optional<InsAxes> axes_of(PoseFormat format) {
 
 namespace {
 
+/// Lines that are long enough: eight numbers of one digit. Others, however many, are to take no memory.
+std::size_t possible_poses(std::string_view text) {
+  constexpr std::size_t kShortest = 15;
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    count += end - at >= kShortest ? 1 : 0;
+    at = end + 1;
+  }
+  return count;
+}
+
 /// Reads the header line where the format has one, and says where the poses begin.
 void read_head(PoseFormat format, std::string_view text, const fs::path& path, LineParser& parser, LineReader& lines) {
   std::string_view line;
@@ -242,7 +254,7 @@ std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path
   std::string_view line;
   read_head(format, text, path, parser, lines);
   std::vector<StampedPose> poses;
-  poses.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);  // they are large
+  poses.reserve(possible_poses(text));  // they are large, and would be there twice while the list grows
   BadItems bad;
   while (lines.next(line)) {
     if (trimmed(line).empty() || line.starts_with('#')) continue;

@@ -17,7 +17,8 @@ class SessionReader {
   virtual ~SessionReader() = default;
   virtual std::string_view id() const = 0;           ///< "kitti-raw"
   virtual std::string_view description() const = 0;  ///< one line for help and file dialogs
-  /// How sure, from the content and not only from names: 0 (no) to 100 (certain). Never throws, reads little.
+  /// How sure, from the content and not only from names: 0 (no) to 100 (certain). Reads little. Throws Error(Io) where
+  /// it cannot be seen what lies there; what cannot be read is not recognised.
   virtual int probe(const std::filesystem::path& path) const = 0;
   /// Throws Error (file, place, expectation) where nothing usable is there; a bad scan or line inside a usable
   /// session becomes a Finding.

@@ -35,10 +35,12 @@ const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
 
 namespace {
 
-/// What cannot be read is not recognised either: a file without permission must not pass for one of no known format.
+/// What cannot be read is not recognised either: what is without permission must not pass for no known format.
 void refuse_unreadable(const std::filesystem::path& path) {
   if (is_file(path)) (void)open_regular_file(path);
   for (const std::filesystem::path& file : files_in(path)) (void)open_regular_file(file);
+  for (const std::filesystem::path& folder : directories_in(path))
+    if (!may_look_into(folder)) (void)files_in(folder);  // says why not
 }
 
 }  // namespace
@@ -63,15 +65,16 @@ const SessionReader* surest_reader(const std::filesystem::path& path) {
   return best;
 }
 
-// A day's folder: sessions lie right below it.
+/// A day's folder: sessions lie right below it. None where that is cancelled.
 std::vector<std::filesystem::path> sessions_below(const std::filesystem::path& folder, const Progress& progress) {
-  constexpr int kMostEntries = 1000;  // more is no folder of drives
-  std::vector<std::filesystem::path> found;
-  std::error_code error;
-  int entries = 0;
-  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (progress.cancelled() || ++entries > kMostEntries) return {};
-    if (surest_reader(entry->path())) found.push_back(entry->path());
+  constexpr std::size_t kMostEntries = 1000;  // more is no folder of drives
+  std::vector<std::filesystem::path> entries = files_in(folder), found;
+  for (std::filesystem::path& below : directories_in(folder))
+    if (may_look_into(below)) entries.push_back(std::move(below));
+  if (entries.size() > kMostEntries) return {};
+  for (const std::filesystem::path& entry : entries) {
+    if (progress.cancelled()) return {};
+    if (surest_reader(entry)) found.push_back(entry);
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -82,12 +85,12 @@ const SessionReader& reader_of(const std::filesystem::path& path, const Progress
   std::error_code error;
   if (!status_of(path)) throw Error(ErrorCode::Io, path.string(), "does not exist");
   if (const SessionReader* best = surest_reader(path)) return *best;
-  refuse_unreadable(path);
-  if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
-    throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
   if (const auto sessions = sessions_below(path, progress); !sessions.empty())
     throw SeveralSessions(path, "is no session itself; open those of one vehicle below it:" + list_of(sessions),
                           sessions);
+  refuse_unreadable(path);
+  if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
+    throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
   std::string known;
   for (const auto& reader : session_readers()) known += "\n  " + std::string(reader->description());
   throw Error(ErrorCode::Unsupported, path.string(), "is no session that Remount knows. It looks for:" + known);

@@ -41,6 +41,7 @@ std::vector<fs::path> GrowingSource::files(const fs::path& folder) {
     ++files_examined_;
     if (is_file(entry->path())) names.insert(std::move(name));
   }
+  check_listed(error, folder);
   std::vector<fs::path> found;
   for (const std::string& name : names) found.push_back(folder / name);
   return found;

@@ -32,7 +32,7 @@ class GrowingSource final : public SessionSource {
   /// The first line, which may name columns, and the complete lines that are new; empty where there are none. Throws
   /// Error(Io) where the file has become shorter, see shrunk().
   std::string table(const std::filesystem::path& file) override;
-  /// Files that were not there.
+  /// Files that were not there. Throws Error(Io) where the folder cannot be listed.
   std::vector<std::filesystem::path> files(const std::filesystem::path& folder) override;
 
   /// What was handed out since the last call has been used.

@@ -132,6 +132,7 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
 
 void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, double least_update_s, const Tell& tell,
                                  Progress& progress) {
+  if (odometry_.back().poses.empty()) return;  // or not again, where the odometry began anew
   const std::size_t index = odometry_.size() - 1;
   const std::vector<TrajectoryEpoch>& had = aligner_.problem().sessions[index].epochs;
   EpochRange range;
@@ -153,6 +154,8 @@ void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, 
 
 void TrajectoryFeed::offer(const Session& session, bool complete, double least_update_s, const Tell& tell,
                            Progress& progress) {
+  if (from_scans_ && !session.scans)
+    throw Error(ErrorCode::Unsupported, named(session), "the session began with scans and has none any more");
   SessionOdometry& odometry = odometry_.back();
   const auto push = [&] {
     push_epochs(session,

@@ -56,7 +56,8 @@ class TrajectoryFeed {
   /// The next session. Throws Error(Unsupported) where it has no LiDAR, or neither an INS nor GNSS.
   void begin(const Session& session);
   /// The session begun last, with what it held before and perhaps more. Not `complete`: the last item of each stream
-  /// may be half written and waits. Each answer is told; a batch asks for fewer.
+  /// may be half written and waits. Each answer is told; a batch asks for fewer. Throws Error(Unsupported) where it
+  /// began with scans and has none any more.
   void offer(const Session& session, bool complete, double least_update_s, const Tell& tell, Progress& progress);
   /// The final solution of the sessions, which are complete now, in the order in which they were begun.
   TrajectoryOutcome finish(const std::vector<std::shared_ptr<const Session>>& sessions, Progress& progress);

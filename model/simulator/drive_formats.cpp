@@ -59,4 +59,13 @@ const std::vector<DriveFormat>& drive_format_list() {
   return formats;
 }
 
+std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive) {
+  std::vector<StampedPose> poses;
+  const RigidTransform start_from_enu = (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse();
+  for (std::size_t scan = 0; scan < drive.enu_from_ins.size(); ++scan)
+    poses.push_back(
+        {drive.session.scans->stamp_ns(scan), start_from_enu * drive.enu_from_ins[scan].pose * drive.ins_from_lidar});
+  return poses;
+}
+
 }  // namespace remount

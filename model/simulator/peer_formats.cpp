@@ -127,15 +127,6 @@ void write_opencalib_drive(const SimulatedDrive& drive, const fs::path& folder, 
   if (!progress.cancelled()) write_file(folder / "novatel-pose.txt", lines);
 }
 
-std::vector<StampedPose> exact_odometry(const SimulatedDrive& drive) {
-  std::vector<StampedPose> poses;
-  const RigidTransform start_from_enu = (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse();
-  for (std::size_t scan = 0; scan < drive.enu_from_ins.size(); ++scan)
-    poses.push_back(
-        {drive.session.scans->stamp_ns(scan), start_from_enu * drive.enu_from_ins[scan].pose * drive.ins_from_lidar});
-  return poses;
-}
-
 void write_pose_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
   write_file(folder / "ins.txt", tum_text(metric_poses(drive.session)));
   write_file(folder / "lidar.txt", tum_text(exact_odometry(drive)));

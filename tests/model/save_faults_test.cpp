@@ -24,7 +24,7 @@ using testing::Fault;
 using testing::SavedFile;
 using testing::TracedRun;
 
-constexpr int kKills = 200;  // of each kind, as the requirements say
+constexpr int kKills = 200;  // of each kind of file
 
 ResultFile sample_result(bool newer) {
   ResultFile file;

@@ -1,5 +1,6 @@
 #include "model/io/bag/unpacked_file.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
 #include <unistd.h>
 #include <zstd.h>
@@ -9,9 +10,11 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "algorithms/core/error.h"
 #include "model/io/random_access_file.h"
+#include "model/io/system_call.h"
 
 namespace remount {
 
@@ -33,10 +36,19 @@ std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) 
                   "unpack it with 'zstd -d'");
 }
 
+fs::path temporary_folder(const fs::path& packed) {
+  std::error_code problem;
+  fs::path folder = fs::temp_directory_path(problem);
+  if (problem)
+    throw Error(ErrorCode::Io, packed.string(),
+                "cannot be unpacked, there is no folder for temporary files: " + problem.message() +
+                    "; set TMPDIR to one, or unpack it with 'zstd -d'");
+  return folder;
+}
+
 void write_all(int descriptor, std::string_view bytes, const fs::path& packed, const fs::path& folder) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
+    const ssize_t count = uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
     if (count <= 0) no_room(packed, folder, std::strerror(errno));
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
@@ -47,9 +59,9 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& packed, c
 bool is_zstd(std::string_view head) { return head.starts_with("\x28\xb5\x2f\xfd"); }
 
 UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
-  const fs::path folder = fs::temp_directory_path();
+  const fs::path folder = temporary_folder(packed);
   std::string pattern = (folder / "remount-bag-XXXXXX").string();
-  FileDescriptor file(::mkstemp(pattern.data()));
+  const FileDescriptor file(::mkostemp(pattern.data(), O_CLOEXEC));
   if (file.get() < 0) no_room(packed, folder, std::strerror(errno));
   path_ = pattern;
   try {
@@ -90,7 +102,8 @@ void UnpackedFile::unpack(const fs::path& packed, int descriptor, Progress& prog
         no_room(packed, path_.parent_path(),
                 "after " + megabytes(written) + " only " + megabytes(space.available) + " are free");
       write_all(descriptor, {out.data(), output.pos}, packed, path_.parent_path());
-      full = output.pos == output.size;
+      // A frame that ends where the room does has given all: asked on, it would wait for a frame that is not there.
+      full = output.pos == output.size && hint != 0;
     }
   }
   if (hint != 0 && !progress.cancelled())

@@ -137,7 +137,7 @@ TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
   fleet_.vehicles[0].last.clear();
   rows = fleet_rows(fleet_);
   EXPECT_EQ(rows[0].reference.since, "");
-  EXPECT_FALSE(rows[1].has_reference_of_its_own()) << "the last one is the reference";
+  EXPECT_FALSE(rows[1].has_reference_of_its_own) << "the last one is the reference";
   EXPECT_EQ(rows[2].reference.since, "mon");
   EXPECT_EQ(rows[2].drift(), "") << "16 mm";
   std::printf("creep: %s\n", rows[2].reference.words.c_str());
@@ -159,6 +159,23 @@ TEST_F(fleet_rows_of, a_reference_that_is_named_stands_before_the_oldest) {
   rows = fleet_rows(fleet_);
   EXPECT_NE(rows[1].reference.words.find("refitted.yaml"), std::string::npos) << rows[1].reference.words;
   EXPECT_EQ(rows[1].reference.since, "");
+}
+
+TEST_F(fleet_rows_of, a_reference_of_the_same_name_as_the_last_one_is_another) {
+  for (const char* folder : {"fitted", "checked"}) std::filesystem::create_directories(folder_.path() / folder);
+  fleet_.vehicles[0].reference = folder_.path() / "fitted" / "result.yaml";
+  fleet_.vehicles[0].last = folder_.path() / "checked" / "result.yaml";
+  save_result(result(1.0, 10.0, 0.001), fleet_.vehicles[0].reference);
+  save_result(result(1.03, 10.0, 0.001), fleet_.vehicles[0].last);
+  make(0, result(1.03, 10.0, 0.001));
+  std::vector<FleetRow> rows = fleet_rows(fleet_);
+  EXPECT_EQ(rows[0].last.drift, "");
+  EXPECT_NE(rows[0].drift().find("x has changed by +0.0300 m"), std::string::npos) << rows[0].drift();
+  // So is one that cannot be read, where nothing else is known yet.
+  std::filesystem::remove(fleet_.vehicles[0].reference);
+  fleet_.vehicles[0].last.clear();
+  rows = fleet_rows(fleet_);
+  EXPECT_NE(fleet_text(fleet_, rows).find("By the reference: Not compared: "), std::string::npos);
 }
 
 TEST_F(fleet_rows_of, what_has_changed_beside_the_result_is_asked_and_named) {

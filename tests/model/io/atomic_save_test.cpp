@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
 #include "model/io/input_file.h"
 #include "model/io/sha256.h"
 
@@ -50,6 +51,15 @@ TEST_F(atomic_save, creates_and_replaces) {
   EXPECT_EQ(read_regular_file(path, 1000000), std::string(300000, 'x'));
   EXPECT_EQ(std::filesystem::status(path).permissions(), std::filesystem::perms(0640));
   EXPECT_EQ(files(), 1U);
+}
+
+TEST_F(atomic_save, of_new_files_in_many_threads_gives_all_the_permissions_of_the_process) {
+  const mode_t before = ::umask(027);
+  constexpr std::size_t kFiles = 2000;
+  parallel_for(kFiles, 4, [&](std::size_t i) { save_atomically(folder_ / std::to_string(i), "scan", Flush::Later); });
+  EXPECT_EQ(::umask(before), mode_t{027}) << "it is the process's, and stays as it was";
+  for (std::size_t i = 0; i < kFiles; ++i)
+    ASSERT_EQ(std::filesystem::status(folder_ / std::to_string(i)).permissions(), std::filesystem::perms(0640)) << i;
 }
 
 TEST_F(atomic_save, of_files_that_belong_together_replaces_all_or_none) {

@@ -214,6 +214,8 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
   const std::size_t unpacked_bytes = binary_pcd(200000).size();
   const std::vector<Sample> inputs{
       {"poses", "text", pack_files({{"hand.csv", poses(",", 30000)}, lidar})},
+      {"poses", "blank lines",
+       pack_files({{"hand.csv", poses(",", 40) + std::string(2'000'000, '\n')}, {"lidar.txt", poses(" ", 40)}})},
       {"novatel", "log", pack_files({{"a.log", inspvax_log(20000)}, lidar})},
       {"novatel", "csv", pack_files({{"ins.csv", inspvax_csv(30000)}, {"aft_mapped.csv", odometry_csv(30000)}})},
       {"gnss-log", "nmea", pack_files({{"gnss.nmea", nmea(30000)}, lidar})},

@@ -9,6 +9,7 @@
 #include "model/io/native_session_writer.h"
 #include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
+#include "model/methods/trajectory_feed.h"
 #include "model/methods/trajectory_method.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/io/temporary_folder.h"
@@ -111,6 +112,41 @@ TEST(trajectory_follow, ends_at_once_when_it_is_stopped_and_still_solves) {
   };
   const FollowedSession followed = follow_trajectory(folder.path() / "whole", {}, options, tell, following, finishing);
   EXPECT_TRUE(followed.output.result.observed[0]) << followed.output.result.message;
+}
+
+/// Scans of a session that was written anew: at other times, and none can be read.
+class OtherScans final : public ScanSource {
+ public:
+  explicit OtherScans(std::shared_ptr<const ScanSource> before) : before_(std::move(before)) {}
+  std::size_t size() const override { return before_->size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return before_->stamp_ns(scan) + 1'000'000; }
+  std::string name(std::size_t scan) const override { return before_->name(scan); }
+  PointCloud load(std::size_t scan) const override { throw Error(ErrorCode::Io, name(scan), "is gone"); }
+
+ private:
+  std::shared_ptr<const ScanSource> before_;
+};
+
+TEST(trajectory_follow, a_session_whose_scans_were_replaced_in_the_end_is_read_anew) {
+  SimulationOptions options;
+  options.duration_s = 4.0;
+  options.beams = 16;
+  options.azimuth_steps = 200;
+  const SimulatedDrive drive = simulate_drive(options);
+  TrajectoryFeed feed({}, std::nullopt, 0);
+  feed.begin(drive.session);
+  Progress progress;
+  int answers = 0;
+  const auto tell = [&](const TrajectorySnapshot&) { ++answers; };
+  feed.offer(drive.session, false, 0.0, tell, progress);
+  ASSERT_GT(answers, 0) << "nothing was learnt on the way";
+  Session replaced = drive.session;
+  replaced.scans = std::make_shared<OtherScans>(drive.session.scans);
+  feed.offer(replaced, true, 0.0, tell, progress);
+  EXPECT_EQ(feed.odometry().back().unreadable, replaced.scans->size());
+  EXPECT_TRUE(feed.odometry().back().poses.empty());
+  replaced.scans.reset();
+  EXPECT_ERROR(feed.offer(replaced, true, 0.0, tell, progress), "none any more");
 }
 
 TEST(trajectory_follow, a_session_that_never_comes_is_an_error) {

@@ -7,12 +7,9 @@
 
 #include "algorithms/geometry/geodesy.h"
 #include "algorithms/geometry/local_level.h"
-#include "model/io/parse_document.h"
-#include "model/io/session_reader.h"
-#include "model/io/transform_document.h"
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
-#include "tests/model/io/temporary_folder.h"
+#include "tests/model/simulator/written_drive.h"
 #include "tests/support/calibration_checks.h"
 
 namespace remount {
@@ -24,20 +21,6 @@ SimulationOptions small_options() {
   options.beams = 8;
   options.azimuth_steps = 90;
   return options;
-}
-
-Session read_back(const SimulatedDrive& drive, const std::string& format, const TemporaryFolder& folder) {
-  Progress progress;
-  write_drive(drive, folder.path() / "drive", format, 1, progress);
-  return open_session(folder.path() / "drive", progress);
-}
-
-/// Where the sensors are, as truth.yaml says.
-DocumentNode truth_in(const TemporaryFolder& folder) { return read_document(folder.path() / "drive" / "truth.yaml"); }
-
-RigidTransform true_mounting(const TemporaryFolder& folder) {
-  const DocumentNode root = truth_in(folder);
-  return transform_from_document(DocumentView(*root.find("ins_from_lidar"), "truth.yaml"));
 }
 
 /// Largest distances of the LiDAR's poses as read from those of the drive, m + rad.

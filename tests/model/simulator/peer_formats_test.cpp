@@ -6,13 +6,10 @@
 #include <iostream>
 
 #include "algorithms/geometry/local_level.h"
-#include "model/io/parse_document.h"
-#include "model/io/session_reader.h"
-#include "model/io/transform_document.h"
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
 #include "model/simulator/scene.h"
-#include "tests/model/io/temporary_folder.h"
+#include "tests/model/simulator/written_drive.h"
 
 namespace remount {
 namespace {
@@ -24,21 +21,6 @@ SimulationOptions small_options() {
   options.azimuth_steps = 90;
   options.ins_position_noise_m = options.ins_attitude_noise_deg = 0.0;
   return options;
-}
-
-/// The drive, written and read again.
-Session read_back(const SimulatedDrive& drive, const std::string& format, const TemporaryFolder& folder) {
-  Progress progress;
-  write_drive(drive, folder.path() / "drive", format, 1, progress);
-  const Session session = open_session(folder.path() / "drive", progress);
-  EXPECT_EQ(session.format, format);
-  return session;
-}
-
-RigidTransform true_mounting(const TemporaryFolder& folder) {
-  const auto path = folder.path() / "drive" / "truth.yaml";
-  const DocumentNode root = read_document(path);
-  return transform_from_document(DocumentView(*root.find("ins_from_lidar"), path.string()));
 }
 
 /// Largest error of P X = X Q over steps of a second, with motions as read and the truth as written.

@@ -1,0 +1,52 @@
+#include "model/io/bag/unpacked_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <optional>
+
+#include "model/io/bag/chunk_codec.h"
+#include "tests/model/io/bag/bag_fixtures.h"
+
+namespace remount {
+namespace {
+
+// Pieces are of 4 MiB: a file that fills the last one to its end is not cut.
+TEST(unpacked_file, of_any_length_is_whole) {
+  const TemporaryFolder folder;
+  Progress progress;
+  constexpr std::size_t kPiece = std::size_t{4} << 20;
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, kPiece - 1, kPiece, kPiece + 1, 2 * kPiece}) {
+    std::string bytes(size, 'x');
+    for (std::size_t i = 0; i < size; i += 4096) bytes[i] = static_cast<char>(i >> 12);
+    const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, bytes));
+    const UnpackedFile unpacked(packed, progress);
+    EXPECT_TRUE(bags::bytes_of(unpacked.path()) == bytes) << size;
+  }
+}
+
+TEST(unpacked_file, of_two_frames_is_both_of_them) {
+  const TemporaryFolder folder;
+  Progress progress;
+  const std::string one(std::size_t{4} << 20, 'a'), other = "the end";
+  const auto packed =
+      folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, one) + pack_chunk(ChunkCompression::Zstd, other));
+  EXPECT_TRUE(bags::bytes_of(UnpackedFile(packed, progress).path()) == one + other);
+}
+
+TEST(unpacked_file, without_a_folder_for_it_says_which_to_set) {
+  const TemporaryFolder folder;
+  Progress progress;
+  const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, "some bytes"));
+  const char* const set = std::getenv("TMPDIR");
+  const std::optional<std::string> before = set ? std::optional<std::string>(set) : std::nullopt;
+  ::setenv("TMPDIR", (folder.path() / "none").c_str(), 1);
+  EXPECT_ERROR(UnpackedFile(packed, progress), "set TMPDIR");
+  if (before)
+    ::setenv("TMPDIR", before->c_str(), 1);
+  else
+    ::unsetenv("TMPDIR");
+}
+
+}  // namespace
+}  // namespace remount
