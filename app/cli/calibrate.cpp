@@ -169,15 +169,17 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   if (!arguments.no_hashes) inputs = hash_inputs(input.sessions, input.threads, console.progress());
   console.report(output.findings);
 
+  // First: where the project cannot be saved, a long run is not lost.
+  const int code = finish(make_result_file(input, output, inputs), arguments.solve.output, console);
   if (!arguments.save_project.empty() && !keeps_old_file(output.result, arguments.save_project, console)) {
     project.settings = input.settings;
     project.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
-    project.inputs = inputs;
-    project.output = output;
+    project.inputs = std::move(inputs);
+    project.output = std::move(output);
     project.basis = basis_of(input);
     project_file.save(project);
   }
-  return finish(make_result_file(input, output, std::move(inputs)), arguments.solve.output, console);
+  return code;
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ std::vector<Waiting> other_messages(const Session& session, BagWriter& bag) {
 
 std::unique_ptr<BagWriter> make_writer(const std::filesystem::path& folder, const std::string& format) {
   if (format == "mcap") return make_mcap_writer(folder / "drive.mcap", MessageEncoding::Cdr, ChunkCompression::Zstd);
+  if (format == "rosbag2") return make_sqlite_writer(folder / "drive.db3");
   return make_rosbag1_writer(folder / "drive.bag", ChunkCompression::Lz4);
 }
 

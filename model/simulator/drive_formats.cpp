@@ -35,6 +35,9 @@ void write_kitti(const SimulatedDrive& drive, const fs::path& folder, int thread
 void write_rosbag1(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   write_bag_drive(drive, folder, "rosbag1", threads, progress);
 }
+void write_rosbag2(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
+  write_bag_drive(drive, folder, "rosbag2", threads, progress);
+}
 void write_mcap(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   write_bag_drive(drive, folder, "mcap", threads, progress);
 }
@@ -55,6 +58,7 @@ const std::vector<DriveFormat>& drive_format_list() {
       {"gpx", "gnss-log", write_gpx_drive, OtherTruth::AntennaInLidar},
       {"smartloc", "smartloc", write_smartloc_drive, OtherTruth::AntennaInVehicle},
       {"rosbag1", "ros-bag", write_rosbag1},
+      {"rosbag2", "ros-bag", write_rosbag2},
       {"mcap", "ros-bag", write_mcap}};
   return formats;
 }

@@ -28,4 +28,7 @@ std::unique_ptr<BagWriter> make_rosbag1_writer(const std::filesystem::path& path
 std::unique_ptr<BagWriter> make_mcap_writer(const std::filesystem::path& path, MessageEncoding encoding,
                                             ChunkCompression compression, std::size_t chunk_bytes = 768 * 1024);
 
+/// A database of rosbag2, in CDR. Its metadata.yaml is not written: `ros2 bag reindex` makes it.
+std::unique_ptr<BagWriter> make_sqlite_writer(const std::filesystem::path& path);
+
 }  // namespace remount

@@ -21,7 +21,7 @@ SimulatedDrive small_drive(bool per_point_time = true) {
 TEST(bag_drive, reads_back_as_it_was_simulated) {
   const SimulatedDrive drive = small_drive();
   const Session& made = drive.session;
-  for (const std::string format : {"rosbag1", "mcap"}) {
+  for (const std::string format : {"rosbag1", "rosbag2", "mcap"}) {
     const TemporaryFolder folder;
     Progress progress;
     write_drive(drive, folder.path() / "d", format, 2, progress);
@@ -51,10 +51,10 @@ TEST(bag_drive, reads_back_as_it_was_simulated) {
 
 TEST(bag_drive, has_the_same_bytes_for_any_number_of_threads) {
   const SimulatedDrive drive = small_drive();
-  for (const std::string format : {"rosbag1", "mcap"}) {
+  for (const std::string format : {"rosbag1", "rosbag2", "mcap"}) {
     const TemporaryFolder folder;
     Progress progress;
-    const std::string name = format == "mcap" ? "drive.mcap" : "drive.bag";
+    const std::string name = format == "mcap" ? "drive.mcap" : format == "rosbag2" ? "drive.db3" : "drive.bag";
     for (const int threads : {1, 3})
       write_drive(drive, folder.path() / std::to_string(threads), format, threads, progress);
     EXPECT_EQ(read_regular_file(folder.path() / "1" / name), read_regular_file(folder.path() / "3" / name));
