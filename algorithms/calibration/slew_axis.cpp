@@ -141,7 +141,9 @@ double lasting_of(const Turns& turns, const Pulls& pulls) {
   }
   double slow = 0.0;
   for (const std::complex<double>& sum : sums) slow += std::norm(sum) / static_cast<double>(kSlow.size());
-  return power > 0.0 ? std::max(1.0, slow / power) : 1.0;
+  // A variance estimated from n numbers scales errors whose squares are n / (n - 2) as large (Student).
+  constexpr double kNumbers = 2.0 * kSlow.size();
+  return power > 0.0 ? std::max(1.0, kNumbers / (kNumbers - 2.0) * slow / power) : 1.0;
 }
 
 /// Of the centre (two axes across) and the direction.
