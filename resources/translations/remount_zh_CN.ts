@@ -1722,6 +1722,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Start</source>
         <translation>起始</translation>
     </message>
+    <message>
+        <source>Measuring the distances…</source>
+        <translation>正在测量距离…</translation>
+    </message>
 </context>
 <context>
     <name>remount::OptionsDialog</name>
@@ -3438,6 +3442,18 @@ Save under another name, or close it there first.</source>
         <source>decisions before the topics were changed</source>
         <translation>更改话题之前的决定</translation>
     </message>
+    <message>
+        <source>decisions during the calibration</source>
+        <translation>标定期间的决定</translation>
+    </message>
+    <message>
+        <source>result confirmed</source>
+        <translation>结果已确认</translation>
+    </message>
+    <message>
+        <source>confirmation of the result taken back</source>
+        <translation>已收回对结果的确认</translation>
+    </message>
 </context>
 <context>
     <name>remount::axes_picture</name>
@@ -3564,10 +3580,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma)</source>
         <translation>与 INS 运动相差 %1 m、%2 度（%3 sigma）</translation>
-    </message>
-    <message>
-        <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma); screw test failed</source>
-        <translation>与 INS 运动相差 %1 m、%2 度（%3 sigma）；螺旋检验未通过</translation>
     </message>
     <message>
         <source>does not determine %1</source>
@@ -4208,22 +4220,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>An object displaced by more than this against the rest of the pair is moving.</source>
         <translation>相对帧对其余部分位移超过此值的物体是运动的。</translation>
-    </message>
-    <message>
-        <source>Rear end of the vehicle in the INS frame.</source>
-        <translation>车辆在 INS 坐标系中的后端。</translation>
-    </message>
-    <message>
-        <source>Front end of the vehicle in the INS frame.</source>
-        <translation>车辆在 INS 坐标系中的前端。</translation>
-    </message>
-    <message>
-        <source>Right side of the vehicle in the INS frame.</source>
-        <translation>车辆在 INS 坐标系中的右侧。</translation>
-    </message>
-    <message>
-        <source>Left side of the vehicle in the INS frame.</source>
-        <translation>车辆在 INS 坐标系中的左侧。</translation>
     </message>
     <message>
         <source>What is higher than this above the INS is no obstacle: bridges, branches.</source>
@@ -7029,6 +7025,30 @@ Save under another name, or close it there first.</source>
         <source>was there when it was opened and is gone now: nothing is made of the part that could be read</source>
         <translation>打开时存在，现已消失：不使用只读到的部分</translation>
     </message>
+    <message>
+        <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma); turn or advance of INS and LiDAR differ</source>
+        <translation>与 INS 运动相差 %1 m、%2 度（%3 sigma）；INS 与激光雷达的转角或前进量不同</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>正在求解</translation>
+    </message>
+    <message>
+        <source>Rear end of the vehicle, forward from the INS.</source>
+        <translation>车尾，自 INS 沿前向计。</translation>
+    </message>
+    <message>
+        <source>Front end of the vehicle, forward from the INS.</source>
+        <translation>车头，自 INS 沿前向计。</translation>
+    </message>
+    <message>
+        <source>Right side of the vehicle, leftward from the INS.</source>
+        <translation>车右侧，自 INS 沿左向计。</translation>
+    </message>
+    <message>
+        <source>Left side of the vehicle, leftward from the INS.</source>
+        <translation>车左侧，自 INS 沿左向计。</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -7212,6 +7232,10 @@ Save under another name, or close it there first.</source>
         <source>confirm in Quality</source>
         <translation>请在“质量”中确认</translation>
     </message>
+    <message>
+        <source>copied, in no file</source>
+        <translation>已复制，未存文件</translation>
+    </message>
 </context>
 <context>
     <name>remount::theme</name>
@@ -7275,12 +7299,6 @@ Save under another name, or close it there first.</source>
         <translation>正在打开数据…</translation>
     </message>
     <message>
-        <source>Calibrating: choosing scans, aligning pairs, solving.
-The pairs appear here when they are aligned.</source>
-        <translation>正在标定：选择扫描、配准帧对、求解。
-配准后帧对显示在这里。</translation>
-    </message>
-    <message>
         <source>Say on the left roughly where the LiDAR sits, or leave it unknown.
 Then calibrate: F5.</source>
         <translation>请在左侧说出激光雷达大致装在哪里，或留作未知。
@@ -7297,14 +7315,6 @@ Then calibrate: F5.</source>
     <message>
         <source>Not observed: %1. What a file holds for these is not measured: for a translation the nominal value or 0, for a rotation the best guess.</source>
         <translation>不可观测：%1。文件中这些值不是测量所得：平移为名义值或 0，旋转为最佳猜测。</translation>
-    </message>
-    <message>
-        <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow…</source>
-        <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新…</translation>
-    </message>
-    <message>
-        <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow.</source>
-        <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新。</translation>
     </message>
     <message>
         <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
@@ -7325,6 +7335,26 @@ Then calibrate: F5.</source>
     <message>
         <source>%1 on %2 (process %3), since %4</source>
         <translation>%2 上的 %1（进程 %3），自 %4 起</translation>
+    </message>
+    <message>
+        <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow…</source>
+        <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出…</translation>
+    </message>
+    <message>
+        <source>Calibrating: choosing scans, aligning pairs, solving.
+Pairs and result appear together when all of it is done. Esc stops, and keeps the pairs that are aligned by then.</source>
+        <translation>正在标定：选取扫描、配准帧对、求解。
+全部完成后帧对和结果一起出现。按 Esc 停止，保留届时已配准的帧对。</translation>
+    </message>
+    <message>
+        <source>Calibrating.
+The result appears when all of it is done. Esc stops.</source>
+        <translation>正在标定。
+全部完成后出现结果。按 Esc 停止。</translation>
+    </message>
+    <message>
+        <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow.</source>
+        <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出。</translation>
     </message>
 </context>
 <context>
