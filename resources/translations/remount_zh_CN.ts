@@ -3334,6 +3334,14 @@ Everything else works.</source>
         <source>Open session…</source>
         <translation>打开数据…</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Opened lately&lt;/b&gt;</source>
+        <translation>&lt;b&gt;最近打开&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
+    </message>
 </context>
 <context>
     <name>remount::WindowHost</name>
