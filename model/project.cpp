@@ -108,6 +108,7 @@ DocumentNode calibration_document(const Project& project) {
   DocumentNode node = DocumentNode::map();
   node.add("session_count", DocumentNode::integer(static_cast<std::int64_t>(project.basis.session_count)));
   if (project.solution_pending) node.add("solution_pending", DocumentNode::boolean(true));
+  if (project.confirmed) node.add("confirmed", DocumentNode::boolean(true));
   node.add("map_check", DocumentNode::string(kMapChecks[static_cast<std::size_t>(output.map_check)]));
   node.add("result", result_document(file));
   node.add("initial_ins_from_lidar", transform_document(output.initial_ins_from_lidar));
@@ -146,6 +147,7 @@ void read_calibration(const DocumentView& view, Project& project) {
     project.basis.session_count =
         static_cast<std::size_t>(view.at("session_count").integer(0, static_cast<std::int64_t>(session_count)));
   project.solution_pending = view.has("solution_pending") && view.at("solution_pending").boolean();
+  project.confirmed = view.has("confirmed") && view.at("confirmed").boolean();
   output.initial_ins_from_lidar = transform_from_document(view.at("initial_ins_from_lidar"));
   output.compensation_ins_from_lidar = transform_from_document(view.at("compensation_ins_from_lidar"));
   output.initial_known = view.at("initial_known").boolean();

@@ -39,6 +39,7 @@ struct Project {
   std::vector<PairVerdict> verdicts;
   std::optional<PipelineOutput> output;  ///< the last calibration, enough to review and solve again without scans
   bool solution_pending = false;  ///< `output` holds decisions that its result does not answer in full: solve again
+  bool confirmed = false;         ///< the user said that the result of `output` is good
   CalibrationBasis basis;         ///< what `output` was made with
   std::vector<InputFile> inputs;  ///< hashes of what that calibration read
 

@@ -17,7 +17,7 @@ std::string outlier_reason(const Pair& pair, double score) {
   char text[200];
   std::snprintf(text, sizeof text, "contradicts the INS motion by %.3f m, %.3f deg (%.1f sigma)%s",
                 pair.residual_translation_m, radians_to_degrees(pair.residual_rotation_rad), score,
-                pair.screw.passed ? "" : "; screw test failed");
+                pair.screw.passed ? "" : "; turn or advance of INS and LiDAR differ");
   return text;
 }
 

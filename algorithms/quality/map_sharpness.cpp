@@ -9,6 +9,7 @@
 
 #include "algorithms/core/parallel.h"
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/quality/sharpness_limits.h"
 
 namespace remount {
 namespace {
@@ -163,11 +164,9 @@ std::vector<MapSharpness> compare_sharpness(const std::vector<MapScans>& maps,
 }
 
 SharperUnder compared(const MapSharpness& first, const MapSharpness& second) {
-  constexpr double kClearly = 1.05;     // less is chance: neighbourhoods are few and INS noise blurs both
-  constexpr std::size_t kFewest = 200;  // fewer are one wall, or chance
-  if (std::min(first.points, second.points) < kFewest) return SharperUnder::TooFewPlaces;
-  if (first.plane_thickness_m > kClearly * second.plane_thickness_m) return SharperUnder::Second;
-  if (second.plane_thickness_m > kClearly * first.plane_thickness_m) return SharperUnder::First;
+  if (std::min(first.points, second.points) < kFewestPlaces) return SharperUnder::TooFewPlaces;
+  if (first.plane_thickness_m > kClearlySharper * second.plane_thickness_m) return SharperUnder::Second;
+  if (second.plane_thickness_m > kClearlySharper * first.plane_thickness_m) return SharperUnder::First;
   return SharperUnder::Neither;
 }
 

@@ -31,22 +31,22 @@ double distance_m(const Eigen::Vector3d& p, const ObstacleOptions& options) {
 
 /// Nothing where the object is no obstacle.
 std::optional<Obstacle> obstacle(const PointCloud& cloud, const SceneObject& object,
-                                 const RigidTransform& ins_from_lidar, const ObstacleOptions& options) {
+                                 const RigidTransform& vehicle_from_lidar, const ObstacleOptions& options) {
   Obstacle result;
   result.shape = object.shape;
   result.distance_m = std::numeric_limits<double>::infinity();
-  result.centroid_in_ins = ins_from_lidar * object.centroid_in_lidar.cast<double>();
+  result.centroid_in_vehicle = vehicle_from_lidar * object.centroid_in_lidar.cast<double>();
   bool any_outside = false;
   for (const int i : object.points) {
     if (i < 0 || static_cast<std::size_t>(i) >= cloud.size())
       throw Error(ErrorCode::Contract, "obstacle check", "the objects are not those of this scan");
-    const Eigen::Vector3d p = ins_from_lidar * cloud.points[static_cast<std::size_t>(i)].cast<double>();
+    const Eigen::Vector3d p = vehicle_from_lidar * cloud.points[static_cast<std::size_t>(i)].cast<double>();
     if (p.z() > options.clearance_above_m) continue;
     const double distance = distance_m(p, options);
     any_outside = any_outside || distance > 0.0;
     if (distance >= result.distance_m) continue;
     result.distance_m = distance;
-    result.nearest_point_in_ins = p;
+    result.nearest_point_in_vehicle = p;
   }
   if (!std::isfinite(result.distance_m) || (options.ignore_inside && !any_outside)) return std::nullopt;
   return result;
@@ -57,11 +57,11 @@ std::optional<Obstacle> obstacle(const PointCloud& cloud, const SceneObject& obj
 std::string_view to_string(ObstacleDecision decision) { return decision == ObstacleDecision::Stop ? "stop" : "clear"; }
 
 ObstacleCheck check_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
-                              const RigidTransform& ins_from_lidar, const ObstacleOptions& options) {
+                              const RigidTransform& vehicle_from_lidar, const ObstacleOptions& options) {
   check(options);
   ObstacleCheck result;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    std::optional<Obstacle> found = obstacle(cloud_in_lidar, objects[i], ins_from_lidar, options);
+    std::optional<Obstacle> found = obstacle(cloud_in_lidar, objects[i], vehicle_from_lidar, options);
     if (!found) continue;
     found->object = static_cast<int>(i);
     result.obstacles.push_back(*found);
@@ -74,11 +74,12 @@ ObstacleCheck check_obstacles(const PointCloud& cloud_in_lidar, const std::vecto
 }
 
 ObstacleComparison compare_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
-                                     const RigidTransform& nominal_ins_from_lidar,
-                                     const RigidTransform& calibrated_ins_from_lidar, const ObstacleOptions& options) {
+                                     const RigidTransform& nominal_vehicle_from_lidar,
+                                     const RigidTransform& calibrated_vehicle_from_lidar,
+                                     const ObstacleOptions& options) {
   ObstacleComparison result;
-  result.nominal = check_obstacles(cloud_in_lidar, objects, nominal_ins_from_lidar, options);
-  result.calibrated = check_obstacles(cloud_in_lidar, objects, calibrated_ins_from_lidar, options);
+  result.nominal = check_obstacles(cloud_in_lidar, objects, nominal_vehicle_from_lidar, options);
+  result.calibrated = check_obstacles(cloud_in_lidar, objects, calibrated_vehicle_from_lidar, options);
   std::vector<ObstacleDifference> rows(objects.size());
   std::vector<bool> used(objects.size(), false);
   const auto enter = [&](const ObstacleCheck& check, double ObstacleDifference::*distance) {

@@ -10,7 +10,8 @@
 
 namespace remount {
 
-/// The vehicle's outline seen from above, in the INS frame (x forward, y left), and when to stop.
+/// The vehicle's outline seen from above, in the vehicle's axes (x forward, y left, z up, origin at the INS), and when
+/// to stop.
 struct ObstacleOptions {
   double outline_x_min_m = -1.5;
   double outline_x_max_m = 3.5;
@@ -22,10 +23,14 @@ struct ObstacleOptions {
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
-    visitor({"outline_x_min_m", "m", "Rear end of the vehicle in the INS frame.", -50.0, 50.0}, self.outline_x_min_m);
-    visitor({"outline_x_max_m", "m", "Front end of the vehicle in the INS frame.", -50.0, 50.0}, self.outline_x_max_m);
-    visitor({"outline_y_min_m", "m", "Right side of the vehicle in the INS frame.", -50.0, 50.0}, self.outline_y_min_m);
-    visitor({"outline_y_max_m", "m", "Left side of the vehicle in the INS frame.", -50.0, 50.0}, self.outline_y_max_m);
+    visitor({"outline_x_min_m", "m", "Rear end of the vehicle, forward from the INS.", -50.0, 50.0},
+            self.outline_x_min_m);
+    visitor({"outline_x_max_m", "m", "Front end of the vehicle, forward from the INS.", -50.0, 50.0},
+            self.outline_x_max_m);
+    visitor({"outline_y_min_m", "m", "Right side of the vehicle, leftward from the INS.", -50.0, 50.0},
+            self.outline_y_min_m);
+    visitor({"outline_y_max_m", "m", "Left side of the vehicle, leftward from the INS.", -50.0, 50.0},
+            self.outline_y_max_m);
     visitor({"clearance_above_m", "m", "What is higher than this above the INS is no obstacle: bridges, branches.", 0.0,
              50.0},
             self.clearance_above_m);
@@ -45,8 +50,8 @@ struct Obstacle {
   int object = 0;  ///< index into the objects given
   ObjectShape shape = ObjectShape::Small;
   double distance_m = 0.0;  ///< in the plane, of its nearest point to the outline; 0 where it reaches into it
-  Eigen::Vector3d nearest_point_in_ins = Eigen::Vector3d::Zero();
-  Eigen::Vector3d centroid_in_ins = Eigen::Vector3d::Zero();
+  Eigen::Vector3d nearest_point_in_vehicle = Eigen::Vector3d::Zero();
+  Eigen::Vector3d centroid_in_vehicle = Eigen::Vector3d::Zero();
 };
 
 struct ObstacleCheck {
@@ -55,11 +60,11 @@ struct ObstacleCheck {
   ObstacleDecision decision = ObstacleDecision::Clear;
 };
 
-/// The objects of a scan (find_objects on the same cloud) taken to the INS frame by `ins_from_lidar`.
+/// The objects of a scan (find_objects on the same cloud) taken to the vehicle's axes by `vehicle_from_lidar`.
 /// Throws Error(Contract) where options are out of range, the outline is empty, or an object refers to points that the
 /// cloud does not have.
 ObstacleCheck check_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
-                              const RigidTransform& ins_from_lidar, const ObstacleOptions& options);
+                              const RigidTransform& vehicle_from_lidar, const ObstacleOptions& options);
 
 /// One obstacle under two mountings. Not a number where it is no obstacle under that mounting (inside the outline, too
 /// high).
@@ -78,7 +83,8 @@ struct ObstacleComparison {
 
 /// The same scan under the nominal and under the new mounting, side by side.
 ObstacleComparison compare_obstacles(const PointCloud& cloud_in_lidar, const std::vector<SceneObject>& objects,
-                                     const RigidTransform& nominal_ins_from_lidar,
-                                     const RigidTransform& calibrated_ins_from_lidar, const ObstacleOptions& options);
+                                     const RigidTransform& nominal_vehicle_from_lidar,
+                                     const RigidTransform& calibrated_vehicle_from_lidar,
+                                     const ObstacleOptions& options);
 
 }  // namespace remount

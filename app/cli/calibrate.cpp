@@ -160,7 +160,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   }
 
   PipelineOutput output = remount::calibrate(input, console.progress());
-  project.solution_pending = false;
+  project.solution_pending = project.confirmed = false;
   if (!console.cancelled() && apply_verdicts(project.verdicts, output) > 0) {
     project.solution_pending = !solve_again(input, output, console.progress());
     if (!project.solution_pending) check_map(input, output, console.progress());

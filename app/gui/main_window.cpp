@@ -49,6 +49,7 @@
 #include "widgets/panels/range_panel.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/sessions_panel.h"
+#include "widgets/panels/shrinking_area.h"
 #include "widgets/panels/welcome_panel.h"
 
 namespace remount {
@@ -125,7 +126,8 @@ void MainWindow::make_centre() {
   views_->setDocumentMode(true);
   views_->addTab(pair_view_, tr("Pair"));
   views_->addTab(map_view_, tr("Map"));
-  centre_->addWidget(views_);
+  // With all docks around it, 800 by 500 pixels are enough for the window.
+  centre_->addWidget(new ShrinkingArea(views_, QSize(320, 150)));
   auto* page = new QWidget(this);
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, 0, 0, 0);
@@ -139,7 +141,7 @@ QDockWidget* MainWindow::make_dock(const QString& title, const QString& name, QW
                                    Qt::DockWidgetArea area) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
-  dock->setWidget(content);
+  dock->setWidget(new ShrinkingArea(content));
   addDockWidget(area, dock);
   // A panel behind another keeps the focus otherwise: F1 and keys would be for what is not seen.
   connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {

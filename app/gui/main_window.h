@@ -50,14 +50,17 @@ class TurnQueue;
 class WelcomePanel;
 
 class Autosave;
+struct KeptResults;
 
 /// What stays when another window takes the place of one.
 struct WindowHandover {
   QByteArray geometry, state;
   QString log;
-  std::unique_ptr<Autosave> autosave;  ///< null where work is not kept
+  std::unique_ptr<Autosave> autosave;     ///< null where work is not kept
+  std::unique_ptr<KeptResults> compared;  ///< of the methods
 
-  WindowHandover(QByteArray geometry, QByteArray state, QString log, std::unique_ptr<Autosave> autosave);
+  WindowHandover(QByteArray geometry, QByteArray state, QString log, std::unique_ptr<Autosave> autosave,
+                 std::unique_ptr<KeptResults> compared);
   WindowHandover(WindowHandover&&) noexcept;
   ~WindowHandover();
 };

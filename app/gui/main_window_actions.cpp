@@ -14,6 +14,7 @@
 #include "app/gui/error_words.h"
 #include "app/gui/main_window.h"
 #include "app/gui/method_controller.h"
+#include "app/gui/obstacle_controller.h"
 #include "app/gui/project_keeper.h"
 #include "app/gui/result_files.h"
 #include "app/gui/wording.h"
@@ -209,12 +210,12 @@ void MainWindow::show_export() {
       this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show_warning(export_warning(workbench_));
-  connect(dialog, &ExportDialog::copied, &workbench_, &Workbench::mark_exported);
+  connect(dialog, &ExportDialog::copied, &workbench_, [this] { workbench_.mark_exported(Exported::Copied); });
   connect(dialog, &ExportDialog::save_requested, this,
           [this](const QString&, const QString& path, const QString& text) {
             try {
               save_text(path, text);
-              workbench_.mark_exported();
+              workbench_.mark_exported(Exported::Written);
               show_message(Severity::Note, path, tr("saved"));
             } catch (const Error& error) {
               const JobFailure failure = failure_of(error);
@@ -229,11 +230,12 @@ void MainWindow::show_obstacles() {
   if (!output || !shown_clouds_ || workbench_.selected_pair() < 0) return;
   const Pair& pair = output->pairs.at(static_cast<std::size_t>(workbench_.selected_pair()));
   const RigidTransform vehicle_from_ins = forward_left_up_from(common_axes(workbench_.input_of_output().sessions));
-  auto* dialog = new ObstacleDialog(
-      tr("scan b of pair %1, %2").arg(workbench_.selected_pair()).arg(scan_name(pair.keyframe_b)), shown_clouds_,
-      vehicle_from_ins * output->initial_ins_from_lidar, vehicle_from_ins * output->result.ins_from_lidar,
-      output->nominal_known, distance_caution(workbench_), this);
+  auto* dialog =
+      new ObstacleDialog(tr("scan b of pair %1, %2").arg(workbench_.selected_pair()).arg(scan_name(pair.keyframe_b)),
+                         output->nominal_known, distance_caution(workbench_), this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
+  new ObstacleController(workbench_.jobs(), *dialog, shown_clouds_, vehicle_from_ins * output->initial_ins_from_lidar,
+                         vehicle_from_ins * output->result.ins_from_lidar);
   dialog->show();
 }
 
@@ -260,7 +262,10 @@ void MainWindow::copy_result() {
   if (!output) return;
   QString text = result_as_text(output->result);
   // With the numbers that an export has, for those who go on to paste them.
-  if (is_usable(output->result)) text += QStringLiteral("\n\n") + export_text(workbench_, QStringLiteral("matrix"));
+  if (is_usable(output->result)) {
+    text += QStringLiteral("\n\n") + export_text(workbench_, QStringLiteral("matrix"));
+    workbench_.mark_exported(Exported::Copied);
+  }
   QGuiApplication::clipboard()->setText(text);
 }
 

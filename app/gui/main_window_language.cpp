@@ -5,6 +5,7 @@
 
 #include "app/gui/language.h"
 #include "app/gui/main_window.h"
+#include "app/gui/method_controller.h"
 #include "app/gui/project_keeper.h"
 #include "widgets/panels/log_panel.h"
 #include "widgets/panels/pairs_panel.h"
@@ -25,13 +26,18 @@ void MainWindow::add_language_menu(QMenu& menu) {
 }
 
 WindowHandover::WindowHandover(QByteArray geometry_, QByteArray state_, QString log_,
-                               std::unique_ptr<Autosave> autosave_)
-    : geometry(std::move(geometry_)), state(std::move(state_)), log(std::move(log_)), autosave(std::move(autosave_)) {}
+                               std::unique_ptr<Autosave> autosave_, std::unique_ptr<KeptResults> compared_)
+    : geometry(std::move(geometry_)),
+      state(std::move(state_)),
+      log(std::move(log_)),
+      autosave(std::move(autosave_)),
+      compared(std::move(compared_)) {}
 WindowHandover::WindowHandover(WindowHandover&&) noexcept = default;
 WindowHandover::~WindowHandover() = default;
 
 WindowHandover MainWindow::hand_over() {
-  return {saveGeometry(), saveState(), log_->toPlainText(), keeper_->take_autosave()};
+  return {saveGeometry(), saveState(), log_->toPlainText(), keeper_->take_autosave(),
+          std::make_unique<KeptResults>(method_control_->compared())};
 }
 
 void MainWindow::take_over(WindowHandover handover) {
@@ -39,6 +45,7 @@ void MainWindow::take_over(WindowHandover handover) {
   restoreState(handover.state);
   log_->setPlainText(handover.log);
   keeper_->put_autosave(std::move(handover.autosave));
+  method_control_->take_over(std::move(*handover.compared));
   if (workbench_.output()) pairs_->table()->setFocus();  // else the first step takes it
 }
 

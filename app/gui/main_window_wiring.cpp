@@ -9,6 +9,7 @@
 #include "app/gui/main_window.h"
 #include "app/gui/map_controller.h"
 #include "app/gui/method_controller.h"
+#include "app/gui/project_keeper.h"
 #include "app/gui/quality_controller.h"
 #include "app/gui/remembering.h"
 #include "app/gui/report_maker.h"
@@ -49,6 +50,10 @@ void MainWindow::connect_intents() {
   connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
   connect(welcome_, &WelcomePanel::open_requested, this, &MainWindow::ask_for_folder);
   connect(welcome_, &WelcomePanel::sample_requested, this, &MainWindow::open_sample);
+  connect(welcome_, &WelcomePanel::recent_requested, this, [this](const QString& path) { open_paths({path}); });
+  const auto show_recent = [this] { welcome_->show_recent(keeper_->recent().paths(), keeper_->recent().labels()); };
+  connect(keeper_, &ProjectKeeper::recent_changed, this, show_recent);
+  show_recent();
   connect(sessions_, &SessionsPanel::open_requested, this, &MainWindow::ask_for_folder);
   connect(sessions_, &SessionsPanel::remove_requested, &workbench_, &Workbench::remove_session);
   connect(sessions_, &SessionsPanel::topics_requested, &workbench_, &Workbench::list_topics);

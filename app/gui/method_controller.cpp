@@ -38,7 +38,7 @@ MethodController::MethodController(Workbench& workbench, QComboBox& chooser, Met
   connect(&workbench_, &Workbench::sessions_changed, this, [this] {
     if (workbench_.sessions() == sessions_) return;
     sessions_ = workbench_.sessions();
-    of_methods_.clear();  // other sessions may be of another vehicle
+    compared_.of_methods.clear();  // other sessions may be of another vehicle
     show_comparison();
   });
   sessions_ = workbench_.sessions();
@@ -72,7 +72,7 @@ void MethodController::show_output() {
                         ? tr("The method drew nothing in space.")
                         : tr("The method drew no way of its own: its scans are in the views \"Pair\" and \"Map\"."));
   if (is_usable(output->result)) {
-    NamedResult& named = of_methods_[output->method];
+    NamedResult& named = compared_.of_methods[output->method];
     named.name = title_of(output->method).toStdString();
     named.file = {};
     named.file.method = output->method;
@@ -84,15 +84,15 @@ void MethodController::show_output() {
 
 void MethodController::show_comparison() {
   std::vector<NamedResult> results;
-  for (const auto& [id, result] : of_methods_) results.push_back(result);
-  results.insert(results.end(), of_files_.begin(), of_files_.end());
+  for (const auto& [id, result] : compared_.of_methods) results.push_back(result);
+  results.insert(results.end(), compared_.of_files.begin(), compared_.of_files.end());
   comparison_.show_results(results);
 }
 
 void MethodController::add_files(const QStringList& paths) {
   for (const QString& path : paths) {
     try {
-      of_files_.push_back({QFileInfo(path).completeBaseName().toStdString(), load_result(path.toStdString())});
+      compared_.of_files.push_back({QFileInfo(path).completeBaseName().toStdString(), load_result(path.toStdString())});
     } catch (const Error& error) {
       const JobFailure failure = failure_of(error);
       workbench_.say(Severity::Problem, failure.where, failure.what);
@@ -101,8 +101,14 @@ void MethodController::add_files(const QStringList& paths) {
   show_comparison();
 }
 
+void MethodController::take_over(KeptResults compared) {
+  compared_ = std::move(compared);
+  for (auto& [id, result] : compared_.of_methods) result.name = title_of(id).toStdString();
+  show_comparison();
+}
+
 void MethodController::clear_files() {
-  of_files_.clear();
+  compared_.of_files.clear();
   show_comparison();
 }
 

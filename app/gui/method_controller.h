@@ -16,6 +16,12 @@ class ComparisonView;
 class MethodView;
 class PathView;
 
+/// Results that are compared, whatever is calibrated next.
+struct KeptResults {
+  std::map<std::string, NamedResult> of_methods;  ///< the last usable result of each, by the method's id
+  std::vector<NamedResult> of_files;
+};
+
 class MethodController : public QObject {
   Q_OBJECT
  public:
@@ -24,6 +30,9 @@ class MethodController : public QObject {
                    ComparisonView& comparison, QObject* parent = nullptr);
   /// Result files that are to stand beside the results of this window.
   void add_files(const QStringList& paths);
+  const KeptResults& compared() const { return compared_; }
+  /// Those of a window whose place this one takes; named in the language of this one.
+  void take_over(KeptResults compared);
 
  private:
   void show_choice();
@@ -36,9 +45,8 @@ class MethodController : public QObject {
   MethodView& view_;
   PathView& paths_;
   ComparisonView& comparison_;
-  std::map<std::string, NamedResult> of_methods_;  // the last usable result of each, of the sessions that are open
+  KeptResults compared_;                                  // its methods': of the sessions that are open
   std::vector<std::shared_ptr<const Session>> sessions_;  // that these are of
-  std::vector<NamedResult> of_files_;
   OutputPtr shown_;
 };
 

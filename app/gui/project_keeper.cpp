@@ -16,10 +16,10 @@ namespace remount {
 
 ProjectKeeper::ProjectKeeper(Workbench& workbench, QWidget& window)
     : QObject(&window), workbench_(workbench), window_(window) {
-  connect(&workbench_, &Workbench::session_opened, this, [this](const QString& path) { recent_.add(path); });
-  connect(&workbench_, &Workbench::project_saved, this, [this](const QString& path) { recent_.add(path); });
+  connect(&workbench_, &Workbench::session_opened, this, &ProjectKeeper::add_recent);
+  connect(&workbench_, &Workbench::project_saved, this, &ProjectKeeper::add_recent);
   connect(&workbench_, &Workbench::project_opened, this, [this](const ProjectToOpen& request) {
-    if (!request.recovered) recent_.add(request.path);
+    if (!request.recovered) add_recent(request.path);
   });
   connect(&workbench_, &Workbench::sessions_missing, this, &ProjectKeeper::ask_for_sessions);
   connect(&workbench_, &Workbench::project_held, this, &ProjectKeeper::ask_how_to_open);
@@ -29,6 +29,11 @@ ProjectKeeper::ProjectKeeper(Workbench& workbench, QWidget& window)
                       "another name (File, Save project as).")
                        .arg(holder_text(holder)));
   });
+}
+
+void ProjectKeeper::add_recent(const QString& path) {
+  recent_.add(path);
+  emit recent_changed();
 }
 
 void ProjectKeeper::ask_how_to_open(const ProjectToOpen& request, const LockHolder& holder, bool on_another_computer) {
@@ -176,7 +181,10 @@ void ProjectKeeper::fill_recent_menu(QMenu& menu) {
     return;
   }
   menu.addSeparator();
-  connect(menu.addAction(tr("Forget these")), &QAction::triggered, this, [this] { recent_.clear(); });
+  connect(menu.addAction(tr("Forget these")), &QAction::triggered, this, [this] {
+    recent_.clear();
+    emit recent_changed();
+  });
 }
 
 }  // namespace remount

@@ -25,12 +25,15 @@ class ProjectKeeper : public QObject {
   std::unique_ptr<Autosave> take_autosave();
   void put_autosave(std::unique_ptr<Autosave> autosave);
   void fill_recent_menu(QMenu& menu);
+  const RecentPaths& recent() const { return recent_; }
   void finish();  ///< the window closes for good
 
  signals:
   void open_requested(const QStringList& paths);
+  void recent_changed();
 
  private:
+  void add_recent(const QString& path);
   void offer(const std::vector<RecoveryOffer>& offers);
   void ask_how_to_open(const ProjectToOpen& request, const LockHolder& holder, bool on_another_computer);
   void ask_for_sessions(const ProjectToOpen& request, const QStringList& missing);

@@ -186,8 +186,8 @@ QString QualityController::why_no_sharpness(const PipelineOutput& output) const 
     case MapCheck::SwitchedOff:
       return tr("Not compared: the map check is switched off in the options (run).");
     case MapCheck::Moved:
-      if (workbench_.checking_map()) return tr("X has moved: the map is being compared again…");
-      return tr("Not compared since the last decision, which moved X. Calibrate again (F5).");
+      if (workbench_.checking_map()) return tr("The result has moved: the map is being compared again…");
+      return tr("Not compared since the last decision, which moved the result. Calibrate again (F5).");
     case MapCheck::NoOverlap:
       return tr("Not compared: no stretch of eight scans that follow each other turns and overlaps.");
     case MapCheck::NotReached:
@@ -206,10 +206,10 @@ void QualityController::refresh_hold_out() {
     hold_out_job_ = 0;
     hold_out_of_ = -1;
     const bool pairs = output && (!output->pairs.empty() || output->method == kPairwise);
-    return view.show_message(output && !pairs
-                                 ? tr("The method has no pairs: compare its result with those of others instead.")
-                             : output ? tr("Needs a second session: X is solved on one and scored on the other.")
-                                      : tr("After a calibration of two or more sessions they are compared here."));
+    return view.show_message(
+        output && !pairs ? tr("The method has no pairs: compare its result with those of others instead.")
+        : output         ? tr("Needs a second session: the mounting X is solved on one and scored on the other.")
+                         : tr("After a calibration of two or more sessions they are compared here."));
   }
   // A solution under way replaces the output soon.
   const bool settled = !workbench_.calibrating() && !workbench_.solving();

@@ -5,6 +5,7 @@
 
 #include "algorithms/calibration/pair_judgement.h"
 #include "model/pipeline/sharpness_stage.h"
+#include "widgets/model_text.h"
 #include "widgets/panels/result_panel.h"
 
 namespace remount {
@@ -13,6 +14,8 @@ namespace {
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(remount::steps)
 };
+
+QString not_needed() { return Words::tr("not needed"); }
 
 struct Counts {
   int aligned = 0, accepted = 0, rejected = 0, by_user = 0;
@@ -50,6 +53,23 @@ QString short_status(Status status) {
   return Words::tr("cancelled");
 }
 
+/// The step that a stage of the pipeline belongs to; methods without pairs only solve.
+Step step_of(const QString& stage, bool pairs) {
+  if (!pairs || stage == QLatin1String("solving") || stage == QLatin1String("aligning all clouds")) return Step::Solve;
+  if (stage == QLatin1String("registering pairs")) return Step::Align;
+  return stage == QLatin1String("checking the map") ? Step::Check : Step::Pairs;
+}
+
+/// Only one step runs at a time; what comes before it is done, but for the review, which is the user's.
+void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& steps) {
+  const bool pairs = workbench.settings().run.method == MethodChoice::Pairwise;
+  const Step running = step_of(workbench.stage(), pairs);
+  for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
+    if (before < running) steps[static_cast<std::size_t>(before)] = {StepState::Done, pairs ? QString() : not_needed()};
+  const QString stage = workbench.stage().isEmpty() ? Words::tr("calibrating…") : model_text(workbench.stage());
+  steps[static_cast<std::size_t>(running)] = {StepState::Running, stage};
+}
+
 /// What speaks against the result without its residuals, before what the user says of it.
 StepInfo describe_check(const PipelineOutput& output, bool confirmed) {
   const bool less_sharp = std::any_of(output.findings.begin(), output.findings.end(),
@@ -61,6 +81,18 @@ StepInfo describe_check(const PipelineOutput& output, bool confirmed) {
   return {StepState::Next, Words::tr("confirm in Quality")};
 }
 
+StepInfo describe_export(Exported exported) {
+  switch (exported) {
+    case Exported::Written:
+      return {StepState::Done, Words::tr("exported")};
+    case Exported::Copied:
+      return {StepState::Next, Words::tr("copied, in no file")};
+    case Exported::No:
+      break;
+  }
+  return {StepState::Next, Words::tr("ready (Ctrl+E)")};
+}
+
 /// Pairs, alignment and review; methods without pairs need none of them.
 void describe_pairs(const PipelineOutput& output, bool stale, std::array<StepInfo, kStepCount>& steps) {
   const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
@@ -68,14 +100,14 @@ void describe_pairs(const PipelineOutput& output, bool stale, std::array<StepInf
   const bool needed = pairs > 0 || output.method == kPairwise;
   const Counts counts = count(output);
   step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
-                       needed ? Words::tr("%1 pairs").arg(pairs) : Words::tr("not needed")};
+                       needed ? Words::tr("%1 pairs").arg(pairs) : not_needed()};
   step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale ? StepState::Done : StepState::Attention,
-                       needed ? Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : Words::tr("not needed")};
+                       needed ? Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : not_needed()};
   // The program's own decisions are no review, and may be all that is needed.
   const StepState reviewed = counts.by_user > 0 || !needed ? StepState::Done : StepState::Next;
-  step(Step::Review) = {counts.accepted > counts.rejected || !needed ? reviewed : StepState::Attention,
-                        needed ? Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected)
-                               : Words::tr("not needed")};
+  step(Step::Review) = {
+      counts.accepted > counts.rejected || !needed ? reviewed : StepState::Attention,
+      needed ? Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected) : not_needed()};
   if (stale) step(Step::Pairs) = {StepState::Attention, Words::tr("changed: F5 again")};
 }
 
@@ -95,8 +127,7 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
                         sessions == 1 ? Words::tr("1 session") : Words::tr("%1 sessions").arg(sessions)};
   }
   if (workbench.calibrating()) {
-    for (Step which : {Step::Pairs, Step::Align, Step::Solve})
-      step(which) = {StepState::Running, Words::tr("calibrating…")};
+    describe_run(workbench, steps);
     return steps;
   }
   const OutputPtr output = workbench.output();
@@ -119,8 +150,7 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     return steps;
   }
   step(Step::Check) = describe_check(*output, workbench.confirmed());
-  step(Step::Export) = workbench.exported() ? StepInfo{StepState::Done, Words::tr("exported")}
-                                            : StepInfo{StepState::Next, Words::tr("ready (Ctrl+E)")};
+  step(Step::Export) = describe_export(workbench.exported());
   return steps;
 }
 

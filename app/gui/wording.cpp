@@ -33,7 +33,8 @@ QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, c
 
 QString idle_text(const Workbench& workbench) {
   if (workbench.refining())
-    return Words::tr("X is solved anew; sigmas, candidates and the judgement of other pairs follow…");
+    return Words::tr(
+        "The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow…");
   if (workbench.solving()) return Words::tr("Solving again…");
   if (workbench.out_of_date()) return Words::tr("The result is out of date: calibrate again (F5)");
   return Words::tr("Ready");
@@ -48,9 +49,11 @@ QString next_text(const Workbench& workbench) {
 
 QString next_hint(const Workbench& workbench) {
   if (workbench.opening()) return Words::tr("Opening sessions…");
-  if (workbench.calibrating())
+  if (workbench.calibrating() && workbench.settings().run.method == MethodChoice::Pairwise)
     return Words::tr(
-        "Calibrating: choosing scans, aligning pairs, solving.\nThe pairs appear here when they are aligned.");
+        "Calibrating: choosing scans, aligning pairs, solving.\nPairs and result appear together when all of it is "
+        "done. Esc stops, and keeps the pairs that are aligned by then.");
+  if (workbench.calibrating()) return Words::tr("Calibrating.\nThe result appears when all of it is done. Esc stops.");
   return Words::tr("Say on the left roughly where the LiDAR sits, or leave it unknown.\nThen calibrate: F5.");
 }
 
@@ -65,7 +68,8 @@ QString standing_note(const Workbench& workbench) {
   if (!workbench.output()) return {};
   if (workbench.calibrating()) return Words::tr("Calibrating; this is the result before.");
   if (workbench.refining())
-    return Words::tr("X is solved anew; sigmas, candidates and the judgement of other pairs follow.");
+    return Words::tr(
+        "The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow.");
   if (workbench.solving()) return Words::tr("Solving again…");
   const QStringList changes = workbench.changes_since_output();
   if (changes.isEmpty()) return {};

@@ -19,7 +19,10 @@ Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(
   qRegisterMetaType<CloudsPtr>();
   connect(&jobs_, &JobRunner::progressed, this,
           [this](int job, const QString& stage, qulonglong done, qulonglong total) {
-            if (job == run_job_) stage_ = stage;
+            if (job == run_job_ && stage != stage_) {
+              stage_ = stage;
+              emit state_changed();
+            }
             if (job == run_job_ || job == open_job_) emit job_progressed(stage, done, total);
           });
   connect(this, &Workbench::sessions_changed, this, &Workbench::look_over_sessions);
@@ -178,7 +181,8 @@ void Workbench::forget_calibration() {
   jobs_.cancel(cloud_job_);
   solve_job_ = cloud_job_ = 0;
   output_ = output_before_ = output_solved_ = nullptr;  // pairs refer to sessions by number
-  data_changed_ = exported_ = confirmed_ = false;
+  data_changed_ = confirmed_ = false;
+  exported_ = Exported::No;
   ++solution_;
   check_map_soon();
   select_pair(-1);
@@ -212,17 +216,20 @@ void Workbench::calibrate() {
       [this, input, engine = engine_, decisions = decisions_](Progress& progress) -> JobRunner::Deliver {
         auto output = std::make_shared<PipelineOutput>(engine.run(input, progress));
         if (output->result.status == Status::Cancelled)
-          return [this, input, output, decisions] { take_cancelled_run(input, output, decisions); };
+          return [this, input, output] { take_cancelled_run(input, output); };
+        const std::vector<PairDecision> undecided = carry_over(input, decisions, *output);
         bool answered = true;
-        if (carry_over(input, decisions, *output)) {
+        if (!undecided.empty()) {
           answered = engine.solve_again(input, *output, progress);
           if (answered && engine.check_map) engine.check_map(input, *output, progress);
         }
-        return [this, input, output, answered] {
+        return [this, input, output, answered, decisions, undecided] {
           if (input.sessions != sessions_) return;  // other topics were chosen meanwhile
+          const bool redecided = catch_up(input, decisions, undecided, *output);
           take_run(input, output);
-          if (answered) return;
-          output_solved_ = nullptr;  // whole, but for the decisions that were carried over
+          if (answered && !redecided) return;
+          output_solved_ = nullptr;  // whole, but for the decisions
+          if (redecided) start_solve(tr("decisions during the calibration"), FirstAnswer::None);
           emit state_changed();
         };
       },
@@ -230,8 +237,7 @@ void Workbench::calibrate() {
   emit state_changed();
 }
 
-void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output,
-                                   const Decisions& decisions) {
+void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output) {
   if (input.sessions != sessions_) return;  // other topics were chosen meanwhile
   // A complete result is not given up for part of another.
   const std::size_t finished = output_ ? 0 : keep_finished(input, *output);
@@ -244,7 +250,7 @@ void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared
     check_map_soon();
     return;
   }
-  carry_over(input, decisions, *output);
+  carry_over(input, decisions_, *output);
   take_run(input, output);
   output_solved_ = nullptr;
   start_solve(tr("cancelled calibration"), FirstAnswer::None);
@@ -258,7 +264,8 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   output_before_ = output_solved_;
   moved_by_.clear();
   output_ = output_solved_ = std::move(output);
-  data_changed_ = exported_ = confirmed_ = false;
+  data_changed_ = confirmed_ = false;
+  exported_ = Exported::No;
   ++solution_;
   undo_.clear();
   for (const Finding& finding : output_->findings)
@@ -368,11 +375,13 @@ void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lida
 void Workbench::confirm(bool good) {
   if (confirmed_ == good) return;
   confirmed_ = good;
+  emit logged(Severity::Note, {}, good ? tr("result confirmed") : tr("confirmation of the result taken back"));
   emit state_changed();
+  mark_edited();
 }
 
-void Workbench::mark_exported() {
-  exported_ = true;
+void Workbench::mark_exported(Exported how) {
+  exported_ = std::max(exported_, how);
   emit state_changed();
 }
 

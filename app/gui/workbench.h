@@ -25,6 +25,9 @@ namespace remount {
 using OutputPtr = std::shared_ptr<const PipelineOutput>;
 using CloudsPtr = std::shared_ptr<const PairClouds>;
 
+/// What became of the present result outside of the project: what was copied may be pasted nowhere.
+enum class Exported { No, Copied, Written };
+
 /// What is known of a pair's fate; enough to take a decision back.
 struct PairDecision {
   int pair = 0;
@@ -93,7 +96,7 @@ class Workbench : public QObject {
   QStringList changes_since_output() const;
   bool out_of_date() const { return !changes_since_output().isEmpty(); }
   const QString& stage() const { return stage_; }  ///< of the running calibration
-  bool exported() const { return exported_; }
+  Exported exported() const { return exported_; }
   bool confirmed() const { return confirmed_; }  ///< the user said that this result is good
   /// Goes up with every other X; what only another map check or other words change keeps it.
   int solution() const { return solution_; }
@@ -125,7 +128,7 @@ class Workbench : public QObject {
   void reset_settings();
   void edit_nominal(const std::optional<RigidTransform>& ins_from_lidar);
   void use_result_as_nominal();
-  void mark_exported();
+  void mark_exported(Exported how);
   void confirm(bool good);
   void say(Severity severity, const QString& where, const QString& what) { emit message(severity, where, what); }
 
@@ -189,7 +192,7 @@ class Workbench : public QObject {
   void settings_changed();
   void nominal_changed();
   void output_changed();
-  void state_changed();  ///< jobs started or ended, out of date, exported
+  void state_changed();  ///< jobs started or ended, stage of the calibration, out of date, exported
   void selection_changed(int pair);
   void clouds_loading(int pair);
   void clouds_loaded(int pair, remount::CloudsPtr clouds);
@@ -205,12 +208,18 @@ class Workbench : public QObject {
   struct Verdict {
     PairState state = PairState::Proposed;
     std::string reason;
+    bool operator==(const Verdict&) const = default;
   };
   using Decisions = std::map<DecisionKey, Verdict>;
 
   static DecisionKey key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair);
-  /// Takes over the user's earlier decisions on the same pairs of scans; true where there was one.
-  static bool carry_over(const PipelineInput& input, const Decisions& decisions, PipelineOutput& output);
+  /// Takes over the user's earlier decisions on the same pairs of scans; returns what the pairs were without them.
+  static std::vector<PairDecision> carry_over(const PipelineInput& input, const Decisions& decisions,
+                                              PipelineOutput& output);
+  /// Makes an output whose run began with the decisions `carried` obey those of now, which may have been undone while
+  /// it ran: `undecided` is what carry_over returned. False where they are the same.
+  bool catch_up(const PipelineInput& input, const Decisions& carried, const std::vector<PairDecision>& undecided,
+                PipelineOutput& output) const;
   /// What became of a path that was to be opened: one of the four.
   struct Opened {
     std::shared_ptr<const Session> session;
@@ -239,8 +248,7 @@ class Workbench : public QObject {
   void take_ranking(OutputPtr answer);
   void take_first_answer(OutputPtr answer, OutputPtr before);
   void take_solution(OutputPtr solved, OutputPtr before, const Settings& settings);
-  void take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output,
-                          const Decisions& decisions);
+  void take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output);
   void check_map_soon();
   void check_map_again();
   void load_clouds();
@@ -280,7 +288,8 @@ class Workbench : public QObject {
   QTimer map_pause_;           // while the user goes on deciding, the map is not read
   bool data_changed_ = false;  // the files on disk are not those that output_ was made from
   bool refining_ = false;
-  bool exported_ = false, confirmed_ = false;
+  Exported exported_ = Exported::No;
+  bool confirmed_ = false;
   bool recovered_ = false;  // from an autosave, and not saved since
   int revision_ = 0, saved_revision_ = 0;
   int project_ = 0;  // goes up where another project takes this one's place

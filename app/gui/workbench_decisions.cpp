@@ -99,17 +99,27 @@ Workbench::DecisionKey Workbench::key_of(const PipelineInput& input, const Pipel
   return {input.sessions.at(static_cast<std::size_t>(a.session))->path.string(), a.scan, b.scan};
 }
 
-bool Workbench::carry_over(const PipelineInput& input, const Decisions& decisions, PipelineOutput& output) {
-  bool any = false;
+std::vector<PairDecision> Workbench::carry_over(const PipelineInput& input, const Decisions& decisions,
+                                                PipelineOutput& output) {
+  std::vector<PairDecision> before;
   for (std::size_t i = 0; i < output.pairs.size(); ++i) {
     const auto found = decisions.find(key_of(input, output, output.pairs[i]));
     if (found == decisions.end()) continue;
     const Verdict& verdict = found->second;
     if (verdict.state == PairState::Accepted && !unusable_reason(output.pairs[i]).empty()) continue;
+    const Pair& pair = output.pairs[i];
+    before.push_back({static_cast<int>(i), pair.state, pair.decided_by, pair.reason});
     set_decision(output.pairs[i], user_decision(static_cast<int>(i), verdict.state, verdict.reason));
-    any = true;
   }
-  return any;
+  return before;
+}
+
+bool Workbench::catch_up(const PipelineInput& input, const Decisions& carried,
+                         const std::vector<PairDecision>& undecided, PipelineOutput& output) const {
+  if (decisions_ == carried) return false;
+  for (const PairDecision& own : undecided) set_decision(output.pairs.at(static_cast<std::size_t>(own.pair)), own);
+  carry_over(input, decisions_, output);
+  return true;
 }
 
 void Workbench::decide(const std::vector<int>& pairs, PairState state, const QString& reason, const QString& step) {
@@ -217,7 +227,8 @@ void Workbench::take_solution(OutputPtr solved, OutputPtr before, const Settings
   moved_by_ = solving_for_;
   output_ = output_solved_ = std::move(solved);
   run_input_.settings = settings;
-  exported_ = confirmed_ = false;
+  exported_ = Exported::No;
+  confirmed_ = false;
   ++solution_;
   check_map_soon();
   emit output_changed();
@@ -228,7 +239,8 @@ void Workbench::take_first_answer(OutputPtr answer, OutputPtr before) {
   output_ = std::move(answer);
   output_before_ = std::move(before);
   moved_by_ = solving_for_;
-  exported_ = confirmed_ = false;
+  exported_ = Exported::No;
+  confirmed_ = false;
   ++solution_;
   refining_ = true;
   emit output_changed();

@@ -113,6 +113,7 @@ ProjectSnapshot Workbench::snapshot() const {
   snapshot.project.inputs = input_files_;
   snapshot.output = output_;
   snapshot.project.solution_pending = output_ != output_solved_;
+  snapshot.project.confirmed = confirmed_;
   snapshot.revision = revision_;
   return snapshot;
 }
@@ -256,7 +257,9 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   for (std::size_t i = 0; output_ && i < output_->pairs.size(); ++i)
     if (output_->pairs[i].decided_by == DecidedBy::User)
       decisions_[key_of(run_input_, *output_, output_->pairs[i])] = {output_->pairs[i].state, output_->pairs[i].reason};
-  data_changed_ = exported_ = confirmed_ = false;
+  data_changed_ = false;
+  exported_ = Exported::No;
+  confirmed_ = output_ && output_ == output_solved_ && project.confirmed;
   undo_.clear();
   emit sessions_changed();
   emit settings_changed();

@@ -23,14 +23,16 @@ struct Workbench::Calibrated {
   std::optional<RigidTransform> nominal_ins_from_lidar;
   std::vector<InputFile> files;
   QString moved_by;
-  bool data_changed = false, exported = false, confirmed = false;
+  Exported exported = Exported::No;
+  bool data_changed = false, confirmed = false;
   int selected = -1;
 };
 
 Workbench::Opened Workbench::open_or_ask(const Engine& engine, const std::filesystem::path& path, Progress& progress) {
   std::optional<TopicOffer> offer = engine.offer_topics ? engine.offer_topics(path, progress) : std::nullopt;
   if (offer && is_ambiguous(offer->topics)) return {nullptr, std::move(offer), {}, {}};
-  return {std::make_shared<const Session>(offer ? offer->open({}, progress) : engine.open(path, {}, progress)), {}, {}, {}};
+  return {
+      std::make_shared<const Session>(offer ? offer->open({}, progress) : engine.open(path, {}, progress)), {}, {}, {}};
 }
 
 void Workbench::open_chosen(const std::vector<ChosenOffer>& offers) {
@@ -105,8 +107,8 @@ void Workbench::choose_topics(int session, const TopicChoice& choice) {
 
 std::shared_ptr<const Workbench::Calibrated> Workbench::calibrated() const {
   return std::make_shared<const Calibrated>(Calibrated{run_input_, output_, output_before_, output_solved_, decisions_,
-                                                       nominal_ins_from_lidar_, input_files_, moved_by_, data_changed_,
-                                                       exported_, confirmed_, selected_});
+                                                       nominal_ins_from_lidar_, input_files_, moved_by_, exported_,
+                                                       data_changed_, confirmed_, selected_});
 }
 
 void Workbench::apply_session(const std::shared_ptr<const Session>& from, const std::shared_ptr<const Session>& to,
@@ -156,7 +158,8 @@ void Workbench::leave_topics_of(const Session& from, const Session& to) {
   if (nominal_ins_from_lidar_ && from.nominal_ins_from_lidar &&
       nominal_ins_from_lidar_->isApprox(*from.nominal_ins_from_lidar))
     nominal_ins_from_lidar_ = to.nominal_ins_from_lidar;
-  data_changed_ = exported_ = confirmed_ = false;
+  data_changed_ = confirmed_ = false;
+  exported_ = Exported::No;
 }
 
 }  // namespace remount

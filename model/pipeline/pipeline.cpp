@@ -237,6 +237,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     register_pairs(context, scans, objects, output.pairs, progress);
     use_odometry(motion, output.keyframes, output.pairs);
     if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
+    progress.report("solving", 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
     if (!solved(output.result)) return;
     if (pass == 0 && compensate && any_distortion(input, uses_sweep) && moved_much(x, output.result.ins_from_lidar)) {
@@ -321,6 +322,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     output.map_check = MapCheck::NoScans;
     if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
     use_odometry(motion, output.keyframes, output.pairs);
+    progress.report("solving", 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);

@@ -221,7 +221,7 @@ void Page::write_sharpness() {
       "th");
   for (const NamedSharpness& entry : file_.sharpness)
     row({sentence(entry.source), number("%.4f", entry.sharpness.mean_map_entropy),
-         number("%.2f cm", 100.0 * entry.sharpness.plane_thickness_m), std::to_string(entry.sharpness.points)});
+         number("%.1f mm", 1e3 * entry.sharpness.plane_thickness_m), std::to_string(entry.sharpness.points)});
   end_table();
 }
 

@@ -46,16 +46,13 @@
         <translation>候选显示在这里：偏航、俯仰、横滚。</translation>
     </message>
     <message>
-        <source>over %1</source>
-        <translation>横轴 %1</translation>
+        <source>%1 over %2 [%3]</source>
+        <extracomment>axes of a plot: the vertical one over the horizontal one, and their unit</extracomment>
+        <translation>%1 对 %2 [%3]</translation>
     </message>
 </context>
 <context>
     <name>remount::CandidateTableModel</name>
-    <message>
-        <source>This is the result. It weighs every pair by its noise; another candidate may have a smaller E, which counts all pairs alike.</source>
-        <translation>这就是结果。它按各帧对的噪声加权；另一个候选的 E 可能更小，因为 E 对所有帧对一视同仁。</translation>
-    </message>
     <message>
         <source>✓ %1 (the result)</source>
         <translation>✓ %1（结果）</translation>
@@ -101,16 +98,20 @@
         <translation>横滚 [°]</translation>
     </message>
     <message>
-        <source>E</source>
-        <translation>E 值</translation>
-    </message>
-    <message>
         <source>Search range</source>
         <translation>搜索范围</translation>
     </message>
     <message>
-        <source>E(X): sum over the accepted pairs of ‖P X − X Q‖ (Frobenius norm, translation over the characteristic length)</source>
-        <translation>E(X)：所有已接受帧对的 ‖P X − X Q‖ 之和（Frobenius 范数，平移除以特征长度）</translation>
+        <source>This is the result. It weighs every pair by its noise; another candidate may have a smaller error sum, which counts all pairs alike.</source>
+        <translation>这就是结果。它按噪声给每个帧对加权；别的候选的误差总和可能更小，因为总和对所有帧对一视同仁。</translation>
+    </message>
+    <message>
+        <source>Error sum</source>
+        <translation>误差总和</translation>
+    </message>
+    <message>
+        <source>How far the accepted pairs are from this mounting X, all together. E(X): sum of ‖P X − X Q‖ (Frobenius norm, translation over the characteristic length)</source>
+        <translation>所有已接受的帧对合起来与此安装 X 相差多少。E(X)：‖P X − X Q‖ 之和（Frobenius 范数，平移除以特征长度）</translation>
     </message>
 </context>
 <context>
@@ -122,6 +123,10 @@
     <message>
         <source>● in range  ○ out of it  ✚ nominal  ◯ result  ▭ range</source>
         <translation>● 在范围内  ○ 超出  ✚ 名义值  ◯ 结果  ▭ 范围</translation>
+    </message>
+    <message>
+        <source>The result has rank %1: ranks count every pair alike, the result weighs each pair by its noise.</source>
+        <translation>结果排第 %1：名次对每个帧对一视同仁，结果则按噪声给每个帧对加权。</translation>
     </message>
 </context>
 <context>
@@ -153,6 +158,10 @@
     <message>
         <source>The lowest height lies above the highest: no point counts.</source>
         <translation>最低高度高于最高高度：没有点计入。</translation>
+    </message>
+    <message>
+        <source>y left ↑ [m]</source>
+        <translation>y 向左 ↑ [m]</translation>
     </message>
 </context>
 <context>
@@ -280,6 +289,10 @@
     <message>
         <source>Start</source>
         <translation>起始</translation>
+    </message>
+    <message>
+        <source>–: no point of the scan lies on that side within the heights. Nothing was seen there, which is less than knowing that it is free.</source>
+        <translation>–：这一侧在高度范围内没有扫描点。那里什么都没看到，这不等于知道那里是空的。</translation>
     </message>
 </context>
 <context>
@@ -568,14 +581,18 @@
         <translation>%1 秒</translation>
     </message>
     <message>
-        <source>%1 s: fix %2, %3 m/s</source>
-        <translation>%1 秒：定位 %2，%3 m/s</translation>
-    </message>
-    <message>
         <source>
 sigma: position %1 m, attitude %2°</source>
         <translation>
 标准差：位置 %1 m，姿态 %2°</translation>
+    </message>
+    <message>
+        <source>GNSS fix: %1</source>
+        <translation>GNSS 定位：%1</translation>
+    </message>
+    <message>
+        <source>%1 s: GNSS fix %2, %3 m/s</source>
+        <translation>%1 秒：GNSS 定位%2，%3 米/秒</translation>
     </message>
 </context>
 <context>
@@ -805,6 +822,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>agree in %1 of 6 parameters (at most %2 sigma, in %3)</source>
         <translation>6 个参数中有 %1 个一致（最多相差 %2 倍标准差，为 %3）</translation>
+    </message>
+    <message>
+        <source>%1 alone does not observe %2.</source>
+        <translation>单独用 %1 观测不到 %2。</translation>
+    </message>
+    <message>
+        <source>–: no number, because a session alone says nothing about it.</source>
+        <translation>–：没有数值，因为单独一份数据对它没有任何说明。</translation>
+    </message>
+    <message>
+        <source>Each session solved alone. No two of them observe the same parameter: whether they agree cannot be said.</source>
+        <translation>各份数据单独求解。没有任何两份观测到同一个参数：无法说明它们是否一致。</translation>
     </message>
 </context>
 <context>
@@ -1722,6 +1751,17 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Start</source>
         <translation>起始</translation>
     </message>
+    <message>
+        <source>Measuring the distances…</source>
+        <translation>正在测量距离…</translation>
+    </message>
+</context>
+<context>
+    <name>remount::OptionForm</name>
+    <message>
+        <source>In files: %1</source>
+        <translation>文件中：%1</translation>
+    </message>
 </context>
 <context>
     <name>remount::OptionsDialog</name>
@@ -1833,14 +1873,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>配准后扫描 a 的点在扫描 b 中有邻点的比例</translation>
     </message>
     <message>
-        <source>Screw [σ]</source>
-        <translation>螺旋 [σ]</translation>
-    </message>
-    <message>
-        <source>How much INS and LiDAR motion differ in turn and advance, whatever the mounting; in sigma</source>
-        <translation>无论怎样安装，INS 与激光雷达的转角和轴向前进量之差；以 sigma 计</translation>
-    </message>
-    <message>
         <source>Weight</source>
         <translation>权重</translation>
     </message>
@@ -1927,6 +1959,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>The two scans were not aligned: %1</source>
         <translation>两次扫描没有配准：%1</translation>
+    </message>
+    <message>
+        <source>INS–LiDAR [σ]</source>
+        <translation>INS–LiDAR [σ]</translation>
+    </message>
+    <message>
+        <source>How much INS and LiDAR motion differ in turn and advance, whatever the mounting (screw test); in sigma</source>
+        <translation>无论怎样安装，INS 与激光雷达的运动在转角和前进量上相差多少（螺旋检验）；以 sigma 计</translation>
     </message>
 </context>
 <context>
@@ -2107,10 +2147,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>最差 %1 个</translation>
     </message>
     <message>
-        <source>Screw test failed</source>
-        <translation>螺旋检验未通过</translation>
-    </message>
-    <message>
         <source>Few shared objects (&lt; %1)</source>
         <translation>共有物体少（&lt; %1）</translation>
     </message>
@@ -2165,6 +2201,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>%1 of %2 pairs</source>
         <translation>%2 个帧对中的 %1 个</translation>
+    </message>
+    <message>
+        <source>INS and LiDAR disagree</source>
+        <translation>INS 与激光雷达不一致</translation>
+    </message>
+    <message>
+        <source>Turn and advance of INS and LiDAR differ, whatever the mounting (screw test)</source>
+        <translation>无论怎样安装，INS 与激光雷达的转角和前进量都不同（螺旋检验）</translation>
     </message>
 </context>
 <context>
@@ -2366,16 +2410,8 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>未比较：选项（运行）中关闭了地图检查。</translation>
     </message>
     <message>
-        <source>Not compared since the last decision, which moved X. Calibrate again (F5).</source>
-        <translation>上次决定移动了 X，此后未再比较。请重新标定（F5）。</translation>
-    </message>
-    <message>
         <source>Not compared: no stretch of eight scans that follow each other turns and overlaps.</source>
         <translation>未比较：没有转弯且相互重叠的连续八帧扫描。</translation>
-    </message>
-    <message>
-        <source>Needs a second session: X is solved on one and scored on the other.</source>
-        <translation>需要第二份数据：用一个求解 X，在另一个上检验。</translation>
     </message>
     <message>
         <source>After a calibration of two or more sessions they are compared here.</source>
@@ -2422,8 +2458,16 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>该方法没有帧对：请改为与其他方法的结果比较。</translation>
     </message>
     <message>
-        <source>X has moved: the map is being compared again…</source>
-        <translation>X 已移动：正在重新比较地图…</translation>
+        <source>The result has moved: the map is being compared again…</source>
+        <translation>结果已变动：正在重新比较地图…</translation>
+    </message>
+    <message>
+        <source>Not compared since the last decision, which moved the result. Calibrate again (F5).</source>
+        <translation>上一次决定使结果变动，此后没有再比较。请重新标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>Needs a second session: the mounting X is solved on one and scored on the other.</source>
+        <translation>需要第二份数据：在一份上求解安装 X，在另一份上评分。</translation>
     </message>
 </context>
 <context>
@@ -2645,10 +2689,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>结果与什么比较</translation>
     </message>
     <message>
-        <source>LiDAR in INS</source>
-        <translation>激光雷达在 INS 中</translation>
-    </message>
-    <message>
         <source>1 sigma</source>
         <translation>1 倍标准差</translation>
     </message>
@@ -2715,10 +2755,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>residuals: %1 cm, %2° (rms)</source>
         <translation>残差：%1 cm，%2°（均方根）</translation>
-    </message>
-    <message>
-        <source>E = %1 (Frobenius sum)</source>
-        <translation>E = %1（Frobenius 和）</translation>
     </message>
     <message>
         <source>clock offset INS − LiDAR: %1 ms ± %2 ms, %3</source>
@@ -2797,8 +2833,28 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>… 正在补全：%1</translation>
     </message>
     <message>
-        <source>Map sharpness: X has moved since it was measured; see Quality.</source>
-        <translation>地图清晰度：测量之后 X 已移动；见“质量”。</translation>
+        <source>Errors summed: E(X), the sum of ‖P X − X Q‖ over the accepted pairs (Frobenius norm), with P the motion of the INS and Q that of the LiDAR.</source>
+        <translation>误差总和：E(X)，即已接受帧对的 ‖P X − X Q‖ 之和（Frobenius 范数），P 是 INS 的运动，Q 是激光雷达的运动。</translation>
+    </message>
+    <message>
+        <source>X: LiDAR in INS</source>
+        <translation>X：激光雷达在 INS 中</translation>
+    </message>
+    <message>
+        <source>X is the mounting: where the LiDAR sits in the frame of the INS (x, y, z) and how it is turned there (yaw, pitch, roll).</source>
+        <translation>X 就是安装：激光雷达在 INS 坐标系中的位置 (x, y, z) 和朝向 (yaw, pitch, roll)。</translation>
+    </message>
+    <message>
+        <source>How far the value may be off: in two of three cases it is closer than this</source>
+        <translation>数值可能偏差多少：三次中有两次比这更接近</translation>
+    </message>
+    <message>
+        <source>errors of all accepted pairs, summed: %1</source>
+        <translation>所有已接受帧对的误差总和：%1</translation>
+    </message>
+    <message>
+        <source>Map sharpness: the result has moved since it was measured; see Quality.</source>
+        <translation>地图清晰度：测量之后结果已变动；见“质量”。</translation>
     </message>
 </context>
 <context>
@@ -3038,6 +3094,18 @@ Everything else works.</source>
         <source>Too few places to tell: %1.</source>
         <translation>可比较的位置太少，无法判断：%1。</translation>
     </message>
+    <message>
+        <source>Fewer than %1 places could be compared: the order of the rows says nothing.</source>
+        <translation>可比较的地点不到 %1 处：各行的顺序说明不了什么。</translation>
+    </message>
+    <message>
+        <source>Clearly sharper than the result: %1. Look at its map and at the pairs before you use the result.</source>
+        <translation>明显比结果更清晰：%1。使用结果之前请查看它的地图和各帧对。</translation>
+    </message>
+    <message>
+        <source>No row is clearly sharper than the result. Differences below %1 % (here %2 mm) are less than this measure can tell: the order of such rows is chance.</source>
+        <translation>没有哪一行明显比结果更清晰。小于 %1 %（此处 %2 毫米）的差别是这一指标分辨不了的：这些行的顺序出于偶然。</translation>
+    </message>
 </context>
 <context>
     <name>remount::StepBar</name>
@@ -3266,6 +3334,14 @@ Everything else works.</source>
         <source>Open session…</source>
         <translation>打开数据…</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Opened lately&lt;/b&gt;</source>
+        <translation>&lt;b&gt;最近打开&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
+    </message>
 </context>
 <context>
     <name>remount::WindowHost</name>
@@ -3438,6 +3514,18 @@ Save under another name, or close it there first.</source>
         <source>decisions before the topics were changed</source>
         <translation>更改话题之前的决定</translation>
     </message>
+    <message>
+        <source>decisions during the calibration</source>
+        <translation>标定期间的决定</translation>
+    </message>
+    <message>
+        <source>result confirmed</source>
+        <translation>结果已确认</translation>
+    </message>
+    <message>
+        <source>confirmation of the result taken back</source>
+        <translation>已收回对结果的确认</translation>
+    </message>
 </context>
 <context>
     <name>remount::axes_picture</name>
@@ -3448,6 +3536,81 @@ Save under another name, or close it there first.</source>
     <message>
         <source>seen from the right</source>
         <translation>从右侧看</translation>
+    </message>
+</context>
+<context>
+    <name>remount::choices</name>
+    <message>
+        <source>where the data call for it</source>
+        <translation>数据需要时</translation>
+    </message>
+    <message>
+        <source>always</source>
+        <translation>总是</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>从不</translation>
+    </message>
+    <message>
+        <source>after a distance</source>
+        <translation>按距离</translation>
+    </message>
+    <message>
+        <source>after a time</source>
+        <translation>按时间</translation>
+    </message>
+    <message>
+        <source>close in time</source>
+        <translation>时间相近</translation>
+    </message>
+    <message>
+        <source>close in distance</source>
+        <translation>距离相近</translation>
+    </message>
+    <message>
+        <source>close in either</source>
+        <translation>时间或距离相近</translation>
+    </message>
+    <message>
+        <source>plane to plane (own engine)</source>
+        <translation>面对面（自有引擎）</translation>
+    </message>
+    <message>
+        <source>ICP (PCL)</source>
+        <translation>ICP (PCL)</translation>
+    </message>
+    <message>
+        <source>GICP (PCL)</source>
+        <translation>GICP (PCL)</translation>
+    </message>
+    <message>
+        <source>NDT (PCL)</source>
+        <translation>NDT (PCL)</translation>
+    </message>
+    <message>
+        <source>the ground (A)</source>
+        <translation>地面 (A)</translation>
+    </message>
+    <message>
+        <source>the LiDAR&apos;s circle (B)</source>
+        <translation>激光雷达的圆 (B)</translation>
+    </message>
+    <message>
+        <source>height of the LiDAR&apos;s circle</source>
+        <translation>激光雷达圆的高度</translation>
+    </message>
+    <message>
+        <source>height of the ground</source>
+        <translation>地面的高度</translation>
+    </message>
+    <message>
+        <source>known (metres)</source>
+        <translation>已知（米）</translation>
+    </message>
+    <message>
+        <source>to be estimated</source>
+        <translation>待估计</translation>
     </message>
 </context>
 <context>
@@ -3564,10 +3727,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma)</source>
         <translation>与 INS 运动相差 %1 m、%2 度（%3 sigma）</translation>
-    </message>
-    <message>
-        <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma); screw test failed</source>
-        <translation>与 INS 运动相差 %1 m、%2 度（%3 sigma）；螺旋检验未通过</translation>
     </message>
     <message>
         <source>does not determine %1</source>
@@ -4208,22 +4367,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>An object displaced by more than this against the rest of the pair is moving.</source>
         <translation>相对帧对其余部分位移超过此值的物体是运动的。</translation>
-    </message>
-    <message>
-        <source>Rear end of the vehicle in the INS frame.</source>
-        <translation>车辆在 INS 坐标系中的后端。</translation>
-    </message>
-    <message>
-        <source>Front end of the vehicle in the INS frame.</source>
-        <translation>车辆在 INS 坐标系中的前端。</translation>
-    </message>
-    <message>
-        <source>Right side of the vehicle in the INS frame.</source>
-        <translation>车辆在 INS 坐标系中的右侧。</translation>
-    </message>
-    <message>
-        <source>Left side of the vehicle in the INS frame.</source>
-        <translation>车辆在 INS 坐标系中的左侧。</translation>
     </message>
     <message>
         <source>What is higher than this above the INS is no obstacle: bridges, branches.</source>
@@ -7029,6 +7172,30 @@ Save under another name, or close it there first.</source>
         <source>was there when it was opened and is gone now: nothing is made of the part that could be read</source>
         <translation>打开时存在，现已消失：不使用只读到的部分</translation>
     </message>
+    <message>
+        <source>contradicts the INS motion by %1 m, %2 deg (%3 sigma); turn or advance of INS and LiDAR differ</source>
+        <translation>与 INS 运动相差 %1 m、%2 度（%3 sigma）；INS 与激光雷达的转角或前进量不同</translation>
+    </message>
+    <message>
+        <source>solving</source>
+        <translation>正在求解</translation>
+    </message>
+    <message>
+        <source>Rear end of the vehicle, forward from the INS.</source>
+        <translation>车尾，自 INS 沿前向计。</translation>
+    </message>
+    <message>
+        <source>Front end of the vehicle, forward from the INS.</source>
+        <translation>车头，自 INS 沿前向计。</translation>
+    </message>
+    <message>
+        <source>Right side of the vehicle, leftward from the INS.</source>
+        <translation>车右侧，自 INS 沿左向计。</translation>
+    </message>
+    <message>
+        <source>Left side of the vehicle, leftward from the INS.</source>
+        <translation>车左侧，自 INS 沿左向计。</translation>
+    </message>
 </context>
 <context>
     <name>remount::pair_measure</name>
@@ -7045,8 +7212,8 @@ Save under another name, or close it there first.</source>
         <translation>配准 RMSE</translation>
     </message>
     <message>
-        <source>Screw test</source>
-        <translation>螺旋检验</translation>
+        <source>INS against LiDAR</source>
+        <translation>INS 对激光雷达</translation>
     </message>
 </context>
 <context>
@@ -7212,6 +7379,10 @@ Save under another name, or close it there first.</source>
         <source>confirm in Quality</source>
         <translation>请在“质量”中确认</translation>
     </message>
+    <message>
+        <source>copied, in no file</source>
+        <translation>已复制，未存文件</translation>
+    </message>
 </context>
 <context>
     <name>remount::theme</name>
@@ -7275,12 +7446,6 @@ Save under another name, or close it there first.</source>
         <translation>正在打开数据…</translation>
     </message>
     <message>
-        <source>Calibrating: choosing scans, aligning pairs, solving.
-The pairs appear here when they are aligned.</source>
-        <translation>正在标定：选择扫描、配准帧对、求解。
-配准后帧对显示在这里。</translation>
-    </message>
-    <message>
         <source>Say on the left roughly where the LiDAR sits, or leave it unknown.
 Then calibrate: F5.</source>
         <translation>请在左侧说出激光雷达大致装在哪里，或留作未知。
@@ -7297,14 +7462,6 @@ Then calibrate: F5.</source>
     <message>
         <source>Not observed: %1. What a file holds for these is not measured: for a translation the nominal value or 0, for a rotation the best guess.</source>
         <translation>不可观测：%1。文件中这些值不是测量所得：平移为名义值或 0，旋转为最佳猜测。</translation>
-    </message>
-    <message>
-        <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow…</source>
-        <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新…</translation>
-    </message>
-    <message>
-        <source>X is solved anew; sigmas, candidates and the judgement of other pairs follow.</source>
-        <translation>X 已重新求解；标准差、候选和其他帧对的判断随后更新。</translation>
     </message>
     <message>
         <source>No nominal mounting was given: &quot;start&quot; is the program&apos;s own first estimate, not where the LiDAR was before.</source>
@@ -7325,6 +7482,26 @@ Then calibrate: F5.</source>
     <message>
         <source>%1 on %2 (process %3), since %4</source>
         <translation>%2 上的 %1（进程 %3），自 %4 起</translation>
+    </message>
+    <message>
+        <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow…</source>
+        <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出…</translation>
+    </message>
+    <message>
+        <source>Calibrating: choosing scans, aligning pairs, solving.
+Pairs and result appear together when all of it is done. Esc stops, and keeps the pairs that are aligned by then.</source>
+        <translation>正在标定：选取扫描、配准帧对、求解。
+全部完成后帧对和结果一起出现。按 Esc 停止，保留届时已配准的帧对。</translation>
+    </message>
+    <message>
+        <source>Calibrating.
+The result appears when all of it is done. Esc stops.</source>
+        <translation>正在标定。
+全部完成后出现结果。按 Esc 停止。</translation>
+    </message>
+    <message>
+        <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow.</source>
+        <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出。</translation>
     </message>
 </context>
 <context>

@@ -105,6 +105,17 @@ TEST_F(project, knows_that_its_solution_does_not_answer_the_decisions) {
   EXPECT_EQ(load_project(path).changes_since_calibration().size(), 1U);
 }
 
+TEST_F(project, remembers_that_its_result_was_confirmed) {
+  const auto path = folder_ / "a.remount";
+  Project confirmed = example(folder_);
+  save_project(confirmed, path);
+  EXPECT_FALSE(read_regular_file(path).find("confirmed") != std::string::npos) << "as files of earlier versions";
+  EXPECT_FALSE(load_project(path).confirmed);
+  confirmed.confirmed = true;
+  save_project(confirmed, path);
+  EXPECT_TRUE(load_project(path).confirmed);
+}
+
 TEST_F(project, knows_that_a_calibration_was_made_with_other_settings) {
   const auto path = folder_ / "a.remount";
   Project edited = example(folder_);

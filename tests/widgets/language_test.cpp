@@ -127,8 +127,9 @@ TEST_F(chinese, sentences_of_the_model_are_recognised_by_pattern) {
   EXPECT_EQ(model_text(QStringLiteral("z (height): not observable, flat driving")), "z（高度）：不可观测，路面平坦")
       << "what stands for %1 is translated, too";
   EXPECT_EQ(
-      model_text(QStringLiteral("contradicts the INS motion by 0.123 m, 0.045 deg (9.1 sigma); screw test failed")),
-      "与 INS 运动相差 0.123 m、0.045 度（9.1 sigma）；螺旋检验未通过");
+      model_text(QStringLiteral(
+          "contradicts the INS motion by 0.123 m, 0.045 deg (9.1 sigma); turn or advance of INS and LiDAR differ")),
+      "与 INS 运动相差 0.123 m、0.045 度（9.1 sigma）；INS 与激光雷达的转角或前进量不同");
   EXPECT_EQ(model_text(QStringLiteral("something nobody has translated")), "something nobody has translated");
   speak("en", false);
   EXPECT_EQ(model_text(QStringLiteral("Solved; all six parameters are observed.")),

@@ -185,8 +185,8 @@ TEST(pair_filter, text_is_found_in_the_language_of_the_window) {
 void expect_found_as_by_reading(const char* language) {
   speak(language, false);
   const std::vector<std::string> reasons{
-      "contradicts the INS motion by 0.123 m, 0.045 deg (9.1 sigma); screw test failed",
-      "contradicts the INS motion by 0.12 m, 10.045 deg (0.123 sigma); screw test failed",
+      "contradicts the INS motion by 0.123 m, 0.045 deg (9.1 sigma); turn or advance of INS and LiDAR differ",
+      "contradicts the INS motion by 0.12 m, 10.045 deg (0.123 sigma); turn or advance of INS and LiDAR differ",
       "2 static objects in common, 3 needed",
       "12 static objects in common, 123 needed",
       "overlap too small: 0.31",

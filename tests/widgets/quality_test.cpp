@@ -335,7 +335,7 @@ TEST(result_panel, says_that_the_map_is_to_be_compared_again_only_where_it_was_c
     panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr, "reject pair 3");
     const auto labels = panel.findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(),
-                       [](const QLabel* label) { return label->text().contains("X has moved"); });
+                       [](const QLabel* label) { return label->text().contains("result has moved"); });
   };
   EXPECT_TRUE(says_so(MapCheck::Moved));
   EXPECT_FALSE(says_so(MapCheck::SwitchedOff)) << "it was never measured";

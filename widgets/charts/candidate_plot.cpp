@@ -14,7 +14,14 @@
 namespace remount {
 namespace {
 constexpr double kReach_px = 9.0;
+
+/// A single number on an axis tells no scale.
+std::vector<double> several_ticks(double low, double high, int steps) {
+  std::vector<double> ticks;
+  for (int finer = std::max(3, steps); ticks.size() < 2 && finer < 20; ++finer) ticks = nice_ticks(low, high, finer);
+  return ticks;
 }
+}  // namespace
 
 CandidatePlot::CandidatePlot(Kind kind, QWidget* parent) : QWidget(parent), kind_(kind) {
   setMouseTracking(true);
@@ -79,8 +86,9 @@ void CandidatePlot::find_limits() {
 
 QRectF CandidatePlot::view_area(int view) const {
   const double left = fontMetrics().horizontalAdvance(QStringLiteral("-000.0")) + 6.0, half = 0.5 * width();
-  return {view * half + left, fontMetrics().height() + 6.0, half - left - 8.0,
-          height() - 2.0 * fontMetrics().height() - 12.0};
+  // The title, and half of the topmost number below it.
+  const double line = fontMetrics().height(), top = 1.5 * line + 4.0;
+  return {view * half + left, top, half - left - 8.0, height() - top - line - 4.0};
 }
 
 QPointF CandidatePlot::to_screen(int view, double horizontal, double vertical) const {
@@ -132,15 +140,18 @@ void CandidatePlot::paint_view(QPainter& painter, int view) const {
   paint_range(painter, view);
   const Limits &h = limits_[0], &v = limits_[static_cast<std::size_t>(view + 1)];
   const double line = fontMetrics().height();
-  for (const double tick : nice_ticks(h.low, h.high, std::max(3, static_cast<int>(area.width() / 45.0)))) {
+  for (const double tick : several_ticks(h.low, h.high, static_cast<int>(area.width() / 45.0))) {
     const QPointF foot = to_screen(view, tick, v.low);
     painter.setPen(grid_color(palette()));
     painter.drawLine(foot, QPointF(foot.x(), area.top()));
     painter.setPen(faint_text_color(palette()));
-    painter.drawText(QRectF(foot.x() - 40, area.bottom() + 1, 80, line), Qt::AlignCenter,
-                     QString::number(tick, 'g', 4));
+    const QString number = QString::number(tick, 'g', 4);
+    const double wide = fontMetrics().horizontalAdvance(number);
+    // The last one stays whole at the edge.
+    const double from = std::min(foot.x() - 0.5 * wide, 0.5 * (view + 1) * width() - wide - 2.0);
+    painter.drawText(QRectF(from, area.bottom() + 1, wide + 1.0, line), Qt::AlignLeft, number);
   }
-  for (const double tick : nice_ticks(v.low, v.high, std::max(3, static_cast<int>(area.height() / 24.0)))) {
+  for (const double tick : several_ticks(v.low, v.high, static_cast<int>(area.height() / 24.0))) {
     const QPointF left = to_screen(view, h.low, tick);
     painter.setPen(grid_color(palette()));
     painter.drawLine(left, QPointF(area.right(), left.y()));
@@ -148,17 +159,19 @@ void CandidatePlot::paint_view(QPainter& painter, int view) const {
     painter.drawText(QRectF(left.x() - 90, left.y() - line / 2, 86, line), Qt::AlignRight | Qt::AlignVCenter,
                      QString::number(tick, 'g', 4));
   }
-  const auto title = [&](int axis) {
-    return QStringLiteral("%1 [%2]").arg(parameter_name(parameter(axis)), unit_suffix(parameter(axis)).trimmed());
-  };
   painter.setPen(palette().color(QPalette::Text));
-  // Above the numbers of its axis: beside the other title there is no room for it.
+  // Both axes in one title: side by side, two would run into each other.
   const double left = 0.5 * view * width() + 4.0;
-  painter.drawText(QRectF(left, 2, area.right() - left, line), Qt::AlignLeft, title(view + 1));
-  painter.drawText(QRectF(left, 2, area.right() - left, line), Qt::AlignRight, tr("over %1").arg(title(0)));
+  painter.drawText(QRectF(left, 2, area.right() - left, line), Qt::AlignLeft, title(view));
   painter.setRenderHint(QPainter::Antialiasing, true);
   paint_points(painter, view);
   painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+QString CandidatePlot::title(int view) const {
+  //: axes of a plot: the vertical one over the horizontal one, and their unit
+  return tr("%1 over %2 [%3]")
+      .arg(parameter_name(parameter(view + 1)), parameter_name(parameter(0)), unit_suffix(parameter(0)).trimmed());
 }
 
 void CandidatePlot::paint_range(QPainter& painter, int view) const {

@@ -24,6 +24,7 @@ class CandidatePlot : public QWidget {
   /// Where a candidate is drawn in view 0 or 1; beyond the limits at the edge.
   QPointF place_of(int candidate, int view) const;
   int candidate_at(const QPointF& position) const;  ///< -1 where none is near
+  QString title(int view) const;                    ///< "pitch over yaw [°]"
 
   QSize minimumSizeHint() const override { return {220, 110}; }
   QSize sizeHint() const override { return {320, 200}; }

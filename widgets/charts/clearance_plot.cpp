@@ -65,7 +65,7 @@ const MeasuredScan& ClearancePlot::shown() const {
 
 QRectF ClearancePlot::area() const {
   const double line = fontMetrics().height(), left = fontMetrics().horizontalAdvance(QStringLiteral("-00 ")) + 4.0;
-  return {left, line + 6.0, width() - left - 4.0, height() - 2.0 * line - 10.0};
+  return {left, 2.0 * line + 6.0, width() - left - 4.0, height() - 3.0 * line - 10.0};
 }
 
 double ClearancePlot::pixels_per_m() const {
@@ -146,13 +146,17 @@ void ClearancePlot::paint_grid(QPainter& painter) const {
   const double scale = pixels_per_m(), line = fontMetrics().height();
   const QPointF origin = to_screen(0.0, 0.0);
   const double step_m = nice_step(inside.height() / scale, 5);
+  const QString along = tr("x forward → [m]");
+  const double numbers_end = inside.right() - fontMetrics().horizontalAdvance(along) - 8.0;
   for (double x_m = std::ceil((inside.left() - origin.x()) / scale / step_m) * step_m;
        origin.x() + scale * x_m <= inside.right(); x_m += step_m) {
     const double x = origin.x() + scale * x_m;
     painter.setPen(grid_color(palette()));
     painter.drawLine(QPointF(x, inside.top()), QPointF(x, inside.bottom()));
     painter.setPen(faint_text_color(palette()));
-    painter.drawText(QRectF(x - 30, inside.bottom() + 1, 60, line), Qt::AlignCenter, QString::number(x_m, 'g', 3));
+    const QString number = QString::number(x_m, 'g', 3);
+    if (x + 0.5 * fontMetrics().horizontalAdvance(number) < numbers_end)
+      painter.drawText(QRectF(x - 30, inside.bottom() + 1, 60, line), Qt::AlignCenter, number);
   }
   for (double y_m = std::ceil((origin.y() - inside.bottom()) / scale / step_m) * step_m;
        origin.y() - scale * y_m >= inside.top(); y_m += step_m) {
@@ -163,19 +167,23 @@ void ClearancePlot::paint_grid(QPainter& painter) const {
     painter.drawText(QRectF(0, y - line / 2, inside.left() - 4, line), Qt::AlignRight | Qt::AlignVCenter,
                      QString::number(y_m, 'g', 3));
   }
-  const QRectF title(inside.left(), 2, inside.width(), line);
+  painter.drawText(QRectF(inside.left(), inside.bottom() + 1, inside.width(), line), Qt::AlignRight, along);
+  painter.drawText(QRectF(2, line + 3, inside.right() - 2, line), Qt::AlignLeft, tr("y left ↑ [m]"));
+  paint_legend(painter);
+}
+
+void ClearancePlot::paint_legend(QPainter& painter) const {
+  const double line = fontMetrics().height();
+  const QRectF title(4, 2, width() - 8.0, line);
   painter.setPen(before_color(palette()));
   const QString before = QStringLiteral("● ") + before_name_, after = tr("● with the result");
   painter.drawText(title, Qt::AlignLeft, before);
   painter.setPen(after_color(palette()));
   painter.drawText(title.adjusted(fontMetrics().horizontalAdvance(before) + 14, 0, 0, 0), Qt::AlignLeft, after);
   painter.setPen(faint_text_color(palette()));
-  const QString axis = tr("x forward → [m]");
-  painter.drawText(title, Qt::AlignRight, axis);
-  const double left = fontMetrics().horizontalAdvance(before + after) + 30.0,
-               right = fontMetrics().horizontalAdvance(axis) + 14.0;
-  painter.drawText(title.adjusted(left, 0, -right, 0), Qt::AlignCenter,
-                   fontMetrics().elidedText(name_, Qt::ElideLeft, static_cast<int>(title.width() - left - right)));
+  const double left = fontMetrics().horizontalAdvance(before + after) + 30.0;
+  painter.drawText(title.adjusted(left, 0, 0, 0), Qt::AlignRight,
+                   fontMetrics().elidedText(name_, Qt::ElideLeft, static_cast<int>(title.width() - left)));
 }
 
 void ClearancePlot::paint_vehicle(QPainter& painter) const {

@@ -59,6 +59,7 @@ class ClearancePlot : public QWidget {
   void zoom(double factor);
   void draw_points();
   void paint_grid(QPainter& painter) const;
+  void paint_legend(QPainter& painter) const;
   void paint_vehicle(QPainter& painter) const;
   void paint_clearances(QPainter& painter, const Clearances& found, const QColor& color, double shift_px) const;
 

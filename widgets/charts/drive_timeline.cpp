@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTextDocument>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@
 
 namespace remount {
 namespace {
-constexpr int kRows = 3;  // LiDAR, INS, quality
+constexpr int kRows = 4;  // LiDAR, INS, quality, what its colours say
 
 QString quality_text(InsQuality quality) {
   switch (quality) {
@@ -102,14 +103,14 @@ void DriveTimeline::paintEvent(QPaintEvent*) {
 
 void DriveTimeline::paint_rows(QPainter& painter) const {
   const QRect area = plot_area();
-  const std::array<QString, kRows> names{tr("LiDAR"), tr("INS"), tr("fix")};
+  const std::array<QString, kRows> names{tr("LiDAR"), tr("INS"), tr("fix"), QString()};
   for (int i = 0; i < kRows; ++i) {
     const QRect row(area.left(), area.top() + i * row_height(), area.width(), row_height() - 4);
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QRect(4, row.top() - 2, area.left() - 6, row_height()), Qt::AlignLeft | Qt::AlignVCenter,
                      names[static_cast<std::size_t>(i)]);
-    if (i == 2) {
-      paint_quality(painter, row);
+    if (i >= 2) {
+      i == 2 ? paint_quality(painter, row) : paint_quality_legend(painter, row);
       continue;
     }
     const StreamReport& stream = i == 0 ? drive_->lidar : drive_->ins;
@@ -132,6 +133,27 @@ void DriveTimeline::paint_quality(QPainter& painter, const QRect& row) const {
   }
 }
 
+QString DriveTimeline::quality_legend() const {
+  QStringList named;
+  for (const InsQuality quality : {InsQuality::Good, InsQuality::Degraded, InsQuality::Invalid, InsQuality::Unknown})
+    if (std::any_of(drive_->stretches.begin(), drive_->stretches.end(),
+                    [&](const InsStretch& stretch) { return stretch.quality == quality; }))
+      named << QStringLiteral("<font color='%1'>■</font> %2").arg(quality_color(quality).name(), quality_text(quality));
+  return tr("GNSS fix: %1").arg(named.join(QStringLiteral("  ")));
+}
+
+void DriveTimeline::paint_quality_legend(QPainter& painter, const QRect& row) const {
+  QTextDocument text;
+  text.setDocumentMargin(0.0);
+  text.setDefaultFont(font());
+  text.setHtml(
+      QStringLiteral("<span style='color:%1'>%2</span>").arg(palette().color(QPalette::Text).name(), quality_legend()));
+  painter.save();
+  painter.translate(4, row.top() - 2);
+  text.drawContents(&painter);
+  painter.restore();
+}
+
 void DriveTimeline::paint_curve(QPainter& painter) const {
   QRect area = plot_area();
   area.setTop(area.top() + kRows * row_height() + fontMetrics().height() + 8);
@@ -139,12 +161,14 @@ void DriveTimeline::paint_curve(QPainter& painter) const {
   double top = 0.0;
   for (const InsStretch& stretch : drive_->stretches)
     if (std::isfinite(curve_value(stretch))) top = std::max(top, curve_value(stretch));
-  if (!(top > 0.0)) top = 1.0;
+  // Up to the next tick and a little more: a line at the edge of the chart would look cut off.
+  const double step = nice_step(top > 0.0 ? top : 1.0, std::max(1, area.height() / 28));
+  top = step * (std::floor(top / step) + 1.0);
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(QRect(4, area.top() - fontMetrics().height() - 8, width() - 8, fontMetrics().height()),
                    Qt::AlignLeft,
                    shows_sigma() ? tr("position sigma of the INS [m]") : tr("speed [m/s] (the log states no sigma)"));
-  for (const double value : nice_ticks(0.0, top, std::max(1, area.height() / 28))) {
+  for (const double value : nice_ticks(0.0, top, static_cast<int>(std::lround(top / step)))) {
     const int y = area.bottom() - static_cast<int>(value / top * area.height());
     painter.setPen(grid_color(palette()));
     painter.drawLine(area.left(), y, area.right(), y);
@@ -189,7 +213,7 @@ bool DriveTimeline::event(QEvent* event) {
   const auto after = std::upper_bound(drive_->stretches.begin(), drive_->stretches.end(), time_s,
                                       [](double time, const InsStretch& stretch) { return time < stretch.time_s; });
   const InsStretch& stretch = *(after == drive_->stretches.begin() ? after : after - 1);
-  QString text = tr("%1 s: fix %2, %3 m/s")
+  QString text = tr("%1 s: GNSS fix %2, %3 m/s")
                      .arg(time_s, 0, 'f', 1)
                      .arg(quality_text(stretch.quality))
                      .arg(stretch.speed_m_s, 0, 'f', 1);

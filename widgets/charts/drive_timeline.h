@@ -21,9 +21,10 @@ class DriveTimeline : public QWidget {
   int x_of(double time_s) const;
   /// What the curve shows: the position sigma where the log states it, the speed otherwise.
   bool shows_sigma() const;
+  QString quality_legend() const;  ///< what the colours of the fix say, of those that occur; rich text
 
-  QSize minimumSizeHint() const override { return {160, 150}; }
-  QSize sizeHint() const override { return {300, 190}; }
+  QSize minimumSizeHint() const override { return {160, 165}; }
+  QSize sizeHint() const override { return {300, 205}; }
 
  signals:
   void time_clicked(double time_s);
@@ -39,6 +40,7 @@ class DriveTimeline : public QWidget {
   int row_height() const { return fontMetrics().height() + 2; }
   void paint_rows(class QPainter& painter) const;
   void paint_quality(class QPainter& painter, const QRect& row) const;
+  void paint_quality_legend(class QPainter& painter, const QRect& row) const;
   void paint_curve(class QPainter& painter) const;
   double curve_value(const InsStretch& stretch) const;
   QColor quality_color(InsQuality quality) const;

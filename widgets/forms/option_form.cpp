@@ -10,6 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/forms/choice_words.h"
+#include "widgets/readable.h"
+
 namespace remount {
 
 int decimals_for(const OptionField& field, AngleUnit unit) {
@@ -82,6 +85,7 @@ QWidget* OptionForm::make_editor(const OptionField& field) {
   switch (field.kind) {
     case OptionKind::Switch: {
       auto* box = new QCheckBox(option_label(field), this);
+      keep_box_visible(*box);
       connect(box, &QCheckBox::toggled, this, send);
       return box;
     }
@@ -103,7 +107,10 @@ QWidget* OptionForm::make_editor(const OptionField& field) {
     }
     case OptionKind::Choice: {
       auto* combo = new QComboBox(this);
-      combo->addItems(field.choices);
+      for (const QString& key : field.choices) {
+        combo->addItem(choice_words(field, key));
+        combo->setItemData(combo->count() - 1, tr("In files: %1").arg(key), Qt::ToolTipRole);
+      }
       connect(combo, &QComboBox::currentIndexChanged, this, send);
       return combo;
     }

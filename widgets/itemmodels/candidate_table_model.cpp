@@ -62,7 +62,7 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::BackgroundRole && is_result) return QBrush(tinted(good_color(palette_), palette_));
   if (role == Qt::ToolTipRole && is_result)
     return tr(
-        "This is the result. It weighs every pair by its noise; another candidate may have a smaller E, which "
+        "This is the result. It weighs every pair by its noise; another candidate may have a smaller error sum, which "
         "counts all pairs alike.");
   if (role == Qt::ForegroundRole && !candidate.in_range)
     return QBrush(palette_.color(QPalette::Disabled, QPalette::Text));
@@ -87,14 +87,14 @@ QVariant CandidateTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant CandidateTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) return {};
-  const std::array<QString, ColumnCount> titles{tr("Rank"),  tr("Source"),      tr("x [m]"),     tr("y [m]"),
-                                                tr("z [m]"), tr("yaw [°]"),     tr("pitch [°]"), tr("roll [°]"),
-                                                tr("E"),     tr("Search range")};
+  const std::array<QString, ColumnCount> titles{tr("Rank"),      tr("Source"),      tr("x [m]"),     tr("y [m]"),
+                                                tr("z [m]"),     tr("yaw [°]"),     tr("pitch [°]"), tr("roll [°]"),
+                                                tr("Error sum"), tr("Search range")};
   if (role == Qt::DisplayRole) return titles[static_cast<std::size_t>(section)];
   if (role == Qt::ToolTipRole && section == ErrorSum)
     return tr(
-        "E(X): sum over the accepted pairs of ‖P X − X Q‖ (Frobenius norm, translation over the characteristic "
-        "length)");
+        "How far the accepted pairs are from this mounting X, all together. E(X): sum of ‖P X − X Q‖ (Frobenius norm, "
+        "translation over the characteristic length)");
   return {};
 }
 

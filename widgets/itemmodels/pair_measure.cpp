@@ -43,7 +43,7 @@ QString measure_name(PairMeasure measure) {
     case PairMeasure::Rmse:
       return Words::tr("Alignment RMSE");
     case PairMeasure::Screw:
-      return Words::tr("Screw test");
+      return Words::tr("INS against LiDAR");
   }
   return {};
 }

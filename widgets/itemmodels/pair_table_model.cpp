@@ -36,8 +36,9 @@ Heading heading(int column) {
     case PairTableModel::Overlap:
       return {Words::tr("Overlap"), Words::tr("Share of points of scan a with a neighbour in scan b after alignment")};
     case PairTableModel::Screw:
-      return {Words::tr("Screw [σ]"),
-              Words::tr("How much INS and LiDAR motion differ in turn and advance, whatever the mounting; in sigma")};
+      return {Words::tr("INS–LiDAR [σ]"),
+              Words::tr("How much INS and LiDAR motion differ in turn and advance, whatever the mounting (screw test); "
+                        "in sigma")};
     case PairTableModel::Weight:
       return {Words::tr("Weight"), Words::tr("Robust weight of the pair in the solution, 0 to 1")};
     case PairTableModel::Shared:

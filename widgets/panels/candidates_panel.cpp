@@ -20,6 +20,7 @@ CandidatesPanel::CandidatesPanel(CandidateTableModel& model, QWidget* parent)
       table_(new QTableView(this)),
       position_(new CandidatePlot(CandidatePlot::Kind::Position, this)),
       attitude_(new CandidatePlot(CandidatePlot::Kind::Attitude, this)),
+      note_(new QLabel(this)),
       legend_(new QLabel(tr("● in range  ○ out of it  ✚ nominal  ◯ result  ▭ range"), this)) {
   make_table();
   for (CandidatePlot* plot : {position_, attitude_})
@@ -36,13 +37,25 @@ CandidatesPanel::CandidatesPanel(CandidateTableModel& model, QWidget* parent)
   column->addWidget(legend_);
   legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* splitter = new QSplitter(this);
-  splitter->addWidget(table_);
+  splitter->addWidget(make_left());
   splitter->addWidget(right);
   splitter->setStretchFactor(0, 1);
   splitter->setStretchFactor(1, 1);
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 4, 6, 4);
   row->addWidget(splitter);
+}
+
+QWidget* CandidatesPanel::make_left() {
+  auto* left = new QWidget(this);
+  auto* column = new QVBoxLayout(left);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(2);
+  column->addWidget(table_, 1);
+  note_->setWordWrap(true);
+  note_->hide();
+  column->addWidget(note_);
+  return left;
 }
 
 void CandidatesPanel::make_table() {
@@ -69,6 +82,10 @@ void CandidatesPanel::show_output(std::shared_ptr<const PipelineOutput> output) 
     plot->show_selected(-1);  // the number is another candidate's now
     plot->show_output(output);
   }
+  const int result = output ? row_of_result(output->result) : -1;
+  note_->setVisible(result > 0);
+  note_->setText(tr("The result has rank %1: ranks count every pair alike, the result weighs each pair by its noise.")
+                     .arg(result + 1));
   const bool any = model_.rowCount() > 0;
   // Once, for every decision would pay for it, and in a turn of its own: ten milliseconds of a table that is mostly
   // behind others.

@@ -33,11 +33,12 @@ class CandidatesPanel : public QWidget {
 
  private:
   void make_table();
+  QWidget* make_left();
   CandidateTableModel& model_;
   QSortFilterProxyModel* sorted_;
   QTableView* table_;
   CandidatePlot *position_, *attitude_;
-  QLabel* legend_;
+  QLabel *note_, *legend_;  // note: why the result is not the first
   bool sized_ = false;
 };
 

@@ -32,6 +32,9 @@ ClearanceView::ClearanceView(QWidget* parent)
     : QWidget(parent),
       plot_(new ClearancePlot(this)),
       table_(new FigureTable(tr("Distance of the nearest point on each side of the vehicle, metres"), this)),
+      dashes_(new QLabel(tr("–: no point of the scan lies on that side within the heights. Nothing was seen there, "
+                            "which is less than knowing that it is free."),
+                         this)),
       caution_(new QLabel(this)),
       session_(new QComboBox(this)),
       keyframe_(new QSpinBox(this)) {
@@ -43,8 +46,10 @@ ClearanceView::ClearanceView(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(make_controls());
   column->addWidget(table_, 1);
-  caution_->setWordWrap(true);
-  column->addWidget(caution_);
+  for (QLabel* note : {dashes_, caution_}) {
+    note->setWordWrap(true);
+    column->addWidget(note);
+  }
   auto* splitter = new QSplitter(this);
   splitter->addWidget(plot_);
   splitter->addWidget(right);
@@ -161,6 +166,7 @@ void ClearanceView::show_message(const QString& text) {
   shows_scan_ = false;
   plot_->show_message(text);
   table_->hide();
+  dashes_->hide();
   caution_->hide();
 }
 
@@ -180,13 +186,16 @@ void ClearanceView::show_figures(const Clearances& before, const Clearances& aft
   const std::array<double, 5> before_m = all(before), after_m = all(after);
   std::vector<TableCell> was{{nominal_known_ ? tr("Nominal") : tr("Start"), {}, Verdict::Neutral}},
       is{{tr("With result"), {}, Verdict::Neutral}}, change{{tr("Difference"), {}, Verdict::Neutral}};
+  bool any_dash = false;
   for (std::size_t i = 0; i < before_m.size(); ++i) {
+    any_dash = any_dash || !std::isfinite(before_m[i] + after_m[i]);
     was.push_back(distance_cell(before_m[i]));
     is.push_back(distance_cell(after_m[i]));
     change.push_back(change_cell(before_m[i], after_m[i]));
   }
   table_->show_rows({tr("Free [m]"), tr("Front"), tr("Rear"), tr("Left"), tr("Right"), tr("Nearest")},
                     {was, is, change});
+  dashes_->setVisible(any_dash);
 }
 
 }  // namespace remount

@@ -52,7 +52,7 @@ class ClearanceView : public QWidget {
   bool shows_scan_ = false, nominal_known_ = true;
   ClearancePlot* plot_;
   FigureTable* table_;
-  QLabel* caution_;
+  QLabel *dashes_, *caution_;  // what the dashes mean, what the numbers rest on
   QComboBox* session_;
   QSpinBox* keyframe_;
   QDoubleSpinBox *front_, *rear_, *half_width_, *height_min_, *height_max_;

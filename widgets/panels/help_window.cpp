@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/axes_picture.h"
+#include "widgets/readable.h"
 
 namespace remount {
 namespace {
@@ -31,6 +32,7 @@ HelpWindow::HelpWindow(const QString& folder, QWidget* parent)
     pages_.push_back({file.section('-', 1).section('.', 0, 0), kTitle.match(html).captured(1), html});
   }
   search_->setPlaceholderText(tr("Search"));
+  keep_placeholder_readable(*search_);
   search_->setAccessibleName(tr("Search in the help"));
   search_->setClearButtonEnabled(true);
   list_->setAccessibleName(tr("Contents of the help"));

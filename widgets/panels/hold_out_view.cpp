@@ -1,5 +1,6 @@
 #include "widgets/panels/hold_out_view.h"
 
+#include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,25 @@ QString in_words(const SessionDifference& difference) {
   return HoldOutView::tr("agree in %1 of 6 parameters (at most %2 sigma, in %3)").arg(both).arg(sigmas, name);
 }
 
+/// Once for the whole page: what its dashes stand for, session by session. Empty where there is none.
+QString dashes_in_words(const HoldOut& found, const QStringList& names) {
+  QStringList reasons;
+  for (int session = 0; session < std::ssize(found.sessions); ++session) {
+    const SessionAlone& alone = found.sessions[static_cast<std::size_t>(session)];
+    const QString name = names.value(session), unsolved = why_unsolved(alone, name);
+    QStringList blind;
+    for (std::size_t i = 0; i < kParameterNames.size(); ++i)
+      if (!alone.result.observed[i]) blind << parameter_name(i);
+    if (!unsolved.isEmpty())
+      reasons << unsolved;
+    else if (!blind.isEmpty())
+      reasons << HoldOutView::tr("%1 alone does not observe %2.").arg(name, blind.join(QStringLiteral(", ")));
+  }
+  if (reasons.isEmpty()) return {};
+  return HoldOutView::tr("–: no number, because a session alone says nothing about it.") + ' ' +
+         reasons.join(QStringLiteral(" "));
+}
+
 TableCell difference_cell(const HoldOut& found, const SessionDifference& difference, std::size_t i,
                           const QStringList& names) {
   if (std::isfinite(difference.sigma[i])) {
@@ -122,7 +142,9 @@ Rows difference_rows(const HoldOut& found, const QStringList& names) {
         {QStringLiteral("%1 − %2").arg(names.value(difference.a), names.value(difference.b)), {}, Verdict::Neutral}};
     for (std::size_t i = 0; i < kParameterNames.size(); ++i)
       row.push_back(difference_cell(found, difference, i, names));
-    row.push_back({in_words(difference), {}, verdict_of(difference)});
+    const bool compared = largest_difference(difference).has_value();
+    row.push_back(compared ? TableCell{in_words(difference), {}, verdict_of(difference)}
+                           : unknown_cell(in_words(difference)));
     rows.push_back(std::move(row));
   }
   return rows;
@@ -133,6 +155,7 @@ Rows difference_rows(const HoldOut& found, const QStringList& names) {
 HoldOutView::HoldOutView(QWidget* parent)
     : QWidget(parent),
       verdict_(new VerdictLabel(tr("Whether the sessions agree"), this)),
+      dashes_(new QLabel(this)),
       scores_(new FigureTable(tr("Residuals of each session under the X of another"), this)),
       differences_(new FigureTable(tr("Differences between the X of two sessions"), this)) {
   scores_->setToolTip(
@@ -140,7 +163,10 @@ HoldOutView::HoldOutView(QWidget* parent)
          "Where all clouds were aligned together as the last step, residuals are slightly too small."));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
+  dashes_->setWordWrap(true);
+  dashes_->setTextFormat(Qt::PlainText);
   column->addWidget(verdict_);
+  column->addWidget(dashes_);
   column->addWidget(scores_, 1);
   column->addWidget(differences_, 1);
   column->addStretch();
@@ -149,6 +175,7 @@ HoldOutView::HoldOutView(QWidget* parent)
 
 void HoldOutView::show_message(const QString& text) {
   verdict_->show_verdict(Verdict::Neutral, text);
+  dashes_->hide();
   scores_->hide();
   differences_->hide();
 }
@@ -163,7 +190,13 @@ void HoldOutView::show_hold_out(const HoldOut& found, const QStringList& names) 
                        [&](const auto& left, const auto& right) { return sigmas(left) < sigmas(right); });
   if (worst == found.differences.end()) return show_message(tr("Needs a second session."));
   const QString pair = tr("%1 and %2").arg(names.value(worst->a), names.value(worst->b));
-  verdict_->show_verdict(verdict_of(*worst), tr("Each session solved alone. %1: %2.").arg(pair, in_words(*worst)));
+  verdict_->show_verdict(verdict_of(*worst),
+                         largest_difference(*worst)
+                             ? tr("Each session solved alone. %1: %2.").arg(pair, in_words(*worst))
+                             : tr("Each session solved alone. No two of them observe the same parameter: whether they "
+                                  "agree cannot be said."));
+  dashes_->setText(dashes_in_words(found, names));
+  dashes_->setVisible(!dashes_->text().isEmpty());
   scores_->show_rows({tr("Solved on"), tr("Scored on"), tr("Pairs"), tr("Under that X"), tr("Under its own X"),
                       tr("Under the common X")},
                      score_rows(found, names));

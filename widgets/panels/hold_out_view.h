@@ -5,6 +5,8 @@
 
 #include "model/pipeline/hold_out.h"
 
+class QLabel;
+
 namespace remount {
 
 class FigureTable;
@@ -19,6 +21,7 @@ class HoldOutView : public QWidget {
 
  private:
   VerdictLabel* verdict_;
+  QLabel* dashes_;  // what they mean
   FigureTable *scores_, *differences_;
 };
 

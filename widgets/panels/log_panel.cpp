@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <QTextCharFormat>
 
+#include "widgets/readable.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -12,6 +13,7 @@ LogPanel::LogPanel(QWidget* parent) : QPlainTextEdit(parent) {
   setMaximumBlockCount(5000);
   setAccessibleName(tr("Log"));
   setPlaceholderText(tr("What the program does and finds appears here."));
+  keep_placeholder_readable(*this);
 }
 
 void LogPanel::add(Severity severity, const QString& where, const QString& what) {

@@ -21,8 +21,8 @@ MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll_->setFixedHeight(2 *
-                          fontMetrics().lineSpacing());  // until it is shown; its own hint would push the window apart
+  scroll_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // where the window is low, the rest scrolls
+  scroll_->setMaximumHeight(scroll_->minimumHeight());         // until it is shown
   scroll_->viewport()->setAutoFillBackground(false);
   text_->setAutoFillBackground(false);
   auto* close = new QToolButton(this);
@@ -50,14 +50,13 @@ void MessageBanner::show_message(Severity severity, const QString& where, const 
   fit_height();
 }
 
-// As high as the whole message, up to a few lines; beyond them it scrolls. A layout that is short of space would
-// squeeze a wrapped label and cut its last lines off.
+// As high as the whole message, up to a few lines and a third of the window; beyond them it scrolls.
 void MessageBanner::fit_height() {
   constexpr int kMostLines = 9;
   const int width = scroll_->viewport()->width();
   const int wanted = text_->heightForWidth(width) + 2;
-  const int most = kMostLines * text_->fontMetrics().lineSpacing();
-  scroll_->setFixedHeight(std::min(wanted, most));
+  const int most = std::min(kMostLines * text_->fontMetrics().lineSpacing(), window()->height() / 3);
+  scroll_->setMaximumHeight(std::max(scroll_->minimumHeight(), std::min(wanted, most)));
 }
 
 void MessageBanner::resizeEvent(QResizeEvent* event) {

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/core/error.h"
 #include "widgets/forms/option_access.h"
 #include "widgets/model_text.h"
 #include "widgets/theme.h"
@@ -63,14 +62,8 @@ QString distance(double value_m) {
 
 }  // namespace
 
-ObstacleDialog::ObstacleDialog(const QString& scan, std::shared_ptr<const PairClouds> clouds,
-                               const RigidTransform& nominal_ins_from_lidar,
-                               const RigidTransform& calibrated_ins_from_lidar, bool nominal_known,
-                               const QString& caution, QWidget* parent)
+ObstacleDialog::ObstacleDialog(const QString& scan, bool nominal_known, const QString& caution, QWidget* parent)
     : QDialog(parent),
-      clouds_(std::move(clouds)),
-      nominal_ins_from_lidar_(nominal_ins_from_lidar),
-      calibrated_ins_from_lidar_(calibrated_ins_from_lidar),
       before_(nominal_known ? tr("Nominal") : tr("Start")),
       verdict_(new QLabel(this)),
       table_(new QTableWidget(this)) {
@@ -98,29 +91,25 @@ ObstacleDialog::ObstacleDialog(const QString& scan, std::shared_ptr<const PairCl
   grid->addWidget(buttons, 3, 0, 1, 2);
   grid->setColumnStretch(1, 1);
   resize(760, 440);
-  check();
+  verdict_->setText(tr("Measuring the distances…"));
 }
 
 QWidget* ObstacleDialog::make_form() {
   auto* form = new QWidget(this);
   auto* layout = new QFormLayout(form);
   layout->setContentsMargins(0, 0, 0, 0);
-  FormBuilder builder{*layout, [this] { check(); }};
+  FormBuilder builder{*layout, [this] { emit options_edited(); }};
   ObstacleOptions::visit(options_, builder);
   return form;
 }
 
-void ObstacleDialog::check() {
-  ObstacleComparison found;
-  try {
-    found = compare_obstacles(clouds_->cloud_b, clouds_->objects_b, nominal_ins_from_lidar_, calibrated_ins_from_lidar_,
-                              options_);
-  } catch (const Error& error) {
-    table_->setRowCount(0);
-    set_style(*verdict_, "color: " + bad_color(palette()).name());
-    verdict_->setText(model_text(error.what_happened()));
-    return;
-  }
+void ObstacleDialog::show_problem(const QString& text) {
+  table_->setRowCount(0);
+  set_style(*verdict_, "color: " + bad_color(palette()).name());
+  verdict_->setText(text);
+}
+
+void ObstacleDialog::show_verdict(const ObstacleComparison& found) {
   const auto words = [](const ObstacleCheck& result) {
     const QString nearest =
         std::isfinite(result.nearest_m) ? tr("nearest at %1").arg(distance(result.nearest_m)) : tr("nothing near");
@@ -134,6 +123,10 @@ void ObstacleDialog::check() {
   QString verdict = tr("%1: %2. With result: %3.").arg(before_, words(found.nominal), words(found.calibrated));
   if (found.decision_differs()) verdict += ' ' + tr("The mounting changes the decision.");
   verdict_->setText(verdict);
+}
+
+void ObstacleDialog::show_comparison(ObstacleComparison found, const ObstacleOptions& options) {
+  show_verdict(found);
   // The nearest decide: they come first. What is no obstacle has no distance and comes last.
   const auto rank = [](double distance_m) { return std::isfinite(distance_m) ? distance_m : 1e9; };
   std::stable_sort(found.rows.begin(), found.rows.end(), [&](const auto& a, const auto& b) {
@@ -150,7 +143,7 @@ void ObstacleDialog::check() {
     for (int column = 0; column < 4; ++column) {
       auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;
-      if ((column == 1 || column == 2) && shown_m < options_.stop_distance_m) {
+      if ((column == 1 || column == 2) && shown_m < options.stop_distance_m) {
         item->setForeground(bad_color(palette()));
         item->setToolTip(tr("Closer than the stop distance"));
       }

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <QDialog>
-#include <memory>
 
 #include "algorithms/quality/obstacle_check.h"
-#include "model/pipeline.h"
 
 class QLabel;
 class QTableWidget;
@@ -15,18 +13,21 @@ namespace remount {
 class ObstacleDialog : public QDialog {
   Q_OBJECT
  public:
-  /// @param nominal_known false: `nominal_ins_from_lidar` is the program's own start, and is named so
+  /// @param nominal_known false: the mounting before is the program's own start, and is named so
   /// @param caution what the distances rest on that nobody measured; empty for nothing
-  ObstacleDialog(const QString& scan, std::shared_ptr<const PairClouds> clouds,
-                 const RigidTransform& nominal_ins_from_lidar, const RigidTransform& calibrated_ins_from_lidar,
-                 bool nominal_known, const QString& caution, QWidget* parent = nullptr);
+  ObstacleDialog(const QString& scan, bool nominal_known, const QString& caution, QWidget* parent = nullptr);
+  const ObstacleOptions& options() const { return options_; }
+  /// Of the options that it was made with, which may be others by now.
+  void show_comparison(ObstacleComparison found, const ObstacleOptions& options);
+  void show_problem(const QString& text);  ///< instead of distances
+
+ signals:
+  void options_edited();
 
  private:
   QWidget* make_form();
-  void check();
+  void show_verdict(const ObstacleComparison& found);
 
-  std::shared_ptr<const PairClouds> clouds_;  // scan b is checked
-  RigidTransform nominal_ins_from_lidar_, calibrated_ins_from_lidar_;
   ObstacleOptions options_;
   QString before_;  // the name of that mounting
   QLabel* verdict_;

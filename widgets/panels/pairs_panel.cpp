@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/readable.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -86,12 +87,16 @@ void PairsPanel::make_table() {
 void PairsPanel::make_filters(QHBoxLayout& row) {
   state_->addItems({tr("All states"), tr("Proposed"), tr("Accepted"), tr("Rejected")});
   state_->setAccessibleName(tr("Show pairs of this state"));
-  group_->addItems({tr("All pairs"), tr("Not decided by you"), tr("Worst %1").arg(kWorst), tr("Screw test failed"),
+  group_->addItems({tr("All pairs"), tr("Not decided by you"), tr("Worst %1").arg(kWorst), tr("INS and LiDAR disagree"),
                     tr("Few shared objects (< %1)").arg(kFewShared), tr("Not aligned")});
   group_->setItemData(static_cast<int>(PairGroup::Worst10), tr("By what the bars show, among those of the state"),
                       Qt::ToolTipRole);
+  group_->setItemData(static_cast<int>(PairGroup::ScrewFailed),
+                      tr("Turn and advance of INS and LiDAR differ, whatever the mounting (screw test)"),
+                      Qt::ToolTipRole);
   group_->setAccessibleName(tr("Show pairs of this kind"));
   text_->setPlaceholderText(tr("Number or text"));
+  keep_placeholder_readable(*text_);
   text_->setToolTip(tr("Shows pairs of this number, or with this text in state, session or reason"));
   text_->setClearButtonEnabled(true);
   text_->setAccessibleName(tr("Show pairs that contain this text"));

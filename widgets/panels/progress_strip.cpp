@@ -31,6 +31,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip(tr("Stop (Esc); what was there before is kept"));
   text_->setAccessibleName(tr("Present work"));
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long path does not widen the window
   connect(cancel_, &QToolButton::clicked, this, &ProgressStrip::cancel_clicked);
   second_->setInterval(1000);
   connect(second_, &QTimer::timeout, this, &ProgressStrip::say);

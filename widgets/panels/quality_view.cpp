@@ -6,6 +6,7 @@
 #include "widgets/panels/clearance_view.h"
 #include "widgets/panels/hold_out_view.h"
 #include "widgets/panels/sharpness_view.h"
+#include "widgets/readable.h"
 
 namespace remount {
 
@@ -23,6 +24,7 @@ QualityView::QualityView(QWidget* parent)
       tr("For you to tick when these pages have convinced you. The step \"Check\" is done then; another result is "
          "unconfirmed again."));
   connect(confirm_, &QCheckBox::toggled, this, &QualityView::confirmed);
+  keep_box_visible(*confirm_);
   setCornerWidget(confirm_);
   show_confirmed(false, false);
   connect(this, &QTabWidget::currentChanged, this, &QualityView::looked_at);

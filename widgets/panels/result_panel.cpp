@@ -176,6 +176,9 @@ void ResultPanel::make_labels(QGridLayout& grid) {
   status_->setAccessibleName(tr("Status of the result"));
   words_->setAccessibleName(tr("Explanation of the result"));
   words_->setAlignment(Qt::AlignTop);
+  words_->setToolTip(tr(
+      "Errors summed: E(X), the sum of ‖P X − X Q‖ over the accepted pairs (Frobenius norm), with P the motion of the "
+      "INS and Q that of the LiDAR."));
   grid.addWidget(status_, kStatusRow, 0, 1, kColumns);
   grid.addWidget(note_, kNoteRow, 0, 1, kColumns);
   moved_by_->setAccessibleName(tr("What the result is compared with"));
@@ -184,10 +187,17 @@ void ResultPanel::make_labels(QGridLayout& grid) {
 }
 
 void ResultPanel::make_rows(QGridLayout& grid) {
-  const std::array<QString, kColumns> titles{QString(), tr("LiDAR in INS"), tr("1 sigma"), tr("moved")};
+  const std::array<QString, kColumns> titles{QString(), tr("X: LiDAR in INS"), tr("1 sigma"), tr("moved")};
+  const std::array<QString, kColumns> helps{
+      QString(),
+      tr("X is the mounting: where the LiDAR sits in the frame of the INS (x, y, z) and how it is turned there (yaw, "
+         "pitch, roll)."),
+      tr("How far the value may be off: in two of three cases it is closer than this"),
+      tr("Change since the result before the last decision")};
   for (int column = 0; column < kColumns; ++column) {
     auto* title = new QLabel(titles[static_cast<std::size_t>(column)]);
     title->setAlignment(Qt::AlignRight);
+    title->setToolTip(helps[static_cast<std::size_t>(column)]);
     grid.addWidget(title, kTitleRow, column);
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -327,7 +337,7 @@ void ResultPanel::show_words(const PipelineOutput& output) {
     figures << tr("residuals: %1 cm, %2° (rms)")
                    .arg(100.0 * result.translation_rms_m, 0, 'f', 2)
                    .arg(radians_to_degrees(result.rotation_rms_rad), 0, 'f', 3);
-    figures << tr("E = %1 (Frobenius sum)").arg(result.frobenius_sum, 0, 'f', 4);
+    figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
   }
   if (has_numbers(result.status) && std::isfinite(result.time_offset.offset_s))
     figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
@@ -343,7 +353,8 @@ void ResultPanel::show_words(const PipelineOutput& output) {
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   html += nominal_table(output) + sharpness_table(output);
   if (output.map_check == MapCheck::Moved && has_numbers(result.status))
-    html += "<p>" + tr("Map sharpness: X has moved since it was measured; see Quality.").toHtmlEscaped() + "</p>";
+    html +=
+        "<p>" + tr("Map sharpness: the result has moved since it was measured; see Quality.").toHtmlEscaped() + "</p>";
   words_->setText(html);
 }
 

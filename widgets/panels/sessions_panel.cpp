@@ -1,8 +1,10 @@
 #include "widgets/panels/sessions_panel.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QTreeView>
+#include <algorithm>
 
 #include "widgets/itemmodels/session_list_model.h"
 #include "widgets/itemmodels/wrapping_delegate.h"
@@ -18,8 +20,8 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   tree_->setModel(&model_);
   tree_->setAccessibleName(tr("Open sessions and findings"));
   tree_->setHeaderHidden(true);
-  tree_->setMinimumHeight(6 * tree_->fontMetrics().lineSpacing());  // several drives, and what was found in one
   tree_->setItemDelegate(new WrappingDelegate(*tree_));
+  tree_->setRootIsDecorated(false);  // there is nothing to fold, and the names are long
   auto* open = new QPushButton(tr("Open…"), this);
   open->setToolTip(tr("A folder or file with a recorded drive; several drives of one vehicle are calibrated together"));
   connect(open, &QPushButton::clicked, this, &SessionsPanel::open_requested);
@@ -40,12 +42,34 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addLayout(buttons);
   column->addWidget(tree_, 1);
+  tree_->viewport()->installEventFilter(this);
   after_reset();
 }
 
 void SessionsPanel::after_reset() {
   tree_->expandAll();  // what was found is not to be hidden
+  fit_height();
   update_buttons();
+}
+
+// Four drives, or a few and what was found in them, are seen without scrolling.
+void SessionsPanel::fit_height() {
+  constexpr int kFewestLines = 6, kMostLines = 14, kSessions = 4;
+  const int line = tree_->fontMetrics().lineSpacing();
+  int rows = 2 * tree_->frameWidth();
+  for (int session = 0; session < std::min(kSessions, model_.rowCount()); ++session) {
+    const QModelIndex top = model_.index(session, 0);
+    rows += tree_->visualRect(top).height();
+    for (int finding = 0; finding < model_.rowCount(top); ++finding)
+      rows += tree_->visualRect(model_.index(finding, 0, top)).height();
+  }
+  tree_->setMinimumHeight(std::clamp(rows, kFewestLines * line, kMostLines * line));
+}
+
+bool SessionsPanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == tree_->viewport() && event->type() == QEvent::Resize)
+    QMetaObject::invokeMethod(this, &SessionsPanel::fit_height, Qt::QueuedConnection);  // after the rows are laid out
+  return QWidget::eventFilter(watched, event);
 }
 
 void SessionsPanel::update_buttons() {

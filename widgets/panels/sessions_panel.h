@@ -21,8 +21,12 @@ class SessionsPanel : public QWidget {
   void remove_requested(int session);
   void topics_requested(int session);  ///< of a bag
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void after_reset();
+  void fit_height();
   void update_buttons();
   int session_with_topics() const;  ///< the current one; -1 where its format has none
   SessionListModel& model_;

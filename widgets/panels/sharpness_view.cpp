@@ -1,11 +1,13 @@
 #include "widgets/panels/sharpness_view.h"
 
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <cmath>
 
 #include "algorithms/quality/map_sharpness.h"
+#include "algorithms/quality/sharpness_limits.h"
 #include "widgets/model_text.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/verdict_table.h"
@@ -37,12 +39,35 @@ TableCell figure(const std::vector<NamedSharpness>& all, const NamedSharpness& n
   return {QString::number(scale * value, 'f', decimals), {}, better ? Verdict::Good : Verdict::Neutral};
 }
 
+/// Whether it matters that another row is sharper than the result.
+QString order_in_words(const std::vector<NamedSharpness>& all) {
+  const NamedSharpness* result = sharpness_of(all, "result");
+  if (!result || !std::isfinite(result->sharpness.plane_thickness_m)) return {};
+  if (result->sharpness.points < kFewestPlaces)
+    return SharpnessView::tr("Fewer than %1 places could be compared: the order of the rows says nothing.")
+        .arg(kFewestPlaces);
+  QStringList sharper;
+  for (const NamedSharpness& named : all)
+    if (compared(named.sharpness, result->sharpness) == SharperUnder::First) sharper << name_of(named);
+  if (!sharper.isEmpty())
+    return SharpnessView::tr(
+               "Clearly sharper than the result: %1. Look at its map and at the pairs before you use the result.")
+        .arg(sharper.join(QStringLiteral(", ")));
+  const double share = kClearlySharper - 1.0;
+  return SharpnessView::
+      tr("No row is clearly sharper than the result. Differences below %1 % (here %2 mm) are less than this measure "
+         "can tell: the order of such rows is chance.")
+          .arg(100.0 * share, 0, 'f', 0)
+          .arg(1e3 * share * result->sharpness.plane_thickness_m, 0, 'f', 1);
+}
+
 }  // namespace
 
 SharpnessView::SharpnessView(QWidget* parent)
     : QWidget(parent),
       verdict_(new VerdictLabel(tr("Under which mounting the map is sharper"), this)),
       table_(new FigureTable(tr("Sharpness of the accumulated map"), this)),
+      order_(new QLabel(this)),
       before_(new QPushButton(this)),
       after_(new QPushButton(tr("Map under the result"), this)) {
   table_->setToolTip(
@@ -59,6 +84,8 @@ SharpnessView::SharpnessView(QWidget* parent)
   column->setContentsMargins(4, 4, 4, 4);
   column->addWidget(verdict_);
   column->addWidget(table_, 1);
+  order_->setWordWrap(true);
+  column->addWidget(order_);
   column->addLayout(buttons);
   column->addStretch();
   show_message({});
@@ -74,6 +101,7 @@ void SharpnessView::offer_maps(bool any, const QString& start) {
 void SharpnessView::show_message(const QString& text) {
   verdict_->show_verdict(Verdict::Neutral, text);
   table_->hide();
+  order_->hide();
 }
 
 void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness) {
@@ -111,6 +139,8 @@ void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness)
                      Verdict::Neutral}});
   table_->show_rows({tr("Mounting"), tr("Thickness [mm]"), tr("Entropy"), tr("Places compared")}, rows);
   table_->show();
+  order_->setText(order_in_words(sharpness));
+  order_->setVisible(!order_->text().isEmpty());
 }
 
 }  // namespace remount

@@ -6,6 +6,7 @@
 
 #include "model/pipeline.h"
 
+class QLabel;
 class QPushButton;
 
 namespace remount {
@@ -29,6 +30,7 @@ class SharpnessView : public QWidget {
  private:
   VerdictLabel* verdict_;
   FigureTable* table_;
+  QLabel* order_;  // what the order of the rows says
   QPushButton *before_, *after_;
 };
 

@@ -19,16 +19,24 @@ StepBar::StepBar(QWidget* parent) : QWidget(parent) {
   layout->setSpacing(4);
   for (std::size_t i = 0; i < kStepCount; ++i) {
     buttons_[i] = new QToolButton(this);
-    buttons_[i]->setToolTip(help[i]);
-    buttons_[i]->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    helps_[i] = help[i];
+    // Their texts are cut where the window is narrow, rather than it being made wider.
+    buttons_[i]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    buttons_[i]->setMinimumWidth(60);
     connect(buttons_[i], &QToolButton::clicked, this, [this, i] { emit step_clicked(static_cast<Step>(i)); });
     layout->addWidget(buttons_[i], 1);
   }
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   show_steps({});
 }
 
 void StepBar::show_steps(const std::array<StepInfo, kStepCount>& steps) {
   steps_ = steps;
+  restyle();
+}
+
+void StepBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
   restyle();
 }
 
@@ -61,7 +69,12 @@ void StepBar::restyle() {
         break;
     }
     const QString detail = step.detail.isEmpty() ? state : step.detail;
-    buttons_[i]->setText(sign + QStringLiteral("  ") + titles[i] + '\n' + detail);
+    constexpr int kPadding_px = 14;
+    const auto fitting = [&, width = buttons_[i]->width() - kPadding_px](const QString& text) {
+      return buttons_[i]->fontMetrics().elidedText(text, Qt::ElideRight, width);
+    };
+    buttons_[i]->setText(fitting(sign + QStringLiteral("  ") + titles[i]) + '\n' + fitting(detail));
+    buttons_[i]->setToolTip(helps_[i] + '\n' + detail);
     buttons_[i]->setAccessibleName(tr("Step %1: %2, %3").arg(titles[i], state, detail));
     const bool plain = step.state == StepState::Waiting;
     set_style(

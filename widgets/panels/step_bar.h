@@ -27,12 +27,14 @@ class StepBar : public QWidget {
   void step_clicked(remount::Step step);
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   void restyle();
   std::array<StepInfo, kStepCount> steps_;
   std::array<QToolButton*, kStepCount> buttons_{};
+  std::array<QString, kStepCount> helps_;
 };
 
 }  // namespace remount

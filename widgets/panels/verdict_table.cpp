@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QPainter>
+#include <QScrollBar>
 
 #include "widgets/theme.h"
 
@@ -72,7 +73,6 @@ FigureTable::FigureTable(const QString& accessible_name, QWidget* parent) : QTab
   setSelectionBehavior(QAbstractItemView::SelectRows);
   setAlternatingRowColors(true);
   setTabKeyNavigation(false);
-  setMinimumHeight(3 * (fontMetrics().height() + 6) + 4);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
 }
@@ -93,6 +93,15 @@ void FigureTable::show_rows(const QStringList& heads, const std::vector<std::vec
     }
   recolor();
   resizeColumnsToContents();
+  fit_height();
+}
+
+// A few rows are seen whole, and the bar that moves wide ones; the page scrolls where there is no room.
+void FigureTable::fit_height() {
+  constexpr int kRows = 4;
+  setMinimumHeight(horizontalHeader()->sizeHint().height() +
+                   std::min(kRows, rowCount()) * verticalHeader()->defaultSectionSize() + 2 * frameWidth() +
+                   horizontalScrollBar()->sizeHint().height());
 }
 
 void FigureTable::recolor() {

@@ -41,6 +41,7 @@ class FigureTable : public QTableWidget {
 
  private:
   void recolor();
+  void fit_height();
 };
 
 /// A dash, for what is not known, and why.

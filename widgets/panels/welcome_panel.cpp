@@ -3,11 +3,16 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace remount {
 
 WelcomePanel::WelcomePanel(QWidget* parent)
-    : QWidget(parent), text_(new QLabel(this)), sample_(new QPushButton(tr("Open the sample session"), this)) {
+    : QWidget(parent),
+      text_(new QLabel(this)),
+      sample_(new QPushButton(tr("Open the sample session"), this)),
+      recent_title_(new QLabel(tr("<b>Opened lately</b>"), this)),
+      recent_(new QVBoxLayout) {
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::RichText);
   text_->setText(
@@ -30,11 +35,35 @@ WelcomePanel::WelcomePanel(QWidget* parent)
   column->addStretch(2);
   column->addWidget(text_);
   column->addLayout(buttons);
+  column->addSpacing(8);
+  column->addWidget(recent_title_);
+  recent_->setSpacing(0);
+  column->addLayout(recent_);
   column->addStretch(3);
   auto* row = new QHBoxLayout(this);
   row->addStretch();
   row->addLayout(column, 10);
   row->addStretch();
+  show_recent({}, {});
+}
+
+void WelcomePanel::show_recent(const QStringList& paths, const QStringList& labels) {
+  constexpr qsizetype kShown = 5;
+  while (QLayoutItem* item = recent_->takeAt(0)) {
+    item->widget()->deleteLater();
+    delete item;
+  }
+  for (qsizetype i = 0; i < std::min(kShown, paths.size()); ++i) {
+    auto* open = new QPushButton(this);
+    open->setText(fontMetrics().elidedText(labels.at(i), Qt::ElideMiddle, text_->maximumWidth()).replace('&', "&&"));
+    open->setFlat(true);
+    open->setStyleSheet(QStringLiteral("text-align: left; padding: 2px 4px"));
+    open->setToolTip(paths.at(i));
+    open->setAccessibleName(tr("Open %1").arg(labels.at(i)));
+    connect(open, &QPushButton::clicked, this, [this, path = paths.at(i)] { emit recent_requested(path); });
+    recent_->addWidget(open, 0, Qt::AlignLeft);
+  }
+  recent_title_->setVisible(!paths.isEmpty());
 }
 
 void WelcomePanel::resizeEvent(QResizeEvent* event) {

@@ -5,6 +5,7 @@
 
 class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace remount {
 
@@ -13,8 +14,11 @@ class WelcomePanel : public QWidget {
  public:
   explicit WelcomePanel(QWidget* parent = nullptr);
   void set_sample_available(bool available);
+  /// What was opened lately, newest first, and how each is called; a few of them are offered.
+  void show_recent(const QStringList& paths, const QStringList& labels);
 
  signals:
+  void recent_requested(const QString& path);
   void open_requested();
   void sample_requested();
 
@@ -24,6 +28,8 @@ class WelcomePanel : public QWidget {
  private:
   QLabel* text_;
   QPushButton* sample_;
+  QLabel* recent_title_;
+  QVBoxLayout* recent_;
 };
 
 }  // namespace remount

@@ -15,12 +15,12 @@ struct Posts {
   PointCloud cloud;
   std::vector<SceneObject> objects;
 
-  Posts(const std::vector<Vector3d>& feet_in_ins, const RigidTransform& ins_from_lidar) {
-    for (const Vector3d& foot : feet_in_ins) {
+  Posts(const std::vector<Vector3d>& feet_in_vehicle, const RigidTransform& vehicle_from_lidar) {
+    for (const Vector3d& foot : feet_in_vehicle) {
       SceneObject object;
       for (int i = 0; i < 10; ++i) {
         object.points.push_back(static_cast<int>(cloud.size()));
-        cloud.points.push_back((ins_from_lidar.inverse() * (foot + Vector3d(0.0, 0.0, 0.1 * i))).cast<float>());
+        cloud.points.push_back((vehicle_from_lidar.inverse() * (foot + Vector3d(0.0, 0.0, 0.1 * i))).cast<float>());
         object.centroid_in_lidar += cloud.points.back() / 10.0f;
       }
       object.shape = ObjectShape::Pole;
@@ -41,7 +41,7 @@ TEST(obstacle_check, measures_from_the_sides_and_from_the_corners_of_the_outline
   EXPECT_NEAR(found.obstacles[1].distance_m, 3.0, 1e-5) << "ahead";
   EXPECT_NEAR(found.obstacles[2].distance_m, 5.0, 1e-5) << "from the corner: 3, 4, 5";
   EXPECT_NEAR(found.nearest_m, 1.0, 1e-5);
-  EXPECT_NEAR((found.obstacles[0].centroid_in_ins - Vector3d(0.0, 2.0, 0.45)).norm(), 0.0, 1e-5);
+  EXPECT_NEAR((found.obstacles[0].centroid_in_vehicle - Vector3d(0.0, 2.0, 0.45)).norm(), 0.0, 1e-5);
 }
 
 TEST(obstacle_check, decides_by_the_preset_distance) {

@@ -84,8 +84,8 @@ TEST(report, pairs_are_listed_with_what_was_found) {
 TEST(report, says_what_it_is_made_from) {
   const std::string html = report_html(example());
   EXPECT_EQ(row_of(html, "<h2>Data</h2>", "drive1"), (Cells{"drive1", "ins.csv", "12", "0123abcd"}));
-  EXPECT_EQ(row_of(html, "<h2>Check by", "result"), (Cells{"result", "-3.5000", "2.10 cm", "400"}));
-  EXPECT_EQ(row_of(html, "<h2>Check by", "nominal"), (Cells{"nominal", "-3.1000", "3.40 cm", "400"}));
+  EXPECT_EQ(row_of(html, "<h2>Check by", "result"), (Cells{"result", "-3.5000", "21.0 mm", "400"}));
+  EXPECT_EQ(row_of(html, "<h2>Check by", "nominal"), (Cells{"nominal", "-3.1000", "34.0 mm", "400"}));
   EXPECT_NE(html.find("<li>pairing.max_gap_s = 2.25   (1.5)</li>"), std::string::npos);
   for (const char* part :
        {"height z: not observable", "Remount 1.2.3", "Five of six &lt;parameters&gt;", "data:image/png;base64,UE5H"})

@@ -1,0 +1,151 @@
+// What the user decided, confirmed and compared is what the window goes on with.
+#include <gtest/gtest.h>
+
+#include <QClipboard>
+#include <QDoubleSpinBox>
+#include <QTableWidget>
+#include <QTemporaryDir>
+
+#include "app/gui/language.h"
+#include "app/gui/method_controller.h"
+#include "app/gui/obstacle_controller.h"
+#include "app/gui/steps.h"
+#include "app/gui/window_host.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/export_dialog.h"
+#include "widgets/panels/obstacle_dialog.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+
+class kept_work : public testing::WindowFixture {
+ protected:
+  StepInfo step(Step which) { return describe_steps(workbench_)[static_cast<std::size_t>(which)]; }
+  /// Calibrates again, and does `meanwhile` while that runs.
+  void calibrate_and(const std::function<void()>& meanwhile) {
+    *hold_at_ = 5;
+    workbench_.calibrate();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().isEmpty(); }, kPatience_ms));
+    ASSERT_TRUE(workbench_.calibrating());
+    meanwhile();
+    *hold_at_ = -1;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.calibrating(); }, kPatience_ms));
+    ASSERT_TRUE(settle());
+  }
+};
+
+TEST_F(kept_work, a_decision_that_is_undone_while_a_calibration_runs_does_not_come_back) {
+  calibrate_drive();
+  const double before_m = x_m();
+  workbench_.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  workbench_.decide({8}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  calibrate_and([&] { workbench_.undo_stack().undo(); });
+  EXPECT_EQ(pair(8).decided_by, DecidedBy::Program);
+  EXPECT_EQ(pair(8).state, PairState::Accepted);
+  EXPECT_EQ(pair(5).decided_by, DecidedBy::User) << "the other decision stays";
+  EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9) << "and X follows from it alone";
+  EXPECT_FALSE(workbench_.incomplete());
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(8).decided_by, DecidedBy::Program);
+}
+
+TEST_F(kept_work, a_decision_that_is_redone_while_a_calibration_runs_counts) {
+  calibrate_drive();
+  workbench_.decide({8}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  const double before_m = x_m();
+  calibrate_and([&] { workbench_.undo_stack().redo(); });
+  EXPECT_EQ(pair(8).decided_by, DecidedBy::User);
+  EXPECT_NEAR(x_m() - before_m, 0.001, 1e-9);
+}
+
+TEST_F(kept_work, a_confirmed_result_is_confirmed_when_its_project_is_opened) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("job.remount");
+  calibrate_drive();
+  const int before = workbench_.revision();
+  workbench_.confirm(true);
+  EXPECT_GT(workbench_.revision(), before) << "it is work like any other, and to be saved";
+  bool saved = false;
+  workbench_.save_project(path, [&] { saved = true; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+
+  Workbench again(testing::sample_engine());
+  ProjectToOpen copy;
+  copy.path = path;
+  copy.access = ProjectToOpen::Access::Copy;
+  again.open_project(copy);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() != nullptr; }, kPatience_ms));
+  EXPECT_TRUE(again.confirmed());
+  again.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.solving(); }, kPatience_ms));
+  EXPECT_FALSE(again.confirmed()) << "another result";
+}
+
+TEST_F(kept_work, what_was_only_copied_is_not_exported_yet) {
+  calibrate_drive();
+  EXPECT_EQ(step(Step::Export).detail, "ready (Ctrl+E)");
+  trigger("Ctrl+Shift+C");
+  EXPECT_FALSE(QGuiApplication::clipboard()->text().isEmpty());
+  EXPECT_EQ(step(Step::Export).state, StepState::Next);
+  EXPECT_TRUE(step(Step::Export).detail.startsWith("copied")) << step(Step::Export).detail.toStdString();
+  trigger("Ctrl+E");
+  auto& dialog = child<ExportDialog>();
+  const QTemporaryDir folder;
+  emit dialog.save_requested("matrix", folder.filePath("x.txt"), dialog.current_text());
+  EXPECT_EQ(step(Step::Export).state, StepState::Done);
+  emit dialog.copied("matrix");
+  EXPECT_EQ(step(Step::Export).detail, "exported") << "the file is still there";
+}
+
+TEST_F(kept_work, distances_of_obstacles_are_measured_beside_the_window_for_what_was_typed_last) {
+  calibrate_drive();
+  const auto clouds = std::make_shared<const PairClouds>(
+      testing::sample_engine().load_pair_clouds(workbench_.input_of_output(), *workbench_.output(), 5));
+  ObstacleDialog dialog("a scan", true, {});
+  auto& table = *dialog.findChild<QTableWidget*>();
+  const RigidTransform mounting = rigid_from_six(testing::kTruth);
+  new ObstacleController(workbench_.jobs(), dialog, clouds, mounting, mounting);
+  EXPECT_EQ(table.rowCount(), 0) << "the window's thread does not measure";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table.rowCount() == 4; }, kPatience_ms));
+  const QString before = table.item(0, 2)->text();
+  QDoubleSpinBox* left = nullptr;
+  for (auto* spin : dialog.findChildren<QDoubleSpinBox*>())
+    if (spin->toolTip().startsWith("Left side")) left = spin;
+  ASSERT_TRUE(left);
+  for (const double half_width_m : {1.5, 2.0, 2.5}) left->setValue(half_width_m);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return table.item(0, 2)->text() != before; }, kPatience_ms));
+  left->setValue(-3.0);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return table.rowCount() == 0; }, kPatience_ms)) << "an outline without width";
+}
+
+TEST(kept_results, of_methods_outlive_another_language) {
+  Workbench workbench(testing::sample_engine());
+  WindowHost host(workbench);
+  host.window().open_paths({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  workbench.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
+  PipelineOutput other = *workbench.output();
+  other.method = "trajectory";
+  Project project;
+  project.basis.session_count = 1;
+  workbench.restore(workbench.sessions(), project, std::make_shared<const PipelineOutput>(other));
+  const auto compared = [&] { return host.window().findChild<MethodController*>()->compared().of_methods; };
+  ASSERT_EQ(compared().size(), 2U);
+  const std::string name = compared().begin()->second.name;
+  host.change_language("zh_CN");
+  ASSERT_EQ(compared().size(), 2U) << "both are still compared";
+  EXPECT_NE(compared().begin()->second.name, name) << "in the language of the window";
+  speak("en", false);
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,129 @@
+// The window on small and on dark screens, and where it begins.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTreeView>
+
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/help_window.h"
+#include "widgets/panels/message_banner.h"
+#include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/progress_strip.h"
+#include "widgets/panels/sessions_panel.h"
+#include "widgets/panels/welcome_panel.h"
+#include "widgets/readable.h"
+
+namespace remount {
+namespace {
+
+class small_screen : public testing::WindowFixture {
+ protected:
+  void expect_fits(const char* when) {
+    QTest::qWait(50);
+    // 1600 by 1000 pixels at a scale of two, without the window's frame.
+    const QSize room(790, 460);
+    const QSize least = window_.minimumSizeHint();
+    EXPECT_LE(least.width(), room.width()) << when;
+    EXPECT_LE(least.height(), room.height()) << when;
+    window_.resize(room);
+    QTest::qWait(50);
+    EXPECT_LE(window_.width(), room.width()) << when;
+    EXPECT_LE(window_.height(), room.height()) << when;
+    const auto& strip = child<ProgressStrip>();
+    EXPECT_LE(strip.mapTo(&window_, QPoint(0, strip.height())).y(), room.height()) << when << ": the status is seen";
+  }
+};
+
+TEST_F(small_screen, holds_the_whole_window_with_and_without_work_and_under_a_message) {
+  show();
+  expect_fits("empty");
+  child<MessageBanner>().show_message(Severity::Problem, "/data/x", QString("It looks for a file.\n").repeated(40));
+  expect_fits("under a long message");
+  calibrate_drive();
+  expect_fits("with a result");
+  child<MessageBanner>().show_message(Severity::Problem, "/data/" + QString("x").repeated(300), "is no session");
+  workbench_.say(Severity::Note, "/data/" + QString("x").repeated(300), "saved");
+  expect_fits("with long paths");
+  photograph(window_, "40-small");
+}
+
+TEST_F(small_screen, shows_four_sessions_without_scrolling) {
+  window_.resize(1280, 900);
+  show();
+  window_.open_paths({"/data/drive1", "/data/drive2", "/data/drive3", "/data/drive4"});
+  ASSERT_TRUE(settle());
+  QTest::qWait(100);
+  auto& tree = *child<SessionsPanel>().findChild<QTreeView*>();
+  const QRect last = tree.visualRect(tree.model()->index(3, 0));
+  EXPECT_TRUE(tree.viewport()->rect().contains(last) || tree.minimumHeight() >= 14 * tree.fontMetrics().lineSpacing())
+      << last.bottom() << " of " << tree.viewport()->height();
+  photograph(window_, "41-four-sessions");
+}
+
+TEST_F(small_screen, begins_with_what_was_opened_lately) {
+  show();
+  auto& welcome = child<WelcomePanel>();
+  welcome.show_recent({"/data/drive1", "/data/job.remount"}, {"drive1 – /data", "job.remount – /data"});
+  QSignalSpy asked(&welcome, &WelcomePanel::recent_requested);
+  QPushButton* project = nullptr;
+  for (auto* button : welcome.findChildren<QPushButton*>())
+    if (button->toolTip() == "/data/job.remount") project = button;
+  ASSERT_TRUE(project);
+  EXPECT_TRUE(project->text().contains("job.remount"));
+  photograph(window_, "42-recent");
+  project->click();
+  ASSERT_EQ(asked.count(), 1);
+  EXPECT_EQ(asked.at(0).at(0).toString(), "/data/job.remount");
+  ASSERT_TRUE(settle()) << "there is no such project";
+  window_.open_paths({"/data/drive3"});
+  ASSERT_TRUE(settle());
+  workbench_.remove_session(0);
+  bool offered = false;
+  for (const auto* button : welcome.findChildren<QPushButton*>()) offered |= button->toolTip() == "/data/drive3";
+  EXPECT_TRUE(offered) << "the list follows";
+}
+
+TEST(readable, mixtures_are_as_faint_as_they_may_be) {
+  EXPECT_NEAR(contrast(Qt::black, Qt::white), 21.0, 1e-9);
+  EXPECT_NEAR(contrast(QColor(119, 119, 119), Qt::white), 4.48, 0.01);
+  const QColor faint = faint_but_readable(Qt::white, QColor(27, 30, 32), 4.5);
+  EXPECT_GE(contrast(faint, QColor(27, 30, 32)), 4.5);
+  EXPECT_LT(contrast(faint, QColor(27, 30, 32)), 8.0);
+}
+
+TEST_F(small_screen, placeholders_and_empty_boxes_can_be_seen_on_a_dark_palette) {
+  const QPalette light = QApplication::palette();
+  QPalette dark(QColor(49, 54, 59), QColor(42, 46, 50));
+  dark.setColor(QPalette::Base, QColor(27, 30, 32));
+  dark.setColor(QPalette::Text, QColor(252, 252, 252));
+  dark.setColor(QPalette::PlaceholderText, QColor(60, 64, 68));
+  QApplication::setPalette(dark);
+  show();
+  calibrate_drive();
+  trigger("Ctrl+Shift+B");
+  HelpWindow help(":/help/en");
+  for (const QLineEdit* line : {child<PairsPanel>().findChild<QLineEdit*>(), help.findChild<QLineEdit*>()}) {
+    const QPalette now = line->palette();
+    EXPECT_GE(contrast(now.color(QPalette::PlaceholderText), now.color(QPalette::Base)), 4.5);
+    EXPECT_EQ(now.color(QPalette::Base), dark.color(QPalette::Base)) << "the rest follows the application";
+  }
+  QCheckBox box;
+  keep_box_visible(box);
+  const QImage picture = box.grab().toImage();
+  double strongest = 1.0;
+  for (int x = 0; x < picture.width(); ++x)
+    strongest =
+        std::max(strongest, contrast(picture.pixelColor(x, picture.height() / 2), dark.color(QPalette::Window)));
+  EXPECT_GE(strongest, 3.0) << "the edge of an empty box";
+  photograph(window_, "43-dark-quality");
+  QApplication::setPalette(light);
+  const QPalette now = child<PairsPanel>().findChild<QLineEdit*>()->palette();
+  EXPECT_GE(contrast(now.color(QPalette::PlaceholderText), now.color(QPalette::Base)), 4.5);
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,11 @@
+// Words for the choices of options; files and the command line have keys.
+#pragma once
+
+#include "widgets/forms/option_access.h"
+
+namespace remount {
+
+/// "Pairs of keyframes" for "pairwise": the same words as elsewhere in the window. The key itself where there are none.
+QString choice_words(const OptionField& field, const QString& key);
+
+}  // namespace remount
