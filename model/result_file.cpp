@@ -276,6 +276,7 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("advice", strings_document(result.advice));
   root.add("ins_from_lidar", transform_document(result.ins_from_lidar));
   root.add("reference_frame", DocumentNode::string(result.reference_frame));
+  root.add("calibrated", DocumentNode::string(result.calibrated));
   root.add("ins_axes", file.ins_axes ? DocumentNode::string(to_string(*file.ins_axes)) : DocumentNode::null());
   DocumentNode& observed = root.add("observed", DocumentNode::map());
   observed.on_one_line = true;

@@ -156,6 +156,7 @@ ResultFile result_from_document(const DocumentView& root) {
   result.status = *status;
   if (root.has("method")) file.method = root.at("method").string();
   if (root.has("reference_frame")) result.reference_frame = root.at("reference_frame").string();
+  if (root.has("calibrated")) result.calibrated = root.at("calibrated").string();
   if (root.has("quantities")) file.quantities = quantities_from_document(root.at("quantities"));
   if (root.has("plots")) file.plots = plots_from_document(root.at("plots"));
   if (root.has("message")) result.message = root.at("message").string();

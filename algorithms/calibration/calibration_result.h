@@ -68,6 +68,10 @@ struct CalibrationResult {
   /// What X takes coordinates to: "ins"; methods that know no INS relate another frame, "vehicle" or "machine", and
   /// then `ins_from_lidar` is that frame from the sensor's.
   std::string reference_frame = "ins";
+  /// What X takes coordinates from: "lidar" (or another sensor whose motion was given), or "antenna", whose positions
+  /// alone were calibrated: then X has no attitude. From "antenna" as the reference frame, X is the place of the LiDAR
+  /// from the antenna in axes of the LiDAR.
+  std::string calibrated = "lidar";
   RigidTransform ins_from_lidar = RigidTransform::Identity();
   std::array<bool, 6> observed{};  ///< order of kParameterNames; with the help of what was measured
   std::array<bool, 6> measured{};  ///< held near a value measured by hand

@@ -20,10 +20,17 @@ std::string format(const char* pattern, auto... values) {
 
 std::string sigma_text(double sigma) { return format(sigma < 1e-3 ? "1-sigma %.1e" : "1-sigma %.4f", sigma); }
 
+/// What the six numbers are. Positions of an antenna give a lever arm and no attitude: no pose of anything.
+std::string meaning(const CalibrationResult& result) {
+  const std::string& frame = result.reference_frame;
+  if (frame == "antenna") return "place of the lidar from the antenna, in axes of the lidar: the lever arm turned round";
+  if (result.calibrated == "antenna") return "place of the antenna in the " + frame + " frame: its lever arm";
+  return "pose of the " + result.calibrated + " in the " + frame + " frame";
+}
+
 std::string parameters(const CalibrationResult& result) {
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
-  const std::string& frame = result.reference_frame;
-  std::string text = frame + "_from_lidar (pose of the lidar in the " + frame + " frame)\n";
+  std::string text = result.reference_frame + "_from_" + result.calibrated + " (" + meaning(result) + ")\n";
   for (std::size_t i = 0; i < 6; ++i) {
     const bool angle = is_angle(i);
     const char* unit = angle ? "deg" : "m  ";

@@ -94,6 +94,7 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
   CalibrationResult& result = output.result;
   result.reference_frame = "vehicle";
+  result.calibrated = "antenna";
   result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
   for (const auto& each : input.sessions)
     output.findings.insert(output.findings.end(), each->findings.begin(), each->findings.end());

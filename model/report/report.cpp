@@ -106,9 +106,13 @@ void Page::write_verdict() {
 }
 
 void Page::write_parameters() {
-  heading(result_.reference_frame == "ins" ? phrase("report", "LiDAR in the INS frame (ins_from_lidar)")
-                                           : phrase("report", "LiDAR in the reference frame") + ": " +
-                                                 html_escaped(result_.reference_frame + "_from_lidar"));
+  const bool of_ins = result_.reference_frame == "ins", of_antenna = result_.calibrated == "antenna";
+  const std::string name = html_escaped(result_.reference_frame + "_from_" + result_.calibrated);
+  heading(of_ins ? phrase("report", "LiDAR in the INS frame (ins_from_lidar)")
+                 : (of_antenna                              ? phrase("report", "Antenna in the reference frame")
+                    : result_.reference_frame == "antenna" ? phrase("report", "LiDAR from the antenna, in its own axes")
+                                                           : phrase("report", "LiDAR in the reference frame")) +
+                       ": " + name);
   begin_table();
   row({"", phrase("report", "value"), phrase("report", "1 sigma"), phrase("report", "by resampling"),
        phrase("report", "nominal"), phrase("report", "new − nominal")},
@@ -136,8 +140,9 @@ void Page::write_parameters() {
   end_table();
   html_ +=
       "<p class=\"weak\">" +
-      (result_.reference_frame == "ins"
-           ? phrase("report", "R = Rz(yaw) Ry(pitch) Rx(roll); point_in_ins = ins_from_lidar * point_in_lidar.")
+      (of_ins ? phrase("report", "R = Rz(yaw) Ry(pitch) Rx(roll); point_in_ins = ins_from_lidar * point_in_lidar.")
+       : of_antenna || result_.reference_frame == "antenna"
+           ? phrase("report", "Positions of an antenna give its lever arm, m, and no attitude.")
            : phrase("report", "R = Rz(yaw) Ry(pitch) Rx(roll); X takes points of the LiDAR to the reference frame."));
   if (std::any_of(result_.measured.begin(), result_.measured.end(), [](bool measured) { return measured; }))
     html_ += " " + phrase("report", "* with a value measured by hand.");

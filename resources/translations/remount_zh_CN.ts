@@ -7755,8 +7755,20 @@ The result appears when all of it is done. Esc stops.</source>
         <translation>圆点：起点</translation>
     </message>
     <message>
+        <source>Antenna in the reference frame</source>
+        <translation>天线在参考坐标系中</translation>
+    </message>
+    <message>
+        <source>LiDAR from the antenna, in its own axes</source>
+        <translation>激光雷达相对天线的位置（激光雷达自身坐标轴）</translation>
+    </message>
+    <message>
         <source>LiDAR in the reference frame</source>
         <translation>激光雷达在参考坐标系中</translation>
+    </message>
+    <message>
+        <source>Positions of an antenna give its lever arm, m, and no attitude.</source>
+        <translation>天线的位置只给出其杆臂（米），不给出姿态。</translation>
     </message>
     <message>
         <source>R = Rz(yaw) Ry(pitch) Rx(roll); X takes points of the LiDAR to the reference frame.</source>

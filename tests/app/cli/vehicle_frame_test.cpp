@@ -15,6 +15,10 @@ class cli_vehicle_frame : public ProgramFixture<cli_vehicle_frame> {
   static std::string calibrated(const std::string& session, const std::string& result) {
     const Outcome outcome = run("calibrate '" + session + "' --method vehicle-frame -o " + path(result));
     EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+    // Positions of an antenna were calibrated: nothing may pass for the pose of a LiDAR.
+    EXPECT_NE(outcome.out.find("vehicle_from_antenna (place of the antenna in the vehicle frame"), std::string::npos)
+        << outcome.out;
+    EXPECT_EQ(outcome.out.find("pose of the lidar"), std::string::npos) << outcome.out;
     return text_of(path(result));
   }
 };
@@ -32,6 +36,7 @@ TEST_F(cli_vehicle_frame, the_recorded_smartloc_folder_runs_end_to_end) {
   if (!std::filesystem::exists(kData / "smartloc")) GTEST_SKIP() << "no recorded data at " << kData;
   const std::string result = calibrated((kData / "smartloc").string(), "berlin.yaml");
   EXPECT_NE(result.find("end error"), std::string::npos) << result;
+  EXPECT_NE(result.find("calibrated: antenna"), std::string::npos) << result;
 }
 
 }  // namespace

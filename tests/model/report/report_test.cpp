@@ -67,6 +67,22 @@ TEST(report, parameters_have_their_value_sigma_and_change) {
   EXPECT_EQ(row_of(html, "<h2>Correlation", "x"), (Cells{"x", "1.00", "-0.50", "–", "–", "–", "–"}));
 }
 
+TEST(report, the_place_of_an_antenna_does_not_pass_for_the_pose_of_a_lidar) {
+  Report report = example();
+  CalibrationResult& result = report.file.result;
+  result.reference_frame = "vehicle";
+  result.calibrated = "antenna";
+  std::string html = report_html(report);
+  EXPECT_NE(html.find("<h2>Antenna in the reference frame: vehicle_from_antenna"), std::string::npos);
+  EXPECT_EQ(html.find("LiDAR in the"), std::string::npos);
+  EXPECT_EQ(html.find("takes points of the LiDAR"), std::string::npos);
+  result.reference_frame = "antenna";
+  result.calibrated = "lidar";
+  html = report_html(report);
+  EXPECT_NE(html.find("<h2>LiDAR from the antenna, in its own axes: antenna_from_lidar"), std::string::npos);
+  EXPECT_NE(html.find("no attitude"), std::string::npos);
+}
+
 TEST(report, pairs_are_listed_with_what_was_found) {
   const std::string html = report_html(example());
   const Cells accepted = row_of(html, "<h2>Pairs</h2>", "3"), rejected = row_of(html, "<h2>Pairs</h2>", "7");
