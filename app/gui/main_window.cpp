@@ -51,6 +51,7 @@
 #include "widgets/panels/sessions_panel.h"
 #include "widgets/panels/shrinking_area.h"
 #include "widgets/panels/welcome_panel.h"
+#include "widgets/screen_room.h"
 
 namespace remount {
 namespace {
@@ -66,7 +67,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
       turns_(new TurnQueue(this)) {
   setWindowTitle(tr("Remount"));
   setAcceptDrops(true);
-  resize(QSize(1280, 900).boundedTo(room_for_content()));  // or a small screen cuts the status strip off
+  resize(within_screen(*this, {1280, 900}));  // or a small screen cuts the status strip off
   make_centre();
   make_docks();
   progress_ = new ProgressStrip(this);
@@ -90,7 +91,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
     if (settings.value("angles/radians").toBool()) set_angle_unit(AngleUnit::Radians);
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
-    resize(size().boundedTo(room_for_content()));  // the screen may be another
+    resize(within_screen(*this, size()));  // the screen may be another
   }
   show_sessions();
   show_output();
@@ -98,11 +99,6 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
 }
 
 MainWindow::~MainWindow() = default;
-
-QSize MainWindow::room_for_content() const {
-  // How high the frame is, nobody knows before the window is shown.
-  return screen()->availableSize() - QSize(8, style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, this) + 12);
-}
 
 void MainWindow::make_centre() {
   steps_ = new StepBar(this);
