@@ -137,7 +137,9 @@ QDockWidget* MainWindow::make_dock(const QString& title, const QString& name, QW
                                    Qt::DockWidgetArea area) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
-  dock->setWidget(new ShrinkingArea(content));
+  // What scrolls by itself is not put into another that does: one bar would hide the other.
+  const bool scrolls = qobject_cast<QScrollArea*>(content) != nullptr;
+  dock->setWidget(scrolls ? content : new ShrinkingArea(content));
   addDockWidget(area, dock);
   // A panel behind another keeps the focus otherwise: F1 and keys would be for what is not seen.
   connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {
@@ -182,20 +184,14 @@ QWidget* MainWindow::make_setup() {
   run_->setFont(bold);
   column->addWidget(run_);
   add(tr("Search range"), range_, 0);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(column_widget);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(310);
-  return scroll;
+  return column_widget;
 }
 
 void MainWindow::make_docks() {
   pairs_ = new PairsPanel(*pair_model_);
   errors_ = new ErrorChartPanel;
   result_ = new ResultPanel;
-  result_->setMinimumWidth(290);
+  result_->setMinimumWidth(200);
   log_ = new LogPanel;
   candidates_ = new CandidatesPanel(*candidate_model_);
   quality_ = new QualityView;
