@@ -233,7 +233,7 @@ void MainWindow::make_docks() {
 void MainWindow::size_docks() {
   resizeDocks({pairs_dock_, error_dock_}, {860, 420}, Qt::Horizontal);
   resizeDocks({pairs_dock_}, {300}, Qt::Vertical);
-  resizeDocks({setup_dock_, result_dock_}, {320, 300}, Qt::Horizontal);
+  resizeDocks({setup_dock_, result_dock_}, {320, 325}, Qt::Horizontal);
 }
 
 void MainWindow::set_angle_unit(AngleUnit unit) {
