@@ -1,7 +1,7 @@
 #include "widgets/readable.h"
 
+#include <QAbstractButton>
 #include <QApplication>
-#include <QCheckBox>
 #include <QEvent>
 #include <QPainter>
 #include <QProxyStyle>
@@ -51,12 +51,15 @@ class EdgeStyle : public QProxyStyle {
   void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
     QProxyStyle::drawPrimitive(element, option, painter, widget);
-    if (element != PE_IndicatorCheckBox || !option->state.testFlag(State_Off)) return;
+    const bool box = element == PE_IndicatorCheckBox, circle = element == PE_IndicatorRadioButton;
+    if ((!box && !circle) || !option->state.testFlag(State_Off)) return;
     const QPalette& palette = option->palette;
     painter->save();
     painter->setBrush(Qt::NoBrush);
     painter->setPen(faint_but_readable(palette.color(QPalette::WindowText), palette.color(QPalette::Window), kEdge));
-    painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+    painter->setRenderHint(QPainter::Antialiasing, circle);
+    const QRect edge = option->rect.adjusted(0, 0, -1, -1);
+    circle ? painter->drawEllipse(edge) : painter->drawRect(edge);
     painter->restore();
   }
 };
@@ -90,7 +93,7 @@ void keep_placeholder_readable(QWidget& editor) {
   });
 }
 
-void keep_box_visible(QCheckBox& box) {
+void keep_box_visible(QAbstractButton& box) {
   auto* style = new EdgeStyle;
   style->setParent(&box);
   box.setStyle(style);

@@ -4,7 +4,7 @@
 #include <QColor>
 #include <QPalette>
 
-class QCheckBox;
+class QAbstractButton;
 class QWidget;
 
 namespace remount {
@@ -17,7 +17,7 @@ QColor faint_but_readable(const QColor& ink, const QColor& paper, double least_c
 
 /// Keeps the placeholder of an editor readable on its own background, whatever palette follows.
 void keep_placeholder_readable(QWidget& editor);
-/// Likewise the edge of a box that is not ticked.
-void keep_box_visible(QCheckBox& box);
+/// Likewise the edge of a check box or radio button that is not ticked.
+void keep_box_visible(QAbstractButton& box);
 
 }  // namespace remount

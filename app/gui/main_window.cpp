@@ -51,6 +51,7 @@
 #include "widgets/panels/sessions_panel.h"
 #include "widgets/panels/shrinking_area.h"
 #include "widgets/panels/welcome_panel.h"
+#include "widgets/screen_room.h"
 
 namespace remount {
 namespace {
@@ -66,7 +67,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
       turns_(new TurnQueue(this)) {
   setWindowTitle(tr("Remount"));
   setAcceptDrops(true);
-  resize(QSize(1280, 900).boundedTo(room_for_content()));  // or a small screen cuts the status strip off
+  resize(within_screen(*this, {1280, 900}));  // or a small screen cuts the status strip off
   make_centre();
   make_docks();
   progress_ = new ProgressStrip(this);
@@ -90,7 +91,7 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
     if (settings.value("angles/radians").toBool()) set_angle_unit(AngleUnit::Radians);
     restoreGeometry(settings.value("window/geometry").toByteArray());
     restoreState(settings.value("window/state").toByteArray(), kLayoutVersion);
-    resize(size().boundedTo(room_for_content()));  // the screen may be another
+    resize(within_screen(*this, size()));  // the screen may be another
   }
   show_sessions();
   show_output();
@@ -98,11 +99,6 @@ MainWindow::MainWindow(Workbench& workbench, QWidget* parent)
 }
 
 MainWindow::~MainWindow() = default;
-
-QSize MainWindow::room_for_content() const {
-  // How high the frame is, nobody knows before the window is shown.
-  return screen()->availableSize() - QSize(8, style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, this) + 12);
-}
 
 void MainWindow::make_centre() {
   steps_ = new StepBar(this);
@@ -141,7 +137,9 @@ QDockWidget* MainWindow::make_dock(const QString& title, const QString& name, QW
                                    Qt::DockWidgetArea area) {
   auto* dock = new QDockWidget(title, this);
   dock->setObjectName(name);
-  dock->setWidget(new ShrinkingArea(content));
+  // What scrolls by itself is not put into another that does: one bar would hide the other.
+  const bool scrolls = qobject_cast<QScrollArea*>(content) != nullptr;
+  dock->setWidget(scrolls ? content : new ShrinkingArea(content));
   addDockWidget(area, dock);
   // A panel behind another keeps the focus otherwise: F1 and keys would be for what is not seen.
   connect(dock, &QDockWidget::visibilityChanged, this, [this, dock](bool seen) {
@@ -186,20 +184,14 @@ QWidget* MainWindow::make_setup() {
   run_->setFont(bold);
   column->addWidget(run_);
   add(tr("Search range"), range_, 0);
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(column_widget);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(310);
-  return scroll;
+  return column_widget;
 }
 
 void MainWindow::make_docks() {
   pairs_ = new PairsPanel(*pair_model_);
   errors_ = new ErrorChartPanel;
   result_ = new ResultPanel;
-  result_->setMinimumWidth(290);
+  result_->setMinimumWidth(200);
   log_ = new LogPanel;
   candidates_ = new CandidatesPanel(*candidate_model_);
   quality_ = new QualityView;
@@ -241,7 +233,7 @@ void MainWindow::make_docks() {
 void MainWindow::size_docks() {
   resizeDocks({pairs_dock_, error_dock_}, {860, 420}, Qt::Horizontal);
   resizeDocks({pairs_dock_}, {300}, Qt::Vertical);
-  resizeDocks({setup_dock_, result_dock_}, {320, 300}, Qt::Horizontal);
+  resizeDocks({setup_dock_, result_dock_}, {320, 325}, Qt::Horizontal);
 }
 
 void MainWindow::set_angle_unit(AngleUnit unit) {

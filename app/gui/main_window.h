@@ -96,7 +96,6 @@ class MainWindow : public QMainWindow {
   // main_window.cpp: layout
   void make_centre();
   void make_docks();
-  QSize room_for_content() const;  ///< on the screen, without the window's frame
   QDockWidget* make_dock(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   QWidget* make_setup();
   void size_docks();

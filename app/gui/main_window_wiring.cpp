@@ -150,7 +150,9 @@ void MainWindow::connect_selection() {
     if (pair < 0) pair_view_->show_message(tr("Select a pair to see its two scans."));
   });
   connect(&workbench_, &Workbench::clouds_loading, this, [this](int pair) {
-    progress_text(tr("Reading the scans of pair %1…").arg(pair));  // the scene before stays until the next is there
+    const QString reading = tr("Reading the scans of pair %1…").arg(pair);
+    progress_text(reading);
+    if (!pair_view_->shows_scene()) pair_view_->show_message(reading);  // a scene stays until the next is there
   });
   connect(&workbench_, &Workbench::clouds_loaded, this, &MainWindow::show_clouds);
   connect(&workbench_, &Workbench::clouds_failed, this, [this](int pair, const QString& why) {

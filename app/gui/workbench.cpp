@@ -333,7 +333,8 @@ void Workbench::load_clouds() {
 void Workbench::edit_option(const QString& section, const QString& name, const QVariant& value) {
   Settings changed = settings_;
   if (!set_option(changed, section, name, value)) return;
-  undo_.push(new SettingsCommand(*this, tr("change %1").arg(name), section + '.' + name, changed));
+  undo_.push(new SettingsCommand(*this, tr("change %1").arg(option_label(changed, section, name)), section + '.' + name,
+                                 changed));
 }
 
 void Workbench::reset_range() {

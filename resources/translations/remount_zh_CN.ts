@@ -592,7 +592,7 @@ sigma: position %1 m, attitude %2°</source>
     </message>
     <message>
         <source>%1 s: GNSS fix %2, %3 m/s</source>
-        <translation>%1 秒：GNSS 定位%2，%3 米/秒</translation>
+        <translation>%1 秒：GNSS 定位%2，%3 m/s</translation>
     </message>
 </context>
 <context>
@@ -3104,7 +3104,7 @@ Everything else works.</source>
     </message>
     <message>
         <source>No row is clearly sharper than the result. Differences below %1 % (here %2 mm) are less than this measure can tell: the order of such rows is chance.</source>
-        <translation>没有哪一行明显比结果更清晰。小于 %1 %（此处 %2 毫米）的差别是这一指标分辨不了的：这些行的顺序出于偶然。</translation>
+        <translation>没有哪一行明显比结果更清晰。小于 %1 %（此处 %2 mm）的差别是这一指标分辨不了的：这些行的顺序出于偶然。</translation>
     </message>
 </context>
 <context>

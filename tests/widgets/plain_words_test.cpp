@@ -131,6 +131,11 @@ TEST_F(plain_words, a_result_that_is_not_the_first_candidate_says_why) {
   EXPECT_EQ(panel.attitude()->title(0), "pitch over yaw [°]");
 }
 
+TEST_F(plain_words, an_edit_of_an_option_is_called_as_the_form_calls_it) {
+  workbench_.edit_option("pairing", "max_gap_s", 3.0);
+  EXPECT_EQ(workbench_.undo_stack().undoText(), "change Max gap");
+}
+
 TEST_F(plain_words, a_drive_says_what_the_colours_of_its_fix_mean) {
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());

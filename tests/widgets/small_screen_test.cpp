@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QTreeView>
 
@@ -16,6 +17,7 @@
 #include "widgets/panels/sessions_panel.h"
 #include "widgets/panels/welcome_panel.h"
 #include "widgets/readable.h"
+#include "widgets/screen_room.h"
 
 namespace remount {
 namespace {
@@ -85,6 +87,14 @@ TEST_F(small_screen, begins_with_what_was_opened_lately) {
   bool offered = false;
   for (const auto* button : welcome.findChildren<QPushButton*>()) offered |= button->toolTip() == "/data/drive3";
   EXPECT_TRUE(offered) << "the list follows";
+}
+
+TEST_F(small_screen, dialogs_open_within_it) {
+  const QSize room = window_.screen()->availableSize();
+  const QSize fitting = within_screen(window_, {5000, 5000});
+  EXPECT_LT(fitting.width(), room.width());
+  EXPECT_LT(fitting.height(), room.height());
+  EXPECT_EQ(within_screen(window_, {300, 200}), QSize(300, 200));
 }
 
 TEST(readable, mixtures_are_as_faint_as_they_may_be) {

@@ -134,4 +134,10 @@ QString option_label(const QString& name, const QString& unit) {
 
 QString option_label(const OptionField& field) { return option_label(field.name, field.unit); }
 
+QString option_label(const Settings& settings, const QString& section, const QString& name) {
+  for (const OptionField& field : option_fields(settings))
+    if (field.section == section && field.name == name) return option_label(field);
+  return name;
+}
+
 }  // namespace remount

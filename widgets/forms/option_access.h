@@ -42,5 +42,7 @@ QString screen_suffix(const OptionField& field, AngleUnit unit = AngleUnit::Degr
 /// "max_gap_s" -> "Max gap", "imu_yaw_deg" -> "IMU yaw".
 QString option_label(const QString& name, const QString& unit);
 QString option_label(const OptionField& field);
+/// Of the option with that name; the name itself where there is none.
+QString option_label(const Settings& settings, const QString& section, const QString& name);
 
 }  // namespace remount

@@ -32,10 +32,8 @@ ClearanceView::ClearanceView(QWidget* parent)
     : QWidget(parent),
       plot_(new ClearancePlot(this)),
       table_(new FigureTable(tr("Distance of the nearest point on each side of the vehicle, metres"), this)),
-      dashes_(new QLabel(tr("–: no point of the scan lies on that side within the heights. Nothing was seen there, "
-                            "which is less than knowing that it is free."),
-                         this)),
-      caution_(new QLabel(this)),
+      dashes_(new NoteLabel(this)),
+      caution_(new NoteLabel(this)),
       session_(new QComboBox(this)),
       keyframe_(new QSpinBox(this)) {
   table_->setToolTip(
@@ -46,10 +44,7 @@ ClearanceView::ClearanceView(QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(make_controls());
   column->addWidget(table_, 1);
-  for (QLabel* note : {dashes_, caution_}) {
-    note->setWordWrap(true);
-    column->addWidget(note);
-  }
+  for (NoteLabel* note : {dashes_, caution_}) column->addWidget(note);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(plot_);
   splitter->addWidget(right);
@@ -195,7 +190,10 @@ void ClearanceView::show_figures(const Clearances& before, const Clearances& aft
   }
   table_->show_rows({tr("Free [m]"), tr("Front"), tr("Rear"), tr("Left"), tr("Right"), tr("Nearest")},
                     {was, is, change});
-  dashes_->setVisible(any_dash);
+  dashes_->show_note(any_dash
+                         ? tr("–: no point of the scan lies on that side within the heights. Nothing was seen there, "
+                              "which is less than knowing that it is free.")
+                         : QString());
 }
 
 }  // namespace remount

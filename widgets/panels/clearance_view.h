@@ -8,12 +8,12 @@
 
 class QComboBox;
 class QDoubleSpinBox;
-class QLabel;
 class QSpinBox;
 
 namespace remount {
 
 class FigureTable;
+class NoteLabel;
 
 class ClearanceView : public QWidget {
   Q_OBJECT
@@ -52,7 +52,7 @@ class ClearanceView : public QWidget {
   bool shows_scan_ = false, nominal_known_ = true;
   ClearancePlot* plot_;
   FigureTable* table_;
-  QLabel *dashes_, *caution_;  // what the dashes mean, what the numbers rest on
+  NoteLabel *dashes_, *caution_;  // what the dashes mean, what the numbers rest on
   QComboBox* session_;
   QSpinBox* keyframe_;
   QDoubleSpinBox *front_, *rear_, *half_width_, *height_min_, *height_max_;

@@ -11,6 +11,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
+#include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -59,7 +60,7 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   grid->addWidget(buttons, 3, 0, 1, 2);
   grid->setColumnStretch(1, 1);
   grid->setRowStretch(2, 1);
-  resize(1080, 620);
+  resize(within_screen(*this, {1080, 620}));
   list_->setCurrentRow(0);
 }
 

@@ -13,6 +13,7 @@
 
 #include "widgets/axes_picture.h"
 #include "widgets/readable.h"
+#include "widgets/screen_room.h"
 
 namespace remount {
 namespace {
@@ -47,7 +48,7 @@ HelpWindow::HelpWindow(const QString& folder, QWidget* parent)
   row->addWidget(text_, 1);
   connect(search_, &QLineEdit::textChanged, this, &HelpWindow::search);
   connect(list_, &QListWidget::currentRowChanged, this, &HelpWindow::show_current);
-  resize(820, 520);
+  resize(within_screen(*this, {820, 520}));
   search({});
 }
 

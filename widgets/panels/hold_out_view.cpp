@@ -1,6 +1,5 @@
 #include "widgets/panels/hold_out_view.h"
 
-#include <QLabel>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -155,7 +154,7 @@ Rows difference_rows(const HoldOut& found, const QStringList& names) {
 HoldOutView::HoldOutView(QWidget* parent)
     : QWidget(parent),
       verdict_(new VerdictLabel(tr("Whether the sessions agree"), this)),
-      dashes_(new QLabel(this)),
+      dashes_(new NoteLabel(this)),
       scores_(new FigureTable(tr("Residuals of each session under the X of another"), this)),
       differences_(new FigureTable(tr("Differences between the X of two sessions"), this)) {
   scores_->setToolTip(
@@ -163,8 +162,6 @@ HoldOutView::HoldOutView(QWidget* parent)
          "Where all clouds were aligned together as the last step, residuals are slightly too small."));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
-  dashes_->setWordWrap(true);
-  dashes_->setTextFormat(Qt::PlainText);
   column->addWidget(verdict_);
   column->addWidget(dashes_);
   column->addWidget(scores_, 1);
@@ -195,8 +192,7 @@ void HoldOutView::show_hold_out(const HoldOut& found, const QStringList& names) 
                              ? tr("Each session solved alone. %1: %2.").arg(pair, in_words(*worst))
                              : tr("Each session solved alone. No two of them observe the same parameter: whether they "
                                   "agree cannot be said."));
-  dashes_->setText(dashes_in_words(found, names));
-  dashes_->setVisible(!dashes_->text().isEmpty());
+  dashes_->show_note(dashes_in_words(found, names));
   scores_->show_rows({tr("Solved on"), tr("Scored on"), tr("Pairs"), tr("Under that X"), tr("Under its own X"),
                       tr("Under the common X")},
                      score_rows(found, names));

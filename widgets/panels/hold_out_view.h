@@ -5,11 +5,10 @@
 
 #include "model/pipeline/hold_out.h"
 
-class QLabel;
-
 namespace remount {
 
 class FigureTable;
+class NoteLabel;
 class VerdictLabel;
 
 class HoldOutView : public QWidget {
@@ -21,7 +20,7 @@ class HoldOutView : public QWidget {
 
  private:
   VerdictLabel* verdict_;
-  QLabel* dashes_;  // what they mean
+  NoteLabel* dashes_;  // what they mean
   FigureTable *scores_, *differences_;
 };
 

@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -43,7 +44,7 @@ KeysDialog::KeysDialog(const std::vector<KeyBinding>& bindings, QWidget* parent)
   column->addWidget(conflicts_);
   column->addWidget(note);
   column->addWidget(make_buttons());
-  resize(440, 520);
+  resize(within_screen(*this, {440, 520}));
   check();
 }
 

@@ -7,6 +7,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "widgets/screen_room.h"
+
 namespace remount {
 
 MissingSessionsDialog::MissingSessionsDialog(const QString& project, const QStringList& missing, QWidget* parent)
@@ -51,7 +53,7 @@ MissingSessionsDialog::MissingSessionsDialog(const QString& project, const QStri
   column->addWidget(head);
   column->addWidget(list_, 1);
   column->addWidget(buttons);
-  resize(760, 320);
+  resize(within_screen(*this, {760, 320}));
   update_buttons();
 }
 

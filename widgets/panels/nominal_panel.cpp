@@ -9,6 +9,7 @@
 
 #include "widgets/axes_picture.h"
 #include "widgets/parameter_text.h"
+#include "widgets/readable.h"
 
 namespace remount {
 
@@ -22,6 +23,7 @@ NominalPanel::NominalPanel(QWidget* parent)
   const QString with_axes = tooltip_with_axes(convention);
   known_->setToolTip(with_axes);
   unknown_->setChecked(true);
+  for (QRadioButton* choice : {unknown_, known_}) keep_box_visible(*choice);
   auto* file = new QPushButton(tr("From file…"), this);
   file->setToolTip(tr("A result of an earlier calibration, or any format that can be exported"));
   auto* grid = new QGridLayout(this);

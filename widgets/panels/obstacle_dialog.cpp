@@ -12,6 +12,8 @@
 
 #include "widgets/forms/option_access.h"
 #include "widgets/model_text.h"
+#include "widgets/readable.h"
+#include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -47,6 +49,7 @@ struct FormBuilder {
   void operator()(const OptionInfo& info, bool& member) {
     auto* box = new QCheckBox;
     box->setChecked(member);
+    keep_box_visible(*box);
     QObject::connect(box, &QCheckBox::toggled, box, [&member, done = changed](bool on) {
       member = on;
       done();
@@ -90,7 +93,7 @@ ObstacleDialog::ObstacleDialog(const QString& scan, bool nominal_known, const QS
   grid->addWidget(table_, 2, 1);
   grid->addWidget(buttons, 3, 0, 1, 2);
   grid->setColumnStretch(1, 1);
-  resize(760, 440);
+  resize(within_screen(*this, {760, 440}));
   verdict_->setText(tr("Measuring the distances…"));
 }
 

@@ -9,6 +9,7 @@
 #include <QStackedWidget>
 
 #include "widgets/model_text.h"
+#include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -72,7 +73,7 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
   grid->addWidget(note, 2, 0, 1, 2);
   grid->addWidget(buttons, 3, 0, 1, 2);
   grid->setColumnStretch(1, 1);
-  resize(680, 580);
+  resize(within_screen(*this, {680, 580}));
   show_settings(settings);
 }
 

@@ -163,7 +163,6 @@ ResultPanel::ResultPanel(QWidget* parent)
   setWidget(content);
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   show_standing(ResultStanding::Current, {}, {});
   show_output(nullptr, nullptr);
 }

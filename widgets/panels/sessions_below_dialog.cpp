@@ -8,6 +8,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/screen_room.h"
+
 namespace remount {
 
 SessionsBelowDialog::SessionsBelowDialog(const QString& folder, const QStringList& paths, QWidget* parent)
@@ -35,7 +37,7 @@ SessionsBelowDialog::SessionsBelowDialog(const QString& folder, const QStringLis
   column->addWidget(head);
   column->addWidget(list_, 1);
   column->addWidget(buttons);
-  resize(560, 320);
+  resize(within_screen(*this, {560, 320}));
   update_button();
 }
 

@@ -1,7 +1,6 @@
 #include "widgets/panels/sharpness_view.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <cmath>
@@ -67,7 +66,7 @@ SharpnessView::SharpnessView(QWidget* parent)
     : QWidget(parent),
       verdict_(new VerdictLabel(tr("Under which mounting the map is sharper"), this)),
       table_(new FigureTable(tr("Sharpness of the accumulated map"), this)),
-      order_(new QLabel(this)),
+      order_(new NoteLabel(this)),
       before_(new QPushButton(this)),
       after_(new QPushButton(tr("Map under the result"), this)) {
   table_->setToolTip(
@@ -84,7 +83,6 @@ SharpnessView::SharpnessView(QWidget* parent)
   column->setContentsMargins(4, 4, 4, 4);
   column->addWidget(verdict_);
   column->addWidget(table_, 1);
-  order_->setWordWrap(true);
   column->addWidget(order_);
   column->addLayout(buttons);
   column->addStretch();
@@ -139,8 +137,7 @@ void SharpnessView::show_sharpness(const std::vector<NamedSharpness>& sharpness)
                      Verdict::Neutral}});
   table_->show_rows({tr("Mounting"), tr("Thickness [mm]"), tr("Entropy"), tr("Places compared")}, rows);
   table_->show();
-  order_->setText(order_in_words(sharpness));
-  order_->setVisible(!order_->text().isEmpty());
+  order_->show_note(order_in_words(sharpness));
 }
 
 }  // namespace remount

@@ -6,12 +6,12 @@
 
 #include "model/pipeline.h"
 
-class QLabel;
 class QPushButton;
 
 namespace remount {
 
 class FigureTable;
+class NoteLabel;
 class VerdictLabel;
 enum class MapX;
 
@@ -30,7 +30,7 @@ class SharpnessView : public QWidget {
  private:
   VerdictLabel* verdict_;
   FigureTable* table_;
-  QLabel* order_;  // what the order of the rows says
+  NoteLabel* order_;  // what the order of the rows says
   QPushButton *before_, *after_;
 };
 

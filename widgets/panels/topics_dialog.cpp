@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "widgets/model_text.h"
+#include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -77,7 +78,7 @@ TopicsDialog::TopicsDialog(const QString& recording, std::vector<OfferedTopic> t
   column->addWidget(buttons);
   fill_table();
   show_choice();
-  resize(1020, 560);
+  resize(within_screen(*this, {1020, 560}));
   if (!rows_.empty()) rows_.front().topics->setFocus();
 }
 

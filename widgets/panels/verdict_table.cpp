@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QPainter>
 #include <QScrollBar>
+#include <algorithm>
 
 #include "widgets/theme.h"
 
@@ -67,6 +68,23 @@ void VerdictLabel::paintEvent(QPaintEvent* event) {
   QLabel::paintEvent(event);
 }
 
+NoteLabel::NoteLabel(QWidget* parent) : QLabel(parent) {
+  setWordWrap(true);
+  setTextFormat(Qt::PlainText);
+  setTextInteractionFlags(Qt::TextSelectableByMouse);
+}
+
+void NoteLabel::show_note(const QString& text) {
+  setText(text);
+  setVisible(!text.isEmpty());
+  setMinimumHeight(std::max(0, heightForWidth(width())));
+}
+
+void NoteLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  setMinimumHeight(std::max(0, heightForWidth(width())));
+}
+
 FigureTable::FigureTable(const QString& accessible_name, QWidget* parent) : QTableWidget(parent) {
   setAccessibleName(accessible_name);
   setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -96,12 +114,12 @@ void FigureTable::show_rows(const QStringList& heads, const std::vector<std::vec
   fit_height();
 }
 
-// A few rows are seen whole, and the bar that moves wide ones; the page scrolls where there is no room.
+// A few rows are seen whole, and the bar that moves a table of many columns; the page scrolls where there is no room.
 void FigureTable::fit_height() {
-  constexpr int kRows = 4;
+  constexpr int kRows = 4, kFewColumns = 6;
+  const int bar = columnCount() > kFewColumns ? horizontalScrollBar()->sizeHint().height() : 0;
   setMinimumHeight(horizontalHeader()->sizeHint().height() +
-                   std::min(kRows, rowCount()) * verticalHeader()->defaultSectionSize() + 2 * frameWidth() +
-                   horizontalScrollBar()->sizeHint().height());
+                   std::min(kRows, rowCount()) * verticalHeader()->defaultSectionSize() + 2 * frameWidth() + bar);
 }
 
 void FigureTable::recolor() {

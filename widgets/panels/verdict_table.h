@@ -24,6 +24,17 @@ class VerdictLabel : public QLabel {
   Verdict verdict_ = Verdict::Neutral;
 };
 
+/// Sentences below a table, always whole: a layout that is short of space would cut their last lines off.
+class NoteLabel : public QLabel {
+  Q_OBJECT
+ public:
+  explicit NoteLabel(QWidget* parent = nullptr);
+  void show_note(const QString& text);  ///< hidden where empty
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+};
+
 struct TableCell {
   QString text, tool_tip;
   Verdict verdict = Verdict::Neutral;

@@ -1,0 +1,13 @@
+// How large a window may be where it opens.
+#pragma once
+
+#include <QSize>
+
+class QWidget;
+
+namespace remount {
+
+/// `wanted`, or as much of it as fits on the widget's screen beside the frame of a window.
+QSize within_screen(const QWidget& widget, const QSize& wanted);
+
+}  // namespace remount
