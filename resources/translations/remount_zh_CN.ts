@@ -2841,10 +2841,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>X：激光雷达在 INS 中</translation>
     </message>
     <message>
-        <source>X is the mounting: where the LiDAR sits in the frame of the INS (x, y, z) and how it is turned there (yaw, pitch, roll).</source>
-        <translation>X 就是安装：激光雷达在 INS 坐标系中的位置 (x, y, z) 和朝向 (yaw, pitch, roll)。</translation>
-    </message>
-    <message>
         <source>How far the value may be off: in two of three cases it is closer than this</source>
         <translation>数值可能偏差多少：三次中有两次比这更接近</translation>
     </message>
@@ -2855,6 +2851,26 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>Map sharpness: the result has moved since it was measured; see Quality.</source>
         <translation>地图清晰度：测量之后结果已变动；见“质量”。</translation>
+    </message>
+    <message>
+        <source>X is the mounting: where the LiDAR sits in the frame of the INS (x, y, z) and how it is turned there (yaw, pitch, roll). Methods that know no INS say here in which frame X is instead.</source>
+        <translation>X 即安装：激光雷达在惯导坐标系中的位置（x、y、z）及其朝向（yaw、pitch、roll）。不涉及惯导的方法在此说明 X 所在的坐标系。</translation>
+    </message>
+    <message>
+        <source>X: LiDAR from antenna</source>
+        <translation>X：激光雷达相对天线</translation>
+    </message>
+    <message>
+        <source>X: LiDAR in machine</source>
+        <translation>X：激光雷达在机器中</translation>
+    </message>
+    <message>
+        <source>X: antenna in vehicle</source>
+        <translation>X：天线在车辆中</translation>
+    </message>
+    <message>
+        <source>X: sensor in vehicle</source>
+        <translation>X：传感器在车辆中</translation>
     </message>
 </context>
 <context>

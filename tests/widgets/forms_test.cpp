@@ -223,6 +223,24 @@ TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
   EXPECT_TRUE(lines[4].startsWith("z = ") && !lines[4].contains("±")) << lines[4].toStdString();
 }
 
+TEST(result_panel, says_what_was_calibrated_and_in_which_frame) {
+  PipelineOutput output;
+  output.result.status = Status::Degenerate;
+  ResultPanel panel;
+  const auto says = [&](const char* frame, const char* calibrated, const QString& title) {
+    output.result.reference_frame = frame;
+    output.result.calibrated = calibrated;
+    panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr);
+    const auto labels = panel.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->text() == title; });
+  };
+  EXPECT_TRUE(says("vehicle", "antenna", "X: antenna in vehicle"));
+  EXPECT_TRUE(says("vehicle", "lidar", "X: sensor in vehicle"));
+  EXPECT_TRUE(says("machine", "lidar", "X: LiDAR in machine"));
+  EXPECT_TRUE(says("antenna", "lidar", "X: LiDAR from antenna"));
+  EXPECT_TRUE(says("ins", "lidar", "X: LiDAR in INS"));
+}
+
 TEST(progress_strip, says_how_long_only_when_it_can_know) {
   EXPECT_TRUE(remaining_text(500, 10, 100).isEmpty());
   EXPECT_TRUE(remaining_text(5000, 0, 100).isEmpty());

@@ -186,11 +186,11 @@ void ResultPanel::make_labels(QGridLayout& grid) {
 }
 
 void ResultPanel::make_rows(QGridLayout& grid) {
-  const std::array<QString, kColumns> titles{QString(), tr("X: LiDAR in INS"), tr("1 sigma"), tr("moved")};
+  const std::array<QString, kColumns> titles{QString(), what_x_is({}), tr("1 sigma"), tr("moved")};
   const std::array<QString, kColumns> helps{
       QString(),
       tr("X is the mounting: where the LiDAR sits in the frame of the INS (x, y, z) and how it is turned there (yaw, "
-         "pitch, roll)."),
+         "pitch, roll). Methods that know no INS say here in which frame X is instead."),
       tr("How far the value may be off: in two of three cases it is closer than this"),
       tr("Change since the result before the last decision")};
   for (int column = 0; column < kColumns; ++column) {
@@ -198,6 +198,7 @@ void ResultPanel::make_rows(QGridLayout& grid) {
     title->setAlignment(Qt::AlignRight);
     title->setToolTip(helps[static_cast<std::size_t>(column)]);
     grid.addWidget(title, kTitleRow, column);
+    if (column == 1) value_title_ = title;
   }
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const int row = kFirstParameterRow + static_cast<int>(i);
@@ -223,6 +224,14 @@ void ResultPanel::make_buttons(QGridLayout& grid) {
   grid.addLayout(buttons, kButtonRow, 0, 1, kColumns);
   connect(copy_, &QPushButton::clicked, this, &ResultPanel::copy_requested);
   connect(export_, &QPushButton::clicked, this, &ResultPanel::export_requested);
+}
+
+QString ResultPanel::what_x_is(const CalibrationResult& result) {
+  const std::string& frame = result.reference_frame;
+  if (frame == "antenna") return tr("X: LiDAR from antenna");
+  if (frame == "machine") return tr("X: LiDAR in machine");
+  if (frame == "vehicle") return result.calibrated == "antenna" ? tr("X: antenna in vehicle") : tr("X: sensor in vehicle");
+  return tr("X: LiDAR in INS");
 }
 
 void ResultPanel::show_standing(ResultStanding standing, const QString& note, const QString& next) {
@@ -278,6 +287,7 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
   moved_by_->setVisible(compared);
   moved_by_->setText(moved_by.isEmpty() ? tr("moved: since the calibration before")
                                         : tr("moved: by “%1”").arg(moved_by));
+  value_title_->setText(what_x_is(output ? output->result : CalibrationResult()));
   if (!output) {
     for (Row& row : rows_)
       for (QLabel* label : {row.value, row.sigma, row.moved})

@@ -49,7 +49,9 @@ class ResultPanel : public QScrollArea {
   void show_parameters(const CalibrationResult& result, bool nominal_known, const CalibrationResult* before);
   void show_words(const PipelineOutput& output);
   void show_status();
+  static QString what_x_is(const CalibrationResult& result);
 
+  QLabel* value_title_ = nullptr;
   QLabel* status_;
   QLabel* note_;
   QLabel* moved_by_;
