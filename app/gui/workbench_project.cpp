@@ -140,12 +140,12 @@ void Workbench::start_save() {
         const LockPtr lock = lock_to_save(save.path, present);
         write_snapshot(save.snapshot, save.path);
         return [this, save, lock] {
+          if (save.project == project_) hold(lock, false);  // the next save to this path needs it
           end_save();
           emit message(Severity::Note, save.path, tr("project saved"));
           emit project_saved(save.path);
           if (save.project != project_) return;
           recovered_ = false;
-          hold(lock, false);
           set_project(save.path, save.snapshot.revision);
           if (save.saved) save.saved();
         };
