@@ -219,7 +219,10 @@ void Workbench::take_project(const ProjectToOpen& request, OpenedProject& opened
   const bool as_saved = whole && !request.recovered && !copy && request.moved.empty();
   const QString own_path = whole && !copy ? own_path_of(request) : QString();
   ++revision_;
-  hold(own_path.isEmpty() ? nullptr : opened.lock.lock, request.access == ProjectToOpen::Access::ReadOnly);
+  if (own_path.isEmpty())
+    hold(nullptr, false);  // nobody else can have what has no file
+  else
+    hold(opened.lock.lock, request.access == ProjectToOpen::Access::ReadOnly);
   set_project(own_path, as_saved ? revision_ : revision_ - 1);
   if (!opened.lock.why_none.empty())
     emit logged(Severity::Note, own_path,
