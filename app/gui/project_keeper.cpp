@@ -43,6 +43,7 @@ void ProjectKeeper::ask_how_to_open(const ProjectToOpen& request, const LockHold
                       tr("%1 is open in another window:\n%2.").arg(QDir::toNativeSeparators(path), holder_text(holder)),
                       QMessageBox::Cancel, &window_);
   dialog->setObjectName(QStringLiteral("held-project"));
+  dialog->setTextFormat(Qt::PlainText);  // the names come from a file that anybody may have written
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   QString explanation = tr(
       "Read-only shows the file as it was saved last; what you change is saved under another name. A copy is work of "

@@ -224,7 +224,7 @@ void Workbench::calibrate() {
           if (answered && engine.check_map) engine.check_map(input, *output, progress);
         }
         return [this, input, output, answered, decisions, undecided] {
-          if (input.sessions != sessions_) return;  // other topics were chosen meanwhile
+          if (input.sessions != sessions_) return resume_solving();  // other topics were chosen meanwhile
           const bool redecided = catch_up(input, decisions, undecided, *output);
           take_run(input, output);
           if (answered && !redecided) return;
@@ -233,21 +233,22 @@ void Workbench::calibrate() {
           emit state_changed();
         };
       },
-      report_failure());
+      [this](const JobFailure& failure) {
+        emit message(Severity::Problem, failure.where, failure.what);
+        resume_solving();
+      });
   emit state_changed();
 }
 
 void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output) {
-  if (input.sessions != sessions_) return;  // other topics were chosen meanwhile
+  if (input.sessions != sessions_) return resume_solving();  // other topics were chosen meanwhile
   // A complete result is not given up for part of another.
   const std::size_t finished = output_ ? 0 : keep_finished(input, *output);
   if (finished == 0) {
     emit message(Severity::Note, {},
                  output_ ? tr("Cancelled. What was there before is kept.")
                          : tr("Cancelled before there was anything that could be kept."));
-    // The run had stopped the solution of the last decisions, or the map check.
-    if (output_ && incomplete()) start_solve(solving_for_, FirstAnswer::None);
-    check_map_soon();
+    resume_solving();
     return;
   }
   carry_over(input, decisions_, *output);

@@ -249,6 +249,8 @@ class Workbench : public QObject {
   void take_first_answer(OutputPtr answer, OutputPtr before);
   void take_solution(OutputPtr solved, OutputPtr before, const Settings& settings);
   void take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output);
+  /// What a calibration that came to nothing had stopped: the solution of the last decisions, or the map check.
+  void resume_solving();
   void check_map_soon();
   void check_map_again();
   void load_clouds();

@@ -216,6 +216,11 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
   emit state_changed();
 }
 
+void Workbench::resume_solving() {
+  if (output_ && incomplete()) start_solve(solving_for_, FirstAnswer::None);
+  check_map_soon();
+}
+
 void Workbench::take_ranking(OutputPtr answer) {
   output_ = std::move(answer);
   ++solution_;

@@ -140,12 +140,12 @@ void Workbench::start_save() {
         const LockPtr lock = lock_to_save(save.path, present);
         write_snapshot(save.snapshot, save.path);
         return [this, save, lock] {
+          if (save.project == project_) hold(lock, false);  // the next save to this path needs it
           end_save();
           emit message(Severity::Note, save.path, tr("project saved"));
           emit project_saved(save.path);
           if (save.project != project_) return;
           recovered_ = false;
-          hold(lock, false);
           set_project(save.path, save.snapshot.revision);
           if (save.saved) save.saved();
         };
@@ -219,7 +219,10 @@ void Workbench::take_project(const ProjectToOpen& request, OpenedProject& opened
   const bool as_saved = whole && !request.recovered && !copy && request.moved.empty();
   const QString own_path = whole && !copy ? own_path_of(request) : QString();
   ++revision_;
-  hold(own_path.isEmpty() ? nullptr : opened.lock.lock, request.access == ProjectToOpen::Access::ReadOnly);
+  if (own_path.isEmpty())
+    hold(nullptr, false);  // nobody else can have what has no file
+  else
+    hold(opened.lock.lock, request.access == ProjectToOpen::Access::ReadOnly);
   set_project(own_path, as_saved ? revision_ : revision_ - 1);
   if (!opened.lock.why_none.empty())
     emit logged(Severity::Note, own_path,

@@ -122,6 +122,16 @@ TEST_F(project_lock, names_its_holder_to_the_second_window_which_opens_read_only
   EXPECT_TRUE(first.save(project_));
 }
 
+TEST_F(project_lock, is_not_in_the_way_of_a_save_that_was_asked_for_during_the_first_one) {
+  Window window;
+  window.open("/data/drive1");
+  int saved = 0;
+  const qsizetype before = window.said.size();
+  for (int i = 0; i < 2; ++i) window.workbench.save_project(folder_.filePath("new.remount"), [&] { ++saved; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.said.size() >= before + 2; }, kPatience_ms));
+  EXPECT_EQ(saved, 2) << window.said.join("\n").toStdString();
+}
+
 TEST_F(project_lock, lets_the_second_window_open_a_copy) {
   Window first, second;
   first.open(project_);

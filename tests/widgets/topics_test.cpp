@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
+#include "app/gui/edit_commands.h"
 #include "app/gui/language.h"
 #include "model/io/session_reader.h"
 #include "tests/model/io/bag/bag_maker.h"
@@ -278,6 +279,28 @@ TEST_F(topics, undone_while_it_calibrates_the_run_of_the_other_topics_is_dropped
   workbench_.calibrate();
   ASSERT_TRUE(settle());
   EXPECT_TRUE(workbench_.output());
+}
+
+TEST_F(topics, undone_while_it_calibrates_the_decisions_before_are_solved) {
+  window_.open_paths({"/data/one.bag"});
+  ASSERT_TRUE(settle());
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  workbench_.decide({4}, PairState::Rejected);  // its solution has no time to come back
+  const std::shared_ptr<const Session> front = workbench_.sessions()[0],
+                                       rear = std::make_shared<const Session>(
+                                           bag_session(front->path, {{"lidar", "/rear/points"}, {"ins", "/ins/imu"}}));
+  workbench_.undo_stack().push(new TopicsCommand(workbench_, front, rear));
+  ASSERT_FALSE(workbench_.output());
+  *hold_at_ = 5;
+  workbench_.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().isEmpty(); }, kPatience_ms));
+  workbench_.undo_stack().undo();
+  *hold_at_ = -1;
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(workbench_.output());
+  EXPECT_EQ(workbench_.output()->pairs.at(4).state, PairState::Rejected);
+  EXPECT_FALSE(workbench_.incomplete()) << "the run of the other topics had stopped the solution";
 }
 
 TEST_F(topics, the_dialog_is_used_by_keys_and_read_aloud) {

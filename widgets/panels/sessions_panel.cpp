@@ -55,15 +55,16 @@ void SessionsPanel::after_reset() {
 // Four drives, or a few and what was found in them, are seen without scrolling.
 void SessionsPanel::fit_height() {
   constexpr int kFewestLines = 6, kMostLines = 14, kSessions = 4;
-  const int line = tree_->fontMetrics().lineSpacing();
+  const int line = tree_->fontMetrics().lineSpacing(), most = kMostLines * line;
   int rows = 2 * tree_->frameWidth();
   for (int session = 0; session < std::min(kSessions, model_.rowCount()); ++session) {
     const QModelIndex top = model_.index(session, 0);
     rows += tree_->visualRect(top).height();
-    for (int finding = 0; finding < model_.rowCount(top); ++finding)
+    // Where a row stands is found by adding up those above it: of many findings, only those that count are asked.
+    for (int finding = 0; finding < model_.rowCount(top) && rows < most; ++finding)
       rows += tree_->visualRect(model_.index(finding, 0, top)).height();
   }
-  tree_->setMinimumHeight(std::clamp(rows, kFewestLines * line, kMostLines * line));
+  tree_->setMinimumHeight(std::clamp(rows, kFewestLines * line, most));
 }
 
 bool SessionsPanel::eventFilter(QObject* watched, QEvent* event) {
