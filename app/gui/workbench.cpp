@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
+#include <utility>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
@@ -27,6 +29,9 @@ Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(
           });
   connect(this, &Workbench::sessions_changed, this, &Workbench::look_over_sessions);
   connect(&jobs_, &JobRunner::finished, this, &Workbench::state_changed);
+  connect(&jobs_, &JobRunner::finished, this, [this](int job) {
+    if (job == open_job_ && !opening() && !waiting_.empty()) open_all(std::exchange(waiting_, {}));
+  });
   connect(&map_pause_, &QTimer::timeout, this, &Workbench::check_map_again);
   map_pause_.setSingleShot(true);
   connect(&beats_, &QTimer::timeout, this, &Workbench::show_life);
@@ -58,11 +63,6 @@ JobRunner::Failed Workbench::report_failure() {
 }
 
 void Workbench::open(const QStringList& paths) {
-  if (opening() || calibrating()) {
-    emit message(Severity::Warning, {},
-                 tr("Wait until the present work is done, or cancel it, before opening sessions."));
-    return;
-  }
   std::vector<ToOpen> wanted;
   for (const QString& path : paths)
     wanted.push_back({path.toStdString(), [engine = engine_, path](Progress& progress) {
@@ -72,6 +72,15 @@ void Workbench::open(const QStringList& paths) {
 }
 
 void Workbench::open_all(std::vector<ToOpen> wanted) {
+  if (calibrating()) {
+    emit message(Severity::Warning, {},
+                 tr("Wait until the present work is done, or cancel it, before opening sessions."));
+    return;
+  }
+  if (opening()) {  // answers to several questions come one after the other
+    std::move(wanted.begin(), wanted.end(), std::back_inserter(waiting_));
+    return;
+  }
   open_job_ = jobs_.start(
       [this, wanted = std::move(wanted)](Progress& progress) -> JobRunner::Deliver {
         std::vector<Opened> opened(wanted.size());
@@ -298,6 +307,7 @@ void Workbench::hash_input_files() {
 }
 
 void Workbench::cancel() {
+  waiting_.clear();
   for (int job : {open_job_, run_job_, solve_job_}) jobs_.cancel(job);
 }
 

@@ -232,7 +232,7 @@ class Workbench : public QObject {
     std::function<Opened(Progress&)> open;
   };
   static Opened open_or_ask(const Engine& engine, const std::filesystem::path& path, Progress& progress);
-  void open_all(std::vector<ToOpen> wanted);
+  void open_all(std::vector<ToOpen> wanted);  ///< or later, where others are being opened
   void take_opened(std::vector<Opened> opened);
   bool is_open(const std::filesystem::path& path);  ///< says so where it is
   void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
@@ -285,6 +285,7 @@ class Workbench : public QObject {
   Decisions decisions_;
   std::vector<InputFile> input_files_;
   int selected_ = -1;
+  std::vector<ToOpen> waiting_;
   int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0, map_job_ = 0;
   int solution_ = 0;
   QTimer map_pause_;           // while the user goes on deciding, the map is not read

@@ -36,11 +36,6 @@ Workbench::Opened Workbench::open_or_ask(const Engine& engine, const std::filesy
 }
 
 void Workbench::open_chosen(const std::vector<ChosenOffer>& offers) {
-  if (opening() || calibrating()) {
-    emit message(Severity::Warning, {},
-                 tr("Wait until the present work is done, or cancel it, before opening sessions."));
-    return;
-  }
   std::vector<ToOpen> wanted;
   for (const ChosenOffer& chosen : offers)
     wanted.push_back(

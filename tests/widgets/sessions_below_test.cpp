@@ -12,13 +12,15 @@ namespace {
 using testing::kPatience_ms;
 using testing::WindowFixture;
 
-/// "/data/day" holds three sessions; other paths are drives.
+/// "/data/day" holds three sessions, "/data/week" two; other paths are drives.
 Engine day_engine(std::shared_ptr<const std::atomic<int>> hold_at) {
   Engine engine = testing::sample_engine(10, std::move(hold_at));
   engine.open = [drive = engine.open](const std::filesystem::path& path, const TopicChoice& choice,
                                       Progress& progress) {
     if (path == "/data/day")
       throw SeveralSessions(path, "is no session itself", {"/data/day/drive1", "/data/day/drive2", "/data/day/drive3"});
+    if (path == "/data/week")
+      throw SeveralSessions(path, "is no session itself", {"/data/week/drive4", "/data/week/drive5"});
     return drive(path, choice, progress);
   };
   return engine;
@@ -56,6 +58,15 @@ TEST_F(sessions_below, only_those_that_are_ticked_are_opened) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 2; }, kPatience_ms));
   EXPECT_EQ(workbench_.sessions().at(0)->name, "drive1");
   EXPECT_EQ(workbench_.sessions().at(1)->name, "drive3");
+}
+
+TEST_F(sessions_below, answers_to_two_questions_are_both_taken) {
+  window_.open_paths({"/data/week"});
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return window_.findChildren<SessionsBelowDialog*>().size() == 2; }, kPatience_ms));
+  for (SessionsBelowDialog* dialog : window_.findChildren<SessionsBelowDialog*>()) dialog->accept();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 5; }, kPatience_ms))
+      << workbench_.sessions().size();
 }
 
 TEST_F(sessions_below, none_is_no_answer_and_escape_opens_nothing) {
