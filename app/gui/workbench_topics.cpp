@@ -1,6 +1,7 @@
 // Which topics of a bag a session is made of: asked before it is opened, and changed afterwards.
 #include <algorithm>
 
+#include "algorithms/core/error.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/workbench.h"
 
@@ -56,7 +57,9 @@ void Workbench::list_topics(int session) {
       [this, asked = sessions_[static_cast<std::size_t>(session)],
        offer_topics = engine_.offer_topics](Progress& progress) -> JobRunner::Deliver {
         std::optional<TopicOffer> offer = offer_topics(asked->path, progress);
-        if (!offer || progress.cancelled()) return {};
+        if (progress.cancelled()) return {};
+        if (!offer)
+          throw Error(ErrorCode::Unsupported, asked->path.string(), tr("offers no topics any more").toStdString());
         for (OfferedTopic& offered : offer->topics) {
           offered.topic.used_as.clear();
           for (const SessionTopic& used : asked->topics)

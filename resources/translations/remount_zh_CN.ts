@@ -2705,10 +2705,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>%1 的标准差</translation>
     </message>
     <message>
-        <source>Change since the result before the last decision</source>
-        <translation>自上次决定之前的结果以来的变化</translation>
-    </message>
-    <message>
         <source>No result yet</source>
         <translation>还没有结果</translation>
     </message>
@@ -2871,6 +2867,10 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>X: sensor in vehicle</source>
         <translation>X：传感器在车辆中</translation>
+    </message>
+    <message>
+        <source>Change since the result before; what made it is said below the numbers</source>
+        <translation>相对于之前结果的变化；原因见数值下方</translation>
     </message>
 </context>
 <context>
@@ -3541,6 +3541,10 @@ Save under another name, or close it there first.</source>
     <message>
         <source>confirmation of the result taken back</source>
         <translation>已收回对结果的确认</translation>
+    </message>
+    <message>
+        <source>offers no topics any more</source>
+        <translation>不再提供话题</translation>
     </message>
 </context>
 <context>

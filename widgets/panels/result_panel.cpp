@@ -192,7 +192,7 @@ void ResultPanel::make_rows(QGridLayout& grid) {
       tr("X is the mounting: where the LiDAR sits in the frame of the INS (x, y, z) and how it is turned there (yaw, "
          "pitch, roll). Methods that know no INS say here in which frame X is instead."),
       tr("How far the value may be off: in two of three cases it is closer than this"),
-      tr("Change since the result before the last decision")};
+      tr("Change since the result before; what made it is said below the numbers")};
   for (int column = 0; column < kColumns; ++column) {
     auto* title = new QLabel(titles[static_cast<std::size_t>(column)]);
     title->setAlignment(Qt::AlignRight);
@@ -212,7 +212,7 @@ void ResultPanel::make_rows(QGridLayout& grid) {
     }
     rows_[i].value->setAccessibleName(tr("Value of %1").arg(parameter_name(i)));
     rows_[i].sigma->setAccessibleName(tr("Sigma of %1").arg(parameter_name(i)));
-    rows_[i].moved->setToolTip(tr("Change since the result before the last decision"));
+    rows_[i].moved->setToolTip(tr("Change since the result before; what made it is said below the numbers"));
   }
 }
 
