@@ -240,7 +240,10 @@ TEST(decisions, that_were_cancelled_before_they_were_answered_in_full_say_so_and
 
   complete = true;
   Workbench again(two_step_engine(complete));
-  again.open_project({.path = path, .access = ProjectToOpen::Access::ReadOnly});  // `workbench` has it
+  ProjectToOpen request;
+  request.path = path;
+  request.access = ProjectToOpen::Access::ReadOnly;  // `workbench` has it
+  again.open_project(request);
   ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() && !again.solving(); }, kPatience_ms));
   EXPECT_FALSE(again.incomplete() || again.out_of_date());
   EXPECT_EQ(again.output()->pairs[5].state, PairState::Rejected);

@@ -100,8 +100,7 @@ class topics : public WindowFixture {
     return nullptr;
   }
   TopicsDialog* asked() {
-    QTest::qWaitFor([&] { return dialog() != nullptr; }, kPatience_ms);
-    return dialog();
+    return QTest::qWaitFor([&] { return dialog() != nullptr; }, kPatience_ms) ? dialog() : nullptr;
   }
   void accept() { dialog()->accept(); }
   QPushButton* button(QWidget& parent, const QString& text) {
@@ -220,9 +219,9 @@ TEST_F(topics, another_choice_is_an_edit_that_brings_the_result_back_when_it_is_
   const auto nominal = workbench_.nominal_ins_from_lidar();
   const int revision = workbench_.revision();
 
-  QPushButton* topics = button(*window_.findChild<SessionsPanel*>(), "Topics…");
-  ASSERT_TRUE(topics && topics->isEnabled());
-  topics->click();
+  QPushButton* choose = button(*window_.findChild<SessionsPanel*>(), "Topics…");
+  ASSERT_TRUE(choose && choose->isEnabled());
+  choose->click();
   ASSERT_TRUE(asked());
   EXPECT_EQ(dialog()->choice().at("lidar"), "/front/points") << "as it is used";
   dialog()->choose("imu", "none");
