@@ -141,9 +141,12 @@ double lasting_of(const Turns& turns, const Pulls& pulls) {
   }
   double slow = 0.0;
   for (const std::complex<double>& sum : sums) slow += std::norm(sum) / static_cast<double>(kSlow.size());
-  // A variance estimated from n numbers scales errors whose squares are n / (n - 2) as large (Student).
-  constexpr double kNumbers = 2.0 * kSlow.size();
-  return power > 0.0 ? std::max(1.0, kNumbers / (kNumbers - 2.0) * slow / power) : 1.0;
+  if (power <= 0.0) return 1.0;
+  // Errors over a spread that was estimated from n numbers have squares n / (n - 2) as large (Student). Where independent
+  // errors may look so by chance, theirs is known from all poses.
+  constexpr double kNumbers = 2.0 * kSlow.size(), kByChance = 1.6;
+  const double ratio = slow / power;
+  return ratio > kByChance ? kNumbers / (kNumbers - 2.0) * ratio : std::max(1.0, ratio);
 }
 
 /// Of the centre (two axes across) and the direction.
