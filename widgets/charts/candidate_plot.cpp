@@ -162,7 +162,7 @@ void CandidatePlot::paint_view(QPainter& painter, int view) const {
   painter.setPen(palette().color(QPalette::Text));
   // Both axes in one title: side by side, two would run into each other.
   const double left = 0.5 * view * width() + 4.0;
-  painter.drawText(QRectF(left, 2, area.right() - left, line), Qt::AlignLeft, title(view));
+  painter.drawText(QRectF(left, 2, area.right() - left, line), Qt::AlignLeft | Qt::TextDontClip, title(view));
   painter.setRenderHint(QPainter::Antialiasing, true);
   paint_points(painter, view);
   painter.setRenderHint(QPainter::Antialiasing, false);

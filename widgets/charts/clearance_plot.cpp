@@ -168,7 +168,7 @@ void ClearancePlot::paint_grid(QPainter& painter) const {
                      QString::number(y_m, 'g', 3));
   }
   painter.drawText(QRectF(inside.left(), inside.bottom() + 1, inside.width(), line), Qt::AlignRight, along);
-  painter.drawText(QRectF(2, line + 3, inside.right() - 2, line), Qt::AlignLeft, tr("y left ↑ [m]"));
+  painter.drawText(QRectF(2, line + 3, inside.right() - 2, line), Qt::AlignLeft | Qt::TextDontClip, tr("y left ↑ [m]"));
   paint_legend(painter);
 }
 

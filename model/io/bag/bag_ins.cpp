@@ -153,6 +153,18 @@ std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& a
   return ins;
 }
 
+namespace {
+
+/// Why messages were left out, each stream on a line; empty where none were.
+std::string what_was_bad(const std::vector<Finding>& findings) {
+  std::string why;
+  for (const Finding& finding : findings)
+    if (finding.code == "bad-messages") why += "\n" + finding.where + ": " + finding.explanation;
+  return why;
+}
+
+}  // namespace
+
 void add_ins(const BagFile& bag, const TopicRoles& roles, BagStreams& s, Session& session) {
   const std::string file = bag.files().front().string();
   const auto place = [&](std::size_t topic) { return file + ": " + bag.topics()[topic].name; };
@@ -179,9 +191,11 @@ void add_ins(const BagFile& bag, const TopicRoles& roles, BagStreams& s, Session
   }
   if (roles.ins && session.ins.empty() && session.world_from_ins.empty())
     throw Error(ErrorCode::Format, place(*roles.ins),
-                "no usable INS is in this topic" + std::string(roles.ins_position || !s.attitude.messages.size()
-                                                                   ? ""
-                                                                   : ": its orientations have no NavSatFix with them"));
+                "no usable INS is in this topic" +
+                    std::string(roles.ins_position || !s.attitude.messages.size()
+                                    ? ""
+                                    : ": its orientations have no NavSatFix with them") +
+                    what_was_bad(session.findings));
   if (roles.gnss) add_gnss(s.gnss, place(*roles.gnss), session);
   if (roles.imu) add_imu(s.imu, place(*roles.imu), session);
 }

@@ -75,8 +75,9 @@ std::vector<Candidate> candidates_of(const BagFile& bag) {
     if (topic.entries.empty() || topic.encoding == MessageEncoding::Other) continue;
     try {
       examine(bag, candidate);
-    } catch (const Error&) {
-      candidate.damaged = true;  // it can still be what its type says
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;  // a disk that fails for a moment must not choose another topic
+      candidate.damaged = true;                  // it can still be what its type says
     }
     candidates.push_back(candidate);
   }
