@@ -123,15 +123,16 @@ Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& opti
   if (!std::isfinite(size.shared + size.poses)) return Improved::Stuck;
   // Judged by the whole step: the part that is left after halving is small wherever the search fails.
   const bool at_minimum = size.shared < kShared && size.poses < kPoses;
+  // Along what the drive hardly shows, steps stay long however little they change: a fraction of a sigma.
+  const bool nothing_left = step.predicted_decrease < kNoDecrease * (1.0 + before);
   double share = 1.0;
   for (int halved = 0; halved < kMostHalvings; ++halved, share *= 0.5) {
     const TrajectoryState next = moved(solution.state, step.moves, share);
     if (cost(next) > before * (1.0 + 1e-9)) continue;
     solution.state = next;
-    return at_minimum ? Improved::AtMinimum : Improved::Moved;
+    return at_minimum || nothing_left ? Improved::AtMinimum : Improved::Moved;
   }
-  // As low as rounding allows only where no decrease is promised.
-  return at_minimum || step.predicted_decrease < kNoDecrease * (1.0 + before) ? Improved::AtMinimum : Improved::Stuck;
+  return at_minimum || nothing_left ? Improved::AtMinimum : Improved::Stuck;
 }
 
 // Medians of squared residuals of three components, over what they are where errors are as stated.
