@@ -64,7 +64,7 @@ int compare(const std::vector<std::string>& paths, Console& console) {
     agree = agree && compared && !pair.contradict;
   }
   char limit[96];
-  std::snprintf(limit, sizeof(limit), "contradiction: more than %.1f times the sigma of both together", kDiffer_sigma);
+  std::snprintf(limit, sizeof(limit), "(they contradict each other beyond %.1f times the sigma of both together)", kDiffer_sigma);
   console.print(limit);
   return agree ? kSolved : kNoResult;
 }

@@ -22,7 +22,8 @@ using Recordings = std::array<const Session*, kRoles>;
 bool is_named(const Session& session, const char* word) {
   std::string read;
   bool was_small = false;
-  for (const char each : session.name + " ") {
+  // Drives of one source may all be called the same; their folders are not.
+  for (const char each : session.name + " " + session.path.filename().string() + " ") {
     const auto c = static_cast<unsigned char>(each);
     const bool letter = std::isalpha(c) != 0;
     if (!letter || (std::isupper(c) && was_small)) {

@@ -81,6 +81,19 @@ TEST(slew_method, recordings_are_known_by_whole_words_of_their_names) {
   EXPECT_EQ(run(yard, settings_with(FirstPlane::Ground)).result.status, Status::Ok);
 }
 
+TEST(slew_method, recordings_are_known_by_their_folders_where_all_have_one_name) {
+  Yard yard = yard_of({}, true);
+  std::swap(yard.sessions[0], yard.sessions[2]);
+  const char* folders[] = {"/data/slew_arm-sweep", "/data/slew_ground", "/data/slew_full-turn"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    Session session = *yard.sessions[i];
+    session.name = "excavator";
+    session.path = folders[i];
+    yard.sessions[i] = std::make_shared<const Session>(std::move(session));
+  }
+  EXPECT_EQ(run(yard, settings_with(FirstPlane::Ground)).result.status, Status::Ok);
+}
+
 TEST(slew_method, without_a_turn_it_says_so) {
   Yard yard;
   yard.sessions.push_back(std::make_shared<const Session>());
