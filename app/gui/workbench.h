@@ -266,8 +266,9 @@ class Workbench : public QObject {
     int project = 0;
   };
   using LockPtr = std::shared_ptr<const HolderLock>;
-  void start_save();
-  void end_save();
+  /// `of_last`: of the save before in the line, which holds its project; it is not in the way of the next to that path.
+  void start_save(const LockPtr& of_last);
+  void end_save(const LockPtr& lock);
   void hold(LockPtr lock, bool read_only);  ///< of the project that is there now
   void set_project(const QString& path, int saved_revision);
   void mark_edited();

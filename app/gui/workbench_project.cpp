@@ -131,17 +131,19 @@ void Workbench::mark_edited() {
 
 void Workbench::save_project(const QString& path, std::function<void()> saved) {
   saves_.push_back({path, snapshot(), std::move(saved), project_});
-  if (saves_.size() == 1) start_save();
+  if (saves_.size() == 1) start_save(nullptr);
 }
 
-void Workbench::start_save() {
+void Workbench::start_save(const LockPtr& of_last) {
+  const std::filesystem::path wanted = lock_path_of(saves_.front().path.toStdString());
   jobs_.start(
-      [this, save = saves_.front(), present = lock_](Progress&) -> JobRunner::Deliver {
+      [this, save = saves_.front(),
+       present = of_last && of_last->path() == wanted ? of_last : lock_](Progress&) -> JobRunner::Deliver {
         const LockPtr lock = lock_to_save(save.path, present);
         write_snapshot(save.snapshot, save.path);
         return [this, save, lock] {
-          if (save.project == project_) hold(lock, false);  // the next save to this path needs it
-          end_save();
+          if (save.project == project_) hold(lock, false);
+          end_save(lock);
           emit message(Severity::Note, save.path, tr("project saved"));
           emit project_saved(save.path);
           if (save.project != project_) return;
@@ -151,7 +153,7 @@ void Workbench::start_save() {
         };
       },
       [this](const JobFailure& failure) {
-        end_save();
+        end_save(nullptr);
         emit message(Severity::Problem, failure.where, failure.what);
       });
 }
@@ -177,9 +179,9 @@ void Workbench::show_life() {
       [](const JobFailure&) {});
 }
 
-void Workbench::end_save() {
+void Workbench::end_save(const LockPtr& lock) {
   saves_.pop_front();
-  if (!saves_.empty()) start_save();
+  if (!saves_.empty()) start_save(lock);
 }
 
 void Workbench::open_project(const ProjectToOpen& request) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/model/io/bag/sqlite_fixture.h"
+#include "tests/support/temporary_files_in.h"
 
 namespace remount {
 namespace {
@@ -55,13 +56,6 @@ TEST(sqlite_bag, in_a_folder_with_metadata_is_read_with_all_its_parts) {
   EXPECT_ERROR(open_quietly(bag_folder), "are not here");
 }
 
-std::size_t temporary_files() {
-  std::size_t count = 0;
-  for (const auto& entry : fs::directory_iterator(fs::temp_directory_path()))
-    count += entry.path().filename().string().starts_with("remount-bag-");
-  return count;
-}
-
 TEST(sqlite_bag, that_is_compressed_as_a_whole_is_unpacked_into_a_temporary_file) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
@@ -70,7 +64,8 @@ TEST(sqlite_bag, that_is_compressed_as_a_whole_is_unpacked_into_a_temporary_file
   const std::string packed = pack_chunk(ChunkCompression::Zstd, bytes);
   const fs::path path = folder.write("bag/drive_0.db3.zstd", packed);
   write_metadata(path.parent_path(), {"drive_0.db3.zstd"});
-  const std::size_t before = temporary_files();
+  fs::create_directory(folder.path() / "temporary");
+  const testing::TemporaryFilesIn unpacked(folder.path() / "temporary");
   for (const fs::path& input : {path, path.parent_path()}) {
     EXPECT_EQ(probe_bag(input), 95) << input;
     const auto bag = open_quietly(input);
@@ -86,7 +81,7 @@ TEST(sqlite_bag, that_is_compressed_as_a_whole_is_unpacked_into_a_temporary_file
   const std::string bomb = pack_chunk(ChunkCompression::Zstd, std::string(std::size_t{80} << 20, '\0'));
   EXPECT_LT(bomb.size(), 100'000u);
   EXPECT_ERROR(open_quietly(folder.write("bomb.db3.zstd", bomb)), "unpacks to more than");
-  EXPECT_EQ(temporary_files(), before) << "what was unpacked is gone";
+  EXPECT_TRUE(fs::is_empty(folder.path() / "temporary")) << "what was unpacked is gone";
 }
 
 TEST(sqlite_bag, that_is_damaged_gives_what_can_be_read_or_an_error_with_its_name) {

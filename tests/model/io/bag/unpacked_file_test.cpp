@@ -2,11 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <optional>
-
 #include "model/io/bag/chunk_codec.h"
 #include "tests/model/io/bag/bag_fixtures.h"
+#include "tests/support/temporary_files_in.h"
 
 namespace remount {
 namespace {
@@ -38,14 +36,8 @@ TEST(unpacked_file, without_a_folder_for_it_says_which_to_set) {
   const TemporaryFolder folder;
   Progress progress;
   const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, "some bytes"));
-  const char* const set = std::getenv("TMPDIR");
-  const std::optional<std::string> before = set ? std::optional<std::string>(set) : std::nullopt;
-  ::setenv("TMPDIR", (folder.path() / "none").c_str(), 1);
+  const testing::TemporaryFilesIn none(folder.path() / "none");
   EXPECT_ERROR(UnpackedFile(packed, progress), "set TMPDIR");
-  if (before)
-    ::setenv("TMPDIR", before->c_str(), 1);
-  else
-    ::unsetenv("TMPDIR");
 }
 
 }  // namespace
