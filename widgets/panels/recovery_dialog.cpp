@@ -8,6 +8,9 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/screen_room.h"
 
 namespace remount {
 
@@ -34,7 +37,7 @@ RecoveryDialog::RecoveryDialog(const std::vector<RecoveryEntry>& entries, QWidge
   later->setToolTip(tr("Keeps it; the next start asks again"));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   column->addWidget(buttons);
-  resize(560, std::min(160 + 150 * left_, 560));
+  resize(within_screen(*this, {560, std::min(160 + 150 * left_, 560)}));
 }
 
 QWidget* RecoveryDialog::make_entry(int index, const RecoveryEntry& entry) {

@@ -154,6 +154,7 @@ TEST(vehicle_frame, the_scale_of_one_camera_is_recovered) {
     options.scale = ScaleMode::Estimated;
     const VehicleFrameResult result = solve(drive, 6, options);
     const Errors errors = errors_of(result, drive);
+    std::printf("  scale %g: off by %.4f %%\n", scale, 100.0 * (result.scale / scale - 1.0));
     EXPECT_LT(std::abs(result.scale / scale - 1.0), 0.005);
     EXPECT_LT(errors.rotation_deg, 0.1);
     const NamedQuantity* found = find(result, "scale");
