@@ -10,6 +10,7 @@
 #include "algorithms/calibration/noise_prior.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/session_agreement.h"
+#include "algorithms/calibration/shared_errors.h"
 
 namespace remount {
 namespace {
@@ -97,10 +98,10 @@ Matrix6d inflated_by_bootstrap(const Matrix6d& covariance, const Matrix6d& boots
   return factors.asDiagonal() * covariance * factors.asDiagonal();
 }
 
-Matrix6d with_limits(Matrix6d covariance, const Vector6d& response_to_scale, std::size_t sessions) {
+Matrix6d with_limits(Matrix6d covariance, const Eigen::MatrixXd& responses, std::size_t sessions) {
   // Surroundings of other drives are others.
   covariance += registration_limits() / static_cast<double>(std::max<std::size_t>(1, sessions));
-  return covariance + response_to_scale * response_to_scale.transpose();
+  return covariance + responses * responses.transpose();
 }
 
 // Sessions that a pair was accepted of.
@@ -118,6 +119,16 @@ Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& d
   for (JointTerm& term : longer.terms) term.lidar_b_from_lidar_a.translation() *= 1.0 + kEnlarged;
   const JointSolution solution = solve_joint(longer, details.noise, details.joint.ins_from_lidar, 8, progress);
   return kScale / kEnlarged * difference(details.joint.ins_from_lidar, solution.ins_from_lidar);
+}
+
+// How X moves with what is wrong alike in all that the lidar says; columns of 1 sigma each.
+Eigen::MatrixXd responses_to_common_errors(const PairwiseInput& input, const JointProblem& problem,
+                                           const PairwiseDetails& details, const Progress& progress) {
+  const Vector6d scale = response_to_scale(problem, details, progress);
+  if (!input.pairs_share_scans) return scale;
+  Eigen::MatrixXd responses(6, 13);
+  responses << scale, shared_errors(problem, details.noise, details.joint).responses;
+  return responses;
 }
 
 void add_disagreement_advice(CalibrationResult& result) {
@@ -181,7 +192,7 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   const Matrix6d covariance = inverse(by_pairs + beside_pairs);
   const Matrix6d bootstrap = bootstrap_covariance(block_pulls(input, problem, details, progress));
   judge_parameters(with_limits(inflated_by_bootstrap(covariance, bootstrap),
-                               response_to_scale(problem, details, progress), sessions_used(problem)),
+                               responses_to_common_errors(input, problem, details, progress), sessions_used(problem)),
                    motion, input.options, result);
   add_disagreement_advice(result);
   // Resampling pairs says nothing of what only a measurement tells.
