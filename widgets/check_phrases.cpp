@@ -100,9 +100,10 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Files whose names are no stamps are left out."),
       QT_TRANSLATE_NOOP("remount::model", "Name scans by their time, or give a table of stamps."),
       QT_TRANSLATE_NOOP("remount::model", "What lies in the damaged part of the bag takes no part."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Copy the bag again, whole; close the recorder before copying. rosbag reindex or mcap recover "
-                        "restore an index."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Copy the bag again, whole; close the recorder before copying. rosbag reindex (.bag) or mcap recover "
+          "(.mcap) restore an index, sqlite3's .recover what is whole of a .db3."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The clocks were brought together by the recorder's, as well as it took messages down."),
       QT_TRANSLATE_NOOP("remount::model",

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <thread>
 
 #include "algorithms/core/error.h"
@@ -22,6 +23,7 @@ namespace remount {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using FileTime = std::filesystem::file_time_type;
 
 std::vector<std::string> command_of(const Fleet& fleet, std::size_t job, int threads) {
   return {"remount-cli", "batch",     fleet.path.string(),     "--job", std::to_string(job + 1),
@@ -69,7 +71,8 @@ class Jobs {
   void start_next(std::size_t job) {
     try {
       make_job_folder(fleet_.jobs[job]);
-      running_[start(command_of(fleet_, job, threads_))] = {job, Clock::now()};
+      const std::optional<FileTime> before = written(fleet_.jobs[job].result);
+      running_[start(command_of(fleet_, job, threads_))] = {job, Clock::now(), before};
     } catch (const Error& error) {
       console_.complain(title_of(fleet_, fleet_.jobs[job]) + ": " + error.what());
       ++told_;
@@ -97,7 +100,14 @@ class Jobs {
   struct Running {
     std::size_t job = 0;
     Clock::time_point since;
+    std::optional<FileTime> result_before;
   };
+
+  static std::optional<FileTime> written(const std::filesystem::path& file) {
+    std::error_code none;
+    const FileTime time = std::filesystem::last_write_time(file, none);
+    return none ? std::nullopt : std::optional(time);
+  }
 
   void tell(const Running& running, int status) {
     const FleetJob& job = fleet_.jobs[running.job];
@@ -112,7 +122,7 @@ class Jobs {
     std::snprintf(line, sizeof line, "[%zu/%zu] %zu  ", told_, fleet_.jobs.size(), running.job + 1);
     char took[32];
     std::snprintf(took, sizeof took, " (%.1f s)", std::chrono::duration<double>(Clock::now() - running.since).count());
-    const std::string text = line + title_of(fleet_, job) + ": " + outcome(job, code) + took;
+    const std::string text = line + title_of(fleet_, job) + ": " + outcome(running, code) + took;
     code == kSolved ? console_.print(text) : console_.complain(text);
     if (stopped_) return;
     if (code == kNoResult) ++end_.no_result;
@@ -128,10 +138,13 @@ class Jobs {
     }
   }
 
-  std::string outcome(const FleetJob& job, int code) const {
-    if (code == kSolved) return "solved";
+  std::string outcome(const Running& running, int code) const {
+    const FleetJob& job = fleet_.jobs[running.job];
+    const bool kept = running.result_before && running.result_before == written(job.result);
+    if (code == kSolved) return kept ? "solved before, nothing has changed since" : "solved";
     if (stopped_) return "stopped";
-    if (code == kNoResult) return "no usable result, see " + job.result.string();
+    if (code == kNoResult)
+      return std::string(kept ? "nothing has changed since: " : "") + "no usable result, see " + job.result.string();
     if (is_file(job.failure)) return "failed: " + std::string(trimmed(read_file_head(job.failure, 2000)));
     return "failed with exit code " + std::to_string(code) + ", see " + job.log.string();
   }

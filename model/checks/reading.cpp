@@ -18,8 +18,8 @@ DataCheck reading_check() {
               {"utm-poses", "Yaw of the result is off by as much as the grid turns against true north there.",
                "Give latitude and longitude where you have them, or turn the poses by the grid convergence."},
               {"bag-*", "What lies in the damaged part of the bag takes no part.",
-               "Copy the bag again, whole; close the recorder before copying. rosbag reindex or mcap recover restore "
-               "an index."},
+               "Copy the bag again, whole; close the recorder before copying. rosbag reindex (.bag) or mcap recover "
+               "(.mcap) restore an index, sqlite3's .recover what is whole of a .db3."},
               {"bad-*", "Lines that are damaged are left out.", "Export the log again where they are many."}}};
 }
 

@@ -37,7 +37,7 @@ namespace {
 
 /// What cannot be read is not recognised either: what is without permission must not pass for no known format.
 void refuse_unreadable(const std::filesystem::path& path) {
-  if (is_file(path)) (void)open_regular_file(path);
+  if (!is_folder(path)) (void)open_regular_file(path);  // names FIFOs and devices
   for (const std::filesystem::path& file : files_in(path)) (void)open_regular_file(file);
   for (const std::filesystem::path& folder : directories_in(path))
     if (!may_look_into(folder)) (void)files_in(folder);  // says why not

@@ -7057,8 +7057,8 @@ Save under another name, or close it there first.</source>
         <translation>bag 损坏部分中的数据不参与计算。</translation>
     </message>
     <message>
-        <source>Copy the bag again, whole; close the recorder before copying. rosbag reindex or mcap recover restore an index.</source>
-        <translation>请重新完整复制 bag；复制前先关闭录制程序。可用 rosbag reindex 或 mcap recover 恢复索引。</translation>
+        <source>Copy the bag again, whole; close the recorder before copying. rosbag reindex (.bag) or mcap recover (.mcap) restore an index, sqlite3&apos;s .recover what is whole of a .db3.</source>
+        <translation>请重新完整复制 bag；复制前先关闭录制程序。可用 rosbag reindex（.bag）或 mcap recover（.mcap）恢复索引，用 sqlite3 的 .recover 取回 .db3 中完好的部分。</translation>
     </message>
     <message>
         <source>The clocks were brought together by the recorder&apos;s, as well as it took messages down.</source>

@@ -81,6 +81,7 @@ TEST_F(cli_batch, a_job_is_done_once_until_what_it_stands_on_changes) {
   const auto made = status_of(result);
   said("done already, ok");
   EXPECT_EQ(status_of(result).st_ino, made.st_ino) << "not written again";
+  expect_contains(run("batch " + path("once.yaml")).out, "solved before, nothing has changed since");
 
   // A new time of the same bytes: hashed, and found to be the same.
   std::filesystem::last_write_time(path("own/ins.csv"), std::filesystem::file_time_type::clock::now());

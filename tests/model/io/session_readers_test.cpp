@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,14 @@
 
 namespace remount {
 namespace {
+
+TEST(session_readers, what_is_no_file_at_all_is_named) {
+  const TemporaryFolder folder;
+  const std::filesystem::path fifo = folder.path() / "fifo";
+  ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+  EXPECT_ERROR(open(fifo), "is a FIFO");
+  EXPECT_ERROR(open("/dev/null"), "is a device");
+}
 
 // ---- KITTI raw
 
