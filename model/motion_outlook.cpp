@@ -5,7 +5,6 @@
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
-#include "algorithms/calibration/uncertainty.h"
 #include "algorithms/trajectory/pairing.h"
 #include "model/pipeline/drive_motion.h"
 

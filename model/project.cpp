@@ -4,7 +4,6 @@
 #include <map>
 #include <tuple>
 
-#include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/core/error.h"
 #include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"

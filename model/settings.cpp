@@ -4,7 +4,6 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
-#include "algorithms/search/candidates.h"
 
 namespace remount {
 

@@ -8,6 +8,7 @@
 
 #include "algorithms/calibration/measured.h"
 #include "algorithms/calibration/method_details.h"
+#include "algorithms/calibration/search_range.h"
 #include "algorithms/calibration/slew_options.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/calibration/trajectory_options.h"

@@ -3,7 +3,7 @@
 #include <Eigen/Cholesky>
 
 #include "algorithms/calibration/noise_prior.h"
-#include "algorithms/calibration/uncertainty.h"
+#include "algorithms/calibration/observability.h"
 
 namespace remount {
 namespace {

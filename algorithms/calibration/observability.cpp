@@ -127,6 +127,17 @@ Matrix6d trusted_information(const std::vector<ObservabilityDirection>& directio
   return information;
 }
 
+Matrix6d weak_prior(bool nominal_known) {
+  constexpr double kPriorTranslation_m = 2.0, kPriorRotation_rad = 0.1, kUnknownYaw_rad = 1.0;
+  Vector6d information;
+  information << Eigen::Vector3d::Constant(1.0 / (kPriorTranslation_m * kPriorTranslation_m)),
+      Eigen::Vector3d::Constant(1.0 / (kPriorRotation_rad * kPriorRotation_rad));
+  // On an arc X may turn about the middle of the arc: where that is far from where it was linearised, the others
+  // follow.
+  if (!nominal_known) information[5] = 1.0 / (kUnknownYaw_rad * kUnknownYaw_rad);
+  return information.asDiagonal();
+}
+
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
                       CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);

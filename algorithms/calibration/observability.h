@@ -37,6 +37,11 @@ std::vector<ObservabilityDirection> observed_directions(const Matrix6d& informat
 /// Information of X rebuilt from the directions.
 Matrix6d trusted_information(const std::vector<ObservabilityDirection>& directions, const SolveOptions& options);
 
+/// Information of the weak prior on X under `perturbed`: how far the truth may lie from the nominal in directions that
+/// the data do not show (2 m, 0.1 rad). Without a nominal yaw may be anything (1 rad); the ground in the scans still
+/// settles roll and pitch.
+Matrix6d weak_prior(bool nominal_known);
+
 /// Fills `observed` and `covariance` from the covariance of X under `perturbed`: a parameter counts as observed where
 /// its sigma is below the options' limit. The directions' sigmas and words follow. Adds advice for those that do not.
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,

@@ -37,16 +37,6 @@ double residual_scale2(std::vector<double> d2) {
   return std::max(1.0, *place / kShareChi2);
 }
 
-std::string unusable_reason(const Pair& pair) {
-  if (!pair.registration.failure.empty()) return pair.registration.failure;
-  // Without information it would agree with every X.
-  if (pair.registration.attempted && pair.registration.information.isZero(0.0)) return "its scans determine nothing";
-  if (pair.registration.attempted) return {};
-  return pair.state == PairState::Rejected && !pair.reason.empty() && pair.decided_by == DecidedBy::Program
-             ? pair.reason
-             : "its scans were not aligned";
-}
-
 std::vector<int> usable_pairs(const std::vector<Pair>& pairs) {
   std::vector<int> usable;
   for (std::size_t i = 0; i < pairs.size(); ++i) {

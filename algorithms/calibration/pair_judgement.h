@@ -10,10 +10,6 @@
 
 namespace remount {
 
-/// Why no solution can use the pair, in words; empty where it can. A registration may converge and still have failed:
-/// what it found is then no motion to rely on, so that such a pair is never accepted.
-std::string unusable_reason(const Pair& pair);
-
 /// Indices of the pairs that have a registration and that the user did not reject.
 std::vector<int> usable_pairs(const std::vector<Pair>& pairs);
 

@@ -7,6 +7,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/joint_solver.h"
+#include "algorithms/calibration/search_range.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/progress.h"
 

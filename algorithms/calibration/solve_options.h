@@ -1,4 +1,4 @@
-// Options of the solution of P X = X Q: search range, ranking, noise, what counts as observed.
+// Options of the solution of P X = X Q: ranking, noise, what counts as observed.
 #pragma once
 
 #include <array>
@@ -7,39 +7,6 @@
 #include "algorithms/geometry/rotation.h"
 
 namespace remount {
-
-/// Search range of the six parameters of X = ins_from_lidar, in the navigation (INS) frame. Angles are compared as they
-/// are stated, yaw and roll within +-180 deg and pitch within +-90 deg: from -180 to 180 deg is every angle.
-struct SearchRange {
-  double x_min_m = -5.0, x_max_m = 5.0;
-  double y_min_m = -5.0, y_max_m = 5.0;
-  double z_min_m = -5.0, z_max_m = 5.0;
-  double yaw_min_rad = -kPi, yaw_max_rad = kPi;
-  double pitch_min_rad = -kPi, pitch_max_rad = kPi;
-  double roll_min_rad = -kPi, roll_max_rad = kPi;
-
-  template <class Self, class Visitor>
-  static void visit(Self& self, Visitor&& visitor) {
-    visitor({"x_min_m", "m", "Search range of x, forward in the INS frame.", -1000.0, 1000.0}, self.x_min_m);
-    visitor({"x_max_m", "m", "Search range of x, forward in the INS frame.", -1000.0, 1000.0}, self.x_max_m);
-    visitor({"y_min_m", "m", "Search range of y, left in the INS frame.", -1000.0, 1000.0}, self.y_min_m);
-    visitor({"y_max_m", "m", "Search range of y, left in the INS frame.", -1000.0, 1000.0}, self.y_max_m);
-    visitor({"z_min_m", "m", "Search range of z, up in the INS frame.", -1000.0, 1000.0}, self.z_min_m);
-    visitor({"z_max_m", "m", "Search range of z, up in the INS frame.", -1000.0, 1000.0}, self.z_max_m);
-    visitor({"yaw_min_rad", "rad", "Search range of yaw; half a turn to each side is every angle.", -kPi, kPi},
-            self.yaw_min_rad);
-    visitor({"yaw_max_rad", "rad", "Search range of yaw; half a turn to each side is every angle.", -kPi, kPi},
-            self.yaw_max_rad);
-    visitor({"pitch_min_rad", "rad", "Search range of pitch, which is stated within a quarter turn.", -kPi, kPi},
-            self.pitch_min_rad);
-    visitor({"pitch_max_rad", "rad", "Search range of pitch, which is stated within a quarter turn.", -kPi, kPi},
-            self.pitch_max_rad);
-    visitor({"roll_min_rad", "rad", "Search range of roll; half a turn to each side is every angle.", -kPi, kPi},
-            self.roll_min_rad);
-    visitor({"roll_max_rad", "rad", "Search range of roll; half a turn to each side is every angle.", -kPi, kPi},
-            self.roll_max_rad);
-  }
-};
 
 /// Blocks of time of the bootstrap: so many are needed for their scatter; those of a short drive are shorter.
 inline constexpr double kBootstrapBlocks = 20.0;

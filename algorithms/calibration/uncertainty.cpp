@@ -146,17 +146,6 @@ Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::
 
 }  // namespace
 
-Matrix6d weak_prior(bool nominal_known) {
-  constexpr double kPriorTranslation_m = 2.0, kPriorRotation_rad = 0.1, kUnknownYaw_rad = 1.0;
-  Vector6d information;
-  information << Eigen::Vector3d::Constant(1.0 / (kPriorTranslation_m * kPriorTranslation_m)),
-      Eigen::Vector3d::Constant(1.0 / (kPriorRotation_rad * kPriorRotation_rad));
-  // On an arc X may turn about the middle of the arc: where that is far from where it was linearised, the others
-  // follow.
-  if (!nominal_known) information[5] = 1.0 / (kUnknownYaw_rad * kUnknownYaw_rad);
-  return information.asDiagonal();
-}
-
 // Measured on simulated drives (docs/adr/0006-honest-sigma.md). Most about the direction of travel, across which the
 // least ground is seen.
 Matrix6d registration_limits() {

@@ -7,11 +7,6 @@
 
 namespace remount {
 
-/// Information of the weak prior on X under `perturbed`: how far the truth may lie from the nominal in directions that
-/// the data do not show (2 m, 0.1 rad). Without a nominal yaw may be anything (1 rad); the ground in the scans still
-/// settles roll and pitch.
-Matrix6d weak_prior(bool nominal_known);
-
 /// Covariance (under `perturbed`) of what one drive does to X that no residual of it shows: its surroundings, sampled
 /// by beams and voxels, displace and tilt every one of its scans alike.
 Matrix6d registration_limits();

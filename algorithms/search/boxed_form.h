@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "algorithms/calibration/solve_options.h"
+#include "algorithms/calibration/search_range.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/search/scoring.h"
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "algorithms/calibration/search_range.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/search/scoring.h"
@@ -32,9 +33,6 @@ std::optional<RigidTransform> dual_quaternion(const std::vector<MotionPair>& pai
 /// rotations. Solving jointly is what keeps planar driving well-posed. Translation that is not determined stays at
 /// `near_m`.
 RigidTransform joint_quadratic(const QuadraticForm& form, const Eigen::Vector3d& near_m);
-
-/// Parameters of X outside the range, in words ("x 6.20 m above 5.00 m"); empty where inside.
-std::string outside_range(const RigidTransform& ins_from_lidar, const SearchRange& range);
 
 /// All candidates of the accepted pairs, ranked: in range before out of range, then by the Frobenius sum. Among them
 /// the optimum of the sum of squares within the range, with its certified gap.

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "algorithms/calibration/solve_options.h"
+#include "algorithms/calibration/search_range.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/search/scoring.h"
 

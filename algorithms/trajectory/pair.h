@@ -67,4 +67,8 @@ struct Pair {
   std::string reason;  ///< why it was rejected (or by whom accepted), in words
 };
 
+/// Why no solution can use the pair, in words; empty where it can. A registration may converge and still have failed:
+/// what it found is then no motion to rely on, so that such a pair is never accepted.
+std::string unusable_reason(const Pair& pair);
+
 }  // namespace remount

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/trajectory/pair.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "widgets/model_text.h"
 #include "widgets/panels/result_panel.h"

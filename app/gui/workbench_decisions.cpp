@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/trajectory/pair.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/wording.h"
 #include "app/gui/workbench.h"

@@ -109,12 +109,12 @@ bool may_live(const LockHolder& holder, const LockHolder& self, const LockedFile
 }  // namespace
 
 std::filesystem::path lock_path_of(const std::filesystem::path& file) {
-  constexpr std::size_t kLongest = 200;  // with what is added, less than any file system takes
+  constexpr std::size_t kLongestName = 200;  // with what is added, less than any file system takes
   std::error_code unknown;
   std::filesystem::path path = std::filesystem::weakly_canonical(file, unknown);
   if (unknown) path = std::filesystem::absolute(file).lexically_normal();
   std::string name = path.filename().string();
-  if (name.size() > kLongest) {
+  if (name.size() > kLongestName) {
     Sha256 digest;
     digest.update(name);
     name = digest.finish();

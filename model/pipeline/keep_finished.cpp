@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/trajectory/pair.h"
 
 namespace remount {
 namespace {

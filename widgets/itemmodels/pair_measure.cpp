@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
-#include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/trajectory/pair.h"
 
 namespace remount {
 namespace {

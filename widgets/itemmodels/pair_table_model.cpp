@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/trajectory/pair.h"
 #include "widgets/itemmodels/pair_measure.h"
 #include "widgets/model_text.h"
 #include "widgets/pair_reasons.h"

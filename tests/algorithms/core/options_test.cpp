@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "algorithms/calibration/search_range.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/error.h"
 #include "algorithms/registration/registration_options.h"

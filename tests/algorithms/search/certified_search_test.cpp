@@ -10,6 +10,7 @@
 #include "algorithms/search/boxed_form.h"
 #include "algorithms/search/candidates.h"
 #include "tests/algorithms/support/random_motion.h"
+#include "tests/support/sanitized.h"
 
 namespace remount {
 namespace {
@@ -108,7 +109,7 @@ void expect_certified(const QuadraticForm& form, const SearchRange& range, const
   EXPECT_LE(result.allowed_gap, std::max(1e-6 * result.value, 1e-12 * scale));
   EXPECT_EQ(outside_range(result.ins_from_lidar, range), "");
   EXPECT_NEAR(form.value(result.ins_from_lidar), result.value, 1e-12 * scale);
-  EXPECT_LT(timed.seconds, 1.0);
+  EXPECT_LT(timed.seconds, 1.0 * kSanitizerSlowdown);
 }
 
 // No X of the range may score less than the bound: random ones, and ones near the optimum.

@@ -11,7 +11,7 @@ std::atomic<std::size_t> held{0}, most{0};
 
 }  // namespace
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef REMOUNT_SANITIZED
 
 extern "C" {
 

@@ -9,11 +9,12 @@
 #include <QTest>
 
 #include "app/gui/main_window.h"
+#include "tests/support/sanitized.h"
 #include "tests/widgets/support/sample_world.h"
 
 namespace remount::testing {
 
-constexpr int kPatience_ms = 20000;
+constexpr int kPatience_ms = 20000 * static_cast<int>(kSanitizerSlowdown);
 
 class WindowFixture : public ::testing::Test {
  protected:
