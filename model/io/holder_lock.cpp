@@ -112,7 +112,8 @@ std::filesystem::path lock_path_of(const std::filesystem::path& file) {
   constexpr std::size_t kLongestName = 200;  // with what is added, less than any file system takes
   std::error_code unknown;
   std::filesystem::path path = std::filesystem::weakly_canonical(file, unknown);
-  if (unknown) path = std::filesystem::absolute(file).lexically_normal();
+  if (unknown) path = std::filesystem::absolute(file, unknown).lexically_normal();
+  if (unknown) path = file;  // the folder one is in was removed
   std::string name = path.filename().string();
   if (name.size() > kLongestName) {
     Sha256 digest;

@@ -50,7 +50,7 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   Clock::time_point grown = Clock::now();
   while (!following.cancelled() && seconds_since(grown) < options.settled_s) {
     const Session* now = growing.look();
-    if (now && items_of(*now) > items) {
+    if (now && items_of(*now) != items) {  // fewer: the recording was begun again
       items = items_of(*now);
       grown = Clock::now();
       if (!feed && can_begin(*now)) begin(*now);

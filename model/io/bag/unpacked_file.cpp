@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <stdlib.h>
+#include <sys/file.h>
 #include <unistd.h>
 #include <zstd.h>
 
@@ -13,6 +14,8 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "model/io/file_lock.h"
+#include "model/io/input_file.h"
 #include "model/io/random_access_file.h"
 #include "model/io/system_call.h"
 
@@ -54,18 +57,46 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& packed, c
   }
 }
 
+constexpr std::string_view kName = "remount-bag-";
+
+/// Removes what processes that were killed have unpacked; nothing where the folder cannot be listed.
+void remove_leftovers(const fs::path& folder) try {
+  for (const fs::path& file : files_in(folder)) {
+    if (!file.filename().string().starts_with(kName)) continue;
+    const FileDescriptor there(uninterrupted([&] { return ::open(file.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC); }));
+    if (there.get() >= 0 && ::flock(there.get(), LOCK_EX | LOCK_NB) == 0 && lies_at(there, file))
+      ::unlink(file.c_str());
+  }
+} catch (const Error&) {
+}
+
+/// A new file in the folder, locked while it is open, and its path; without a descriptor where it cannot be made.
+FileDescriptor make_locked(const fs::path& folder, fs::path& path) {
+  constexpr int kTries = 100;  // each fails only where it is taken for a leftover before it is locked
+  for (int i = 0; i < kTries; ++i) {
+    std::string pattern = (folder / (std::string(kName) + "XXXXXX")).string();
+    FileDescriptor file(::mkostemp(pattern.data(), O_CLOEXEC));
+    path = pattern;
+    if (file.get() < 0) return file;
+    // Where the file system knows no locks nobody takes it for a leftover either.
+    if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) continue;
+    if (lies_at(file, path)) return file;
+  }
+  errno = EBUSY;
+  return {};
+}
+
 }  // namespace
 
 bool is_zstd(std::string_view head) { return head.starts_with("\x28\xb5\x2f\xfd"); }
 
 UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
   const fs::path folder = temporary_folder(packed);
-  std::string pattern = (folder / "remount-bag-XXXXXX").string();
-  const FileDescriptor file(::mkostemp(pattern.data(), O_CLOEXEC));
-  if (file.get() < 0) no_room(packed, folder, std::strerror(errno));
-  path_ = pattern;
+  remove_leftovers(folder);
+  file_ = make_locked(folder, path_);
+  if (file_.get() < 0) no_room(packed, folder, std::strerror(errno));
   try {
-    unpack(packed, file.get(), progress);
+    unpack(packed, progress);
   } catch (...) {
     ::unlink(path_.c_str());
     throw;
@@ -74,7 +105,7 @@ UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
 
 UnpackedFile::~UnpackedFile() { ::unlink(path_.c_str()); }
 
-void UnpackedFile::unpack(const fs::path& packed, int descriptor, Progress& progress) const {
+void UnpackedFile::unpack(const fs::path& packed, Progress& progress) const {
   const RandomAccessFile source(packed);
   const std::uint64_t most = std::max(kAlwaysBytes, kMostTimes * source.size());
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
@@ -101,7 +132,7 @@ void UnpackedFile::unpack(const fs::path& packed, int descriptor, Progress& prog
       if (!unknown && space.available < kSpareBytes + output.pos)
         no_room(packed, path_.parent_path(),
                 "after " + megabytes(written) + " only " + megabytes(space.available) + " are free");
-      write_all(descriptor, {out.data(), output.pos}, packed, path_.parent_path());
+      write_all(file_.get(), {out.data(), output.pos}, packed, path_.parent_path());
       // A frame that ends where the room does has given all: asked on, it would wait for a frame that is not there.
       full = output.pos == output.size && hint != 0;
     }

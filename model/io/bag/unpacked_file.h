@@ -5,13 +5,15 @@
 #include <string_view>
 
 #include "algorithms/core/progress.h"
+#include "model/io/regular_file.h"
 
 namespace remount {
 
 /// True where the file begins as a frame of Zstandard does.
 bool is_zstd(std::string_view head);
 
-/// The unpacked file, in the folder for temporary files, until this object goes.
+/// The unpacked file, in the folder for temporary files, until this object goes. What a killed process left there is
+/// removed by the next that unpacks one: a lock says whose process lives.
 class UnpackedFile {
  public:
   /// Unpacks in pieces; returns early where `progress` is cancelled. Throws Error(Format) naming `packed` where it is
@@ -25,8 +27,9 @@ class UnpackedFile {
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  void unpack(const std::filesystem::path& packed, int descriptor, Progress& progress) const;
+  void unpack(const std::filesystem::path& packed, Progress& progress) const;
 
+  FileDescriptor file_;  ///< locked
   std::filesystem::path path_;
 };
 

@@ -100,6 +100,35 @@ TEST(trajectory_follow, a_growing_session_is_answered_on_the_way_and_ends_as_the
             0.02);
 }
 
+TEST(trajectory_follow, goes_on_where_the_recording_is_begun_again) {
+  const TemporaryFolder folder;
+  const fs::path whole = folder.path() / "whole", growing = folder.path() / "growing";
+  write_whole(whole);
+  std::atomic<int> answers = 0;
+  std::jthread writer([&] {
+    fs::copy(whole, growing, fs::copy_options::recursive);
+    while (answers < 5) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    // The new one has fewer samples than the first for longer than a recording may stand still.
+    for (const char* name : {"ins.csv", "lidar_poses.txt"}) fs::resize_file(growing / name, 0);
+    for (int piece = 1; piece <= 10; ++piece) {
+      for (const char* name : {"ins.csv", "lidar_poses.txt"}) {
+        const std::string bytes = bytes_of(whole / name);
+        std::ofstream(growing / name, std::ios::binary)
+            << bytes.substr(0, bytes.size() * static_cast<std::size_t>(piece) / 10);
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+  });
+  Progress following, finishing;
+  FollowOptions options;
+  options.poll_s = 0.02;
+  options.settled_s = 1.0;
+  const FollowedSession followed = follow_trajectory(
+      growing, {}, options, [&](const TrajectorySnapshot&) { ++answers; }, following, finishing);
+  Progress progress;
+  EXPECT_EQ(followed.session->ins.size(), open_session(whole, progress).ins.size()) << "it ended before the recording";
+}
+
 TEST(trajectory_follow, ends_at_once_when_it_is_stopped_and_still_solves) {
   const TemporaryFolder folder;
   write_whole(folder.path() / "whole");

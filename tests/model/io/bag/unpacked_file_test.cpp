@@ -32,6 +32,22 @@ TEST(unpacked_file, of_two_frames_is_both_of_them) {
   EXPECT_TRUE(bags::bytes_of(UnpackedFile(packed, progress).path()) == one + other);
 }
 
+TEST(unpacked_file, left_by_a_process_that_was_killed_is_removed_by_the_next) {
+  const TemporaryFolder folder;
+  Progress progress;
+  const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, "some bytes"));
+  const std::filesystem::path there = folder.path() / "temporary";
+  std::filesystem::create_directory(there);
+  const testing::TemporaryFilesIn unpacked_in(there);
+  const auto left = folder.write("temporary/remount-bag-abcdef", "of a killed process"),
+             other = folder.write("temporary/somebody-elses", "bytes");
+  const UnpackedFile living(packed, progress);
+  EXPECT_FALSE(std::filesystem::exists(left));
+  EXPECT_TRUE(std::filesystem::exists(other));
+  const UnpackedFile second(packed, progress);
+  EXPECT_EQ(bags::bytes_of(living.path()), "some bytes") << "the first is still in use";
+}
+
 TEST(unpacked_file, without_a_folder_for_it_says_which_to_set) {
   const TemporaryFolder folder;
   Progress progress;
