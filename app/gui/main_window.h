@@ -206,6 +206,7 @@ class MainWindow : public QMainWindow {
               *methods_dock_ = nullptr;
   QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *make_report_ = nullptr, *obstacles_ = nullptr;
+  QList<QAction*> undo_actions_;  // undo, redo
   struct BoundAction {
     QString id;  // by which its key is remembered
     QAction* action;

@@ -17,6 +17,7 @@
 #include "app/gui/obstacle_controller.h"
 #include "app/gui/project_keeper.h"
 #include "app/gui/result_files.h"
+#include "app/gui/undo_keys.h"
 #include "app/gui/wording.h"
 #include "model/session_frames.h"
 #include "remount_version.h"
@@ -66,11 +67,12 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_edit_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
   QAction* undo = workbench_.undo_stack().createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence::Undo);
+  undo->setShortcuts(QKeySequence::Undo);
   QAction* redo = workbench_.undo_stack().createRedoAction(this, tr("&Redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  menu.addAction(undo);
-  menu.addAction(redo);
+  redo->setShortcuts(QKeySequence::Redo);
+  undo_actions_ = {undo, redo};
+  menu.addActions(undo_actions_);
+  new UndoKeys(this);
   menu.addSeparator();
   add_action(menu, tr("&Copy result"), tr("Ctrl+Shift+C"), [this] { copy_result(); });
   add_action(menu, tr("&Options…"), tr("Ctrl+,"), [this] { show_options(); });
@@ -185,6 +187,7 @@ void MainWindow::show_options() {
     connect(&workbench_, &Workbench::settings_changed, options_,
             [this] { options_->show_settings(workbench_.settings()); });
     options_->set_angle_unit(angle_unit_, workbench_.settings());
+    options_->addActions(undo_actions_);  // keys reach no other window by themselves
   }
   options_->show();
   options_->raise();
