@@ -46,10 +46,11 @@ QAction* MainWindow::add_action(QMenu& menu, const QString& text, const QKeySequ
 
 void MainWindow::make_file_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&File"));
-  add_action(menu, tr("&Open session folder…"), QKeySequence::Open, [this] { ask_for_folder(); });
-  add_action(menu, tr("Open session &file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
-  menu.addSeparator();
-  add_action(menu, tr("Open &project…"), tr("Ctrl+P"), [this] { open_project(); });
+  open_menu_ = menu.addMenu(tr("&Open"));
+  add_action(*open_menu_, tr("&Folder of a drive…"), QKeySequence::Open, [this] { ask_for_folder(); });
+  add_action(*open_menu_, tr("&Log or bag file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
+  open_menu_->addSeparator();
+  add_action(*open_menu_, tr("&Project…"), tr("Ctrl+P"), [this] { open_project(); });
   QMenu* recent = menu.addMenu(tr("Open &recent"));
   recent->setToolTipsVisible(true);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { keeper_->fill_recent_menu(*recent); });
@@ -155,6 +156,8 @@ void MainWindow::open_paths(const QStringList& paths) {
   }
   if (!sessions.isEmpty()) workbench_.open(sessions);
 }
+
+void MainWindow::ask_what_to_open() { open_menu_->popup(steps_->mapToGlobal(QPoint(0, steps_->height()))); }
 
 void MainWindow::ask_for_folder() {
   const QString path = QFileDialog::getExistingDirectory(this, tr("Open the folder of a recorded drive"));
@@ -275,7 +278,7 @@ void MainWindow::copy_result() {
 void MainWindow::go_to_step(Step step) {
   switch (step) {
     case Step::Load:
-      ask_for_folder();
+      ask_what_to_open();
       break;
     case Step::Pairs:
     case Step::Align:
