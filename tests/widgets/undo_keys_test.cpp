@@ -23,6 +23,8 @@ class undo_keys : public testing::WindowFixture {
     show();
     ASSERT_TRUE(QTest::qWaitForWindowActive(&window_, kPatience_ms));
   }
+  // Other tests are not to find Ctrl held down.
+  void TearDown() override { QTest::keyClick(&window_, Qt::Key_Shift); }
   template <class Field>
   Field& field(const QString& name) {
     return *window_.findChild<Field*>(name);
