@@ -71,6 +71,7 @@ TEST(obstacle_dialog, names_objects_in_full_or_in_a_tooltip) {
   ASSERT_GT(widest, 60);
   EXPECT_GT(table.columnWidth(0), widest) << "in a dialog of its usual size nothing is cut";
   EXPECT_EQ(table.textElideMode(), Qt::ElideMiddle);
+  EXPECT_EQ(table.columnViewportPosition(3) + table.columnWidth(3), table.viewport()->width()) << "no gap at the right";
   dialog.resize(dialog.minimumSizeHint());
   EXPECT_TRUE(QTest::qWaitFor([&] { return table.columnWidth(0) < widest; }, 5000))
       << "in a small one names make room for the distances: " << table.columnWidth(0);

@@ -174,9 +174,13 @@ void ObstacleDialog::recolor() {
 
 // Names as wide as they are, but for the room that the distances need; what does not fit is left out in its middle.
 void ObstacleDialog::fit_columns() {
-  table_->resizeColumnsToContents();
-  int others = 0;
-  for (int column = 1; column < table_->columnCount(); ++column) others += table_->columnWidth(column);
+  const int last = table_->columnCount() - 1;  // takes the room that is left
+  const QAbstractItemView& view = *table_;
+  int others = std::max(view.sizeHintForColumn(last), table_->horizontalHeader()->sectionSizeHint(last));
+  for (int column = 0; column < last; ++column) {
+    table_->resizeColumnToContents(column);
+    if (column > 0) others += table_->columnWidth(column);
+  }
   const int room = std::max(table_->viewport()->width() - others, kLeastName_px);
   table_->setColumnWidth(0, std::min(table_->columnWidth(0), room));
 }
