@@ -1,6 +1,9 @@
 #include "widgets/theme.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QEvent>
+#include <QPointer>
+#include <QTimer>
 #include <QWidget>
 
 namespace remount {
@@ -8,6 +11,54 @@ namespace {
 struct Words {
   Q_DECLARE_TR_FUNCTIONS(remount::theme)
 };
+
+/// Keeps the style sheet of a widget in the colours of the present palette.
+class StyleKeeper : public QObject {
+ public:
+  StyleKeeper(QWidget& widget, Style style) : QObject(&widget), style_(std::move(style)) { keep(); }
+  void set_style(Style style) {
+    style_ = std::move(style);
+    keep();
+  }
+  void keep() {
+    auto& widget = *static_cast<QWidget*>(parent());
+    // Not the widget's own palette: that has the colours of its style sheet; and one that is hidden lags behind.
+    const QString sheet = style_(QApplication::palette());
+    // The same one, set once more, would style the widget and all in it anew.
+    if (widget.styleSheet() != sheet) widget.setStyleSheet(sheet);
+  }
+
+ private:
+  Style style_;
+};
+
+StyleKeeper* keeper_of(const QObject& widget) {
+  for (QObject* child : widget.children())
+    if (auto* keeper = dynamic_cast<StyleKeeper*>(child)) return keeper;
+  return nullptr;
+}
+
+/// One for all: a filter of the application sees every event.
+class PaletteWatch : public QObject {
+ public:
+  using QObject::QObject;
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    // Afterwards, when every widget has its new palette.
+    if (event->type() == QEvent::ApplicationPaletteChange && watched == parent())
+      QTimer::singleShot(0, this, [] {
+        for (const QWidget* widget : QApplication::allWidgets())
+          if (StyleKeeper* keeper = keeper_of(*widget)) keeper->keep();
+      });
+    return false;
+  }
+};
+
+void watch_palette() {
+  static QPointer<PaletteWatch> watch;
+  if (watch) return;
+  watch = new PaletteWatch(qApp);
+  qApp->installEventFilter(watch);
+}
 }  // namespace
 
 bool is_dark(const QPalette& palette) {
@@ -68,8 +119,27 @@ QColor tinted(const QColor& color, const QPalette& palette) {
   return {mix(color.red(), base.red()), mix(color.green(), base.green()), mix(color.blue(), base.blue())};
 }
 
-void set_style(QWidget& widget, const QString& style_sheet) {
-  if (widget.styleSheet() != style_sheet) widget.setStyleSheet(style_sheet);
+QColor faded_color(const QPalette& palette) { return palette.color(QPalette::Disabled, QPalette::WindowText); }
+
+void prepare_theme() { QCoreApplication::setAttribute(Qt::AA_UseStyleSheetPropagationInWidgetStyles); }
+
+void set_style(QWidget& widget, const Style& style) {
+  watch_palette();
+  if (StyleKeeper* keeper = keeper_of(widget))
+    keeper->set_style(style);
+  else
+    new StyleKeeper(widget, style);
+}
+
+Style text_in(QColor (*color)(const QPalette&)) {
+  return [color](const QPalette& palette) { return QString("color: " + color(palette).name()); };
+}
+
+Style marked_box(QColor (*color)(const QPalette&), const QString& more) {
+  return [color, more](const QPalette& palette) {
+    return QStringLiteral("%1; border-left: 4px solid %2; background: %3")
+        .arg(more, color(palette).name(), tinted(color(palette), palette).name());
+  };
 }
 
 }  // namespace remount

@@ -4,6 +4,7 @@
 #include <QColor>
 #include <QPalette>
 #include <QString>
+#include <functional>
 
 #include "algorithms/trajectory/pair.h"
 #include "model/session.h"
@@ -22,7 +23,16 @@ QColor warning_color(const QPalette& palette);
 QColor bad_color(const QPalette& palette);
 /// A background that carries `color` softly under text of the palette.
 QColor tinted(const QColor& color, const QPalette& palette);
-/// Sets a style sheet where it is another: the same one, set once more, styles the widget and all in it anew.
-void set_style(QWidget& widget, const QString& style_sheet);
+/// Before the application is made: widgets in one that has a style sheet follow the palette as all others do.
+void prepare_theme();
+/// A style sheet of the colours of a palette. It is made anew whenever the application takes another palette.
+using Style = std::function<QString(const QPalette&)>;
+void set_style(QWidget& widget, const Style& style);
+/// The style of a text in a colour of the palette.
+Style text_in(QColor (*color)(const QPalette&));
+/// The style of a box with a bar of a colour at its left, softly filled with it.
+Style marked_box(QColor (*color)(const QPalette&), const QString& more);
+/// What is not said any more: the colour of disabled text.
+QColor faded_color(const QPalette& palette);
 
 }  // namespace remount

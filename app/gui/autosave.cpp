@@ -9,13 +9,26 @@ constexpr int kAgain_ms = 60000;
 
 Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* parent)
     : QObject(parent), workbench_(workbench), saved_revision_(workbench.revision()) {
-  try {
-    notes_ = std::make_unique<RecoveryNotes>(data_folder);
-  } catch (const Error& error) {
-    const JobFailure failure = failure_of(error);
-    QTimer::singleShot(0, this, [this, failure] { could_not(failure); });
-    return;
-  }
+  // The disk may take its time, and the window opens meanwhile.
+  job_ = jobs_->start(
+      [this, data_folder](Progress&) -> JobRunner::Deliver {
+        const std::vector<RecoveryOffer> offers = find_recoveries(data_folder);
+        auto notes = std::make_shared<std::unique_ptr<RecoveryNotes>>(std::make_unique<RecoveryNotes>(data_folder));
+        return [this, offers, notes] {
+          begin(std::move(*notes));
+          if (!offers.empty() && !finished_) emit found(offers);
+        };
+      },
+      [this](const JobFailure& failure) {
+        job_ = 0;
+        could_not(failure);
+      });
+}
+
+void Autosave::begin(std::unique_ptr<RecoveryNotes> notes) {
+  job_ = 0;
+  notes_ = std::move(notes);
+  if (finished_) return notes_->clear();
   soon_.setSingleShot(true);
   soon_.setInterval(0);  // one for all that an edit sets off
   again_.setInterval(kAgain_ms);
@@ -26,6 +39,7 @@ Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* pa
   beats_.start(HolderLock::kBeat_ms);
   connect(&workbench_, &Workbench::project_changed, this, &Autosave::look);
   connect(&workbench_, &Workbench::project_opened, this, &Autosave::take_over);
+  look();  // at what was edited until now
 }
 
 Autosave::~Autosave() {
@@ -64,10 +78,22 @@ void Autosave::look() {
   if (!workbench_.unsaved()) {
     saved_revision_ = workbench_.revision();
     in_notes_ = false;  // where the project was saved, its autosaves can be
-    if (job_ == 0 && !notes_->empty()) notes_->clear();
+    if (job_ == 0 && !notes_->empty()) clear();
     return;
   }
   if (saved_revision_ != workbench_.revision() && !soon_.isActive() && job_ == 0) soon_.start();
+}
+
+void Autosave::clear() {
+  job_ = jobs_->start(
+      [this, notes = notes_.get()](Progress&) -> JobRunner::Deliver {
+        notes->clear();
+        return [this] {
+          job_ = 0;
+          look();  // at what was edited meanwhile
+        };
+      },
+      [this](const JobFailure&) { job_ = 0; });
 }
 
 AutosaveSummary Autosave::summary() const {
@@ -87,13 +113,14 @@ void Autosave::write() {
   if (finished_ || job_ != 0 || !workbench_.unsaved()) return;
   const AutosaveSummary figures = summary();
   const bool away = in_notes_ || workbench_.read_only();  // who has the project keeps autosaves beside it
-  const QString path = away ? notes_->next_path_in_notes() : notes_->next_path(figures.project_path);
+  // Nobody else touches the notes before job_ is 0 again.
   job_ = jobs_->start(
-      [this, path, figures, folder = notes_->folder(),
-       snapshot = workbench_.snapshot()](Progress&) -> JobRunner::Deliver {
+      [this, away, figures, notes = notes_.get(), snapshot = workbench_.snapshot()](Progress&) -> JobRunner::Deliver {
         const int revision = snapshot.revision;
+        const QString path = away ? notes->next_path_in_notes() : notes->next_path(figures.project_path);
         write_snapshot(snapshot, path);
-        write_note(folder, path, figures);
+        write_note(notes->folder(), path, figures);
+        notes->adopt(path);
         return [this, path, revision] { written(path, revision); };
       },
       [this](const JobFailure& failure) {
@@ -109,7 +136,6 @@ void Autosave::write() {
 void Autosave::written(const QString& path, int revision) {
   job_ = 0;
   if (finished_) return notes_->clear();
-  notes_->adopt(path);
   saved_revision_ = revision;
   complained_ = false;
   for (const RecoveryOffer& offer : restored_) discard(offer);

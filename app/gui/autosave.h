@@ -17,14 +17,15 @@ class Autosave : public QObject {
   Autosave(Workbench& workbench, const QString& data_folder, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// Opens what a crashed window left. Its files are removed once this window has saved them for itself.
+  /// Opens what a crashed window left (found()). Its files are removed once this window has saved them for itself.
   void restore(const RecoveryOffer& offer, const AutosaveGeneration& generation);
   /// The window closes, and the user has decided what becomes of unsaved work.
   void finish();
-  bool writing() const { return job_ != 0; }
+  bool writing() const { return job_ != 0; }              ///< or at other work on the disk
   int saved_revision() const { return saved_revision_; }  ///< what is safe, in a project or an autosave
 
  signals:
+  void found(const std::vector<remount::RecoveryOffer>& offers);  ///< soon after the start, where there are any
   void saved(const QString& path);
   void failed(const QString& where, const QString& what);  ///< once until it succeeds again
   /// The project's folder cannot be written; work is kept in this folder of the user's until the project is saved.
@@ -32,7 +33,9 @@ class Autosave : public QObject {
 
  private:
   void take_over(const ProjectToOpen& request, bool whole);
+  void begin(std::unique_ptr<RecoveryNotes> notes);
   void look();
+  void clear();
   void show_life();
   void write();
   void written(const QString& path, int revision);

@@ -35,6 +35,18 @@ bool SettingsCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
+CalibrationCommand::CalibrationCommand(Workbench& workbench, const QString& text, Workbench::CalibratedPtr before)
+    : QUndoCommand(text), workbench_(workbench), before_(std::move(before)) {}
+
+void CalibrationCommand::undo() {
+  after_ = workbench_.calibrated();
+  workbench_.apply_calibration(before_, undone(text()));
+}
+
+void CalibrationCommand::redo() {
+  if (after_) workbench_.apply_calibration(after_, text());
+}
+
 TopicsCommand::TopicsCommand(Workbench& workbench, std::shared_ptr<const Session> before,
                              std::shared_ptr<const Session> after)
     : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "other topics of %1")
@@ -42,6 +54,27 @@ TopicsCommand::TopicsCommand(Workbench& workbench, std::shared_ptr<const Session
       workbench_(workbench),
       before_(std::move(before)),
       after_(std::move(after)),
+      calibrated_(workbench.calibrated()),
+      nominal_before_(workbench.nominal_ins_from_lidar()) {}
+
+void TopicsCommand::undo() {
+  undone_ = true;
+  nominal_after_ = workbench_.nominal_ins_from_lidar();  // a session that was opened since may have brought one
+  workbench_.apply_session(after_, before_, calibrated_);
+  workbench_.apply_nominal(nominal_before_);
+}
+
+void TopicsCommand::redo() {
+  workbench_.apply_session(before_, after_, nullptr);
+  if (undone_) workbench_.apply_nominal(nominal_after_);
+}
+
+RemovalCommand::RemovalCommand(Workbench& workbench, std::shared_ptr<const Session> session, std::ptrdiff_t place)
+    : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "remove %1")
+                       .arg(QString::fromStdString(session->name))),
+      workbench_(workbench),
+      session_(std::move(session)),
+      place_(place),
       calibrated_(workbench.calibrated()) {}
 
 NominalCommand::NominalCommand(Workbench& workbench, const QString& text, const std::optional<RigidTransform>& after)

@@ -40,17 +40,45 @@ class SettingsCommand : public QUndoCommand {
   Settings before_, after_;
 };
 
+/// A calibration that took the place of `before`. Made when it is there already.
+class CalibrationCommand : public QUndoCommand {
+ public:
+  CalibrationCommand(Workbench& workbench, const QString& text, Workbench::CalibratedPtr before);
+  void undo() override;
+  void redo() override;
+
+ private:
+  Workbench& workbench_;
+  Workbench::CalibratedPtr before_, after_;  ///< after: once it was undone
+};
+
 /// Another session of the same recording takes the place of one; its result goes and comes back with it.
 class TopicsCommand : public QUndoCommand {
  public:
   TopicsCommand(Workbench& workbench, std::shared_ptr<const Session> before, std::shared_ptr<const Session> after);
-  void undo() override { workbench_.apply_session(after_, before_, calibrated_); }
-  void redo() override { workbench_.apply_session(before_, after_, nullptr); }
+  void undo() override;
+  void redo() override;
 
  private:
   Workbench& workbench_;
   std::shared_ptr<const Session> before_, after_;
-  std::shared_ptr<const Workbench::Calibrated> calibrated_;  ///< with `before_`
+  Workbench::CalibratedPtr calibrated_;  ///< with `before_`
+  std::optional<RigidTransform> nominal_before_, nominal_after_;
+  bool undone_ = false;
+};
+
+/// A session is closed; what was calibrated goes and comes back with it.
+class RemovalCommand : public QUndoCommand {
+ public:
+  RemovalCommand(Workbench& workbench, std::shared_ptr<const Session> session, std::ptrdiff_t place);
+  void undo() override { workbench_.apply_return(session_, place_, calibrated_); }
+  void redo() override { workbench_.apply_removal(session_); }
+
+ private:
+  Workbench& workbench_;
+  std::shared_ptr<const Session> session_;
+  std::ptrdiff_t place_;
+  Workbench::CalibratedPtr calibrated_;
 };
 
 class NominalCommand : public QUndoCommand {

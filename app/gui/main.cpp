@@ -10,6 +10,7 @@
 #include "app/gui/window_host.h"
 #include "remount_version.h"
 #include "widgets/gl_support.h"
+#include "widgets/theme.h"
 
 namespace {
 
@@ -33,6 +34,7 @@ int main(int argc, char** argv) {
     return 1;
   }
   remount::prepare_gl();
+  remount::prepare_theme();
   QApplication application(argc, argv);
   QApplication::setApplicationName("Remount");
   QApplication::setOrganizationName("Remount");

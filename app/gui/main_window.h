@@ -1,6 +1,7 @@
 // Layout and actions; what they do is the workbench's business.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <functional>
 
@@ -116,6 +117,7 @@ class MainWindow : public QMainWindow {
   /// False where the user has to answer more, or changed their mind; `saved` is called where they chose to save.
   bool may_close(std::function<void()> saved);
   void show_project();
+  void ask_what_to_open();  ///< a menu below what was clicked
   void ask_for_folder();
   void ask_for_sessions_below(const QString& folder, const QStringList& paths);
   void ask_for_file();
@@ -206,6 +208,8 @@ class MainWindow : public QMainWindow {
               *methods_dock_ = nullptr;
   QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *make_report_ = nullptr, *obstacles_ = nullptr;
+  QList<QAction*> undo_actions_;  // undo, redo
+  QMenu* open_menu_ = nullptr;    // folder, files, project: behind every button that opens
   struct BoundAction {
     QString id;  // by which its key is remembered
     QAction* action;
@@ -218,8 +222,9 @@ class MainWindow : public QMainWindow {
   AngleUnit angle_unit_ = AngleUnit::Degrees;
   CloudsPtr shown_clouds_;  // of the selected pair
   bool was_busy_ = false;
-  QString idle_;         // what the status strip said last while nothing ran
-  QString note_at_end_;  // what it says when the present work is done
+  QElapsedTimer solving_since_;  // of solutions after edits; not valid while there is none
+  QString idle_;                 // what the status strip said last while nothing ran
+  QString note_at_end_;          // what it says when the present work is done
 };
 
 }  // namespace remount

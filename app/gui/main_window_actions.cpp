@@ -17,6 +17,7 @@
 #include "app/gui/obstacle_controller.h"
 #include "app/gui/project_keeper.h"
 #include "app/gui/result_files.h"
+#include "app/gui/undo_keys.h"
 #include "app/gui/wording.h"
 #include "model/session_frames.h"
 #include "remount_version.h"
@@ -45,10 +46,11 @@ QAction* MainWindow::add_action(QMenu& menu, const QString& text, const QKeySequ
 
 void MainWindow::make_file_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&File"));
-  add_action(menu, tr("&Open session folder…"), QKeySequence::Open, [this] { ask_for_folder(); });
-  add_action(menu, tr("Open session &file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
-  menu.addSeparator();
-  add_action(menu, tr("Open &project…"), tr("Ctrl+P"), [this] { open_project(); });
+  open_menu_ = menu.addMenu(tr("&Open"));
+  add_action(*open_menu_, tr("&Folder of a drive…"), QKeySequence::Open, [this] { ask_for_folder(); });
+  add_action(*open_menu_, tr("&Log or bag file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });
+  open_menu_->addSeparator();
+  add_action(*open_menu_, tr("&Project…"), tr("Ctrl+P"), [this] { open_project(); });
   QMenu* recent = menu.addMenu(tr("Open &recent"));
   recent->setToolTipsVisible(true);
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { keeper_->fill_recent_menu(*recent); });
@@ -66,11 +68,12 @@ void MainWindow::make_file_menu() {
 void MainWindow::make_edit_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
   QAction* undo = workbench_.undo_stack().createUndoAction(this, tr("&Undo"));
-  undo->setShortcut(QKeySequence::Undo);
+  undo->setShortcuts(QKeySequence::Undo);
   QAction* redo = workbench_.undo_stack().createRedoAction(this, tr("&Redo"));
-  redo->setShortcut(QKeySequence::Redo);
-  menu.addAction(undo);
-  menu.addAction(redo);
+  redo->setShortcuts(QKeySequence::Redo);
+  undo_actions_ = {undo, redo};
+  menu.addActions(undo_actions_);
+  new UndoKeys(this);
   menu.addSeparator();
   add_action(menu, tr("&Copy result"), tr("Ctrl+Shift+C"), [this] { copy_result(); });
   add_action(menu, tr("&Options…"), tr("Ctrl+,"), [this] { show_options(); });
@@ -154,6 +157,8 @@ void MainWindow::open_paths(const QStringList& paths) {
   if (!sessions.isEmpty()) workbench_.open(sessions);
 }
 
+void MainWindow::ask_what_to_open() { open_menu_->popup(steps_->mapToGlobal(QPoint(0, steps_->height()))); }
+
 void MainWindow::ask_for_folder() {
   const QString path = QFileDialog::getExistingDirectory(this, tr("Open the folder of a recorded drive"));
   if (!path.isEmpty()) open_paths({path});
@@ -185,6 +190,7 @@ void MainWindow::show_options() {
     connect(&workbench_, &Workbench::settings_changed, options_,
             [this] { options_->show_settings(workbench_.settings()); });
     options_->set_angle_unit(angle_unit_, workbench_.settings());
+    options_->addActions(undo_actions_);  // keys reach no other window by themselves
   }
   options_->show();
   options_->raise();
@@ -272,7 +278,7 @@ void MainWindow::copy_result() {
 void MainWindow::go_to_step(Step step) {
   switch (step) {
     case Step::Load:
-      ask_for_folder();
+      ask_what_to_open();
       break;
     case Step::Pairs:
     case Step::Align:

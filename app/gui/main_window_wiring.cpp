@@ -48,13 +48,13 @@ const QString kScale = QStringLiteral("view/distance-scale-m");
 
 void MainWindow::connect_intents() {
   connect(steps_, &StepBar::step_clicked, this, &MainWindow::go_to_step);
-  connect(welcome_, &WelcomePanel::open_requested, this, &MainWindow::ask_for_folder);
+  welcome_->set_open_menu(*open_menu_);
   connect(welcome_, &WelcomePanel::sample_requested, this, &MainWindow::open_sample);
   connect(welcome_, &WelcomePanel::recent_requested, this, [this](const QString& path) { open_paths({path}); });
   const auto show_recent = [this] { welcome_->show_recent(keeper_->recent().paths(), keeper_->recent().labels()); };
   connect(keeper_, &ProjectKeeper::recent_changed, this, show_recent);
   show_recent();
-  connect(sessions_, &SessionsPanel::open_requested, this, &MainWindow::ask_for_folder);
+  sessions_->set_open_menu(*open_menu_);
   connect(sessions_, &SessionsPanel::remove_requested, &workbench_, &Workbench::remove_session);
   connect(sessions_, &SessionsPanel::topics_requested, &workbench_, &Workbench::list_topics);
   connect(nominal_, &NominalPanel::nominal_edited, &workbench_, &Workbench::edit_nominal);
@@ -162,7 +162,11 @@ void MainWindow::connect_selection() {
 }
 
 void MainWindow::progress_text(const QString& text) {
-  if (!was_busy_) progress_->stop(text);
+  if (was_busy_) return;
+  if (solving_since_.isValid() && text == idle_text(workbench_))
+    progress_->wait(text, solving_since_);
+  else
+    progress_->stop(text);
 }
 
 void MainWindow::show_sessions() { session_model_->show_sessions(workbench_.sessions()); }
@@ -205,6 +209,10 @@ void MainWindow::show_candidates() {
 
 void MainWindow::show_state() {
   const bool busy = workbench_.opening() || workbench_.calibrating();
+  if (!workbench_.solving())
+    solving_since_.invalidate();
+  else if (!solving_since_.isValid())
+    solving_since_.start();
   if (busy && !was_busy_) {
     note_at_end_.clear();
     banner_->hide();  // what it says is answered by what was started

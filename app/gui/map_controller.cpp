@@ -5,6 +5,7 @@
 #include "app/gui/error_words.h"
 #include "app/gui/wording.h"
 #include "model/result_file.h"
+#include "widgets/sentences.h"
 
 namespace remount {
 namespace {
@@ -161,17 +162,16 @@ QString MapController::caption() const {
                     : view_.chosen_x() == MapX::Candidate ? tr("candidate %1").arg(candidate_ + 1)
                                                           : tr("the result");
   const std::size_t scans = made_.scans->scans.points_in_lidar.size();
-  QString text = tr("%1: %2 scans under %3.").arg(names.value(made_.session)).arg(scans).arg(x);
+  QStringList text{tr("%1: %2 scans under %3.").arg(names.value(made_.session)).arg(scans).arg(x)};
   if (made_.scans->unreadable > 0)
-    text += QLatin1Char(' ') + tr("%1 cannot be read (%2).")
-                                   .arg(made_.scans->unreadable)
-                                   .arg(QString::fromStdString(made_.scans->first_failure));
+    text << tr("%1 cannot be read (%2).")
+                .arg(made_.scans->unreadable)
+                .arg(QString::fromStdString(made_.scans->first_failure));
   std::size_t kept = 0;
   for (const auto& points : made_.scans->scans.points_in_lidar) kept += points.size();
   if (kept < made_.scans->points_recorded)
-    text += QLatin1Char(' ') +
-            tr("Thinned from %1 points.").arg(locale.toString(static_cast<qulonglong>(made_.scans->points_recorded)));
-  return text;
+    text << tr("Thinned from %1 points.").arg(locale.toString(static_cast<qulonglong>(made_.scans->points_recorded)));
+  return one_text(text);
 }
 
 }  // namespace remount

@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QFileInfo>
+#include <algorithm>
 
 #include "algorithms/core/error.h"
 #include "app/gui/error_words.h"
@@ -35,15 +36,31 @@ MethodController::MethodController(Workbench& workbench, QComboBox& chooser, Met
   connect(&comparison_, &ComparisonView::clear_requested, this, &MethodController::clear_files);
   connect(&workbench_, &Workbench::settings_changed, this, &MethodController::show_choice);
   connect(&workbench_, &Workbench::output_changed, this, &MethodController::show_output);
-  connect(&workbench_, &Workbench::sessions_changed, this, [this] {
-    if (workbench_.sessions() == sessions_) return;
-    sessions_ = workbench_.sessions();
-    compared_.of_methods.clear();  // other sessions may be of another vehicle
-    show_comparison();
-  });
+  connect(&workbench_, &Workbench::sessions_changed, this, &MethodController::change_sessions);
   sessions_ = workbench_.sessions();
   show_choice();
   show_output();
+}
+
+void MethodController::change_sessions() {
+  if (workbench_.sessions() == sessions_) return;
+  std::erase_if(compared_.before, [](const KeptResults::OfSessions& kept) {
+    return std::any_of(kept.sessions.begin(), kept.sessions.end(), [](const auto& one) { return one.expired(); });
+  });
+  if (!compared_.of_methods.empty())
+    compared_.before.push_back({{sessions_.begin(), sessions_.end()}, std::move(compared_.of_methods)});
+  compared_.of_methods.clear();  // other sessions may be of another vehicle
+  sessions_ = workbench_.sessions();
+  const auto same = [this](const KeptResults::OfSessions& kept) {
+    return std::equal(kept.sessions.begin(), kept.sessions.end(), sessions_.begin(), sessions_.end(),
+                      [](const auto& then, const auto& now) { return then.lock() == now; });
+  };
+  if (const auto kept = std::find_if(compared_.before.begin(), compared_.before.end(), same);
+      kept != compared_.before.end()) {
+    compared_.of_methods = std::move(kept->of_methods);
+    compared_.before.erase(kept);
+  }
+  show_comparison();
 }
 
 void MethodController::show_choice() {
@@ -62,11 +79,11 @@ void MethodController::show_output() {
   }
   if (output == shown_) return;
   shown_ = output;
-  const QString title = tr("Method: %1").arg(title_of(output->method));
+  const QString title = title_of(output->method);
   if (output->quantities.empty() && output->plots.empty())
-    view_.show_message(title + QStringLiteral(". ") + tr("Its figures are in the other panels."));
+    view_.show_message(tr("Method: %1. Its figures are in the other panels.").arg(title));
   else
-    view_.show_method(title, output->quantities, output->plots);
+    view_.show_method(tr("Method: %1").arg(title), output->quantities, output->plots);
   paths_.show_plots(output->plots,
                     output->keyframes.empty()
                         ? tr("The method drew nothing in space.")
@@ -104,6 +121,8 @@ void MethodController::add_files(const QStringList& paths) {
 void MethodController::take_over(KeptResults compared) {
   compared_ = std::move(compared);
   for (auto& [id, result] : compared_.of_methods) result.name = title_of(id).toStdString();
+  for (KeptResults::OfSessions& before : compared_.before)
+    for (auto& [id, result] : before.of_methods) result.name = title_of(id).toStdString();
   show_comparison();
 }
 

@@ -18,8 +18,15 @@ class PathView;
 
 /// Results that are compared, whatever is calibrated next.
 struct KeptResults {
-  std::map<std::string, NamedResult> of_methods;  ///< the last usable result of each, by the method's id
+  using OfMethods = std::map<std::string, NamedResult>;
+  OfMethods of_methods;  ///< the last usable result of each, by the method's id
   std::vector<NamedResult> of_files;
+  /// Those of sessions that were open before, and are again where that is undone.
+  struct OfSessions {
+    std::vector<std::weak_ptr<const Session>> sessions;
+    OfMethods of_methods;
+  };
+  std::vector<OfSessions> before;
 };
 
 class MethodController : public QObject {
@@ -35,6 +42,7 @@ class MethodController : public QObject {
   void take_over(KeptResults compared);
 
  private:
+  void change_sessions();
   void show_choice();
   void show_output();
   void show_comparison();

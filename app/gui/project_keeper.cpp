@@ -70,14 +70,13 @@ void ProjectKeeper::ask_how_to_open(const ProjectToOpen& request, const LockHold
 }
 
 void ProjectKeeper::keep_in(const QString& data_folder) {
-  const std::vector<RecoveryOffer> offers = find_recoveries(data_folder);
   put_autosave(std::make_unique<Autosave>(workbench_, data_folder));
-  if (!offers.empty()) offer(offers);
 }
 
 void ProjectKeeper::put_autosave(std::unique_ptr<Autosave> autosave) {
   autosave_ = std::move(autosave);
   if (!autosave_) return;
+  connect(autosave_.get(), &Autosave::found, this, &ProjectKeeper::offer);
   connect(autosave_.get(), &Autosave::failed, this, [this](const QString& where, const QString& what) {
     workbench_.say(
         Severity::Warning, where,

@@ -3,9 +3,10 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "algorithms/trajectory/pair.h"
 #include "model/pipeline/sharpness_stage.h"
+#include "model/pipeline/stages.h"
 #include "widgets/model_text.h"
+#include "widgets/pair_counts.h"
 #include "widgets/panels/result_panel.h"
 
 namespace remount {
@@ -16,21 +17,6 @@ struct Words {
 };
 
 QString not_needed() { return Words::tr("not needed"); }
-
-struct Counts {
-  int aligned = 0, accepted = 0, rejected = 0, by_user = 0;
-};
-
-Counts count(const PipelineOutput& output) {
-  Counts counts;
-  for (const Pair& pair : output.pairs) {
-    counts.aligned += unusable_reason(pair).empty();
-    counts.accepted += pair.state == PairState::Accepted;
-    counts.rejected += pair.state == PairState::Rejected;
-    counts.by_user += pair.decided_by == DecidedBy::User;
-  }
-  return counts;
-}
 
 /// "0.9000 m" would say more than fits: the status in a few words.
 QString short_status(Status status) {
@@ -54,16 +40,16 @@ QString short_status(Status status) {
 }
 
 /// The step that a stage of the pipeline belongs to; methods without pairs only solve.
-Step step_of(const QString& stage, bool pairs) {
-  if (!pairs || stage == QLatin1String("solving") || stage == QLatin1String("aligning all clouds")) return Step::Solve;
-  if (stage == QLatin1String("registering pairs")) return Step::Align;
-  return stage == QLatin1String("checking the map") ? Step::Check : Step::Pairs;
+Step step_of(const std::string& present, bool pairs) {
+  if (!pairs || present == stage::kSolving || present == stage::kAligningAllClouds) return Step::Solve;
+  if (present == stage::kRegisteringPairs) return Step::Align;
+  return present == stage::kCheckingMap ? Step::Check : Step::Pairs;
 }
 
 /// Only one step runs at a time; what comes before it is done, but for the review, which is the user's.
 void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& steps) {
   const bool pairs = workbench.settings().run.method == MethodChoice::Pairwise;
-  const Step running = step_of(workbench.stage(), pairs);
+  const Step running = step_of(workbench.stage().toStdString(), pairs);
   for (const Step before : {Step::Pairs, Step::Align, Step::Solve})
     if (before < running) steps[static_cast<std::size_t>(before)] = {StepState::Done, pairs ? QString() : not_needed()};
   const QString stage = workbench.stage().isEmpty() ? Words::tr("calibrating…") : model_text(workbench.stage());
@@ -98,7 +84,7 @@ void describe_pairs(const PipelineOutput& output, bool stale, std::array<StepInf
   const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
   const int pairs = static_cast<int>(output.pairs.size());
   const bool needed = pairs > 0 || output.method == kPairwise;
-  const Counts counts = count(output);
+  const PairCounts counts = count_pairs(output);
   step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
                        needed ? Words::tr("%1 pairs").arg(pairs) : not_needed()};
   step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale ? StepState::Done : StepState::Attention,

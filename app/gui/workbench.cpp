@@ -13,11 +13,16 @@
 #include "model/io/several_sessions.h"
 #include "model/pipeline/keep_finished.h"
 #include "widgets/forms/option_access.h"
+#include "widgets/forms/option_changes.h"
 #include "widgets/model_text.h"
 
 namespace remount {
 
-Workbench::Workbench(Engine engine, QObject* parent) : QObject(parent), engine_(std::move(engine)) {
+Workbench::Workbench(Engine engine, QObject* parent)
+    : Workbench(std::move(engine), std::make_unique<LockKeeper>(), parent) {}
+
+Workbench::Workbench(Engine engine, std::unique_ptr<LockKeeper> locks, QObject* parent)
+    : QObject(parent), engine_(std::move(engine)), locks_(std::move(locks)) {
   qRegisterMetaType<CloudsPtr>();
   connect(&jobs_, &JobRunner::progressed, this,
           [this](int job, const QString& stage, qulonglong done, qulonglong total) {
@@ -51,7 +56,9 @@ PipelineInput Workbench::input_of_next_run() const {
 QStringList Workbench::changes_since_output() const {
   QStringList changes;
   if (!output_) return changes;
-  const CalibrationBasis shown = basis_of(solving() ? input_of_next_solve() : run_input_);
+  CalibrationBasis shown = basis_of(solving() ? input_of_next_solve() : run_input_);
+  changes << setting_changes(shown.settings, settings_);
+  shown.settings = settings_;
   for (const std::string& change : changes_since(shown, basis_of(input_of_next_run()))) changes << model_text(change);
   if (data_changed_) changes << tr("other files in the sessions");
   if (incomplete()) changes << tr("decisions about pairs that the solution does not answer in full");
@@ -174,29 +181,6 @@ void Workbench::tell_findings(const Session& session) {
   }
 }
 
-void Workbench::remove_session(int session) {
-  if (session < 0 || static_cast<std::size_t>(session) >= sessions_.size() || calibrating()) return;
-  sessions_.erase(sessions_.begin() + session);
-  forget_calibration();
-  undo_.clear();
-  emit sessions_changed();
-  emit output_changed();
-  emit state_changed();
-  mark_edited();
-}
-
-void Workbench::forget_calibration() {
-  jobs_.cancel(solve_job_);
-  jobs_.cancel(cloud_job_);
-  solve_job_ = cloud_job_ = 0;
-  output_ = output_before_ = output_solved_ = nullptr;  // pairs refer to sessions by number
-  data_changed_ = confirmed_ = false;
-  exported_ = Exported::No;
-  ++solution_;
-  check_map_soon();
-  select_pair(-1);
-}
-
 void Workbench::calibrate() {
   if (opening() || calibrating()) return;
   if (sessions_.empty()) {
@@ -233,7 +217,7 @@ void Workbench::calibrate() {
           if (answered && engine.check_map) engine.check_map(input, *output, progress);
         }
         return [this, input, output, answered, decisions, undecided] {
-          if (input.sessions != sessions_) return resume_solving();  // other topics were chosen meanwhile
+          if (input.sessions != sessions_) return drop_run();
           const bool redecided = catch_up(input, decisions, undecided, *output);
           take_run(input, output);
           if (answered && !redecided) return;
@@ -250,7 +234,7 @@ void Workbench::calibrate() {
 }
 
 void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output) {
-  if (input.sessions != sessions_) return resume_solving();  // other topics were chosen meanwhile
+  if (input.sessions != sessions_) return drop_run();
   // A complete result is not given up for part of another.
   const std::size_t finished = output_ ? 0 : keep_finished(input, *output);
   if (finished == 0) {
@@ -270,6 +254,7 @@ void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared
 }
 
 void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
+  const CalibratedPtr before = output_ || undo_.canUndo() ? calibrated() : nullptr;
   run_input_ = input;
   output_before_ = output_solved_;
   moved_by_.clear();
@@ -277,10 +262,10 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   data_changed_ = confirmed_ = false;
   exported_ = Exported::No;
   ++solution_;
-  undo_.clear();
   for (const Finding& finding : output_->findings)
     emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
   emit message(Severity::Note, tr("Result"), QString::fromStdString(output_->result.message));
+  keep_what_was(before);
   emit output_changed();
   selected_ = -1;
   select_pair(output_->pairs.empty() ? -1 : 0);

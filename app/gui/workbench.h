@@ -14,6 +14,7 @@
 
 #include "app/gui/engine.h"
 #include "app/gui/job_runner.h"
+#include "app/gui/lock_keeper.h"
 #include "model/drive_overview.h"
 #include "model/io/holder_lock.h"
 #include "model/project.h"
@@ -71,6 +72,7 @@ class Workbench : public QObject {
   Q_OBJECT
  public:
   explicit Workbench(Engine engine, QObject* parent = nullptr);
+  Workbench(Engine engine, std::unique_ptr<LockKeeper> locks, QObject* parent = nullptr);
 
   const std::vector<std::shared_ptr<const Session>>& sessions() const { return sessions_; }
   QStringList session_names() const;
@@ -117,7 +119,7 @@ class Workbench : public QObject {
   void open_chosen(const std::vector<ChosenOffer>& offers);
   /// Reads a session anew with other topics; an edit that can be undone. The result of its former topics goes with it.
   void choose_topics(int session, const TopicChoice& choice);
-  void remove_session(int session);
+  void remove_session(int session);  ///< an edit that can be undone; what was calibrated goes with it
   void calibrate();
   void cancel();
   void select_pair(int pair);
@@ -136,12 +138,17 @@ class Workbench : public QObject {
   void apply_settings(const Settings& settings, const QString& step);
   void apply_nominal(const std::optional<RigidTransform>& ins_from_lidar);
   void apply_decisions(const std::vector<PairDecision>& decisions, const QString& step);
-  /// What was calibrated, to be put back when the sessions are again those that it was calibrated from.
+  /// What was calibrated, with the decisions of then, to be put back.
   struct Calibrated;
-  std::shared_ptr<const Calibrated> calibrated() const;
+  using CalibratedPtr = std::shared_ptr<const Calibrated>;
+  CalibratedPtr calibrated() const;
+  void apply_calibration(const CalibratedPtr& calibrated, const QString& step);
   /// Puts one session in the place of another; without `calibrated`, nothing is calibrated yet.
   void apply_session(const std::shared_ptr<const Session>& from, const std::shared_ptr<const Session>& to,
-                     const std::shared_ptr<const Calibrated>& calibrated);
+                     const CalibratedPtr& calibrated);
+  void apply_removal(const std::shared_ptr<const Session>& session);
+  void apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
+                    const CalibratedPtr& calibrated);
 
   /// Reads a project and its sessions in the background and replaces what is there. Where sessions are not where the
   /// file says, nothing is replaced and sessions_missing asks for them; where another window has the project open,
@@ -204,7 +211,7 @@ class Workbench : public QObject {
   void logged(remount::Severity severity, const QString& where, const QString& what);
 
  private:
-  using DecisionKey = std::tuple<std::string, int, int>;  // session path, scan a, scan b
+  using DecisionKey = std::tuple<std::string, std::int64_t, std::int64_t>;  // session path, stamps of scans a and b
   struct Verdict {
     PairState state = PairState::Proposed;
     std::string reason;
@@ -239,9 +246,15 @@ class Workbench : public QObject {
   void say_several_failed(const std::vector<JobFailure>& failures);
   void tell_findings(const Session& session);
   void put_back(const Calibrated& calibrated);
+  void show_put_back(const CalibratedPtr& calibrated);  ///< null where nothing was
   void leave_topics_of(const Session& from, const Session& to);
+  void stop_for_other_sessions();
   void forget_calibration();
   void take_run(const PipelineInput& input, OutputPtr output);
+  /// A run of sessions that are no longer those that are open.
+  void drop_run();
+  void keep_what_was(const CalibratedPtr& before);
+  std::vector<PairVerdict> verdicts() const;
   /// What is shown before the whole solution: how X moved by a decision, or the ranking in another search range.
   enum class FirstAnswer { None, Moved, Ranking };
   void start_solve(const QString& step, FirstAnswer first);
@@ -297,7 +310,8 @@ class Workbench : public QObject {
   bool recovered_ = false;  // from an autosave, and not saved since
   int revision_ = 0, saved_revision_ = 0;
   int project_ = 0;  // goes up where another project takes this one's place
-  LockPtr lock_;     // of project_path_; null where there is none
+  std::unique_ptr<LockKeeper> locks_;
+  LockPtr lock_;  // of project_path_; null where there is none
   bool read_only_ = false;
   QTimer beats_;
   std::deque<Save> saves_;  // the first is being written: two at once could leave the older in the file

@@ -96,7 +96,7 @@ PipelineInput Workbench::input_of_next_solve() const {
 Workbench::DecisionKey Workbench::key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair) {
   const Keyframe& a = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
   const Keyframe& b = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
-  return {input.sessions.at(static_cast<std::size_t>(a.session))->path.string(), a.scan, b.scan};
+  return {input.sessions.at(static_cast<std::size_t>(a.session))->path.string(), a.stamp_ns, b.stamp_ns};
 }
 
 std::vector<PairDecision> Workbench::carry_over(const PipelineInput& input, const Decisions& decisions,

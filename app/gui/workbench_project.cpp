@@ -26,10 +26,15 @@ namespace {
 using LockPtr = std::shared_ptr<const HolderLock>;
 
 /// What is held already is not taken again: a lock does not know that it is asked by its own holder.
-HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bool by_force) {
+HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bool by_force, LockKeeper& locks) {
   const std::filesystem::path path = lock_path_of(project.toStdString());
-  if (!present || present->path() != path) return HolderLock::take(path, by_force);
   HolderLock::Attempt attempt;
+  if (!present || present->path() != path) {
+    locks.await(path);
+    attempt = HolderLock::take(path, by_force);
+    attempt.lock = locks.kept(std::move(attempt.lock));
+    return attempt;
+  }
   attempt.holder = present->beat();
   if (!attempt.holder) attempt.lock = present;
   return attempt;
@@ -38,22 +43,35 @@ HolderLock::Attempt take_lock(const QString& project, const LockPtr& present, bo
 QString own_path_of(const ProjectToOpen& request) { return request.recovered ? request.belongs_to : request.path; }
 
 /// The lock that goes with what is asked for.
-HolderLock::Attempt lock_for(const ProjectToOpen& request, const LockPtr& present) {
+HolderLock::Attempt lock_for(const ProjectToOpen& request, const LockPtr& present, LockKeeper& locks) {
   using Access = ProjectToOpen::Access;
   const QString path = own_path_of(request);
   if (path.isEmpty() || request.access == Access::ReadOnly || request.access == Access::Copy) return {};
-  return take_lock(path, present, request.access == Access::TakeOver);
+  return take_lock(path, present, request.access == Access::TakeOver, locks);
 }
 
 /// For saving; null where the file system knows no locks. Throws Error where another window has the project.
-LockPtr lock_to_save(const QString& path, const LockPtr& present) {
-  HolderLock::Attempt attempt = take_lock(path, present, false);
+LockPtr lock_to_save(const QString& path, const LockPtr& present, LockKeeper& locks) {
+  HolderLock::Attempt attempt = take_lock(path, present, false, locks);
   if (attempt.holder)
     throw Error(ErrorCode::Contract, path.toStdString(),
                 Workbench::tr("is open in another window: %1.\nSave under another name, or close it there first.")
                     .arg(holder_text(*attempt.holder))
                     .toStdString());
   return attempt.lock;
+}
+
+/// Verdicts name sessions by number: of those that are left.
+void leave_verdicts_of_missing(const std::vector<std::shared_ptr<const Session>>& sessions, Project& project) {
+  std::vector<int> numbers;
+  int number = 0;
+  for (const auto& session : sessions) numbers.push_back(session ? number++ : -1);
+  const auto number_of = [&](const PairVerdict& verdict) {
+    const auto session = static_cast<std::size_t>(verdict.session);
+    return session < numbers.size() ? numbers[session] : -1;
+  };
+  std::erase_if(project.verdicts, [&](const PairVerdict& verdict) { return number_of(verdict) < 0; });
+  for (PairVerdict& verdict : project.verdicts) verdict.session = number_of(verdict);
 }
 
 void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const Engine& engine, Progress& progress) {
@@ -89,15 +107,13 @@ void open_sessions(const ProjectToOpen& request, OpenedProject& opened, const En
                  .arg(model_text(error.what_happened()))});
     }
   }
+  leave_verdicts_of_missing(sessions, opened.project);
 }
 
 }  // namespace
 
 void write_snapshot(ProjectSnapshot snapshot, const QString& path) {
-  if (snapshot.output) {
-    snapshot.project.verdicts = verdicts_of(*snapshot.output);
-    snapshot.project.output = *snapshot.output;
-  }
+  if (snapshot.output) snapshot.project.output = *snapshot.output;
   save_project(snapshot.project, path.toStdString());
 }
 
@@ -107,6 +123,7 @@ ProjectSnapshot Workbench::snapshot() const {
     snapshot.project.sessions.push_back(session->path);
     snapshot.project.topics.push_back(session->topic_choice);
   }
+  snapshot.project.verdicts = verdicts();
   snapshot.project.settings = settings_;
   snapshot.project.nominal_ins_from_lidar = nominal_ins_from_lidar_;
   if (output_) snapshot.project.basis = basis_of(run_input_);
@@ -139,7 +156,7 @@ void Workbench::start_save(const LockPtr& of_last) {
   jobs_.start(
       [this, save = saves_.front(),
        present = of_last && of_last->path() == wanted ? of_last : lock_](Progress&) -> JobRunner::Deliver {
-        const LockPtr lock = lock_to_save(save.path, present);
+        const LockPtr lock = lock_to_save(save.path, present, *locks_);
         write_snapshot(save.snapshot, save.path);
         return [this, save, lock] {
           if (save.project == project_) hold(lock, false);
@@ -193,7 +210,7 @@ void Workbench::open_project(const ProjectToOpen& request) {
   open_job_ = jobs_.start(
       [this, request, engine = engine_, present = lock_](Progress& progress) -> JobRunner::Deliver {
         auto opened = std::make_shared<OpenedProject>();
-        opened->lock = lock_for(request, present);
+        opened->lock = lock_for(request, present, *locks_);
         if (const auto& attempt = opened->lock; attempt.holder)
           return [this, request, attempt] { emit project_held(request, *attempt.holder, attempt.on_another_computer); };
         opened->project = load_project(request.path.toStdString());
@@ -259,6 +276,13 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   }
   input_files_ = project.inputs;
   decisions_.clear();
+  // Also those on pairs that the result does not hold: another method has none.
+  for (const PairVerdict& verdict : project.verdicts) {
+    const auto session = static_cast<std::size_t>(verdict.session);
+    if (session < sessions_.size())
+      decisions_[{sessions_[session]->path.string(), verdict.stamp_a_ns, verdict.stamp_b_ns}] = {verdict.state,
+                                                                                                 verdict.reason};
+  }
   for (std::size_t i = 0; output_ && i < output_->pairs.size(); ++i)
     if (output_->pairs[i].decided_by == DecidedBy::User)
       decisions_[key_of(run_input_, *output_, output_->pairs[i])] = {output_->pairs[i].state, output_->pairs[i].reason};

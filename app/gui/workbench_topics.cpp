@@ -17,18 +17,6 @@ std::string topic_of(const Session& session, std::string_view role) {
 
 }  // namespace
 
-struct Workbench::Calibrated {
-  PipelineInput input;
-  OutputPtr output, before, solved;
-  Decisions decisions;
-  std::optional<RigidTransform> nominal_ins_from_lidar;
-  std::vector<InputFile> files;
-  QString moved_by;
-  Exported exported = Exported::No;
-  bool data_changed = false, confirmed = false;
-  int selected = -1;
-};
-
 Workbench::Opened Workbench::open_or_ask(const Engine& engine, const std::filesystem::path& path, Progress& progress) {
   std::optional<TopicOffer> offer = engine.offer_topics ? engine.offer_topics(path, progress) : std::nullopt;
   if (offer && is_ambiguous(offer->topics)) return {nullptr, std::move(offer), {}, {}};
@@ -101,51 +89,6 @@ void Workbench::choose_topics(int session, const TopicChoice& choice) {
       },
       report_failure());
   emit state_changed();
-}
-
-std::shared_ptr<const Workbench::Calibrated> Workbench::calibrated() const {
-  return std::make_shared<const Calibrated>(Calibrated{run_input_, output_, output_before_, output_solved_, decisions_,
-                                                       nominal_ins_from_lidar_, input_files_, moved_by_, exported_,
-                                                       data_changed_, confirmed_, selected_});
-}
-
-void Workbench::apply_session(const std::shared_ptr<const Session>& from, const std::shared_ptr<const Session>& to,
-                              const std::shared_ptr<const Calibrated>& calibrated) {
-  const auto place = std::find(sessions_.begin(), sessions_.end(), from);
-  if (place == sessions_.end()) return;
-  for (const int job : {run_job_, hash_job_}) jobs_.cancel(job);  // what they are about is no longer there
-  hash_job_ = 0;
-  *place = to;
-  forget_calibration();
-  if (calibrated)
-    put_back(*calibrated);
-  else
-    leave_topics_of(*from, *to);
-  emit sessions_changed();
-  emit nominal_changed();
-  emit output_changed();
-  emit state_changed();
-  if (output_) {
-    select_pair(calibrated->selected);
-    if (input_files_.empty()) hash_input_files();
-    check_map_soon();
-    if (output_ != output_solved_) start_solve(tr("decisions before the topics were changed"), FirstAnswer::None);
-  }
-  mark_edited();
-}
-
-void Workbench::put_back(const Calibrated& calibrated) {
-  run_input_ = calibrated.input;
-  output_ = calibrated.output;
-  output_before_ = calibrated.before;
-  output_solved_ = calibrated.solved;
-  decisions_ = calibrated.decisions;
-  nominal_ins_from_lidar_ = calibrated.nominal_ins_from_lidar;
-  input_files_ = calibrated.files;
-  moved_by_ = calibrated.moved_by;
-  data_changed_ = calibrated.data_changed;
-  exported_ = calibrated.exported;
-  confirmed_ = calibrated.confirmed;
 }
 
 void Workbench::leave_topics_of(const Session& from, const Session& to) {

@@ -9,6 +9,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"
 #include "algorithms/trajectory/pairing.h"
+#include "model/pipeline/stages.h"
 
 namespace remount {
 namespace {
@@ -70,7 +71,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
           // Asked for again below, where the failure is counted.
         }
       });
-    progress.report("finding the mounting", i - begin, end - begin);
+    progress.report(stage::kFindingMounting, i - begin, end - begin);
     std::shared_ptr<const PreparedCloud> current;
     try {
       current = scans.prepared(first_key + static_cast<int>(i - begin), keyframe_of(i), {}, progress);

@@ -17,6 +17,7 @@
 #include "model/pipeline/register_stage.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
+#include "model/pipeline/stages.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -237,7 +238,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     register_pairs(context, scans, objects, output.pairs, progress);
     use_odometry(motion, output.keyframes, output.pairs);
     if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
-    progress.report("solving", 0, 0);
+    progress.report(stage::kSolving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
     if (!solved(output.result)) return;
     if (pass == 0 && compensate && any_distortion(input, uses_sweep) && moved_much(x, output.result.ins_from_lidar)) {
@@ -322,7 +323,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     output.map_check = MapCheck::NoScans;
     if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
     use_odometry(motion, output.keyframes, output.pairs);
-    progress.report("solving", 0, 0);
+    progress.report(stage::kSolving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);

@@ -8,6 +8,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"
+#include "model/pipeline/stages.h"
 
 namespace remount {
 namespace {
@@ -74,7 +75,7 @@ std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, 
   for (const Pair& pair : pairs)
     used[static_cast<std::size_t>(pair.keyframe_a)] = used[static_cast<std::size_t>(pair.keyframe_b)] = true;
   std::vector<KeyframeObjects> out(context.keyframes.size());
-  Counter counter("finding objects", context.keyframes.size(), progress);
+  Counter counter(stage::kFindingObjects, context.keyframes.size(), progress);
   parallel_for(context.keyframes.size(), context.threads, [&](std::size_t k) {
     if (used[k] && has_scans(context, static_cast<int>(k)) && !progress.cancelled()) {
       try {
@@ -125,7 +126,7 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
 
 void register_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
                     std::vector<Pair>& pairs, Progress& progress) {
-  Counter counter("registering pairs", pairs.size(), progress);
+  Counter counter(stage::kRegisteringPairs, pairs.size(), progress);
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
     Pair& pair = pairs[i];
     if (pair.state != PairState::Rejected && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {
@@ -191,7 +192,7 @@ bool sweep_compensation_helps(const StageContext& context, int session, const st
 void relinearise_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
                        const std::vector<RigidTransform>& predicted_lidar_b_from_lidar_a, std::vector<Pair>& pairs,
                        Progress& progress) {
-  Counter counter("aligning all clouds", pairs.size(), progress);
+  Counter counter(stage::kAligningAllClouds, pairs.size(), progress);
   parallel_for(pairs.size(), context.threads, [&](std::size_t i) {
     Pair& pair = pairs[i];
     if (pair.state == PairState::Accepted && has_scans(context, pair.keyframe_a) && !progress.cancelled()) {

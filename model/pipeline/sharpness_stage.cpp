@@ -6,6 +6,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/voxel_grid.h"
+#include "model/pipeline/stages.h"
 
 namespace remount {
 namespace {
@@ -88,7 +89,7 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
   const std::vector<JointNode> nodes = context.motion.nodes(context.keyframes);
   std::vector<MapScans> maps;
   for (const Stretch& stretch : turning_stretches(context, nodes)) {
-    progress.report("checking the map", maps.size(), kStretches);
+    progress.report(stage::kCheckingMap, maps.size(), kStretches);
     maps.push_back(load_stretch(context, scans, nodes, stretch.first, progress));
   }
   const std::vector<MapSharpness> found = compare_sharpness(maps, under, {}, context.threads, progress);

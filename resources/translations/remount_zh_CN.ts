@@ -942,20 +942,8 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>文件(&amp;F)</translation>
     </message>
     <message>
-        <source>&amp;Open session folder…</source>
-        <translation>打开数据文件夹(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Open session &amp;file…</source>
-        <translation>打开数据文件(&amp;F)…</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+O</source>
         <translation>Ctrl+Shift+O</translation>
-    </message>
-    <message>
-        <source>Open &amp;project…</source>
-        <translation>打开项目(&amp;P)…</translation>
     </message>
     <message>
         <source>Ctrl+P</source>
@@ -1387,6 +1375,22 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>%1 (read-only)</source>
         <translation>%1（只读）</translation>
     </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder of a drive…</source>
+        <translation>行驶数据文件夹(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>&amp;Log or bag file…</source>
+        <translation>日志或 bag 文件(&amp;L)…</translation>
+    </message>
+    <message>
+        <source>&amp;Project…</source>
+        <translation>项目(&amp;P)…</translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -1564,10 +1568,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>方法：%1</translation>
     </message>
     <message>
-        <source>Its figures are in the other panels.</source>
-        <translation>其数值在其他面板中。</translation>
-    </message>
-    <message>
         <source>After a calibration the ways that its method found are shown here in space.</source>
         <translation>标定之后，这里在空间中显示所用方法求得的轨迹。</translation>
     </message>
@@ -1578,6 +1578,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>The method drew no way of its own: its scans are in the views &quot;Pair&quot; and &quot;Map&quot;.</source>
         <translation>该方法没有自己的轨迹：它的扫描在“帧对”和“地图”视图中。</translation>
+    </message>
+    <message>
+        <source>Method: %1. Its figures are in the other panels.</source>
+        <translation>方法：%1。其数值在其他面板中。</translation>
     </message>
 </context>
 <context>
@@ -1688,10 +1692,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>no obstacle</source>
-        <translation>不是障碍物</translation>
-    </message>
-    <message>
         <source>Obstacles in %1</source>
         <translation>%1 中的障碍物</translation>
     </message>
@@ -1755,6 +1755,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Measuring the distances…</source>
         <translation>正在测量距离…</translation>
     </message>
+    <message>
+        <source>no obstacle</source>
+        <translation>不是障碍物</translation>
+    </message>
 </context>
 <context>
     <name>remount::OptionForm</name>
@@ -1802,10 +1806,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>分组</translation>
     </message>
     <message>
-        <source>Search range and solution apply at once; the other options apply to the next calibration. Every change can be undone (Ctrl+Z in the window).</source>
-        <translation>搜索范围和求解立即生效；其他选项在下次标定时生效。每次更改都可以撤销（在窗口中按 Ctrl+Z）。</translation>
-    </message>
-    <message>
         <source>Measured by hand</source>
         <translation>手工测量值</translation>
     </message>
@@ -1828,6 +1828,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Slewing machine</source>
         <translation>回转机械</translation>
+    </message>
+    <message>
+        <source>Search range and solution apply at once; the other options apply to the next calibration. Every change can be undone (Ctrl+Z).</source>
+        <translation>搜索范围和求解立即生效；其他选项在下次标定时生效。每次更改都可以撤销 (Ctrl+Z)。</translation>
     </message>
 </context>
 <context>
@@ -2298,6 +2302,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>about %1 min left in this step</source>
         <translation>此步骤约剩 %1 分钟</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 秒</translation>
+    </message>
+    <message>
+        <source>%1 min %2 s</source>
+        <translation>%1 分 %2 秒</translation>
+    </message>
+    <message>
+        <source>Time that the present step has taken</source>
+        <translation>当前步骤已用的时间</translation>
     </message>
 </context>
 <context>
@@ -3000,10 +3016,6 @@ Everything else works.</source>
         <translation>打开的数据和发现的问题</translation>
     </message>
     <message>
-        <source>Open…</source>
-        <translation>打开…</translation>
-    </message>
-    <message>
         <source>A folder or file with a recorded drive; several drives of one vehicle are calibrated together</source>
         <translation>含有行驶记录的文件夹或文件；同一车辆的多次行驶一起标定</translation>
     </message>
@@ -3014,6 +3026,10 @@ Everything else works.</source>
     <message>
         <source>Which topics of a bag the session is made of</source>
         <translation>数据由 bag 中的哪些话题组成</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
     </message>
 </context>
 <context>
@@ -3343,20 +3359,20 @@ Everything else works.</source>
         <translation>打开示例数据</translation>
     </message>
     <message>
-        <source>&lt;h2&gt;Where does the LiDAR sit now?&lt;/h2&gt;&lt;p&gt;Drop the folder of a recorded drive here, or open one. A drive holds LiDAR scans (or LiDAR poses) and the log of the GNSS/INS. Several drives of one vehicle are calibrated together.&lt;/p&gt;&lt;ol&gt;&lt;li&gt;Open the sessions.&lt;/li&gt;&lt;li&gt;Say roughly where the LiDAR sits, or leave it unknown.&lt;/li&gt;&lt;li&gt;Calibrate (F5).&lt;/li&gt;&lt;li&gt;Look at the pairs; accept or reject the doubtful ones.&lt;/li&gt;&lt;li&gt;Export the result.&lt;/li&gt;&lt;/ol&gt;</source>
-        <translation>&lt;h2&gt;激光雷达现在装在哪里？&lt;/h2&gt;&lt;p&gt;把行驶记录的文件夹拖到这里，或打开一个。一次行驶包含激光雷达扫描（或激光雷达位姿）和 GNSS/INS 的记录。同一车辆的多次行驶一起标定。&lt;/p&gt;&lt;ol&gt;&lt;li&gt;打开数据。&lt;/li&gt;&lt;li&gt;说出激光雷达大致装在哪里，或者留作未知。&lt;/li&gt;&lt;li&gt;标定 (F5)。&lt;/li&gt;&lt;li&gt;查看帧对；接受或拒绝可疑的帧对。&lt;/li&gt;&lt;li&gt;导出结果。&lt;/li&gt;&lt;/ol&gt;</translation>
-    </message>
-    <message>
-        <source>Open session…</source>
-        <translation>打开数据…</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;Opened lately&lt;/b&gt;</source>
         <translation>&lt;b&gt;最近打开&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Open %1</source>
         <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>&lt;h2&gt;Where does the LiDAR sit now?&lt;/h2&gt;&lt;p&gt;Drop the folder or the file of a recorded drive here, or open one. A drive holds LiDAR scans (or LiDAR poses) and the log of the GNSS/INS. Several drives of one vehicle are calibrated together.&lt;/p&gt;&lt;ol&gt;&lt;li&gt;Open the sessions.&lt;/li&gt;&lt;li&gt;Say roughly where the LiDAR sits, or leave it unknown.&lt;/li&gt;&lt;li&gt;Calibrate (F5).&lt;/li&gt;&lt;li&gt;Look at the pairs; accept or reject the doubtful ones.&lt;/li&gt;&lt;li&gt;Export the result.&lt;/li&gt;&lt;/ol&gt;</source>
+        <translation>&lt;h2&gt;激光雷达现在装在哪里？&lt;/h2&gt;&lt;p&gt;把行驶记录的文件夹或文件拖到这里，或打开一个。一次行驶包含激光雷达扫描（或激光雷达位姿）和 GNSS/INS 的记录。同一车辆的多次行驶一起标定。&lt;/p&gt;&lt;ol&gt;&lt;li&gt;打开数据。&lt;/li&gt;&lt;li&gt;说出激光雷达大致装在哪里，或者留作未知。&lt;/li&gt;&lt;li&gt;标定 (F5)。&lt;/li&gt;&lt;li&gt;查看帧对；接受或拒绝可疑的帧对。&lt;/li&gt;&lt;li&gt;导出结果。&lt;/li&gt;&lt;/ol&gt;</translation>
     </message>
 </context>
 <context>
@@ -3527,10 +3543,6 @@ Save under another name, or close it there first.</source>
         <translation>已用其他话题打开</translation>
     </message>
     <message>
-        <source>decisions before the topics were changed</source>
-        <translation>更改话题之前的决定</translation>
-    </message>
-    <message>
         <source>decisions during the calibration</source>
         <translation>标定期间的决定</translation>
     </message>
@@ -3545,6 +3557,30 @@ Save under another name, or close it there first.</source>
     <message>
         <source>offers no topics any more</source>
         <translation>不再提供话题</translation>
+    </message>
+    <message>
+        <source>decisions before</source>
+        <translation>此前的决定</translation>
+    </message>
+    <message>
+        <source>calibration (%1)</source>
+        <translation>标定（%1）</translation>
+    </message>
+    <message>
+        <source>This method has no pairs. Those of the calibration before come back by undo (Ctrl+Z), and decisions on them hold for the next calibration from pairs.</source>
+        <translation>此方法没有帧对。撤销 (Ctrl+Z) 可恢复上一次标定的帧对；对它们的决定在下一次帧对标定时仍然有效。</translation>
+    </message>
+    <message>
+        <source>removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) to have it back.</source>
+        <translation>已移除。结果属于此前的数据：请标定 (F5)，或撤销 (Ctrl+Z) 以恢复它。</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>已移除</translation>
+    </message>
+    <message>
+        <source>The calibration was of other sessions or topics than there are now: it is left out. Calibrate (F5) for these.</source>
+        <translation>该标定所用的数据或话题与现在的不同：未予采用。请为现在的数据标定 (F5)。</translation>
     </message>
 </context>
 <context>
@@ -3642,6 +3678,10 @@ Save under another name, or close it there first.</source>
     <message>
         <source>other topics of %1</source>
         <translation>更改 %1 的话题</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>移除 %1</translation>
     </message>
 </context>
 <context>
@@ -7215,6 +7255,21 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Left side of the vehicle, leftward from the INS.</source>
         <translation>车左侧，自 INS 沿左向计。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::option_changes</name>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3, now %4</source>
+        <translation>%1（%2）：%3，现在为 %4</translation>
     </message>
 </context>
 <context>

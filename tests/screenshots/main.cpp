@@ -11,6 +11,7 @@
 #include "tests/screenshots/tour.h"
 #include "widgets/gl_support.h"
 #include "widgets/panels/export_dialog.h"
+#include "widgets/theme.h"
 
 namespace remount {
 namespace {
@@ -71,6 +72,7 @@ class Photographer {
 
 int main(int argc, char** argv) {
   remount::prepare_gl();
+  remount::prepare_theme();
   QApplication application(argc, argv);
   QCommandLineParser parser;
   parser.addPositionalArgument("folder", "where the pictures go");

@@ -3,6 +3,7 @@
 
 #include "tests/widgets/support/turn_profile.h"
 #include "widgets/gl_support.h"
+#include "widgets/theme.h"
 
 int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
@@ -10,6 +11,7 @@ int main(int argc, char** argv) {
   if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM") && qEnvironmentVariableIsEmpty("DISPLAY"))
     qputenv("QT_QPA_PLATFORM", "offscreen");
   remount::prepare_gl();
+  remount::prepare_theme();
   const remount::testing::ProfiledApplication application(argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "app/gui/language.h"
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/sample_world.h"
 #include "widgets/itemmodels/reason_match.h"
 #include "widgets/itemmodels/text_ranks.h"
@@ -158,7 +159,7 @@ TEST(pair_filter, text_is_found_in_the_language_of_the_window) {
   output->pairs[30].reason = "overlap too small: 0.31";
   output->pairs[31].reason = "overlap too small: 0.28";
   output->pairs[32].reason = quick_reasons().front();
-  speak("zh_CN", false);
+  const testing::LanguageFor chinese("zh_CN");
   const QString small = reason_words(output->pairs[30].reason).section(QStringLiteral("0.31"), 0, 0),
                 quick = reason_words(output->pairs[32].reason);
   PairTableModel model;
@@ -173,7 +174,6 @@ TEST(pair_filter, text_is_found_in_the_language_of_the_window) {
   };
   const auto by_words = found(small), by_number = found(small + "0.3"), by_quick = found(quick),
              english = found("overlap");
-  speak("en", false);
   EXPECT_FALSE(small.contains("overlap")) << "it is translated";
   EXPECT_EQ(by_words, (std::vector<int>{30, 31}));
   EXPECT_EQ(by_number, std::vector<int>{30});
@@ -183,7 +183,7 @@ TEST(pair_filter, text_is_found_in_the_language_of_the_window) {
 
 /// Every part of every sentence is looked for in every sentence.
 void expect_found_as_by_reading(const char* language) {
-  speak(language, false);
+  const testing::LanguageFor spoken(language);
   const std::vector<std::string> reasons{
       "contradicts the INS motion by 0.123 m, 0.045 deg (9.1 sigma); turn or advance of INS and LiDAR differ",
       "contradicts the INS motion by 0.12 m, 10.045 deg (0.123 sigma); turn or advance of INS and LiDAR differ",
@@ -214,7 +214,6 @@ void expect_found_as_by_reading(const char* language) {
                 << language << ": " << text.toStdString() << " in " << as_shown[i].toStdString();
           }
         }
-  speak("en", false);
   EXPECT_EQ(wrong, 0);
   EXPECT_GT(found, 5000);
 }

@@ -9,6 +9,7 @@
 #include "app/gui/steps.h"
 #include "app/gui/wording.h"
 #include "model/methods/calibration_method.h"
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/candidate_plot.h"
 #include "widgets/charts/drive_timeline.h"
@@ -81,6 +82,7 @@ TEST(clearance_words, explain_a_dash_where_there_is_one) {
 }
 
 TEST(choices, have_words_in_every_language_and_keys_in_files_only) {
+  const testing::LanguageFor as_before;
   for (const QString language : {"en", "zh_CN"}) {
     speak(language, false);
     for (const OptionField& field : option_fields(Settings{}))

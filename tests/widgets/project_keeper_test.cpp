@@ -123,8 +123,8 @@ TEST(recovery_in_part, keeps_what_holds_the_rest) {
   Workbench workbench(engine_of_folders());
   MainWindow window(workbench);
   window.keep_work_in(root.filePath("data"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.findChild<RecoveryDialog*>() != nullptr; }, kPatience_ms));
   auto* offers = window.findChild<RecoveryDialog*>();
-  ASSERT_TRUE(offers);
   emit offers->restore_requested(0, 0);
   ASSERT_TRUE(QTest::qWaitFor([&] { return window.findChild<MissingSessionsDialog*>() != nullptr; }, kPatience_ms));
   emit window.findChild<MissingSessionsDialog*>()->open_requested(true);
@@ -140,9 +140,23 @@ TEST(autosave, that_is_being_written_when_the_work_is_given_up_leaves_nothing) {
   Workbench workbench(testing::sample_engine());
   for (int i = 0; i < 20; ++i) {
     Autosave autosave(workbench, folder.path());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave.writing(); }, kPatience_ms));
     workbench.edit_nominal(rigid_from_six({1.0 + i, 0, 1, 0, 0, 0}));
     ASSERT_TRUE(QTest::qWaitFor([&] { return autosave.writing(); }, kPatience_ms));
     autosave.finish();
+  }
+  EXPECT_TRUE(find_recoveries(folder.path()).empty());
+}
+
+TEST(autosave, that_is_given_up_before_it_began_leaves_nothing) {
+  const QTemporaryDir folder;
+  Workbench workbench(testing::sample_engine());
+  {
+    Autosave autosave(workbench, folder.path());
+    autosave.finish();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave.writing(); }, kPatience_ms));
+    workbench.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+    EXPECT_FALSE(autosave.writing());
   }
   EXPECT_TRUE(find_recoveries(folder.path()).empty());
 }

@@ -91,7 +91,8 @@ TEST_F(project_lock, goes_with_its_window_and_leaves_nothing) {
   first.open(project_);  // again, in the window that has it
   EXPECT_FALSE(first.question());
   ASSERT_TRUE(first.save(folder_.filePath("other.remount")));
-  EXPECT_FALSE(QFile::exists(lock_file())) << "given back with the project";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !QFile::exists(lock_file()); }, kPatience_ms))
+      << "given back with the project";
 }
 
 TEST_F(project_lock, names_its_holder_to_the_second_window_which_opens_read_only) {

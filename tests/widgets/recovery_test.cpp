@@ -35,6 +35,11 @@ class recovery : protected DataFolder, public testing::WindowFixture {
     return QTest::qWaitFor(
         [&] { return !autosave().writing() && autosave().saved_revision() == workbench_.revision(); }, kPatience_ms);
   }
+  /// And until what is kept there has been looked at.
+  void keep_work_in(const QString& folder) {
+    window_.keep_work_in(folder);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave().writing(); }, kPatience_ms));
+  }
   QStringList files_in(const QString& folder, const QString& pattern) const {
     QStringList files;
     QDirIterator found(folder, {pattern}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
@@ -49,7 +54,7 @@ class recovery : protected DataFolder, public testing::WindowFixture {
 TEST_F(recovery, child_decides_and_waits_to_be_killed) {
   const QString data = qEnvironmentVariable(kChildFolder);
   if (data.isEmpty()) GTEST_SKIP() << "started by the other tests";
-  window_.keep_work_in(data);
+  keep_work_in(data);
   show();
   calibrate_drive();
   if (const QString project = qEnvironmentVariable("REMOUNT_RECOVERY_PROJECT"); !project.isEmpty()) {
@@ -91,7 +96,7 @@ TEST_F(recovery, a_killed_process_loses_nothing_that_was_never_saved) {
   kill_a_process_that_decides({});
   if (HasFatalFailure()) return;
   show();
-  window_.keep_work_in(folder_.path());
+  keep_work_in(folder_.path());
   auto* dialog = window_.findChild<RecoveryDialog*>();
   ASSERT_TRUE(dialog) << "the next start offers it";
   QString text;
@@ -120,7 +125,7 @@ TEST_F(recovery, a_killed_process_loses_no_edit_of_a_saved_project) {
   if (HasFatalFailure()) return;
   EXPECT_EQ(files_in(folder_.path(), "job.remount.autosave-*").size(), 1) << "beside the project";
   show();
-  window_.keep_work_in(folder_.path());
+  keep_work_in(folder_.path());
   auto* dialog = window_.findChild<RecoveryDialog*>();
   ASSERT_TRUE(dialog);
   emit dialog->restore_requested(0, 0);
@@ -133,6 +138,7 @@ TEST_F(recovery, a_killed_process_loses_no_edit_of_a_saved_project) {
   bool saved = false;
   workbench_.save_project(project, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !autosave().writing(); }, kPatience_ms));
   EXPECT_TRUE(files_in(folder_.path(), "*.autosave-*").isEmpty()) << "what is saved needs no autosave";
   EXPECT_TRUE(find_recoveries(folder_.path()).empty());
 }
@@ -142,7 +148,7 @@ TEST_F(recovery, what_is_discarded_is_not_offered_again) {
   if (HasFatalFailure()) return;
   ASSERT_EQ(find_recoveries(folder_.path()).size(), 1U);
   show();
-  window_.keep_work_in(folder_.path());
+  keep_work_in(folder_.path());
   auto* dialog = window_.findChild<RecoveryDialog*>();
   ASSERT_TRUE(dialog);
   for (auto* button : dialog->findChildren<QPushButton*>())
@@ -153,7 +159,7 @@ TEST_F(recovery, what_is_discarded_is_not_offered_again) {
 }
 
 TEST_F(recovery, every_edit_is_on_disk_at_once) {
-  window_.keep_work_in(folder_.path());
+  keep_work_in(folder_.path());
   show();
   calibrate_drive();
   ASSERT_TRUE(safe());
@@ -174,7 +180,7 @@ TEST_F(recovery, every_edit_is_on_disk_at_once) {
 }
 
 TEST_F(recovery, a_window_that_is_closed_leaves_nothing_behind) {
-  window_.keep_work_in(folder_.path());
+  keep_work_in(folder_.path());
   show();
   window_.open_paths({"/data/drive1"});
   ASSERT_TRUE(settle());
@@ -187,7 +193,7 @@ TEST_F(recovery, a_window_that_is_closed_leaves_nothing_behind) {
 TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsewhere) {
   const QString project = folder_.filePath("gone/job.remount");
   QDir(folder_.path()).mkdir("gone");
-  window_.keep_work_in(folder_.path());
+  keep_work_in(folder_.path());
   show();
   calibrate_drive();
   workbench_.save_project(project);
@@ -212,6 +218,17 @@ TEST_F(recovery, a_folder_that_cannot_be_written_is_said_and_the_work_kept_elsew
   ASSERT_TRUE(settle());
   ASSERT_TRUE(safe());
   EXPECT_EQ(files_in(folder_.filePath("gone"), "*.autosave-*").size(), 1);
+}
+
+TEST_F(recovery, what_is_edited_before_the_notes_are_there_is_kept_too) {
+  show();
+  window_.keep_work_in(folder_.path());
+  EXPECT_TRUE(autosave().writing()) << "the disk is looked at in the background";
+  workbench_.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  ASSERT_TRUE(safe());
+  const QStringList kept = files_in(folder_.path(), "*.autosave-*");
+  ASSERT_EQ(kept.size(), 1);
+  EXPECT_TRUE(load_project(kept[0].toStdString()).nominal_ins_from_lidar);
 }
 
 TEST(recovery_notes, keep_several_generations) {

@@ -8,7 +8,9 @@
 #include <QScreen>
 #include <QSignalSpy>
 #include <QTreeView>
+#include <optional>
 
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/panels/help_window.h"
 #include "widgets/panels/message_banner.h"
@@ -140,12 +142,11 @@ TEST(readable, mixtures_are_as_faint_as_they_may_be) {
 }
 
 TEST_F(small_screen, placeholders_and_empty_boxes_can_be_seen_on_a_dark_palette) {
-  const QPalette light = QApplication::palette();
   QPalette dark(QColor(49, 54, 59), QColor(42, 46, 50));
   dark.setColor(QPalette::Base, QColor(27, 30, 32));
   dark.setColor(QPalette::Text, QColor(252, 252, 252));
   dark.setColor(QPalette::PlaceholderText, QColor(60, 64, 68));
-  QApplication::setPalette(dark);
+  std::optional<testing::PaletteFor> turned(dark);
   show();
   calibrate_drive();
   trigger("Ctrl+Shift+B");
@@ -164,7 +165,7 @@ TEST_F(small_screen, placeholders_and_empty_boxes_can_be_seen_on_a_dark_palette)
         std::max(strongest, contrast(picture.pixelColor(x, picture.height() / 2), dark.color(QPalette::Window)));
   EXPECT_GE(strongest, 3.0) << "the edge of an empty box";
   photograph(window_, "43-dark-quality");
-  QApplication::setPalette(light);
+  turned.reset();
   const QPalette now = child<PairsPanel>().findChild<QLineEdit*>()->palette();
   EXPECT_GE(contrast(now.color(QPalette::PlaceholderText), now.color(QPalette::Base)), 4.5);
 }

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "app/gui/language.h"
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/sample_world.h"
 #include "tests/widgets/support/turn_profile.h"
 #include "widgets/charts/error_bar_chart.h"
@@ -46,7 +47,7 @@ double longest_ms(int turns, const Turn& turn) {
 }
 
 void expect_no_stall(const char* language) {
-  speak(language, false);
+  const testing::LanguageFor spoken(language);
   const auto output = output_with_reasons(100000);
   PairTableModel model;
   PairsPanel panel(model);
@@ -88,7 +89,6 @@ void expect_no_stall(const char* language) {
     panel.filter()->set_criteria(criteria);
   });
   const double select = longest_ms(20, [&](int i) { panel.show_selected(4999 * i); });
-  speak("en", false);
   std::printf(
       "100,000 pairs (%s), longest in ms: scroll %.0f, sort %.0f, by reason %.0f, text %.0f, number %.0f, "
       "both %.0f, kind %.0f, select %.0f\n",

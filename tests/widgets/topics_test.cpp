@@ -10,6 +10,7 @@
 #include "app/gui/language.h"
 #include "model/io/session_reader.h"
 #include "tests/model/io/bag/bag_maker.h"
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/panels/sessions_panel.h"
 #include "widgets/panels/topics_dialog.h"
@@ -322,7 +323,7 @@ TEST_F(topics, the_dialog_is_used_by_keys_and_read_aloud) {
 }
 
 TEST_F(topics, the_dialog_speaks_chinese) {
-  speak("zh_CN", false);
+  const testing::LanguageFor spoken("zh_CN");
   TopicsDialog chinese("many.bag", many_topics());
   chinese.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&chinese, kPatience_ms));
@@ -336,7 +337,6 @@ TEST_F(topics, the_dialog_speaks_chinese) {
     texts << table->headerItem()->text(column);
     for (int i = 0; column > 1 && i < table->topLevelItemCount(); ++i) texts << table->topLevelItem(i)->text(column);
   }
-  speak("en", false);
   static const QRegularExpression kEnglish(QStringLiteral("[a-z]{4,}"));
   for (QString text : texts) {
     text.remove("many.bag");

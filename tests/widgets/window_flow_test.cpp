@@ -12,6 +12,7 @@
 
 #include "app/gui/result_files.h"
 #include "model/io/parse_document.h"
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/error_bar_chart.h"
 #include "widgets/gl_support.h"
@@ -172,7 +173,7 @@ TEST_F(window_flow, a_result_made_with_other_settings_is_shown_as_such_also_afte
   EXPECT_EQ(note(), "");
   workbench_.edit_option("registration", "voxel_m", 0.5);
   EXPECT_FALSE(workbench_.solving()) << "a new solution from the same alignments would change nothing";
-  EXPECT_TRUE(note().contains("registration.voxel_m") && note().contains("now 0.5")) << note().toStdString();
+  EXPECT_TRUE(note().contains("Voxel (Alignment)") && note().contains("now 0.5")) << note().toStdString();
   workbench_.undo_stack().undo();
   ASSERT_TRUE(settle());
   EXPECT_FALSE(workbench_.out_of_date()) << "the edit was taken back";
@@ -325,15 +326,13 @@ TEST_F(window_flow, the_pair_is_shown_in_three_dimensions) {
 TEST_F(window_flow, dark_palettes_are_followed) {
   if (!missing_gl_reason().isEmpty())
     GTEST_SKIP() << "needs a display with OpenGL: " << missing_gl_reason().toStdString();
-  const QPalette light = QApplication::palette();
-  QApplication::setPalette(QPalette(QColor(58, 60, 65), QColor(45, 47, 51)));
+  const testing::PaletteFor dark(testing::dark_palette());
   show();
   QSignalSpy loaded(&workbench_, &Workbench::clouds_loaded);
   calibrate_drive();
   ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() > 0; }, kPatience_ms));
   EXPECT_TRUE(is_dark(window_.palette()));
   photograph(window_, "7-dark");
-  QApplication::setPalette(light);
 }
 
 }  // namespace

@@ -65,9 +65,7 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
 }
 
 void ExportDialog::show_warning(const QString& warning) {
-  const QColor color = warning_color(palette());
-  set_style(*warning_, QStringLiteral("padding: 6px; border-left: 4px solid %1; background: %2")
-                           .arg(color.name(), tinted(color, palette()).name()));
+  set_style(*warning_, marked_box(warning_color, QStringLiteral("padding: 6px")));
   warning_->setText(QStringLiteral("▲  ") + warning);
   warning_->setVisible(!warning.isEmpty());
 }

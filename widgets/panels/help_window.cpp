@@ -1,6 +1,7 @@
 #include "widgets/panels/help_window.h"
 
 #include <QDir>
+#include <QEvent>
 #include <QFile>
 #include <QHBoxLayout>
 #include <QLineEdit>
@@ -89,6 +90,11 @@ void HelpWindow::show_current() {
     text_->document()->addResource(QTextDocument::ImageResource, QUrl("image:axes"), axes_picture(palette(), 420));
     text_->setHtml(page.html);
   }
+}
+
+void HelpWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) show_current();  // its picture
+  QDialog::changeEvent(event);
 }
 
 }  // namespace remount

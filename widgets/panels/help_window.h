@@ -19,6 +19,9 @@ class HelpWindow : public QDialog {
   QString current_page() const;
   QStringList listed_pages() const;  ///< those that contain what is searched for
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   struct Page {
     QString name, title, html;

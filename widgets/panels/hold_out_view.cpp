@@ -9,6 +9,7 @@
 #include "widgets/model_text.h"
 #include "widgets/panels/verdict_table.h"
 #include "widgets/parameter_text.h"
+#include "widgets/sentences.h"
 
 namespace remount {
 namespace {
@@ -110,8 +111,8 @@ QString dashes_in_words(const HoldOut& found, const QStringList& names) {
       reasons << HoldOutView::tr("%1 alone does not observe %2.").arg(name, blind.join(QStringLiteral(", ")));
   }
   if (reasons.isEmpty()) return {};
-  return HoldOutView::tr("–: no number, because a session alone says nothing about it.") + ' ' +
-         reasons.join(QStringLiteral(" "));
+  reasons.prepend(HoldOutView::tr("–: no number, because a session alone says nothing about it."));
+  return one_text(reasons);
 }
 
 TableCell difference_cell(const HoldOut& found, const SessionDifference& difference, std::size_t i,

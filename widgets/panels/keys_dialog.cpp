@@ -102,7 +102,7 @@ void KeysDialog::reset() {
 void KeysDialog::check() {
   const QStringList conflicts = key_conflicts(bindings_);
   conflicts_->setVisible(!conflicts.isEmpty());
-  set_style(*conflicts_, "color: " + bad_color(palette()).name());
+  set_style(*conflicts_, text_in(bad_color));
   conflicts_->setText(tr("Keys with two meanings:\n%1").arg(conflicts.join('\n')));
   ok_->setEnabled(conflicts.isEmpty());
 }

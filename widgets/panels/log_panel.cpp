@@ -1,7 +1,8 @@
 #include "widgets/panels/log_panel.h"
 
 #include <QDateTime>
-#include <QTextCharFormat>
+#include <QEvent>
+#include <QTextBlock>
 
 #include "widgets/readable.h"
 #include "widgets/theme.h"
@@ -17,17 +18,34 @@ LogPanel::LogPanel(QWidget* parent) : QPlainTextEdit(parent) {
 }
 
 void LogPanel::add(Severity severity, const QString& where, const QString& what) {
-  QTextCharFormat format;
-  format.setForeground(severity_color(severity, palette()));
   QTextCursor cursor(document());
   cursor.movePosition(QTextCursor::End);
   if (!document()->isEmpty()) cursor.insertBlock();
   const QString time = QDateTime::currentDateTime().toString(QStringLiteral("hh:mm:ss  "));
   cursor.insertText(
       time + severity_sign(severity) + ' ' + (where.isEmpty() ? QString() : where + QStringLiteral(": ")) + what,
-      format);
+      format_of(severity));
+  cursor.block().setUserState(static_cast<int>(severity));
   moveCursor(QTextCursor::End);
   ensureCursorVisible();
+}
+
+// Notes are in the colour of all text.
+QTextCharFormat LogPanel::format_of(Severity severity) const {
+  QTextCharFormat format;
+  if (severity != Severity::Note) format.setForeground(severity_color(severity, palette()));
+  return format;
+}
+
+void LogPanel::changeEvent(QEvent* event) {
+  QPlainTextEdit::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+    if (block.userState() < 0) continue;
+    QTextCursor cursor(block);
+    cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+    cursor.setCharFormat(format_of(static_cast<Severity>(block.userState())));
+  }
 }
 
 }  // namespace remount

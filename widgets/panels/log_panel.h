@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QPlainTextEdit>
+#include <QTextCharFormat>
 
 #include "model/session.h"
 
@@ -12,6 +13,12 @@ class LogPanel : public QPlainTextEdit {
  public:
   explicit LogPanel(QWidget* parent = nullptr);
   void add(Severity severity, const QString& where, const QString& what);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QTextCharFormat format_of(Severity severity) const;
 };
 
 }  // namespace remount

@@ -39,9 +39,11 @@ MessageBanner::MessageBanner(QWidget* parent) : QFrame(parent), text_(new QLabel
 }
 
 void MessageBanner::show_message(Severity severity, const QString& where, const QString& what) {
-  const QColor color = severity_color(severity, palette());
-  set_style(*this, QStringLiteral("remount--MessageBanner { background: %1; border-left: 4px solid %2; }")
-                       .arg(tinted(color, palette()).name(), color.name()));
+  set_style(*this, [severity](const QPalette& palette) {
+    const QColor color = severity_color(severity, palette);
+    return QStringLiteral("remount--MessageBanner { background: %1; border-left: 4px solid %2; }")
+        .arg(tinted(color, palette).name(), color.name());
+  });
   QString text = severity_sign(severity) + QStringLiteral("  ");
   if (!where.isEmpty()) text += where + '\n';
   text_->setText(text + what);

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -14,10 +15,13 @@
 #include "widgets/model_text.h"
 #include "widgets/readable.h"
 #include "widgets/screen_room.h"
+#include "widgets/sentences.h"
 #include "widgets/theme.h"
 
 namespace remount {
 namespace {
+
+constexpr int kLeastName_px = 90;
 
 QString label_of(const OptionInfo& info) {
   return option_label(QString::fromUtf8(info.name), QString::fromUtf8(info.unit));
@@ -80,6 +84,9 @@ ObstacleDialog::ObstacleDialog(const QString& scan, bool nominal_known, const QS
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   table_->horizontalHeader()->setStretchLastSection(true);
+  table_->setTextElideMode(Qt::ElideMiddle);
+  table_->setWordWrap(false);
+  table_->viewport()->installEventFilter(this);
   table_->setAccessibleName(tr("Distance of each object from the outline of the vehicle"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -108,7 +115,7 @@ QWidget* ObstacleDialog::make_form() {
 
 void ObstacleDialog::show_problem(const QString& text) {
   table_->setRowCount(0);
-  set_style(*verdict_, "color: " + bad_color(palette()).name());
+  set_style(*verdict_, text_in(bad_color));
   verdict_->setText(text);
 }
 
@@ -118,14 +125,13 @@ void ObstacleDialog::show_verdict(const ObstacleComparison& found) {
         std::isfinite(result.nearest_m) ? tr("nearest at %1").arg(distance(result.nearest_m)) : tr("nothing near");
     return result.decision == ObstacleDecision::Stop ? tr("stop (%1)").arg(nearest) : tr("clear (%1)").arg(nearest);
   };
-  const QColor color = found.decision_differs()                              ? bad_color(palette())
-                       : found.calibrated.decision == ObstacleDecision::Stop ? warning_color(palette())
-                                                                             : good_color(palette());
-  set_style(*verdict_, QStringLiteral("padding: 6px; border-left: 4px solid %1; background: %2")
-                           .arg(color.name(), tinted(color, palette()).name()));
-  QString verdict = tr("%1: %2. With result: %3.").arg(before_, words(found.nominal), words(found.calibrated));
-  if (found.decision_differs()) verdict += ' ' + tr("The mounting changes the decision.");
-  verdict_->setText(verdict);
+  const auto color = found.decision_differs()                              ? bad_color
+                     : found.calibrated.decision == ObstacleDecision::Stop ? warning_color
+                                                                           : good_color;
+  set_style(*verdict_, marked_box(color, QStringLiteral("padding: 6px")));
+  QStringList verdict{tr("%1: %2. With result: %3.").arg(before_, words(found.nominal), words(found.calibrated))};
+  if (found.decision_differs()) verdict << tr("The mounting changes the decision.");
+  verdict_->setText(one_text(verdict));
 }
 
 void ObstacleDialog::show_comparison(ObstacleComparison found, const ObstacleOptions& options) {
@@ -146,14 +152,47 @@ void ObstacleDialog::show_comparison(ObstacleComparison found, const ObstacleOpt
     for (int column = 0; column < 4; ++column) {
       auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
       const double shown_m = column == 1 ? entry.nominal_distance_m : entry.calibrated_distance_m;
+      if (column == 0) item->setToolTip(item->text());
       if ((column == 1 || column == 2) && shown_m < options.stop_distance_m) {
-        item->setForeground(bad_color(palette()));
+        item->setData(Qt::UserRole, true);
         item->setToolTip(tr("Closer than the stop distance"));
       }
       if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       table_->setItem(row, column, item);
     }
   }
+  recolor();
+  fit_columns();
+}
+
+void ObstacleDialog::recolor() {
+  for (int row = 0; row < table_->rowCount(); ++row)
+    for (int column = 0; column < table_->columnCount(); ++column)
+      if (QTableWidgetItem* item = table_->item(row, column); item->data(Qt::UserRole).toBool())
+        item->setForeground(bad_color(palette()));
+}
+
+// Names as wide as they are, but for the room that the distances need; what does not fit is left out in its middle.
+void ObstacleDialog::fit_columns() {
+  const int last = table_->columnCount() - 1;  // takes the room that is left
+  const QAbstractItemView& view = *table_;
+  int others = std::max(view.sizeHintForColumn(last), table_->horizontalHeader()->sectionSizeHint(last));
+  for (int column = 0; column < last; ++column) {
+    table_->resizeColumnToContents(column);
+    if (column > 0) others += table_->columnWidth(column);
+  }
+  const int room = std::max(table_->viewport()->width() - others, kLeastName_px);
+  table_->setColumnWidth(0, std::min(table_->columnWidth(0), room));
+}
+
+bool ObstacleDialog::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == table_->viewport() && event->type() == QEvent::Resize) fit_columns();
+  return QDialog::eventFilter(watched, event);
+}
+
+void ObstacleDialog::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) recolor();
+  QDialog::changeEvent(event);
 }
 
 }  // namespace remount

@@ -24,9 +24,15 @@ class ObstacleDialog : public QDialog {
  signals:
   void options_edited();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
  private:
   QWidget* make_form();
   void show_verdict(const ObstacleComparison& found);
+  void recolor();
+  void fit_columns();
 
   ObstacleOptions options_;
   QString before_;  // the name of that mounting

@@ -8,31 +8,12 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 
+#include "widgets/forms/section_words.h"
 #include "widgets/model_text.h"
 #include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
 namespace remount {
-namespace {
-
-QString title_of(const QString& section) {
-  if (section == QLatin1String("run")) return OptionsDialog::tr("General");
-  if (section == QLatin1String("keyframes")) return OptionsDialog::tr("Keyframes");
-  if (section == QLatin1String("pairing")) return OptionsDialog::tr("Pairing");
-  if (section == QLatin1String("objects")) return OptionsDialog::tr("Objects");
-  if (section == QLatin1String("registration")) return OptionsDialog::tr("Alignment");
-  if (section == QLatin1String("range")) return OptionsDialog::tr("Search range");
-  if (section == QLatin1String("solve")) return OptionsDialog::tr("Solution");
-  if (section == QLatin1String("measured")) return OptionsDialog::tr("Measured by hand");
-  if (section == QLatin1String("lidar_odometry")) return OptionsDialog::tr("LiDAR odometry");
-  if (section == QLatin1String("trajectory")) return OptionsDialog::tr("Trajectory alignment");
-  if (section == QLatin1String("fusion")) return OptionsDialog::tr("Fusion odometry");
-  if (section == QLatin1String("vehicle_frame")) return OptionsDialog::tr("Vehicle frame");
-  if (section == QLatin1String("slew")) return OptionsDialog::tr("Slewing machine");
-  return section;
-}
-
-}  // namespace
 
 OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialog(parent), problems_(new QLabel(this)) {
   setWindowTitle(tr("Options"));
@@ -44,7 +25,7 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
   for (const OptionField& field : option_fields(settings)) {
     if (seen.contains(field.section)) continue;
     seen << field.section;
-    sections->addItem(title_of(field.section));
+    sections->addItem(section_title(field.section));
     auto* form = new OptionForm(field.section, settings, this);
     connect(form, &OptionForm::edited, this, &OptionsDialog::edited);
     auto* scroll = new QScrollArea(this);
@@ -58,7 +39,7 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
   sections->setCurrentRow(0);
   auto* note =
       new QLabel(tr("Search range and solution apply at once; the other options apply to the next calibration. "
-                    "Every change can be undone (Ctrl+Z in the window)."),
+                    "Every change can be undone (Ctrl+Z)."),
                  this);
   note->setWordWrap(true);
   problems_->setWordWrap(true);
@@ -82,7 +63,7 @@ void OptionsDialog::show_settings(const Settings& settings) {
   QStringList problems;
   for (const std::string& problem : settings.check()) problems << model_text(problem);
   problems_->setVisible(!problems.isEmpty());
-  set_style(*problems_, "color: " + bad_color(palette()).name());
+  set_style(*problems_, text_in(bad_color));
   problems_->setText(problems.join('\n'));
 }
 

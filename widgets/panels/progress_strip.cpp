@@ -19,9 +19,16 @@ QString remaining_text(qint64 elapsed_ms, double done, double total) {
   return ProgressStrip::tr("about %1 min left in this step").arg(static_cast<int>(left_s / 60.0 + 0.5));
 }
 
+QString elapsed_text(qint64 elapsed_ms) {
+  const int seconds = static_cast<int>(elapsed_ms / 1000);
+  return seconds < 60 ? ProgressStrip::tr("%1 s").arg(seconds)
+                      : ProgressStrip::tr("%1 min %2 s").arg(seconds / 60).arg(seconds % 60);
+}
+
 ProgressStrip::ProgressStrip(QWidget* parent)
     : QWidget(parent),
       text_(new QLabel(this)),
+      elapsed_(new QLabel(this)),
       bar_(new QProgressBar(this)),
       cancel_(new QToolButton(this)),
       second_(new QTimer(this)) {
@@ -34,10 +41,12 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long path does not widen the window
   connect(cancel_, &QToolButton::clicked, this, &ProgressStrip::cancel_clicked);
   second_->setInterval(1000);
-  connect(second_, &QTimer::timeout, this, &ProgressStrip::say);
+  connect(second_, &QTimer::timeout, this, &ProgressStrip::tick);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 0, 0, 0);
+  elapsed_->setAccessibleName(tr("Time that the present step has taken"));
   layout->addWidget(text_, 1);
+  layout->addWidget(elapsed_);
   layout->addWidget(bar_);
   layout->addWidget(cancel_);
   setMinimumHeight(cancel_->sizeHint().height());  // the window does not jump when it appears
@@ -45,13 +54,36 @@ ProgressStrip::ProgressStrip(QWidget* parent)
 }
 
 void ProgressStrip::start(const QString& what) {
-  second_->stop();
   stage_.clear();
+  total_ = 0;
+  since_stage_.start();
   text_->setText(what);
   bar_->setRange(0, 0);
   bar_->show();
   cancel_->show();
   cancel_->setEnabled(true);
+  tick();
+  second_->start();
+}
+
+void ProgressStrip::wait(const QString& what, const QElapsedTimer& since) {
+  stage_.clear();
+  total_ = 0;
+  since_stage_ = since;
+  text_->setText(what);
+  bar_->setRange(0, 0);
+  cancel_->hide();
+  tick();
+  second_->start();
+}
+
+void ProgressStrip::tick() {
+  constexpr qint64 kSoon_ms = 1000;  // what is done by then flashes nothing
+  const qint64 taken_ms = since_stage_.elapsed();
+  if (!stage_.isEmpty()) say();
+  if (cancel_->isHidden()) bar_->setVisible(taken_ms >= kSoon_ms);
+  elapsed_->setText(elapsed_text(taken_ms));
+  elapsed_->setVisible(total_ == 0 && taken_ms >= kSoon_ms);
 }
 
 void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulonglong total) {
@@ -67,7 +99,7 @@ void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulongl
   bar_->setRange(0, total > 0 ? kSteps : 0);
   if (total > 0)
     bar_->setValue(static_cast<int>(kSteps * std::min(1.0, static_cast<double>(done) / static_cast<double>(total))));
-  say();
+  tick();
   second_->start();
 }
 
@@ -90,6 +122,7 @@ void ProgressStrip::show_cancelling() {
 void ProgressStrip::stop(const QString& what) {
   second_->stop();
   text_->setText(what);
+  elapsed_->hide();
   bar_->hide();
   cancel_->hide();
 }

@@ -16,6 +16,8 @@ class ProgressStrip : public QWidget {
  public:
   explicit ProgressStrip(QWidget* parent = nullptr);
   void start(const QString& what);
+  /// Work that nobody is kept from working by: shows a moving bar once it takes longer, and how long it has taken.
+  void wait(const QString& what, const QElapsedTimer& since);
   void show_progress(const QString& stage, qulonglong done, qulonglong total);
   void show_cancelling();
   void stop(const QString& what);
@@ -24,16 +26,20 @@ class ProgressStrip : public QWidget {
   void cancel_clicked();
 
  private:
-  QLabel* text_;
-  QProgressBar* bar_;
-  QToolButton* cancel_;
+  void tick();
   void say();
 
+  QLabel *text_, *elapsed_;
+  QProgressBar* bar_;
+  QToolButton* cancel_;
   QElapsedTimer since_stage_;
   QTimer* second_;  ///< so that a long step is not "about 1 s left" until it ends
   QString stage_;
   qulonglong done_at_start_ = 0, done_ = 0, total_ = 0;
 };
+
+/// "12 s", "2 min 5 s".
+QString elapsed_text(qint64 elapsed_ms);
 
 /// "about 2 min left in this step" from how long `done` of `total` took; empty where it is too early to say.
 QString remaining_text(qint64 elapsed_ms, double done, double total);

@@ -130,7 +130,7 @@ void RangePanel::show_settings(const Settings& settings) {
     if (field.value.toDouble() < lower) crossed << parameter;
   }
   problem_->setVisible(!crossed.isEmpty());
-  set_style(*problem_, "color: " + bad_color(palette()).name());
+  set_style(*problem_, text_in(bad_color));
   problem_->setText(
       tr("The largest %1 is below the smallest: nothing can be found there.").arg(crossed.join(QStringLiteral(", "))));
 }

@@ -10,6 +10,7 @@
 #include "model/result_file.h"
 #include "widgets/charts/correlation_chart.h"
 #include "widgets/model_text.h"
+#include "widgets/pair_counts.h"
 #include "widgets/parameter_text.h"
 #include "widgets/theme.h"
 
@@ -84,9 +85,9 @@ QString sharpness_table(const PipelineOutput& output) {
                     {QString(), ResultPanel::tr("surfaces"), ResultPanel::tr("entropy")}, rows);
 }
 
-QColor status_color(Status status, const QPalette& palette) {
-  if (status == Status::Ok) return good_color(palette);
-  return status == Status::Degenerate || status == Status::Inconsistent ? warning_color(palette) : bad_color(palette);
+auto status_color(Status status) -> QColor (*)(const QPalette&) {
+  if (status == Status::Ok) return good_color;
+  return status == Status::Degenerate || status == Status::Inconsistent ? warning_color : bad_color;
 }
 
 }  // namespace
@@ -230,7 +231,8 @@ QString ResultPanel::what_x_is(const CalibrationResult& result) {
   const std::string& frame = result.reference_frame;
   if (frame == "antenna") return tr("X: LiDAR from antenna");
   if (frame == "machine") return tr("X: LiDAR in machine");
-  if (frame == "vehicle") return result.calibrated == "antenna" ? tr("X: antenna in vehicle") : tr("X: sensor in vehicle");
+  if (frame == "vehicle")
+    return result.calibrated == "antenna" ? tr("X: antenna in vehicle") : tr("X: sensor in vehicle");
   return tr("X: LiDAR in INS");
 }
 
@@ -243,34 +245,28 @@ void ResultPanel::show_standing(ResultStanding standing, const QString& note, co
 }
 
 void ResultPanel::show_status() {
-  set_style(*note_, "color: " + warning_color(palette()).name());
+  set_style(*note_, text_in(warning_color));
   if (!shown_) {
     status_->setText(tr("No result yet"));
-    set_style(*status_, {});
+    set_style(*status_, [](const QPalette&) { return QString(); });
     words_->setText(next_);
     return;
   }
   // Green is for what holds now.
   QString title = status_title(*shown_);
-  QColor color = status_color(*shown_, palette());
+  QColor (*color)(const QPalette&) = status_color(*shown_);
   if (standing_ == ResultStanding::OutOfDate) {
     title = tr("▲ Out of date. It was: %1").arg(title);
-    color = warning_color(palette());
+    color = warning_color;
   } else if (standing_ == ResultStanding::BeingReplaced) {
     title = tr("… Result before: %1").arg(title);
-    color = palette().color(QPalette::Disabled, QPalette::WindowText);
+    color = faded_color;
   } else if (standing_ == ResultStanding::BeingRefined) {
     title = tr("… Being completed: %1").arg(title);
-    color = palette().color(QPalette::Disabled, QPalette::WindowText);
+    color = faded_color;
   }
   status_->setText(title);
-  set_style(*status_, QStringLiteral("font-weight: bold; padding: 5px; border-left: 4px solid %1; background: %2")
-                          .arg(color.name(), tinted(color, palette()).name()));
-}
-
-void ResultPanel::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange && export_) show_status();
-  QScrollArea::changeEvent(event);
+  set_style(*status_, marked_box(color, QStringLiteral("font-weight: bold; padding: 5px")));
 }
 
 void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
@@ -318,7 +314,8 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
     row.sigma->setText(!numbers ? QString()
                        : sigma  ? QStringLiteral("± %1%2").arg(spread, 0, 'f', 4).arg(unit_suffix(i))
                                 : tr("not observed"));
-    set_style(*row.sigma, sigma || !numbers ? QString() : "color: " + warning_color(palette()).name());
+    set_style(*row.sigma,
+              sigma || !numbers ? Style([](const QPalette&) { return QString(); }) : text_in(warning_color));
     row.sigma->setToolTip(
         sigma || !numbers
             ? (bootstrap > 0.0
@@ -338,10 +335,8 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   for (const std::string& sentence : result.advice) advice << model_text(sentence);
   for (const ObservabilityDirection& direction : result.directions)
     if (!direction.observed && !direction.words.empty()) blind << model_text(direction.words);
-  figures << tr("%1 pairs: %2 accepted, %3 rejected")
-                 .arg(result.pairs_proposed)
-                 .arg(result.pairs_accepted)
-                 .arg(result.pairs_rejected);
+  const PairCounts pairs = count_pairs(output);
+  figures << tr("%1 pairs: %2 accepted, %3 rejected").arg(pairs.all).arg(pairs.accepted).arg(pairs.rejected);
   if (has_numbers(result.status)) {
     figures << tr("residuals: %1 cm, %2° (rms)")
                    .arg(100.0 * result.translation_rms_m, 0, 'f', 2)

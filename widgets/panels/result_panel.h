@@ -37,8 +37,6 @@ class ResultPanel : public QScrollArea {
   void export_requested();
 
  protected:
-  void changeEvent(QEvent* event) override;
-
  private:
   struct Row {
     QLabel *value, *sigma, *moved;

@@ -73,7 +73,13 @@ void SceneView::set_stage(SceneStage& stage) {
     if (moving) motion_changed(true);
   });
   if (canvas_) stage.attach(*canvas_->renderWindow());
-  restyle();
+  // What is pressed must be seen in every style; some dark ones hardly shade it.
+  set_style(*rows_, [](const QPalette& palette) {
+    return QStringLiteral(
+               "QToolButton { padding: 4px 9px; } QToolButton:checked:enabled { background: %1; color: %2; }"
+               "QToolButton::menu-indicator { image: none; }")
+        .arg(palette.color(QPalette::Highlight).name(), palette.color(QPalette::HighlightedText).name());
+  });
 }
 
 QWidget* SceneView::canvas() const { return canvas_; }
@@ -286,20 +292,10 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-void SceneView::restyle() {
-  // What is pressed must be seen in every style; some dark ones hardly shade it.
-  set_style(
-      *rows_,
-      QStringLiteral("QToolButton { padding: 4px 9px; } QToolButton:checked:enabled { background: %1; color: %2; }"
-                     "QToolButton::menu-indicator { image: none; }")
-          .arg(palette().color(QPalette::Highlight).name(), palette().color(QPalette::HighlightedText).name()));
-}
-
 void SceneView::palette_changed() { stage_->set_dark(is_dark(palette())); }
 
 void SceneView::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange && stage_) {
-    restyle();
     palette_changed();
     view_changed();
     render();

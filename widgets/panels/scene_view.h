@@ -78,7 +78,6 @@ class SceneView : public QWidget {
   void say(const QString& text);
   void place_readout();
   void show_picked();
-  void restyle();
 
   SceneStage* stage_ = nullptr;
   QVTKOpenGLNativeWidget* canvas_ = nullptr;

@@ -15,6 +15,7 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
     : QWidget(parent),
       model_(model),
       tree_(new QTreeView(this)),
+      open_(new QPushButton(tr("Open"), this)),
       remove_(new QPushButton(tr("Remove"), this)),
       topics_(new QPushButton(tr("Topics…"), this)) {
   tree_->setModel(&model_);
@@ -22,9 +23,8 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   tree_->setHeaderHidden(true);
   tree_->setItemDelegate(new WrappingDelegate(*tree_));
   tree_->setRootIsDecorated(false);  // there is nothing to fold, and the names are long
-  auto* open = new QPushButton(tr("Open…"), this);
-  open->setToolTip(tr("A folder or file with a recorded drive; several drives of one vehicle are calibrated together"));
-  connect(open, &QPushButton::clicked, this, &SessionsPanel::open_requested);
+  open_->setToolTip(
+      tr("A folder or file with a recorded drive; several drives of one vehicle are calibrated together"));
   connect(remove_, &QPushButton::clicked, this, [this] {
     const int session = model_.session_of(tree_->currentIndex());
     if (session >= 0) emit remove_requested(session);
@@ -34,7 +34,7 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   connect(&model_, &QAbstractItemModel::modelReset, this, &SessionsPanel::after_reset);
   connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &SessionsPanel::update_buttons);
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(open);
+  buttons->addWidget(open_);
   buttons->addWidget(topics_);
   buttons->addWidget(remove_);
   buttons->addStretch();
@@ -45,6 +45,8 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   tree_->viewport()->installEventFilter(this);
   after_reset();
 }
+
+void SessionsPanel::set_open_menu(QMenu& menu) { open_->setMenu(&menu); }
 
 void SessionsPanel::after_reset() {
   tree_->expandAll();  // what was found is not to be hidden

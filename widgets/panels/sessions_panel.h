@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QAbstractItemModel;
+class QMenu;
 class QPushButton;
 class QTreeView;
 
@@ -15,9 +16,9 @@ class SessionsPanel : public QWidget {
   Q_OBJECT
  public:
   explicit SessionsPanel(SessionListModel& model, QWidget* parent = nullptr);
+  void set_open_menu(QMenu& menu);  ///< of what can be opened
 
  signals:
-  void open_requested();
   void remove_requested(int session);
   void topics_requested(int session);  ///< of a bag
 
@@ -31,7 +32,7 @@ class SessionsPanel : public QWidget {
   int session_with_topics() const;  ///< the current one; -1 where its format has none
   SessionListModel& model_;
   QTreeView* tree_;
-  QPushButton *remove_, *topics_;
+  QPushButton *open_, *remove_, *topics_;
 };
 
 }  // namespace remount

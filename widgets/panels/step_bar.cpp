@@ -1,12 +1,14 @@
 #include "widgets/panels/step_bar.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QToolButton>
 
 #include "widgets/theme.h"
 
 namespace remount {
+namespace {
+QColor highlight(const QPalette& palette) { return palette.color(QPalette::Highlight); }
+}  // namespace
 
 StepBar::StepBar(QWidget* parent) : QWidget(parent) {
   const std::array<QString, kStepCount> help{
@@ -40,32 +42,27 @@ void StepBar::resizeEvent(QResizeEvent* event) {
   restyle();
 }
 
-void StepBar::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) restyle();
-  QWidget::changeEvent(event);
-}
-
 void StepBar::restyle() {
   const std::array<QString, kStepCount> titles{tr("Load"),  tr("Pairs"), tr("Align"), tr("Review"),
                                                tr("Solve"), tr("Check"), tr("Export")};
   for (std::size_t i = 0; i < kStepCount; ++i) {
     const StepInfo& step = steps_[i];
-    QColor color = palette().color(QPalette::Disabled, QPalette::WindowText);
+    QColor (*color)(const QPalette&) = faded_color;
     QString sign = QString::number(i + 1), state = tr("waiting");
     switch (step.state) {
       case StepState::Waiting:
         break;
       case StepState::Next:
-        color = palette().color(QPalette::Highlight), state = tr("next");
+        color = highlight, state = tr("next");
         break;
       case StepState::Running:
-        color = palette().color(QPalette::Highlight), sign = QStringLiteral("…"), state = tr("running");
+        color = highlight, sign = QStringLiteral("…"), state = tr("running");
         break;
       case StepState::Done:
-        color = good_color(palette()), sign = QStringLiteral("✓"), state = tr("done");
+        color = good_color, sign = QStringLiteral("✓"), state = tr("done");
         break;
       case StepState::Attention:
-        color = warning_color(palette()), sign = QStringLiteral("▲"), state = tr("needs attention");
+        color = warning_color, sign = QStringLiteral("▲"), state = tr("needs attention");
         break;
     }
     const QString detail = step.detail.isEmpty() ? state : step.detail;
@@ -77,14 +74,15 @@ void StepBar::restyle() {
     buttons_[i]->setToolTip(helps_[i] + '\n' + detail);
     buttons_[i]->setAccessibleName(tr("Step %1: %2, %3").arg(titles[i], state, detail));
     const bool plain = step.state == StepState::Waiting;
-    set_style(
-        *buttons_[i],
-        QStringLiteral(
-            "QToolButton { border: none; border-bottom: 3px solid %1; padding: 4px 6px; background: %2; color: %3; }"
-            "QToolButton:hover, QToolButton:focus { background: %4; }")
-            .arg(color.name(), plain ? QStringLiteral("transparent") : tinted(color, palette()).name(),
-                 (plain ? color : palette().color(QPalette::WindowText)).name(),
-                 palette().color(QPalette::Button).darker(is_dark(palette()) ? 80 : 106).name()));
+    set_style(*buttons_[i], [color, plain](const QPalette& palette) {
+      const QColor edge = color(palette);
+      return QStringLiteral(
+                 "QToolButton { border: none; border-bottom: 3px solid %1; padding: 4px 6px; background: %2; "
+                 "color: %3; } QToolButton:hover, QToolButton:focus { background: %4; }")
+          .arg(edge.name(), plain ? QStringLiteral("transparent") : tinted(edge, palette).name(),
+               (plain ? edge : palette.color(QPalette::WindowText)).name(),
+               palette.color(QPalette::Button).darker(is_dark(palette) ? 80 : 106).name());
+    });
   }
 }
 

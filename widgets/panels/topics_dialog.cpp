@@ -208,7 +208,7 @@ void TopicsDialog::show_choice() {
     for (const int column : {Topic, UsedAs}) item->setFont(column, font);
   }
   const QString why_not = problem();
-  set_style(*problem_, "color: " + bad_color(palette()).name());
+  set_style(*problem_, text_in(bad_color));
   problem_->setText(why_not.isEmpty() ? QString() : severity_sign(Severity::Problem) + ' ' + why_not);
   problem_->setVisible(!why_not.isEmpty());
   if (open_) open_->setEnabled(why_not.isEmpty());

@@ -10,6 +10,7 @@ namespace remount {
 WelcomePanel::WelcomePanel(QWidget* parent)
     : QWidget(parent),
       text_(new QLabel(this)),
+      open_(new QPushButton(tr("Open"), this)),
       sample_(new QPushButton(tr("Open the sample session"), this)),
       recent_title_(new QLabel(tr("<b>Opened lately</b>"), this)),
       recent_(new QVBoxLayout) {
@@ -17,18 +18,17 @@ WelcomePanel::WelcomePanel(QWidget* parent)
   text_->setTextFormat(Qt::RichText);
   text_->setText(
       tr("<h2>Where does the LiDAR sit now?</h2>"
-         "<p>Drop the folder of a recorded drive here, or open one. A drive holds LiDAR scans (or LiDAR poses) and the "
+         "<p>Drop the folder or the file of a recorded drive here, or open one. A drive holds LiDAR scans (or LiDAR "
+         "poses) and the "
          "log of the GNSS/INS. Several drives of one vehicle are calibrated together.</p>"
          "<ol><li>Open the sessions.</li><li>Say roughly where the LiDAR sits, or leave it unknown.</li>"
          "<li>Calibrate (F5).</li><li>Look at the pairs; accept or reject the doubtful ones.</li>"
          "<li>Export the result.</li></ol>"));
   text_->setMaximumWidth(520);
-  auto* open = new QPushButton(tr("Open session…"), this);
-  open->setDefault(true);
-  connect(open, &QPushButton::clicked, this, &WelcomePanel::open_requested);
+  open_->setDefault(true);
   connect(sample_, &QPushButton::clicked, this, &WelcomePanel::sample_requested);
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(open);
+  buttons->addWidget(open_);
   buttons->addWidget(sample_);
   buttons->addStretch();
   auto* column = new QVBoxLayout;
@@ -46,6 +46,8 @@ WelcomePanel::WelcomePanel(QWidget* parent)
   row->addStretch();
   show_recent({}, {});
 }
+
+void WelcomePanel::set_open_menu(QMenu& menu) { open_->setMenu(&menu); }
 
 void WelcomePanel::show_recent(const QStringList& paths, const QStringList& labels) {
   constexpr qsizetype kShown = 5;

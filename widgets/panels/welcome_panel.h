@@ -4,6 +4,7 @@
 #include <QWidget>
 
 class QLabel;
+class QMenu;
 class QPushButton;
 class QVBoxLayout;
 
@@ -14,12 +15,12 @@ class WelcomePanel : public QWidget {
  public:
   explicit WelcomePanel(QWidget* parent = nullptr);
   void set_sample_available(bool available);
+  void set_open_menu(QMenu& menu);  ///< of what can be opened
   /// What was opened lately, newest first, and how each is called; a few of them are offered.
   void show_recent(const QStringList& paths, const QStringList& labels);
 
  signals:
   void recent_requested(const QString& path);
-  void open_requested();
   void sample_requested();
 
  protected:
@@ -27,7 +28,7 @@ class WelcomePanel : public QWidget {
 
  private:
   QLabel* text_;
-  QPushButton* sample_;
+  QPushButton *open_, *sample_;
   QLabel* recent_title_;
   QVBoxLayout* recent_;
 };

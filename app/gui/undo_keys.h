@@ -1,0 +1,16 @@
+// The keys of undo and redo while a field has the keyboard.
+#pragma once
+
+#include <QObject>
+
+namespace remount {
+
+/// Fields take these keys for what is typed in them, whether there is anything to take back or not. This leaves them to
+/// the window's actions where the field holds nothing that is typed and not taken over yet.
+class UndoKeys : public QObject {
+ public:
+  explicit UndoKeys(QObject* parent);  ///< for all fields of the application
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+}  // namespace remount

@@ -1,0 +1,181 @@
+// What a calibration, another method or a closed session takes away, and how it comes back.
+#include <gtest/gtest.h>
+
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include "app/gui/edit_commands.h"
+#include "app/gui/method_controller.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/log_panel.h"
+#include "widgets/panels/progress_strip.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+
+/// Methods but the one of pairs leave none.
+Engine engine_of_methods(std::shared_ptr<const std::atomic<int>> hold_at) {
+  Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.run = [of_pairs = engine.run](const PipelineInput& input, Progress& progress) {
+    PipelineOutput output = of_pairs(input, progress);
+    if (input.settings.run.method == MethodChoice::Pairwise) return output;
+    output.method = "trajectory";
+    output.pairs.clear();
+    output.keyframes.clear();
+    return output;
+  };
+  return engine;
+}
+
+class history : public testing::WindowFixture {
+ protected:
+  history() : WindowFixture(&engine_of_methods) {}
+  void calibrate_by(MethodChoice method) {
+    workbench_.edit_option("run", "method", static_cast<int>(method));
+    workbench_.calibrate();
+    ASSERT_TRUE(settle());
+    ASSERT_TRUE(workbench_.output());
+  }
+  void reject(int pair) {
+    workbench_.decide({pair}, PairState::Rejected, "lorry");
+    ASSERT_TRUE(settle());
+  }
+  QString log() { return child<LogPanel>().toPlainText(); }
+  QString status_line() { return child<ProgressStrip>().findChild<QLabel*>()->text(); }
+  QUndoStack& edits() { return workbench_.undo_stack(); }
+};
+
+TEST_F(history, another_method_is_taken_back_with_the_pairs_and_decisions_before) {
+  show();
+  calibrate_drive();
+  reject(5);
+  const OutputPtr before = workbench_.output();
+  calibrate_by(MethodChoice::Trajectory);
+  ASSERT_TRUE(workbench_.output()->pairs.empty());
+  EXPECT_TRUE(log().contains("no pairs") && log().contains("Ctrl+Z")) << log().toStdString();
+  EXPECT_EQ(edits().undoText(), "calibration (Trajectory alignment)") << edits().undoText().toStdString();
+  const OutputPtr of_trajectory = workbench_.output();
+  edits().undo();
+  EXPECT_EQ(workbench_.output(), before);
+  EXPECT_EQ(pair(5).reason, "lorry");
+  edits().undo();  // the method
+  edits().undo();  // the decision
+  ASSERT_TRUE(settle());
+  EXPECT_NE(pair(5).decided_by, DecidedBy::User) << "edits from before the calibration can be taken back too";
+  for (int edit = 0; edit < 3; ++edit) edits().redo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.output(), of_trajectory);
+  edits().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(pair(5).reason, "lorry");
+}
+
+TEST_F(history, decisions_outlive_a_result_without_pairs_also_in_the_project) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("job.remount");
+  show();
+  calibrate_drive();
+  reject(5);
+  calibrate_by(MethodChoice::Trajectory);
+  workbench_.save_project(path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kPatience_ms));
+  workbench_.open_project(path);
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(workbench_.output()->method, "trajectory");
+  EXPECT_EQ(workbench_.decision_count(), 1);
+  calibrate_by(MethodChoice::Pairwise);
+  EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
+  EXPECT_EQ(pair(5).reason, "lorry");
+}
+
+TEST_F(history, a_first_calibration_takes_the_place_of_nothing) {
+  show();
+  calibrate_drive();
+  EXPECT_FALSE(edits().canUndo());
+}
+
+TEST_F(history, a_closed_session_says_that_its_result_went_and_comes_back_with_it) {
+  show();
+  calibrate_drive();
+  window_.open_paths({"/data/drive2"});
+  ASSERT_TRUE(settle());
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  reject(7);
+  const OutputPtr before = workbench_.output();
+  const auto sessions = workbench_.sessions();
+  workbench_.remove_session(0);
+  EXPECT_FALSE(workbench_.output());
+  EXPECT_EQ(workbench_.sessions().size(), 1U);
+  EXPECT_TRUE(log().contains("belonged to the sessions before")) << log().toStdString();
+  EXPECT_TRUE(status_line().contains("belonged to the sessions before")) << status_line().toStdString();
+  edits().undo();
+  EXPECT_EQ(workbench_.sessions(), sessions);
+  EXPECT_EQ(workbench_.output(), before);
+  EXPECT_EQ(pair(7).reason, "lorry");
+  EXPECT_FALSE(workbench_.out_of_date());
+  edits().redo();
+  EXPECT_FALSE(workbench_.output());
+  EXPECT_EQ(workbench_.sessions().size(), 1U);
+}
+
+class history_of_topics : public history {
+ protected:
+  void SetUp() override {
+    calibrate_drive();
+    workbench_.apply_nominal(rigid_from_six({1, 0, 0, 0, 0, 0}));
+  }
+  void choose_other_topics() {
+    Session other = *workbench_.sessions()[0];
+    other.topic_choice = {{"lidar", "/rear/points"}};
+    edits().push(new TopicsCommand(workbench_, workbench_.sessions()[0], std::make_shared<const Session>(other)));
+  }
+  double nominal_x_m() const { return workbench_.nominal_ins_from_lidar()->translation().x(); }
+};
+
+TEST_F(history_of_topics, has_the_nominal_of_then) {
+  choose_other_topics();
+  // As a session does that is opened later and knows one; no edit of its own.
+  workbench_.apply_nominal(rigid_from_six({2.5, 0, 0, 0, 0, 0}));
+  edits().undo();
+  EXPECT_NEAR(nominal_x_m(), 1.0, 1e-12);
+  edits().redo();
+  EXPECT_NEAR(nominal_x_m(), 2.5, 1e-12) << "the one that came later";
+  edits().undo();
+  EXPECT_NEAR(nominal_x_m(), 1.0, 1e-12);
+}
+
+TEST_F(history_of_topics, has_the_results_of_other_methods_that_were_compared) {
+  calibrate_by(MethodChoice::Trajectory);
+  const auto compared = [&] { return window_.findChild<MethodController*>()->compared().of_methods.size(); };
+  ASSERT_EQ(compared(), 2U);
+  choose_other_topics();
+  EXPECT_EQ(compared(), 0U) << "they are of other data";
+  edits().undo();
+  EXPECT_EQ(compared(), 2U);
+  edits().redo();
+  EXPECT_EQ(compared(), 0U);
+}
+
+TEST_F(history, a_run_whose_sessions_have_changed_is_not_left_out_in_silence) {
+  show();
+  calibrate_drive();
+  const OutputPtr before = workbench_.output();
+  window_.open_paths({"/data/drive2"});
+  ASSERT_TRUE(settle());
+  workbench_.remove_session(1);
+  *hold_at_ = 5;
+  workbench_.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.stage().isEmpty(); }, kPatience_ms));
+  edits().undo();
+  *hold_at_ = -1;
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(log().contains("was of other sessions or topics")) << log().toStdString();
+  EXPECT_EQ(workbench_.output(), before);
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,61 @@
+#include "widgets/forms/option_changes.h"
+
+#include <gtest/gtest.h>
+
+#include <QRegularExpression>
+
+#include "tests/widgets/support/restored.h"
+#include "widgets/forms/option_access.h"
+#include "widgets/forms/section_words.h"
+
+namespace remount {
+namespace {
+
+TEST(option_changes, are_named_as_on_the_pages_of_the_options) {
+  const testing::LanguageFor english("en");
+  Settings then, now;
+  EXPECT_TRUE(setting_changes(then, now).isEmpty());
+  then.pairing.max_gap_s = 2.5;
+  now.pairing.max_gap_s = 1.25;
+  now.registration.algorithm = RegistrationAlgorithm::PclGicp;
+  then.solve.joint_clouds = true;
+  now.solve.joint_clouds = false;
+  now.range.yaw_max_rad = degrees_to_radians(90.0);
+  now.run.cache_mb = then.run.cache_mb + 100;
+  EXPECT_EQ(setting_changes(then, now).join('\n'),
+            "Max gap (Pairing): 2.5 s, now 1.25 s\n"
+            "Algorithm (Alignment): plane to plane (own engine), now GICP (PCL)\n"
+            "Yaw max (Search range): 180°, now 90°\n"
+            "Joint clouds (Solution): on, now off");
+}
+
+/// Whatever is changed: no key of a file is among the words, and the option's label is.
+void expect_words_without_keys(const QString& language) {
+  const testing::LanguageFor spoken(language);
+  const Settings then;
+  for (const OptionField& field : option_fields(then)) {
+    if (field.name == "cache_mb") continue;
+    Settings now = then;
+    const QVariant other = field.kind == OptionKind::Switch ? QVariant(!field.value.toBool())
+                           : field.kind == OptionKind::Text ? QVariant("other")
+                           : field.kind == OptionKind::Choice
+                               ? QVariant((field.value.toInt() + 1) % static_cast<int>(field.choices.size()))
+                           : field.kind == OptionKind::Integer ? QVariant(field.value.toInt() + 1)
+                                                               : QVariant(field.value.toDouble() + 0.5);
+    ASSERT_TRUE(set_option(now, field.section, field.name, other));
+    const QString text = setting_changes(then, now).join('\n');
+    EXPECT_TRUE(text.startsWith(option_label(field))) << text.toStdString();
+    EXPECT_TRUE(text.contains(section_title(field.section))) << text.toStdString();
+    static const QRegularExpression kKey(QStringLiteral("[a-z]+[._][a-z]+_?[a-z]*"));
+    EXPECT_FALSE(QString(text).remove(QRegularExpression(QStringLiteral("[0-9.]+"))).contains(kKey))
+        << text.toStdString();
+    if (language == "zh_CN") EXPECT_TRUE(text.contains(QStringLiteral("现在为"))) << text.toStdString();
+  }
+}
+
+TEST(option_changes, hold_no_keys_of_files) { expect_words_without_keys("en"); }
+
+TEST(option_changes, hold_no_keys_of_files_in_chinese) { expect_words_without_keys("zh_CN"); }
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,47 @@
+#include "widgets/forms/option_changes.h"
+
+#include <QCoreApplication>
+
+#include "widgets/forms/choice_words.h"
+#include "widgets/forms/option_access.h"
+#include "widgets/forms/section_words.h"
+
+namespace remount {
+namespace {
+
+struct Words {
+  Q_DECLARE_TR_FUNCTIONS(remount::option_changes)
+};
+
+QString value_text(const OptionField& field) {
+  switch (field.kind) {
+    case OptionKind::Switch:
+      return field.value.toBool() ? Words::tr("on") : Words::tr("off");
+    case OptionKind::Integer:
+      return field.value.toString() + screen_suffix(field);
+    case OptionKind::Real:
+      return QString::number(on_screen(field, field.value.toDouble()), 'g', 7) + screen_suffix(field);
+    case OptionKind::Choice:
+      return choice_words(field, field.choices.value(field.value.toInt()));
+    case OptionKind::Text:
+      break;
+  }
+  return field.value.toString().isEmpty() ? QStringLiteral("–") : field.value.toString();
+}
+
+}  // namespace
+
+QStringList setting_changes(const Settings& then, const Settings& now) {
+  const std::vector<OptionField> before = option_fields(then), after = option_fields(now);
+  QStringList changes;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const OptionField &old = before[i], &present = after[i];
+    const bool memory = old.section == QLatin1String("run") && old.name == QLatin1String("cache_mb");
+    if (old.value != present.value && !memory)
+      changes << Words::tr("%1 (%2): %3, now %4")
+                     .arg(option_label(old), section_title(old.section), value_text(old), value_text(present));
+  }
+  return changes;
+}
+
+}  // namespace remount

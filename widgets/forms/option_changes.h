@@ -1,0 +1,14 @@
+// Two settings compared, in the words of the options' pages.
+#pragma once
+
+#include <QStringList>
+
+#include "model/settings.h"
+
+namespace remount {
+
+/// "Max gap (Pairing): 2.5 s, now 1.25 s", one for each option that differs and matters for a result. Angles in
+/// degrees.
+QStringList setting_changes(const Settings& then, const Settings& now);
+
+}  // namespace remount

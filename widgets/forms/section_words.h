@@ -1,0 +1,11 @@
+// Sections of the settings as the options' pages are called.
+#pragma once
+
+#include <QString>
+
+namespace remount {
+
+/// "pairing" -> "Pairing"; the section itself where it has no page of its own.
+QString section_title(const QString& section);
+
+}  // namespace remount

@@ -1,0 +1,21 @@
+#include "widgets/pair_counts.h"
+
+#include "algorithms/calibration/pair_judgement.h"
+
+namespace remount {
+
+PairCounts count_pairs(const PipelineOutput& output) {
+  const CalibrationResult& result = output.result;
+  if (output.pairs.empty()) return {result.pairs_proposed, result.pairs_accepted, result.pairs_rejected, 0, 0};
+  PairCounts counts;
+  counts.all = static_cast<int>(output.pairs.size());
+  for (const Pair& pair : output.pairs) {
+    counts.aligned += unusable_reason(pair).empty();
+    counts.accepted += pair.state == PairState::Accepted;
+    counts.rejected += pair.state == PairState::Rejected;
+    counts.by_user += pair.decided_by == DecidedBy::User;
+  }
+  return counts;
+}
+
+}  // namespace remount
