@@ -17,11 +17,12 @@
 #include "model/pipeline.h"
 #include "model/pipeline/register_stage.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/sanitized.h"
 
 namespace remount {
 namespace {
 
-constexpr double kBound_ms = 250.0, kHanging_ms = 10000.0;
+constexpr double kBound_ms = 250.0 * kSanitizerSlowdown, kHanging_ms = 10000.0 * kSanitizerSlowdown;
 
 double cpu_ms() {
   std::timespec now{};
@@ -69,7 +70,7 @@ void expect_back_soon(const char* what, int moments, const Body& body) {
     wall.push_back(back_wall_ms - asked_wall_ms);
     cpu.push_back(back_cpu_ms - asked_cpu_ms);
     said += says_so;
-    constexpr double kMoment_ms = 5.0;
+    constexpr double kMoment_ms = 5.0 * kSanitizerSlowdown;
     EXPECT_TRUE(says_so || cpu.back() < kMoment_ms)
         << what << ": worked on for " << cpu.back() << " ms, and says nothing";
   }
