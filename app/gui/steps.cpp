@@ -26,7 +26,7 @@ QString short_status(Status status) {
     case Status::Degenerate:
       return Words::tr("solved in part");
     case Status::TooFewPairs:
-      return Words::tr("too few pairs");
+      return Words::tr("too little data");
     case Status::NotConverged:
       return Words::tr("did not converge");
     case Status::OutOfRange:

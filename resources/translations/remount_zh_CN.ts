@@ -2657,8 +2657,8 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>已求解，但不是每个方向</translation>
     </message>
     <message>
-        <source>Not solved: too few pairs</source>
-        <translation>未求解：帧对太少</translation>
+        <source>Not solved: too little data</source>
+        <translation>未求解：数据太少</translation>
     </message>
     <message>
         <source>Not solved: did not converge</source>
@@ -7359,8 +7359,8 @@ Save under another name, or close it there first.</source>
         <translation>部分求解</translation>
     </message>
     <message>
-        <source>too few pairs</source>
-        <translation>帧对太少</translation>
+        <source>too little data</source>
+        <translation>数据太少</translation>
     </message>
     <message>
         <source>did not converge</source>

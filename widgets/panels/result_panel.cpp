@@ -99,7 +99,7 @@ QString status_title(Status status) {
     case Status::Degenerate:
       return ResultPanel::tr("Solved, but not every direction");
     case Status::TooFewPairs:
-      return ResultPanel::tr("Not solved: too few pairs");
+      return ResultPanel::tr("Not solved: too little data");
     case Status::NotConverged:
       return ResultPanel::tr("Not solved: did not converge");
     case Status::OutOfRange:
@@ -336,7 +336,8 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   for (const ObservabilityDirection& direction : result.directions)
     if (!direction.observed && !direction.words.empty()) blind << model_text(direction.words);
   const PairCounts pairs = count_pairs(output);
-  figures << tr("%1 pairs: %2 accepted, %3 rejected").arg(pairs.all).arg(pairs.accepted).arg(pairs.rejected);
+  if (output.method == kPairwise)
+    figures << tr("%1 pairs: %2 accepted, %3 rejected").arg(pairs.all).arg(pairs.accepted).arg(pairs.rejected);
   if (has_numbers(result.status)) {
     figures << tr("residuals: %1 cm, %2° (rms)")
                    .arg(100.0 * result.translation_rms_m, 0, 'f', 2)
