@@ -215,14 +215,6 @@ std::vector<std::string> Project::changes_since_calibration() const {
   return changes;
 }
 
-std::vector<PairVerdict> verdicts_of(const PipelineOutput& output) {
-  std::vector<PairVerdict> verdicts;
-  for (const PairRecord& pair : pair_records(output.keyframes, output.pairs))
-    if (pair.decided_by == DecidedBy::User)
-      verdicts.push_back({pair.session, pair.stamp_a_ns, pair.stamp_b_ns, pair.state, pair.reason});
-  return verdicts;
-}
-
 int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& output) {
   std::map<std::tuple<int, std::int64_t, std::int64_t>, const PairVerdict*> wanted;
   for (const PairVerdict& verdict : verdicts)

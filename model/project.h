@@ -49,9 +49,6 @@ struct Project {
   std::vector<std::string> changes_since_calibration() const;
 };
 
-/// The verdicts that the user has given in an output.
-std::vector<PairVerdict> verdicts_of(const PipelineOutput& output);
-
 /// Gives the pairs of an output the states of the verdicts, as decided by the user; solve_again makes them count.
 /// Returns how many verdicts found their pair.
 int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& output);

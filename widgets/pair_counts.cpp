@@ -1,6 +1,6 @@
 #include "widgets/pair_counts.h"
 
-#include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/trajectory/pair.h"
 
 namespace remount {
 

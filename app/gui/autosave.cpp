@@ -115,13 +115,15 @@ void Autosave::write() {
   const bool away = in_notes_ || workbench_.read_only();  // who has the project keeps autosaves beside it
   // Nobody else touches the notes before job_ is 0 again.
   job_ = jobs_->start(
-      [this, away, figures, notes = notes_.get(), snapshot = workbench_.snapshot()](Progress&) -> JobRunner::Deliver {
+      [this, away, figures, notes = notes_.get(), restored = restored_,
+       snapshot = workbench_.snapshot()](Progress&) -> JobRunner::Deliver {
         const int revision = snapshot.revision;
         const QString path = away ? notes->next_path_in_notes() : notes->next_path(figures.project_path);
         write_snapshot(snapshot, path);
         write_note(notes->folder(), path, figures);
         notes->adopt(path);
-        return [this, path, revision] { written(path, revision); };
+        for (const RecoveryOffer& offer : restored) discard(offer);  // the snapshot holds their work
+        return [this, path, revision, count = std::ssize(restored)] { written(path, revision, count); };
       },
       [this](const JobFailure& failure) {
         job_ = 0;
@@ -133,13 +135,12 @@ void Autosave::write() {
       });
 }
 
-void Autosave::written(const QString& path, int revision) {
+void Autosave::written(const QString& path, int revision, std::ptrdiff_t discarded) {
   job_ = 0;
   if (finished_) return notes_->clear();
   saved_revision_ = revision;
   complained_ = false;
-  for (const RecoveryOffer& offer : restored_) discard(offer);
-  restored_.clear();
+  restored_.erase(restored_.begin(), restored_.begin() + discarded);
   emit saved(path);
   look();
 }

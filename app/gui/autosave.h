@@ -38,7 +38,8 @@ class Autosave : public QObject {
   void clear();
   void show_life();
   void write();
-  void written(const QString& path, int revision);
+  /// `discarded`: so many of restored_ have been removed, the first.
+  void written(const QString& path, int revision, std::ptrdiff_t discarded);
   void could_not(const JobFailure& failure);
   AutosaveSummary summary() const;
 

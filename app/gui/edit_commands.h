@@ -71,14 +71,15 @@ class TopicsCommand : public QUndoCommand {
 class RemovalCommand : public QUndoCommand {
  public:
   RemovalCommand(Workbench& workbench, std::shared_ptr<const Session> session, std::ptrdiff_t place);
-  void undo() override { workbench_.apply_return(session_, place_, calibrated_); }
-  void redo() override { workbench_.apply_removal(session_); }
+  void undo() override { opened_since_ = workbench_.apply_return(session_, place_, calibrated_); }
+  void redo() override { workbench_.apply_removal(session_, opened_since_); }
 
  private:
   Workbench& workbench_;
   std::shared_ptr<const Session> session_;
   std::ptrdiff_t place_;
   Workbench::CalibratedPtr calibrated_;
+  Workbench::Placed opened_since_;  ///< the same recording, opened once more after it was closed
 };
 
 class NominalCommand : public QUndoCommand {

@@ -181,24 +181,29 @@ void Workbench::tell_findings(const Session& session) {
   }
 }
 
-void Workbench::calibrate() {
-  if (opening() || calibrating()) return;
+bool Workbench::may_calibrate() {
+  if (opening() || calibrating()) return false;
   if (sessions_.empty()) {
     emit message(Severity::Warning, {}, tr("There is nothing to calibrate yet: open a recorded session first."));
-    return;
+    return false;
   }
   const std::string nominal = nominal_problem(nominal_ins_from_lidar_, settings_.range);
   if (!nominal.empty()) {
     emit message(Severity::Problem, tr("Nominal mounting"), QString::fromStdString(nominal));
-    return;
+    return false;
   }
   const std::vector<std::string> problems = settings_.check();
   if (!problems.empty()) {
     QStringList lines;
     for (const std::string& problem : problems) lines << model_text(problem);
     emit message(Severity::Problem, tr("Options"), lines.join('\n'));
-    return;
+    return false;
   }
+  return true;
+}
+
+void Workbench::calibrate() {
+  if (!may_calibrate()) return;
   for (const int job : {solve_job_, map_job_}) jobs_.cancel(job);
   solve_job_ = map_job_ = 0;
   map_pause_.stop();

@@ -146,9 +146,16 @@ class Workbench : public QObject {
   /// Puts one session in the place of another; without `calibrated`, nothing is calibrated yet.
   void apply_session(const std::shared_ptr<const Session>& from, const std::shared_ptr<const Session>& to,
                      const CalibratedPtr& calibrated);
-  void apply_removal(const std::shared_ptr<const Session>& session);
-  void apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
-                    const CalibratedPtr& calibrated);
+  struct Placed {
+    std::shared_ptr<const Session> session;  ///< null for none
+    std::ptrdiff_t place = 0;
+  };
+  /// `opened_since`: what apply_return took away for the session comes back.
+  void apply_removal(const std::shared_ptr<const Session>& session, const Placed& opened_since);
+  /// Returns what was opened of the same recording meanwhile and is no longer open, with its place after the return is
+  /// undone: a recording is never open twice.
+  Placed apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
+                      const CalibratedPtr& calibrated);
 
   /// Reads a project and its sessions in the background and replaces what is there. Where sessions are not where the
   /// file says, nothing is replaced and sessions_missing asks for them; where another window has the project open,
@@ -248,8 +255,10 @@ class Workbench : public QObject {
   void put_back(const Calibrated& calibrated);
   void show_put_back(const CalibratedPtr& calibrated);  ///< null where nothing was
   void leave_topics_of(const Session& from, const Session& to);
+  void insert_session(const Placed& placed);
   void stop_for_other_sessions();
   void forget_calibration();
+  bool may_calibrate();  ///< says why not
   void take_run(const PipelineInput& input, OutputPtr output);
   /// A run of sessions that are no longer those that are open.
   void drop_run();

@@ -69,12 +69,12 @@ void Workbench::apply_calibration(const CalibratedPtr& calibrated, const QString
 }
 
 void Workbench::keep_what_was(const CalibratedPtr& before) {
-  if (!before) return;
+  if (!before) return undo_.clear();  // or redo would put an older calibration in the place of this one
   const auto& methods = calibration_methods();
   const auto method = std::find_if(methods.begin(), methods.end(),
                                    [&](const CalibrationMethod& one) { return one.id == output_->method; });
-  undo_.push(new CalibrationCommand(
-      *this, tr("calibration (%1)").arg(method == methods.end() ? QString() : model_text(method->title)), before));
+  const QString title = method == methods.end() ? QString::fromStdString(output_->method) : model_text(method->title);
+  undo_.push(new CalibrationCommand(*this, tr("calibration (%1)").arg(title), before));
   if (before->output && !before->output->pairs.empty() && output_->pairs.empty())
     emit message(Severity::Note, {},
                  tr("This method has no pairs. Those of the calibration before come back by undo (Ctrl+Z), and "
@@ -119,20 +119,33 @@ void Workbench::apply_session(const std::shared_ptr<const Session>& from, const 
   show_put_back(calibrated);
 }
 
-void Workbench::apply_removal(const std::shared_ptr<const Session>& session) {
+void Workbench::apply_removal(const std::shared_ptr<const Session>& session, const Placed& opened_since) {
   std::erase(sessions_, session);
+  if (opened_since.session) insert_session(opened_since);
   stop_for_other_sessions();
   emit sessions_changed();
   show_put_back(nullptr);
 }
 
-void Workbench::apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
-                             const CalibratedPtr& calibrated) {
-  sessions_.insert(sessions_.begin() + std::min(place, std::ssize(sessions_)), session);
+void Workbench::insert_session(const Placed& placed) {
+  sessions_.insert(sessions_.begin() + std::min(placed.place, std::ssize(sessions_)), placed.session);
+}
+
+Workbench::Placed Workbench::apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
+                                          const CalibratedPtr& calibrated) {
+  const auto again =
+      std::find_if(sessions_.begin(), sessions_.end(), [&](const auto& open) { return open->path == session->path; });
+  Placed opened_since;
+  if (again != sessions_.end()) {
+    opened_since = {*again, again - sessions_.begin()};
+    sessions_.erase(again);
+  }
+  insert_session({session, place});
   stop_for_other_sessions();
   put_back(*calibrated);
   emit sessions_changed();
   show_put_back(calibrated);
+  return opened_since;
 }
 
 std::vector<PairVerdict> Workbench::verdicts() const {

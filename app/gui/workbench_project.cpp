@@ -152,11 +152,12 @@ void Workbench::save_project(const QString& path, std::function<void()> saved) {
 }
 
 void Workbench::start_save(const LockPtr& of_last) {
-  const std::filesystem::path wanted = lock_path_of(saves_.front().path.toStdString());
   jobs_.start(
-      [this, save = saves_.front(),
-       present = of_last && of_last->path() == wanted ? of_last : lock_](Progress&) -> JobRunner::Deliver {
-        const LockPtr lock = lock_to_save(save.path, present, *locks_);
+      [this, save = saves_.front(), of_last = of_last, of_project = lock_](Progress&) mutable -> JobRunner::Deliver {
+        // Where links lead only the disk knows, which may take its time.
+        const bool same = of_last && of_last->path() == lock_path_of(save.path.toStdString());
+        const LockPtr lock = lock_to_save(save.path, same ? of_last : of_project, *locks_);
+        of_last.reset();  // another save may be waiting for it
         write_snapshot(save.snapshot, save.path);
         return [this, save, lock] {
           if (save.project == project_) hold(lock, false);

@@ -92,15 +92,13 @@ void Workbench::choose_topics(int session, const TopicChoice& choice) {
 }
 
 void Workbench::leave_topics_of(const Session& from, const Session& to) {
-  // Scans are known by their numbers, which those of another topic have as well.
+  // Scans are known by their stamps, which those of another topic may have as well.
   if (topic_of(from, "lidar") != topic_of(to, "lidar"))
     std::erase_if(decisions_, [&](const auto& made) { return std::get<0>(made.first) == to.path.string(); });
   // A nominal that came from the transforms between the former frames is not one between these.
   if (nominal_ins_from_lidar_ && from.nominal_ins_from_lidar &&
       nominal_ins_from_lidar_->isApprox(*from.nominal_ins_from_lidar))
     nominal_ins_from_lidar_ = to.nominal_ins_from_lidar;
-  data_changed_ = confirmed_ = false;
-  exported_ = Exported::No;
 }
 
 }  // namespace remount

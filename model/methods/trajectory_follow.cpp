@@ -50,7 +50,9 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   Clock::time_point grown = Clock::now();
   while (!following.cancelled() && seconds_since(grown) < options.settled_s) {
     const Session* now = growing.look();
-    if (now && items_of(*now) != items) {  // fewer: the recording was begun again
+    if (now && items_of(*now) != items) {
+      // The recording was begun again: what is known of the one before says nothing of this one.
+      if (items_of(*now) < items) feed.reset();
       items = items_of(*now);
       grown = Clock::now();
       if (!feed && can_begin(*now)) begin(*now);

@@ -122,6 +122,40 @@ TEST_F(history, a_closed_session_says_that_its_result_went_and_comes_back_with_i
   EXPECT_EQ(workbench_.sessions().size(), 1U);
 }
 
+TEST_F(history, a_calibration_after_undo_leaves_no_older_one_to_redo) {
+  show();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  workbench_.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  while (edits().canUndo()) edits().undo();
+  ASSERT_FALSE(workbench_.output());
+  ASSERT_TRUE(edits().canRedo());
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(workbench_.output());
+  EXPECT_FALSE(edits().canRedo()) << edits().redoText().toStdString();
+}
+
+TEST_F(history, a_session_that_was_opened_anew_is_not_there_twice_where_its_removal_is_undone) {
+  show();
+  calibrate_drive();
+  const OutputPtr before = workbench_.output();
+  const auto sessions = workbench_.sessions();
+  workbench_.remove_session(0);
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  const auto opened_anew = workbench_.sessions();
+  ASSERT_EQ(opened_anew.size(), 1U);
+  edits().undo();
+  EXPECT_EQ(workbench_.sessions(), sessions);
+  EXPECT_EQ(workbench_.output(), before);
+  edits().redo();
+  EXPECT_EQ(workbench_.sessions(), opened_anew);
+  EXPECT_FALSE(workbench_.output());
+}
+
 class history_of_topics : public history {
  protected:
   void SetUp() override {

@@ -36,7 +36,6 @@ class ResultPanel : public QScrollArea {
   void copy_requested();
   void export_requested();
 
- protected:
  private:
   struct Row {
     QLabel *value, *sigma, *moved;

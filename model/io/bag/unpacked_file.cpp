@@ -63,7 +63,8 @@ constexpr std::string_view kName = "remount-bag-";
 void remove_leftovers(const fs::path& folder) try {
   for (const fs::path& file : files_in(folder)) {
     if (!file.filename().string().starts_with(kName)) continue;
-    const FileDescriptor there(uninterrupted([&] { return ::open(file.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC); }));
+    const FileDescriptor there(
+        uninterrupted([&] { return ::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
     if (there.get() >= 0 && ::flock(there.get(), LOCK_EX | LOCK_NB) == 0 && lies_at(there, file))
       ::unlink(file.c_str());
   }
