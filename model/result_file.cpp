@@ -35,6 +35,8 @@ DocumentNode error_document(const CalibrationResult& result) {
 template <class SigmaOf>
 DocumentNode sigma_document(SigmaOf&& sigma_of) {
   DocumentNode node = DocumentNode::map();
+  DocumentNode& order = node.add("order", DocumentNode::sequence());
+  for (const char* name : {"x", "y", "z", "roll", "pitch", "yaw"}) order.add(DocumentNode::string(name));
   node.add("translation_m", DocumentNode::numbers({sigma_of(0), sigma_of(1), sigma_of(2)}));
   node.add("rotation_deg", DocumentNode::numbers({radians_to_degrees(sigma_of(5)), radians_to_degrees(sigma_of(4)),
                                                   radians_to_degrees(sigma_of(3))}));

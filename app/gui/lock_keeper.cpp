@@ -1,6 +1,7 @@
 #include "app/gui/lock_keeper.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace remount {
@@ -16,13 +17,17 @@ void LockKeeper::release(LockPtr lock) {
   releases_.remove_if([](const Release& release) { return release.done; });
   Release& release = releases_.emplace_back();
   release.path = lock->path();
-  release.thread = std::jthread([this, &release, lock = std::move(lock)]() mutable {
-    give_back_(std::move(lock));
-    lock.reset();
-    const std::scoped_lock ended(mutex_);
-    release.done = true;
-    changed_.notify_all();
-  });
+  try {
+    release.thread = std::jthread([this, &release, lock = std::move(lock)]() mutable {
+      give_back_(std::move(lock));
+      lock.reset();
+      const std::scoped_lock ended(mutex_);
+      release.done = true;
+      changed_.notify_all();
+    });
+  } catch (const std::system_error&) {
+    release.done = true;  // no thread can be started: the lock went with what was to be its task
+  }
 }
 
 void LockKeeper::await(const std::filesystem::path& path) {

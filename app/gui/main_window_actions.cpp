@@ -215,7 +215,15 @@ void MainWindow::show_export() {
       },
       this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->show_warning(export_warning(workbench_));
+  const auto follow = [this, dialog] {
+    const OutputPtr now = workbench_.output();
+    if (!now || !is_usable(now->result)) return dialog->reject();
+    dialog->show_warning(export_warning(workbench_));
+    dialog->show_current();  // what is saved is what is the result then
+  };
+  follow();
+  connect(&workbench_, &Workbench::output_changed, dialog, follow);
+  connect(&workbench_, &Workbench::state_changed, dialog, follow);
   connect(dialog, &ExportDialog::copied, &workbench_, [this] { workbench_.mark_exported(Exported::Copied); });
   connect(dialog, &ExportDialog::save_requested, this,
           [this](const QString&, const QString& path, const QString& text) {

@@ -19,12 +19,12 @@ struct Words {
 QString not_needed() { return Words::tr("not needed"); }
 
 /// "0.9000 m" would say more than fits: the status in a few words.
-QString short_status(Status status) {
-  switch (status) {
+QString short_status(const CalibrationResult& result) {
+  switch (result.status) {
     case Status::Ok:
       return Words::tr("all six observed");
     case Status::Degenerate:
-      return Words::tr("solved in part");
+      return knows_nothing(result) ? Words::tr("nothing observed") : Words::tr("solved in part");
     case Status::TooFewPairs:
       return Words::tr("too little data");
     case Status::NotConverged:
@@ -129,7 +129,7 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
   else if (stale)
     step(Step::Solve) = {StepState::Attention, Words::tr("out of date")};
   else
-    step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(status)};
+    step(Step::Solve) = {status == Status::Ok ? StepState::Done : StepState::Attention, short_status(output->result)};
   if (!is_usable(output->result)) return steps;
   if (stale) {
     for (const Step which : {Step::Check, Step::Export}) step(which) = {StepState::Attention, Words::tr("out of date")};

@@ -34,9 +34,14 @@ bool UndoKeys::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride) return false;
   const auto* key = static_cast<const QKeyEvent*>(event);
   const bool undo = key->matches(QKeySequence::Undo);
-  if (!undo && !key->matches(QKeySequence::Redo)) return false;
+  const bool to_the_end = key->key() == Qt::Key_E && key->modifiers() == Qt::ControlModifier;  // X11; End does it too
+  if (!undo && !to_the_end && !key->matches(QKeySequence::Redo)) return false;
   const QLineEdit* text = text_of(*watched);
   if (!text) return false;
+  if (to_the_end) {
+    event->ignore();
+    return true;
+  }
   if (undo ? text->isUndoAvailable() && !taken_over(*watched) : text->isRedoAvailable()) return false;
   event->ignore();
   return true;

@@ -24,6 +24,8 @@ Workbench::Workbench(Engine engine, QObject* parent)
 Workbench::Workbench(Engine engine, std::unique_ptr<LockKeeper> locks, QObject* parent)
     : QObject(parent), engine_(std::move(engine)), locks_(std::move(locks)) {
   qRegisterMetaType<CloudsPtr>();
+  constexpr int kMostSteps = 1000;  // those that hold calibrations and closed sessions cost memory
+  undo_.setUndoLimit(kMostSteps);
   connect(&jobs_, &JobRunner::progressed, this,
           [this](int job, const QString& stage, qulonglong done, qulonglong total) {
             if (job == run_job_ && stage != stage_) {

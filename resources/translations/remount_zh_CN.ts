@@ -2888,6 +2888,14 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>Change since the result before; what made it is said below the numbers</source>
         <translation>相对于之前结果的变化；原因见数值下方</translation>
     </message>
+    <message>
+        <source>Not solved: nothing is observed</source>
+        <translation>未求解：没有可观测的量</translation>
+    </message>
+    <message>
+        <source>solved from the aligned pairs: with decisions of yours their clouds are not aligned together</source>
+        <translation>由已配准的帧对求解：有您的决定时，点云不再一起配准</translation>
+    </message>
 </context>
 <context>
     <name>remount::SceneController</name>
@@ -7457,6 +7465,10 @@ Save under another name, or close it there first.</source>
     <message>
         <source>copied, in no file</source>
         <translation>已复制，未存文件</translation>
+    </message>
+    <message>
+        <source>nothing observed</source>
+        <translation>均不可观测</translation>
     </message>
 </context>
 <context>

@@ -42,5 +42,20 @@ TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
       << "the copied result ends with the same matrix";
 }
 
+TEST_F(export_window, what_is_saved_is_the_result_of_then_however_long_the_dialog_was_open) {
+  show();
+  calibrate_drive();
+  trigger("Ctrl+E");
+  auto& dialog = child<ExportDialog>();
+  dialog.choose("yaml");
+  const QString before = dialog.current_text();
+  workbench_.decide({0, 1, 2}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench_.solving(); }, testing::kPatience_ms));
+  EXPECT_NE(dialog.current_text(), before);
+  EXPECT_EQ(dialog.current_text(), export_text(workbench_, dialog.current_id()));
+  workbench_.remove_session(0);
+  EXPECT_FALSE(dialog.isVisible()) << "there is nothing to export any more";
+}
+
 }  // namespace
 }  // namespace remount

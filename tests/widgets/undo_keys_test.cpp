@@ -7,6 +7,7 @@
 
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/gl_support.h"
+#include "widgets/panels/export_dialog.h"
 #include "widgets/panels/options_dialog.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/range_panel.h"
@@ -60,6 +61,16 @@ TEST_F(undo_keys, take_the_edits_of_number_fields_back_while_one_has_the_keyboar
   redo(largest);
   EXPECT_EQ(range().x_min_m, -1.0);
   EXPECT_EQ(range().x_max_m, 1.25);
+}
+
+TEST_F(undo_keys, export_opens_while_a_number_field_has_the_keyboard) {
+  calibrate_drive();
+  auto& largest = field<QDoubleSpinBox>("range.x_max_m");
+  largest.setFocus();
+  QTest::keyClick(&largest, Qt::Key_E, Qt::ControlModifier);
+  auto* dialog = window_.findChild<ExportDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  dialog->close();
 }
 
 TEST_F(undo_keys, take_back_what_is_typed_before_it_is_an_edit) {

@@ -89,7 +89,8 @@ void ExportDialog::show_current() {
   const ExportText current = text_of_(format.id);
   text_ = current.text;
   preview_->setLineWrapMode(current.problem.isEmpty() ? QPlainTextEdit::NoWrap : QPlainTextEdit::WidgetWidth);
-  preview_->setPlainText(current.problem.isEmpty() ? current.text : current.problem);
+  const QString shown = current.problem.isEmpty() ? current.text : current.problem;
+  if (preview_->toPlainText() != shown) preview_->setPlainText(shown);  // or it would jump to its beginning
   // A message must not be saved for a calibration.
   copy_->setEnabled(current.problem.isEmpty());
   save_->setEnabled(current.problem.isEmpty());

@@ -34,13 +34,14 @@ class ExportDialog : public QDialog {
   QString current_id() const;
   QString current_text() const;  ///< empty where the format cannot hold the result
   void choose(const QString& id);
+  /// Shows the text of the chosen format as it is now.
+  void show_current();
 
  signals:
   void copied(const QString& id);
   void save_requested(const QString& id, const QString& path, const QString& text);
 
  private:
-  void show_current();
   void ask_where();
 
   std::vector<ExportFormat> formats_;

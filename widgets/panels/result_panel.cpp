@@ -85,19 +85,27 @@ QString sharpness_table(const PipelineOutput& output) {
                     {QString(), ResultPanel::tr("surfaces"), ResultPanel::tr("entropy")}, rows);
 }
 
-auto status_color(Status status) -> QColor (*)(const QPalette&) {
+auto status_color(const CalibrationResult& result) -> QColor (*)(const QPalette&) {
+  const Status status = result.status;
   if (status == Status::Ok) return good_color;
+  if (knows_nothing(result)) return bad_color;
   return status == Status::Degenerate || status == Status::Inconsistent ? warning_color : bad_color;
 }
 
 }  // namespace
 
-QString status_title(Status status) {
-  switch (status) {
+bool knows_nothing(const CalibrationResult& result) {
+  return result.status == Status::Degenerate &&
+         std::none_of(result.observed.begin(), result.observed.end(), [](bool observed) { return observed; });
+}
+
+QString status_title(const CalibrationResult& result) {
+  switch (result.status) {
     case Status::Ok:
       return ResultPanel::tr("Solved");
     case Status::Degenerate:
-      return ResultPanel::tr("Solved, but not every direction");
+      return knows_nothing(result) ? ResultPanel::tr("Not solved: nothing is observed")
+                                   : ResultPanel::tr("Solved, but not every direction");
     case Status::TooFewPairs:
       return ResultPanel::tr("Not solved: too little data");
     case Status::NotConverged:
@@ -117,7 +125,7 @@ bool has_numbers(Status status) {
 }
 
 QString result_as_text(const CalibrationResult& result) {
-  QStringList lines{status_title(result.status),
+  QStringList lines{status_title(result),
                     ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)")};
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
   for (std::size_t i = 0; i < values.size() && has_numbers(result.status); ++i) {
@@ -253,8 +261,8 @@ void ResultPanel::show_status() {
     return;
   }
   // Green is for what holds now.
-  QString title = status_title(*shown_);
-  QColor (*color)(const QPalette&) = status_color(*shown_);
+  QString title = status_title(shown_->result);
+  QColor (*color)(const QPalette&) = status_color(shown_->result);
   if (standing_ == ResultStanding::OutOfDate) {
     title = tr("▲ Out of date. It was: %1").arg(title);
     color = warning_color;
@@ -274,7 +282,7 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
   const bool numbers = output && has_numbers(output->result.status);
   copy_->setEnabled(numbers);
   export_->setEnabled(output && is_usable(output->result));
-  shown_ = output ? std::optional(output->result.status) : std::nullopt;
+  shown_ = output;
   show_status();
   correlation_title_->setVisible(numbers);
   correlation_->setVisible(numbers);
@@ -324,7 +332,8 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
             : tr("This drive says nothing about it: do not rely on the value shown"));
     double change = values[i] - old[i];
     if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
-    row.moved->setText(numbers && before && !zero_by_default ? moved_text(i, change) : QString());
+    const bool known_before = before && finite_sigma(*before, i);
+    row.moved->setText(numbers && sigma && known_before ? moved_text(i, change) : QString());
   }
 }
 
@@ -342,7 +351,8 @@ void ResultPanel::show_words(const PipelineOutput& output) {
     figures << tr("residuals: %1 cm, %2° (rms)")
                    .arg(100.0 * result.translation_rms_m, 0, 'f', 2)
                    .arg(radians_to_degrees(result.rotation_rms_rad), 0, 'f', 3);
-    figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
+    if (output.method == kPairwise)
+      figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
   }
   if (has_numbers(result.status) && std::isfinite(result.time_offset.offset_s))
     figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
@@ -351,9 +361,13 @@ void ResultPanel::show_words(const PipelineOutput& output) {
                    .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
   const bool joint = std::any_of(result.candidates.begin(), result.candidates.end(),
                                  [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
+  const bool decided = std::any_of(output.pairs.begin(), output.pairs.end(),
+                                   [](const Pair& pair) { return pair.decided_by == DecidedBy::User; });
   if (has_numbers(result.status) && !output.pairs.empty())
     figures << (joint ? tr("the clouds of all accepted pairs were aligned together as the last step")
-                      : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
+                : decided
+                    ? tr("solved from the aligned pairs: with decisions of yours their clouds are not aligned together")
+                    : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
   html +=
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   html += nominal_table(output) + sharpness_table(output);

@@ -58,7 +58,7 @@ class ResultPanel : public QScrollArea {
   QPushButton* copy_;
   QPushButton* export_;
   std::array<Row, 6> rows_{};
-  std::optional<Status> shown_;  // nothing: no result yet
+  std::shared_ptr<const PipelineOutput> shown_;  // nothing: no result yet
   ResultStanding standing_ = ResultStanding::Current;
   QString next_;
 };
@@ -66,7 +66,9 @@ class ResultPanel : public QScrollArea {
 /// "+1.24 mm", "-3.1 mdeg", "+2.400°": how far parameter i moved, given in m or degrees.
 QString moved_text(std::size_t i, double change);
 /// "Solved", "Solved in part", … for a heading.
-QString status_title(Status status);
+QString status_title(const CalibrationResult& result);
+/// True for a solution that knows none of the six.
+bool knows_nothing(const CalibrationResult& result);
 /// Whether the six numbers of a result mean anything.
 bool has_numbers(Status status);
 /// "x = 0.9000 m ± 0.0020 …" line by line, for the clipboard.

@@ -125,8 +125,12 @@ TEST(trajectory_follow, goes_on_where_the_recording_is_begun_again) {
   options.settled_s = 1.0;
   const FollowedSession followed = follow_trajectory(
       growing, {}, options, [&](const TrajectorySnapshot&) { ++answers; }, following, finishing);
+  PipelineInput input;
   Progress progress;
-  EXPECT_EQ(followed.session->ins.size(), open_session(whole, progress).ins.size()) << "it ended before the recording";
+  input.sessions.push_back(std::make_shared<Session>(open_session(whole, progress)));
+  EXPECT_EQ(followed.session->ins.size(), input.sessions[0]->ins.size()) << "it ended before the recording";
+  const CalibrationResult batch = calibration_method("trajectory").run(input, progress).result;
+  EXPECT_EQ(followed.output.result.ins_from_lidar.matrix(), batch.ins_from_lidar.matrix());
 }
 
 TEST(trajectory_follow, ends_at_once_when_it_is_stopped_and_still_solves) {
