@@ -1,5 +1,6 @@
 // F1: help for the panel that has the focus.
 #include <QApplication>
+#include <QCursor>
 #include <QDir>
 #include <QDockWidget>
 
@@ -26,7 +27,10 @@ QString MainWindow::help_page_of(const QWidget* widget) const {
 }
 
 void MainWindow::show_help() {
-  const QString page = help_page_of(QApplication::focusWidget());
+  QString page = help_page_of(QApplication::focusWidget());
+  // A click on a tab or a label gives no panel the keyboard: then it is what lies under the pointer.
+  if (page == help_page_of(nullptr) && !workbench_.sessions().empty())
+    page = help_page_of(QApplication::widgetAt(QCursor::pos()));
   if (!help_) {
     const QString own = ":/help/" + spoken_language();
     help_ = new HelpWindow(QDir(own).exists() ? own : QStringLiteral(":/help/en"), this);

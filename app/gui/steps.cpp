@@ -30,7 +30,7 @@ QString short_status(const CalibrationResult& result) {
     case Status::NotConverged:
       return Words::tr("did not converge");
     case Status::OutOfRange:
-      return Words::tr("nothing in range");
+      return Words::tr("outside the range");
     case Status::Inconsistent:
       return Words::tr("contradictory pairs");
     case Status::Cancelled:

@@ -2665,8 +2665,8 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>未求解：没有收敛</translation>
     </message>
     <message>
-        <source>Not solved: nothing in the search range</source>
-        <translation>未求解：搜索范围内没有解</translation>
+        <source>Not solved: the solution lies outside the search range</source>
+        <translation>未求解：解在搜索范围之外</translation>
     </message>
     <message>
         <source>Do not trust: the pairs contradict each other</source>
@@ -7375,8 +7375,8 @@ Save under another name, or close it there first.</source>
         <translation>没有收敛</translation>
     </message>
     <message>
-        <source>nothing in range</source>
-        <translation>范围内没有解</translation>
+        <source>outside the range</source>
+        <translation>在范围之外</translation>
     </message>
     <message>
         <source>contradictory pairs</source>

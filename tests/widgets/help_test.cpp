@@ -13,6 +13,7 @@
 #include "widgets/panels/help_window.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/pairs_panel.h"
+#include "widgets/panels/result_panel.h"
 
 namespace remount {
 namespace {
@@ -61,6 +62,16 @@ TEST_F(help, f1_opens_the_page_of_the_panel) {
     GTEST_SKIP() << "the window cannot have the focus here";
   trigger("F1");
   EXPECT_EQ(opened.current_page(), "pairs");
+  opened.close();
+  window_.activateWindow();
+  child<PairsPanel>().table()->clearFocus();
+  if (QWidget* other = QApplication::focusWidget()) other->clearFocus();
+  auto& result = child<ResultPanel>();
+  QCursor::setPos(result.mapToGlobal(result.rect().center()));
+  if (QTest::qWaitFor([&] { return result.isAncestorOf(QApplication::widgetAt(QCursor::pos())); }, 2000)) {
+    trigger("F1");
+    EXPECT_EQ(opened.current_page(), "result") << "no panel has the keyboard: the one under the pointer";
+  }
   auto& map = child<MapView>();
   EXPECT_EQ(window_.help_page_of(&map), "map");
   for (const auto* dock : window_.findChildren<QDockWidget*>())

@@ -111,7 +111,7 @@ QString status_title(const CalibrationResult& result) {
     case Status::NotConverged:
       return ResultPanel::tr("Not solved: did not converge");
     case Status::OutOfRange:
-      return ResultPanel::tr("Not solved: nothing in the search range");
+      return ResultPanel::tr("Not solved: the solution lies outside the search range");
     case Status::Inconsistent:
       return ResultPanel::tr("Do not trust: the pairs contradict each other");
     case Status::Cancelled:
