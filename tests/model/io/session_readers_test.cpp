@@ -279,7 +279,7 @@ TEST(open_session, says_what_each_reader_looks_for) {
   const std::string message = error_of([&] { open(folder.path()); });
   for (const auto& reader : session_readers()) EXPECT_TRUE(contains(message, reader->description())) << message;
   EXPECT_ERROR(open(folder.path() / "missing"), "missing: does not exist");
-  EXPECT_ERROR(open("/dev/zero"), "is no session");
+  EXPECT_ERROR(open("/dev/zero"), "/dev/zero: is a device, expected a regular file");
 }
 
 TEST(open_session, a_broken_or_empty_manifest_is_refused_with_its_place) {
