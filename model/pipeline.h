@@ -13,6 +13,7 @@
 #include "algorithms/quality/map_sharpness.h"
 #include "model/session.h"
 #include "model/settings.h"
+#include "model/verdicts.h"
 
 namespace remount {
 
@@ -21,6 +22,7 @@ struct PipelineInput {
   std::vector<std::shared_ptr<const Session>> sessions;  ///< of one vehicle
   Settings settings;
   std::optional<RigidTransform> nominal_ins_from_lidar;  ///< nothing: unknown mounting
+  std::vector<PairVerdict> verdicts;                     ///< obeyed as soon as the pairs are registered
   int threads = 0;                                       ///< 0: one per core; the result does not depend on it
 };
 

@@ -1,8 +1,6 @@
 #include "model/project.h"
 
 #include <limits>
-#include <map>
-#include <tuple>
 
 #include "algorithms/core/error.h"
 #include "model/checks/data_check.h"
@@ -108,6 +106,7 @@ DocumentNode calibration_document(const Project& project) {
   node.add("session_count", DocumentNode::integer(static_cast<std::int64_t>(project.basis.session_count)));
   if (project.solution_pending) node.add("solution_pending", DocumentNode::boolean(true));
   if (project.confirmed) node.add("confirmed", DocumentNode::boolean(true));
+  if (project.exported) node.add("exported", DocumentNode::boolean(true));
   node.add("map_check", DocumentNode::string(kMapChecks[static_cast<std::size_t>(output.map_check)]));
   node.add("result", result_document(file));
   node.add("initial_ins_from_lidar", transform_document(output.initial_ins_from_lidar));
@@ -147,6 +146,7 @@ void read_calibration(const DocumentView& view, Project& project) {
         static_cast<std::size_t>(view.at("session_count").integer(0, static_cast<std::int64_t>(session_count)));
   project.solution_pending = view.has("solution_pending") && view.at("solution_pending").boolean();
   project.confirmed = view.has("confirmed") && view.at("confirmed").boolean();
+  project.exported = view.has("exported") && view.at("exported").boolean();
   output.initial_ins_from_lidar = transform_from_document(view.at("initial_ins_from_lidar"));
   output.compensation_ins_from_lidar = transform_from_document(view.at("compensation_ins_from_lidar"));
   output.initial_known = view.at("initial_known").boolean();
@@ -213,26 +213,6 @@ std::vector<std::string> Project::changes_since_calibration() const {
   std::vector<std::string> changes = changes_since(basis, {sessions.size(), settings, nominal_ins_from_lidar});
   if (solution_pending) changes.emplace_back("decisions about pairs that the solution does not answer in full");
   return changes;
-}
-
-int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& output) {
-  std::map<std::tuple<int, std::int64_t, std::int64_t>, const PairVerdict*> wanted;
-  for (const PairVerdict& verdict : verdicts)
-    wanted[{verdict.session, verdict.stamp_a_ns, verdict.stamp_b_ns}] = &verdict;
-  int applied = 0;
-  for (Pair& pair : output.pairs) {
-    const Keyframe& a = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
-    const Keyframe& b = output.keyframes.at(static_cast<std::size_t>(pair.keyframe_b));
-    const auto found = wanted.find({a.session, a.stamp_ns, b.stamp_ns});
-    if (found == wanted.end()) continue;
-    // What has no usable registration cannot be accepted, whatever was decided about an earlier one.
-    if (found->second->state == PairState::Accepted && !unusable_reason(pair).empty()) continue;
-    pair.state = found->second->state;
-    pair.reason = found->second->reason;
-    pair.decided_by = DecidedBy::User;
-    ++applied;
-  }
-  return applied;
 }
 
 void save_project(const Project& project, const std::filesystem::path& path) {

@@ -8,16 +8,9 @@
 
 #include "model/pipeline.h"
 #include "model/result_file.h"
+#include "model/verdicts.h"
 
 namespace remount {
-
-/// A user's verdict on a pair, kept when keyframes and pairs are made anew.
-struct PairVerdict {
-  int session = 0;  ///< index of the session
-  std::int64_t stamp_a_ns = 0, stamp_b_ns = 0;
-  PairState state = PairState::Proposed;
-  std::string reason;
-};
 
 /// What a calibration was made with. A project keeps it beside what is set now, since that can be edited afterwards.
 struct CalibrationBasis {
@@ -40,6 +33,7 @@ struct Project {
   std::optional<PipelineOutput> output;  ///< the last calibration, enough to review and solve again without scans
   bool solution_pending = false;  ///< `output` holds decisions that its result does not answer in full: solve again
   bool confirmed = false;         ///< the user said that the result of `output` is good
+  bool exported = false;          ///< the result of `output` was written to a file for the vehicle
   CalibrationBasis basis;         ///< what `output` was made with
   std::vector<InputFile> inputs;  ///< hashes of what that calibration read
 
@@ -48,10 +42,6 @@ struct Project {
   /// changes_since of what is set in the project, and a pending solution; empty without a calibration.
   std::vector<std::string> changes_since_calibration() const;
 };
-
-/// Gives the pairs of an output the states of the verdicts, as decided by the user; solve_again makes them count.
-/// Returns how many verdicts found their pair.
-int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& output);
 
 /// Saves atomically; sessions below or beside the project's folder are written relative to it, so that the folder can
 /// be moved. Throws Error(Io).

@@ -56,7 +56,9 @@ const std::vector<const char*>& method_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "%1 of %2 positions and attitudes contradict the motion of the LiDAR and have no weight."),
       QT_TRANSLATE_NOOP("remount::model", "X had converged after %1 s of data."),
-      QT_TRANSLATE_NOOP("remount::model", "X has not converged to the sigmas that trajectory.converged_* ask for."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "X has not converged to the sigmas that trajectory.converged_translation_m and "
+                        "trajectory.converged_rotation_deg ask for."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The odometry is complete, but no session has an INS with attitude to calibrate against."),
       QT_TRANSLATE_NOOP("remount::model",

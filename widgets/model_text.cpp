@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <mutex>
 
+#include "widgets/forms/option_mentions.h"
+
 namespace remount {
 namespace {
 
@@ -101,10 +103,10 @@ QString model_text(const QString& text) {
   const std::scoped_lock lock(mutex);
   if (text.isEmpty()) return text;
   Patterns& all = patterns();
-  if (all.list.empty()) return text;  // English
+  if (all.list.empty()) return with_option_labels(text);  // English
   if (const auto found = all.known.constFind(text); found != all.known.constEnd()) return *found;
   const QString exact = QCoreApplication::translate(kContext, text.toUtf8().constData());
-  const QString result = exact != text ? exact : by_pattern(text, all);
+  const QString result = with_option_labels(exact != text ? exact : by_pattern(text, all));
   if (all.known.size() > kMostRemembered) all.known.clear();
   all.known.insert(text, result);
   return result;

@@ -9,7 +9,8 @@
 namespace remount {
 
 /// The sentence in the present language: recognised as one of model_phrases(), whose "%1" stand for whatever the model
-/// put there. What is not recognised stays English: better understood than lost.
+/// put there. What is not recognised stays English: better understood than lost. Options that it mentions by their keys
+/// have the names that their pages give them.
 QString model_text(std::string_view text);
 QString model_text(const QString& text);
 

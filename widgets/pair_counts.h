@@ -13,4 +13,10 @@ struct PairCounts {
 /// Of the pairs as they are, decided since the result or not; of methods without pairs, what the result says it used.
 PairCounts count_pairs(const PipelineOutput& output);
 
+/// What became of the pairs of each session that took part.
+struct SessionUse {
+  int pairs = 0, accepted = 0;
+};
+std::vector<SessionUse> count_by_session(const PipelineOutput& output, std::size_t sessions);
+
 }  // namespace remount

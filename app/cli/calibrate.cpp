@@ -159,12 +159,9 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     if (!input.nominal_ins_from_lidar) input.nominal_ins_from_lidar = declared_nominal(input.sessions);
   }
 
+  input.verdicts = project.verdicts;
   PipelineOutput output = remount::calibrate(input, console.progress());
-  project.solution_pending = project.confirmed = false;
-  if (!console.cancelled() && apply_verdicts(project.verdicts, output) > 0) {
-    project.solution_pending = !solve_again(input, output, console.progress());
-    if (!project.solution_pending) check_map(input, output, console.progress());
-  }
+  project.solution_pending = project.confirmed = project.exported = false;
   std::vector<InputFile> inputs;
   if (!arguments.no_hashes) inputs = hash_inputs(input.sessions, input.threads, console.progress());
   console.report(output.findings);

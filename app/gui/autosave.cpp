@@ -5,6 +5,7 @@
 namespace remount {
 namespace {
 constexpr int kAgain_ms = 60000;
+constexpr int kUnanswered_ms = 10000;  // a disk that was asleep has woken up by then
 }
 
 Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* parent)
@@ -23,11 +24,15 @@ Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* pa
         job_ = 0;
         could_not(failure);
       });
+  QTimer::singleShot(kUnanswered_ms, this, [this, data_folder] {
+    if (!notes_ && job_ != 0 && !finished_) could_not({data_folder, tr("the disk does not answer")});
+  });
 }
 
 void Autosave::begin(std::unique_ptr<RecoveryNotes> notes) {
   job_ = 0;
   notes_ = std::move(notes);
+  complained_ = false;
   if (finished_) return notes_->clear();
   soon_.setSingleShot(true);
   soon_.setInterval(0);  // one for all that an edit sets off

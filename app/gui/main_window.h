@@ -113,6 +113,7 @@ class MainWindow : public QMainWindow {
   void open_project();
   bool save_project(bool ask, std::function<void()> saved = {});  ///< false where the user changed their mind
   /// Opens a project in place of what is there; asks about unsaved work first.
+  void begin_project();
   void replace_by(const QString& project);
   /// False where the user has to answer more, or changed their mind; `saved` is called where they chose to save.
   bool may_close(std::function<void()> saved);

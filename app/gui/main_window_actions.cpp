@@ -46,6 +46,7 @@ QAction* MainWindow::add_action(QMenu& menu, const QString& text, const QKeySequ
 
 void MainWindow::make_file_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&File"));
+  add_action(menu, tr("&New project"), QKeySequence::New, [this] { begin_project(); });
   open_menu_ = menu.addMenu(tr("&Open"));
   add_action(*open_menu_, tr("&Folder of a drive…"), QKeySequence::Open, [this] { ask_for_folder(); });
   add_action(*open_menu_, tr("&Log or bag file…"), tr("Ctrl+Shift+O"), [this] { ask_for_file(); });

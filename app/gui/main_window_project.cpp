@@ -84,6 +84,13 @@ void MainWindow::replace_by(const QString& project) {
     workbench_.open_project(project);
 }
 
+void MainWindow::begin_project() {
+  if (may_close([window = QPointer(this)] {
+        if (window) window->begin_project();
+      }))
+    workbench_.begin_project();
+}
+
 bool MainWindow::may_close(std::function<void()> saved) {
   if (!workbench_.has_unsaved_work()) return true;
   QStringList unsaved;

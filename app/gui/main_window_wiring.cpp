@@ -87,6 +87,7 @@ void MainWindow::connect_state() {
   connect(&workbench_, &Workbench::overviews_changed, this,
           [this] { drive_->show_drives(workbench_.session_names(), workbench_.overviews()); });
   connect(&workbench_, &Workbench::project_changed, this, &MainWindow::show_project);
+  connect(&workbench_, &Workbench::project_replaced, nominal_, &NominalPanel::forget_numbers);
   connect(&workbench_, &Workbench::settings_changed, this, [this] {
     range_->show_settings(workbench_.settings());
     candidates_->show_range(workbench_.settings().range);
@@ -147,7 +148,7 @@ void MainWindow::connect_selection() {
     shown_clouds_ = nullptr;
     scenes_->forget_pair();
     obstacles_->setEnabled(false);
-    if (pair < 0) pair_view_->show_message(tr("Select a pair to see its two scans."));
+    if (pair < 0) pair_view_->show_message(no_pair_text(workbench_));
   });
   connect(&workbench_, &Workbench::clouds_loading, this, [this](int pair) {
     const QString reading = tr("Reading the scans of pair %1…").arg(pair);
@@ -169,7 +170,10 @@ void MainWindow::progress_text(const QString& text) {
     progress_->stop(text);
 }
 
-void MainWindow::show_sessions() { session_model_->show_sessions(workbench_.sessions()); }
+void MainWindow::show_sessions() {
+  session_model_->show_sessions(workbench_.sessions());
+  session_model_->show_use(workbench_.output());
+}
 
 void MainWindow::show_output() {
   const OutputPtr output = workbench_.output();
@@ -180,6 +184,7 @@ void MainWindow::show_output() {
   show_state();
   turns_->start({[this] { pairs_->show_output(workbench_.output()); }, [this] { show_errors(); },
                  [this] {
+                   session_model_->show_use(workbench_.output());
                    pairs_->show_selected(workbench_.selected_pair());
                    scenes_->refresh();
                  },

@@ -79,8 +79,16 @@ StepInfo describe_export(Exported exported) {
   return {StepState::Next, Words::tr("ready (Ctrl+E)")};
 }
 
+/// Of those that the result does not rest on at all.
+int unused_sessions(const PipelineOutput& output, std::size_t sessions) {
+  if (output.method != kPairwise || output.pairs.empty()) return 0;
+  const std::vector<SessionUse> uses = count_by_session(output, sessions);
+  return static_cast<int>(
+      std::count_if(uses.begin(), uses.end(), [](const SessionUse& use) { return use.accepted == 0; }));
+}
+
 /// Pairs, alignment and review; methods without pairs need none of them.
-void describe_pairs(const PipelineOutput& output, bool stale, std::array<StepInfo, kStepCount>& steps) {
+void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, std::array<StepInfo, kStepCount>& steps) {
   const auto step = [&](Step which) -> StepInfo& { return steps[static_cast<std::size_t>(which)]; };
   const int pairs = static_cast<int>(output.pairs.size());
   const bool needed = pairs > 0 || output.method == kPairwise;
@@ -89,11 +97,15 @@ void describe_pairs(const PipelineOutput& output, bool stale, std::array<StepInf
                        needed ? Words::tr("%1 pairs").arg(pairs) : not_needed()};
   step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale ? StepState::Done : StepState::Attention,
                        needed ? Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : not_needed()};
-  // The program's own decisions are no review, and may be all that is needed.
-  const StepState reviewed = counts.by_user > 0 || !needed ? StepState::Done : StepState::Next;
-  step(Step::Review) = {
-      counts.accepted > counts.rejected || !needed ? reviewed : StepState::Attention,
-      needed ? Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected) : not_needed()};
+  // The user's is done when nothing is left to look at, or they say that the result is good.
+  const bool reviewed = !needed || confirmed || (pairs > 0 && counts.by_user == pairs);
+  const QString judged = Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected);
+  step(Step::Review) = {counts.accepted <= counts.rejected && needed ? StepState::Attention
+                        : reviewed                                   ? StepState::Done
+                                                                     : StepState::Next,
+                        !needed              ? not_needed()
+                        : counts.by_user > 0 ? Words::tr("%1 (%2 by you)").arg(judged).arg(counts.by_user)
+                                             : judged};
   if (stale) step(Step::Pairs) = {StepState::Attention, Words::tr("changed: F5 again")};
 }
 
@@ -122,7 +134,9 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     return steps;
   }
   const bool stale = workbench.out_of_date();
-  describe_pairs(*output, stale, steps);
+  if (const int unused = stale ? 0 : unused_sessions(*output, workbench.sessions().size()); unused > 0)
+    step(Step::Load) = {StepState::Attention, Words::tr("%1 of %2 sessions unused").arg(unused).arg(sessions)};
+  describe_pairs(*output, stale, workbench.confirmed(), steps);
   const Status status = output->result.status;
   if (workbench.solving())
     step(Step::Solve) = {StepState::Running, Words::tr("solving again…")};

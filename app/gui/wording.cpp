@@ -31,6 +31,13 @@ QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, c
                        : Words::tr("pose %1").arg(keyframe.scan);
 }
 
+QString no_pair_text(const Workbench& workbench) {
+  const OutputPtr output = workbench.output();
+  return output && output->pairs.empty() && output->method != kPairwise
+             ? Words::tr("This method works without pairs. What it found is on the page Method (Ctrl+Shift+D).")
+             : Words::tr("Select a pair to see its two scans.");
+}
+
 QString idle_text(const Workbench& workbench) {
   if (workbench.refining())
     return Words::tr(

@@ -15,6 +15,8 @@ QStringList names_of(const std::vector<std::shared_ptr<const Session>>& sessions
 QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, const Keyframe& keyframe);
 
 /// What the status strip says while nothing runs there.
+/// What the view of a pair says where none is selected.
+QString no_pair_text(const Workbench& workbench);
 QString idle_text(const Workbench& workbench);
 
 /// What is next, or under way, as long as there is no result; short for the result, longer for the middle of the

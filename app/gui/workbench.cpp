@@ -209,7 +209,8 @@ void Workbench::calibrate() {
   for (const int job : {solve_job_, map_job_}) jobs_.cancel(job);
   solve_job_ = map_job_ = 0;
   map_pause_.stop();
-  const PipelineInput input = input_of_next_run();
+  PipelineInput input = input_of_next_run();
+  input.verdicts = verdicts();
   stage_.clear();
   emit message(Severity::Note, {}, tr("Calibration started"));
   run_job_ = jobs_.start(
@@ -217,20 +218,13 @@ void Workbench::calibrate() {
         auto output = std::make_shared<PipelineOutput>(engine.run(input, progress));
         if (output->result.status == Status::Cancelled)
           return [this, input, output] { take_cancelled_run(input, output); };
-        const std::vector<PairDecision> undecided = carry_over(input, decisions, *output);
-        bool answered = true;
-        if (!undecided.empty()) {
-          answered = engine.solve_again(input, *output, progress);
-          if (answered && engine.check_map) engine.check_map(input, *output, progress);
-        }
-        return [this, input, output, answered, decisions, undecided] {
+        return [this, input, output, decisions] {
           if (input.sessions != sessions_) return drop_run();
-          const bool redecided = catch_up(input, decisions, undecided, *output);
+          const bool redecided = catch_up(decisions, *output);
           take_run(input, output);
-          if (answered && !redecided) return;
+          if (!redecided) return;
           output_solved_ = nullptr;  // whole, but for the decisions
-          if (redecided) start_solve(tr("decisions during the calibration"), FirstAnswer::None);
-          emit state_changed();
+          start_solve(tr("decisions during the calibration"), FirstAnswer::None);
         };
       },
       [this](const JobFailure& failure) {
@@ -243,15 +237,20 @@ void Workbench::calibrate() {
 void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output) {
   if (input.sessions != sessions_) return drop_run();
   // A complete result is not given up for part of another.
-  const std::size_t finished = output_ ? 0 : keep_finished(input, *output);
-  if (finished == 0) {
-    emit message(Severity::Note, {},
-                 output_ ? tr("Cancelled. What was there before is kept.")
-                         : tr("Cancelled before there was anything that could be kept."));
+  const std::size_t finished = keep_finished(input, *output);
+  if (output_ || finished == 0) {
+    emit message(output_ ? Severity::Warning : Severity::Note, output_ ? tr("Cancelled") : QString(),
+                 output_
+                     ? tr("The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they "
+                          "are left out.")
+                           .arg(finished)
+                           .arg(output->pairs.size())
+                     : tr("Cancelled before there was anything that could be kept."));
     resume_solving();
     return;
   }
-  carry_over(input, decisions_, *output);
+  withdraw_verdicts(*output);
+  apply_verdicts(verdicts(), *output);
   take_run(input, output);
   output_solved_ = nullptr;
   start_solve(tr("cancelled calibration"), FirstAnswer::None);
@@ -260,8 +259,19 @@ void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared
       tr("%1 of %2 pairs were aligned by then; they are kept, and solved.").arg(finished).arg(output->pairs.size()));
 }
 
+int Workbench::same_pair(const PipelineInput& input_before, const PipelineOutput* before, int selected,
+                         const PipelineInput& input, const PipelineOutput& output) {
+  const int first = output.pairs.empty() ? -1 : 0;
+  if (!before || selected < 0 || selected >= std::ssize(before->pairs)) return first;
+  const DecisionKey wanted = key_of(input_before, *before, before->pairs[static_cast<std::size_t>(selected)]);
+  const auto found = std::find_if(output.pairs.begin(), output.pairs.end(),
+                                  [&](const Pair& pair) { return key_of(input, output, pair) == wanted; });
+  return found == output.pairs.end() ? first : static_cast<int>(found - output.pairs.begin());
+}
+
 void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   const CalibratedPtr before = output_ || undo_.canUndo() ? calibrated() : nullptr;
+  const int selected = same_pair(run_input_, output_.get(), selected_, input, *output);
   run_input_ = input;
   output_before_ = output_solved_;
   moved_by_.clear();
@@ -275,7 +285,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   keep_what_was(before);
   emit output_changed();
   selected_ = -1;
-  select_pair(output_->pairs.empty() ? -1 : 0);
+  select_pair(selected);
   hash_input_files();
   mark_edited();
 }

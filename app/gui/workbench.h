@@ -165,6 +165,7 @@ class Workbench : public QObject {
   /// Saves what is there now, after the saves that were asked for before. `saved` is called once the file is whole, but
   /// not where another project took this one's place meanwhile; a failure becomes a message.
   void save_project(const QString& path, std::function<void()> saved = {});
+  void begin_project();                                          ///< a new one, without anything in it
   const QString& project_path() const { return project_path_; }  ///< empty where it has not been saved
   /// Another window has the project: it is not saved under its path until that one has closed it.
   bool read_only() const { return read_only_; }
@@ -176,7 +177,7 @@ class Workbench : public QObject {
   }
   bool unsaved() const { return revision_ != saved_revision_; }
   int revision() const { return revision_; }  ///< goes up with every edit
-  int decision_count() const { return static_cast<int>(decisions_.size()); }
+  int decision_count() const { return static_cast<int>(verdicts().size()); }
   ProjectSnapshot snapshot() const;
   /// Replaces everything; the project's sessions are given opened, its paths are not used.
   void restore(std::vector<std::shared_ptr<const Session>> sessions, const Project& project, OutputPtr output);
@@ -187,7 +188,8 @@ class Workbench : public QObject {
  signals:
   void sessions_changed();
   void overviews_changed();
-  void project_changed();  ///< its path, or whether it is saved
+  void project_changed();   ///< its path, or whether it is saved
+  void project_replaced();  ///< what was there belongs to another; what takes its place is told by the other signals
   void project_saved(const QString& path);
   void project_opened(const remount::ProjectToOpen& request, bool whole);  ///< whole: with all of its sessions
   /// Ask for them and open again, with `moved` or `without_missing` filled in.
@@ -227,13 +229,9 @@ class Workbench : public QObject {
   using Decisions = std::map<DecisionKey, Verdict>;
 
   static DecisionKey key_of(const PipelineInput& input, const PipelineOutput& output, const Pair& pair);
-  /// Takes over the user's earlier decisions on the same pairs of scans; returns what the pairs were without them.
-  static std::vector<PairDecision> carry_over(const PipelineInput& input, const Decisions& decisions,
-                                              PipelineOutput& output);
   /// Makes an output whose run began with the decisions `carried` obey those of now, which may have been undone while
-  /// it ran: `undecided` is what carry_over returned. False where they are the same.
-  bool catch_up(const PipelineInput& input, const Decisions& carried, const std::vector<PairDecision>& undecided,
-                PipelineOutput& output) const;
+  /// it ran. False where they are the same.
+  bool catch_up(const Decisions& carried, PipelineOutput& output) const;
   /// What became of a path that was to be opened: one of the four.
   struct Opened {
     std::shared_ptr<const Session> session;
@@ -260,6 +258,9 @@ class Workbench : public QObject {
   void forget_calibration();
   bool may_calibrate();  ///< says why not
   void take_run(const PipelineInput& input, OutputPtr output);
+  /// The pair of the same scans in another output; the first where there is none, -1 where that has no pairs.
+  static int same_pair(const PipelineInput& input_before, const PipelineOutput* before, int selected,
+                       const PipelineInput& input, const PipelineOutput& output);
   /// A run of sessions that are no longer those that are open.
   void drop_run();
   void keep_what_was(const CalibratedPtr& before);

@@ -99,26 +99,10 @@ Workbench::DecisionKey Workbench::key_of(const PipelineInput& input, const Pipel
   return {input.sessions.at(static_cast<std::size_t>(a.session))->path.string(), a.stamp_ns, b.stamp_ns};
 }
 
-std::vector<PairDecision> Workbench::carry_over(const PipelineInput& input, const Decisions& decisions,
-                                                PipelineOutput& output) {
-  std::vector<PairDecision> before;
-  for (std::size_t i = 0; i < output.pairs.size(); ++i) {
-    const auto found = decisions.find(key_of(input, output, output.pairs[i]));
-    if (found == decisions.end()) continue;
-    const Verdict& verdict = found->second;
-    if (verdict.state == PairState::Accepted && !unusable_reason(output.pairs[i]).empty()) continue;
-    const Pair& pair = output.pairs[i];
-    before.push_back({static_cast<int>(i), pair.state, pair.decided_by, pair.reason});
-    set_decision(output.pairs[i], user_decision(static_cast<int>(i), verdict.state, verdict.reason));
-  }
-  return before;
-}
-
-bool Workbench::catch_up(const PipelineInput& input, const Decisions& carried,
-                         const std::vector<PairDecision>& undecided, PipelineOutput& output) const {
+bool Workbench::catch_up(const Decisions& carried, PipelineOutput& output) const {
   if (decisions_ == carried) return false;
-  for (const PairDecision& own : undecided) set_decision(output.pairs.at(static_cast<std::size_t>(own.pair)), own);
-  carry_over(input, decisions_, output);
+  withdraw_verdicts(output);
+  apply_verdicts(verdicts(), output);
   return true;
 }
 

@@ -82,7 +82,12 @@ void Workbench::keep_what_was(const CalibratedPtr& before) {
 }
 
 void Workbench::remove_session(int session) {
-  if (session < 0 || static_cast<std::size_t>(session) >= sessions_.size() || calibrating()) return;
+  if (session < 0 || static_cast<std::size_t>(session) >= sessions_.size()) return;
+  if (calibrating()) {
+    emit message(Severity::Warning, QString::fromStdString(sessions_[static_cast<std::size_t>(session)]->path.string()),
+                 tr("is being calibrated. Cancel that (Esc) before removing it."));
+    return;
+  }
   const std::shared_ptr<const Session> removed = sessions_[static_cast<std::size_t>(session)];
   const bool calibrated = output_ != nullptr;
   undo_.push(new RemovalCommand(*this, removed, session));

@@ -131,6 +131,7 @@ ProjectSnapshot Workbench::snapshot() const {
   snapshot.output = output_;
   snapshot.project.solution_pending = output_ != output_solved_;
   snapshot.project.confirmed = confirmed_;
+  snapshot.project.exported = exported_ == Exported::Written;
   snapshot.revision = revision_;
   return snapshot;
 }
@@ -226,6 +227,20 @@ void Workbench::open_project(const ProjectToOpen& request) {
   emit state_changed();
 }
 
+void Workbench::begin_project() {
+  if (opening() || calibrating()) {
+    emit message(Severity::Warning, {},
+                 tr("Wait until the present work is done, or cancel it, before beginning a project."));
+    return;
+  }
+  restore({}, {}, nullptr);
+  ++project_;
+  recovered_ = false;
+  hold(nullptr, false);
+  ++revision_;
+  set_project({}, revision_);
+}
+
 void Workbench::take_project(const ProjectToOpen& request, OpenedProject& opened) {
   if (!opened.missing.isEmpty()) {
     emit sessions_missing(request, opened.missing);
@@ -288,9 +303,11 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
     if (output_->pairs[i].decided_by == DecidedBy::User)
       decisions_[key_of(run_input_, *output_, output_->pairs[i])] = {output_->pairs[i].state, output_->pairs[i].reason};
   data_changed_ = false;
-  exported_ = Exported::No;
-  confirmed_ = output_ && output_ == output_solved_ && project.confirmed;
+  const bool whole = output_ && output_ == output_solved_;
+  exported_ = whole && project.exported ? Exported::Written : Exported::No;
+  confirmed_ = whole && project.confirmed;
   undo_.clear();
+  emit project_replaced();
   emit sessions_changed();
   emit settings_changed();
   emit nominal_changed();

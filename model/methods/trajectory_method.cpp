@@ -65,7 +65,9 @@ void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>
   if (std::isfinite(outcome.converged_after_s))
     std::snprintf(text, sizeof text, "X had converged after %.0f s of data.", outcome.converged_after_s);
   else
-    std::snprintf(text, sizeof text, "X has not converged to the sigmas that trajectory.converged_* ask for.");
+    std::snprintf(text, sizeof text,
+                  "X has not converged to the sigmas that trajectory.converged_translation_m and "
+                  "trajectory.converged_rotation_deg ask for.");
   findings.push_back({Severity::Note, "trajectory-convergence", "trajectory", text});
 }
 

@@ -180,10 +180,11 @@ bool any_distortion(const PipelineInput& input, const std::vector<bool>& session
   return false;
 }
 
-// Pairs that the registration or the solution turned down get another chance; those without shared objects do not.
+// Pairs that the registration, the solution or a verdict turned down get another chance, the verdicts theirs after
+// that; those without shared objects do not.
 void reconsider(std::vector<Pair>& pairs) {
   for (Pair& pair : pairs)
-    if (pair.decided_by == DecidedBy::Program && pair.registration.attempted) {
+    if (pair.registration.attempted) {
       pair.state = PairState::Proposed;
       pair.decided_by = DecidedBy::Nobody;
       pair.reason.clear();
@@ -237,6 +238,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     }
     register_pairs(context, scans, objects, output.pairs, progress);
     use_odometry(motion, output.keyframes, output.pairs);
+    apply_verdicts(input.verdicts, output);
     if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
     progress.report(stage::kSolving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
@@ -323,6 +325,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     output.map_check = MapCheck::NoScans;
     if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
     use_odometry(motion, output.keyframes, output.pairs);
+    apply_verdicts(input.verdicts, output);
     progress.report(stage::kSolving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
   }

@@ -105,15 +105,21 @@ TEST_F(project, knows_that_its_solution_does_not_answer_the_decisions) {
   EXPECT_EQ(load_project(path).changes_since_calibration().size(), 1U);
 }
 
-TEST_F(project, remembers_that_its_result_was_confirmed) {
+TEST_F(project, remembers_that_its_result_was_confirmed_and_exported) {
   const auto path = folder_ / "a.remount";
-  Project confirmed = example(folder_);
-  save_project(confirmed, path);
-  EXPECT_FALSE(read_regular_file(path).find("confirmed") != std::string::npos) << "as files of earlier versions";
+  Project kept = example(folder_);
+  save_project(kept, path);
+  for (const char* key : {"confirmed", "exported"})
+    EXPECT_FALSE(read_regular_file(path).find(key) != std::string::npos) << "as files of earlier versions: " << key;
   EXPECT_FALSE(load_project(path).confirmed);
-  confirmed.confirmed = true;
-  save_project(confirmed, path);
+  EXPECT_FALSE(load_project(path).exported);
+  kept.confirmed = true;
+  save_project(kept, path);
   EXPECT_TRUE(load_project(path).confirmed);
+  EXPECT_FALSE(load_project(path).exported);
+  kept.exported = true;
+  save_project(kept, path);
+  EXPECT_TRUE(load_project(path).exported);
 }
 
 TEST_F(project, knows_that_a_calibration_was_made_with_other_settings) {
@@ -142,16 +148,6 @@ TEST_F(project, moves_with_its_data) {
   save_project(example(folder_ / "jobs"), folder_ / "jobs" / "a.remount");
   std::filesystem::rename(folder_ / "jobs", folder_ / "moved");
   EXPECT_EQ(load_project(folder_ / "moved" / "a.remount").sessions.at(0), folder_ / "moved" / "drives" / "one");
-}
-
-TEST_F(project, verdicts_find_their_pairs_by_stamps) {
-  PipelineOutput output = *example(folder_).output;
-  EXPECT_EQ(apply_verdicts(example(folder_).verdicts, output), 1);
-  EXPECT_EQ(output.pairs[0].state, PairState::Rejected);
-  EXPECT_EQ(output.pairs[0].decided_by, DecidedBy::User);
-  EXPECT_EQ(output.pairs[1].state, PairState::Accepted);
-  EXPECT_EQ(output.pairs[0].reason, "a lorry");
-  EXPECT_NE(output.pairs[1].decided_by, DecidedBy::User);
 }
 
 TEST_F(project, what_was_moved_together_is_found_together) {

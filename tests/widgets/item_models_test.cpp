@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 
 #include "model/checks/data_check.h"
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/sample_world.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_filter.h"
@@ -107,6 +108,31 @@ TEST(session_list_model, lists_findings_beneath_their_session) {
   ASSERT_EQ(model.rowCount(second), 1);
   EXPECT_EQ(model.session_of(model.index(0, 0, second)), 1);
   EXPECT_TRUE(model.index(0, 0, second).data().toString().contains("ins.csv:212"));
+}
+
+TEST(session_list_model, says_of_each_session_whether_the_result_rests_on_it) {
+  const testing::LanguageFor english("en");
+  PipelineInput input;
+  for (const char* name : {"drive1", "drive2"})
+    input.sessions.push_back(std::make_shared<const Session>(testing::sample_session(name)));
+  auto output = std::make_shared<PipelineOutput>(testing::sample_output(input, 10));
+  for (Pair& pair : output->pairs) {
+    output->keyframes[static_cast<std::size_t>(pair.keyframe_a)].session = 1;
+    pair.state = PairState::Rejected;
+  }
+  SessionListModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  model.show_sessions(input.sessions);
+  const auto said = [&](int session) { return model.index(session, 0).data().toString(); };
+  EXPECT_FALSE(said(0).contains("not in the result")) << "nothing is calibrated yet";
+  model.show_use(output);
+  EXPECT_TRUE(said(0).contains("not in the result: it has no pairs")) << said(0).toStdString();
+  EXPECT_TRUE(said(1).contains("none of its 10 pairs is accepted")) << said(1).toStdString();
+  output->pairs[3].state = PairState::Accepted;
+  model.show_use(output);
+  EXPECT_TRUE(said(1).contains("1 of 10 pairs accepted")) << said(1).toStdString();
+  model.show_use(nullptr);
+  EXPECT_FALSE(said(1).contains("accepted"));
 }
 
 TEST(session_list_model, a_finding_tells_its_code_what_it_means_and_what_to_do) {

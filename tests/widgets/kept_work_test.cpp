@@ -3,6 +3,8 @@
 
 #include <QClipboard>
 #include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
 
@@ -14,7 +16,10 @@
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/panels/export_dialog.h"
+#include "widgets/panels/message_banner.h"
+#include "widgets/panels/nominal_panel.h"
 #include "widgets/panels/obstacle_dialog.h"
+#include "widgets/panels/welcome_panel.h"
 
 namespace remount {
 namespace {
@@ -88,6 +93,84 @@ TEST_F(kept_work, a_confirmed_result_is_confirmed_when_its_project_is_opened) {
   again.decide({5}, PairState::Rejected);
   ASSERT_TRUE(QTest::qWaitFor([&] { return !again.solving(); }, kPatience_ms));
   EXPECT_FALSE(again.confirmed()) << "another result";
+}
+
+TEST_F(kept_work, an_exported_result_is_exported_when_its_project_is_opened) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("job.remount");
+  calibrate_drive();
+  workbench_.mark_exported(Exported::Written);
+  bool saved = false;
+  workbench_.save_project(path, [&] { saved = true; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+  Workbench again(testing::sample_engine());
+  ProjectToOpen copy;
+  copy.path = path;
+  copy.access = ProjectToOpen::Access::Copy;
+  again.open_project(copy);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() != nullptr; }, kPatience_ms));
+  EXPECT_EQ(again.exported(), Exported::Written);
+}
+
+TEST_F(kept_work, the_selected_pair_stays_where_the_next_calibration_has_it_too) {
+  calibrate_drive();
+  workbench_.select_pair(17);
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.selected_pair(), 17);
+}
+
+TEST_F(kept_work, a_cancelled_calibration_says_that_the_result_before_is_kept) {
+  show();
+  calibrate_drive();
+  const OutputPtr before = workbench_.output();
+  calibrate_and([&] { workbench_.cancel(); });
+  EXPECT_EQ(workbench_.output(), before);
+  auto& banner = child<MessageBanner>();
+  EXPECT_TRUE(banner.isVisible());
+  const QString said = banner.findChild<QLabel*>()->text();
+  EXPECT_TRUE(said.contains("before is kept") && said.contains("of 50 pairs")) << said.toStdString();
+}
+
+TEST_F(kept_work, a_session_is_not_removed_from_a_calibration_that_runs) {
+  calibrate_drive();
+  const QSignalSpy said(&workbench_, &Workbench::message);
+  calibrate_and([&] {
+    workbench_.remove_session(0);
+    ASSERT_FALSE(said.isEmpty());
+    EXPECT_TRUE(said.back().at(2).toString().contains("is being calibrated"));
+  });
+  EXPECT_EQ(workbench_.sessions().size(), 1U);
+}
+
+TEST_F(kept_work, a_new_project_has_nothing_of_the_one_before) {
+  show();
+  calibrate_drive();
+  workbench_.edit_nominal(rigid_from_six({1.5, 0.2, 0.9, 0.1, 0.0, 0.0}));
+  workbench_.edit_option("registration", "voxel_m", 0.5);
+  workbench_.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  const QTemporaryDir folder;
+  bool saved = false;
+  workbench_.save_project(folder.filePath("job.remount"), [&] { saved = true; });
+  ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+  trigger("Ctrl+N");
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(workbench_.sessions().empty());
+  EXPECT_FALSE(workbench_.output());
+  EXPECT_TRUE(workbench_.project_path().isEmpty());
+  EXPECT_FALSE(workbench_.has_unsaved_work());
+  EXPECT_FALSE(workbench_.unsaved());
+  EXPECT_FALSE(workbench_.nominal_ins_from_lidar());
+  EXPECT_EQ(workbench_.settings().registration.voxel_m, Settings{}.registration.voxel_m);
+  EXPECT_FALSE(workbench_.undo_stack().canUndo());
+  EXPECT_EQ(workbench_.decision_count(), 0);
+  for (const auto* value : child<NominalPanel>().findChildren<QDoubleSpinBox*>())
+    EXPECT_EQ(value->value(), 0.0) << value->accessibleName().toStdString();
+  EXPECT_TRUE(child<WelcomePanel>().isVisible());
+  window_.open_paths({folder.filePath("job.remount")});
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.decision_count(), 1) << "the file is as it was saved, and free to be opened";
 }
 
 TEST_F(kept_work, what_was_only_copied_is_not_exported_yet) {

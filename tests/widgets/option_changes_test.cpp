@@ -6,6 +6,7 @@
 
 #include "tests/widgets/support/restored.h"
 #include "widgets/forms/option_access.h"
+#include "widgets/forms/option_mentions.h"
 #include "widgets/forms/section_words.h"
 
 namespace remount {
@@ -56,6 +57,17 @@ void expect_words_without_keys(const QString& language) {
 TEST(option_changes, hold_no_keys_of_files) { expect_words_without_keys("en"); }
 
 TEST(option_changes, hold_no_keys_of_files_in_chinese) { expect_words_without_keys("zh_CN"); }
+
+TEST(option_mentions, are_in_the_words_of_the_pages) {
+  const testing::LanguageFor english("en");
+  EXPECT_EQ(with_option_labels("set solve.apply_time_offset to correct it."),
+            "set “Apply time offset” (Solution) to correct it.");
+  EXPECT_EQ(with_option_labels("pairing.max_gap_s (5) is above pairing.max_distance_m."),
+            "“Max gap” (Pairing) (5) is above “Max distance” (Pairing).");
+  for (const char* stays : {"solve.joint_clouds: is no switch", "settings.solve.joint_clouds",
+                            "/data/pairing.max_gap_s", "drive.bag and solve.nothing_of_the_kind", "1.5 m"})
+    EXPECT_EQ(with_option_labels(stays), stays);
+}
 
 }  // namespace
 }  // namespace remount

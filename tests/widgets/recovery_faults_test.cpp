@@ -1,6 +1,6 @@
 // Autosaves while system calls fail, processes are killed and the clock is set.
-#include <gtest/gtest.h>
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include <QFileInfo>

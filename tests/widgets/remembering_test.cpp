@@ -45,8 +45,7 @@ TEST_F(remembering, keys_and_the_scale_of_distances) {
   EXPECT_DOUBLE_EQ(next.findChild<PairView*>()->scale_m(), 0.35);
   QStringList with_keys;
   for (const QAction* action : next.findChildren<QAction*>())
-    if (action->shortcut() == QKeySequence("T") || action->shortcut() == QKeySequence("Y"))
-      with_keys << action->text();
+    if (action->shortcut() == QKeySequence("T") || action->shortcut() == QKeySequence("Y")) with_keys << action->text();
   EXPECT_EQ(with_keys, (QStringList{MainWindow::tr("&Accept pair"), MainWindow::tr("&Top")}));
 }
 

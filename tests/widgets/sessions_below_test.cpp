@@ -62,8 +62,7 @@ TEST_F(sessions_below, only_those_that_are_ticked_are_opened) {
 
 TEST_F(sessions_below, answers_to_two_questions_are_both_taken) {
   window_.open_paths({"/data/week"});
-  ASSERT_TRUE(
-      QTest::qWaitFor([&] { return window_.findChildren<SessionsBelowDialog*>().size() == 2; }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_.findChildren<SessionsBelowDialog*>().size() == 2; }, kPatience_ms));
   for (SessionsBelowDialog* dialog : window_.findChildren<SessionsBelowDialog*>()) dialog->accept();
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.sessions().size() == 5; }, kPatience_ms))
       << workbench_.sessions().size();

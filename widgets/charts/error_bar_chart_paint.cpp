@@ -17,8 +17,10 @@ void ErrorBarChart::paintEvent(QPaintEvent*) {
   if (pairs_.empty()) {
     painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                     output_ && !output_->pairs.empty() ? tr("No pair is shown: the filter of the table hides them.")
-                                                        : tr("No pairs yet: the error of each pair appears here."));
+                     !output_                       ? tr("No pairs yet: the error of each pair appears here.")
+                     : !output_->pairs.empty()      ? tr("No pair is shown: the filter of the table hides them.")
+                     : output_->method != kPairwise ? tr("This method works without pairs.")
+                                                    : tr("There are no pairs."));
     return;
   }
   paint_axis(painter, area);
@@ -111,11 +113,10 @@ void ErrorBarChart::paint_threshold(QPainter& painter, const QRect& area) const 
   if (!threshold_) return;
   painter.setPen(QPen(color, 2));
   painter.drawLine(area.left(), grip.y(), area.right() + 2, grip.y());
-  const QString text = tr("rejects %1 of %2 above %3 %4")
-                           .arg(above_threshold().size())
-                           .arg(kept_count())
-                           .arg(*threshold_, 0, 'g', 3)
-                           .arg(measure_unit(measure_));
+  const auto above = static_cast<int>(above_threshold().size());
+  const QString line = QStringLiteral("%1 %2").arg(*threshold_, 0, 'g', 3).arg(measure_unit(measure_));
+  const QString text = above > 0 ? tr("rejects %1 of %2 above %3").arg(above).arg(kept_count()).arg(line)
+                                 : tr("none of the %1 kept is above %2").arg(kept_count()).arg(line);
   const QFontMetrics metrics = fontMetrics();
   const int wide = metrics.horizontalAdvance(text) + 10;
   const bool beneath = grip.y() - metrics.height() - 6 < area.top();

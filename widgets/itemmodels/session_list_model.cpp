@@ -38,10 +38,11 @@ QString told_in_full(const Finding& finding) {
 
 QString session_summary(const Session& session) {
   QStringList parts{QString::fromStdString(session.format)};
-  if (session.scans) parts << SessionListModel::tr("%1 scans").arg(session.scans->size());
+  const QString seconds = SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
+  if (session.scans) parts << SessionListModel::tr("%1 scans in %2").arg(session.scans->size()).arg(seconds);
   if (!session.odometry_from_lidar.empty())
-    parts << SessionListModel::tr("%1 LiDAR poses, no scans").arg(session.odometry_from_lidar.size());
-  parts << SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
+    parts
+        << SessionListModel::tr("%1 LiDAR poses in %2, no scans").arg(session.odometry_from_lidar.size()).arg(seconds);
   if (!session.ins.empty()) parts << SessionListModel::tr("%1 INS samples").arg(session.ins.size());
   if (!session.world_from_ins.empty()) parts << SessionListModel::tr("%1 INS poses").arg(session.world_from_ins.size());
   return parts.join(QStringLiteral(" · "));
@@ -50,7 +51,23 @@ QString session_summary(const Session& session) {
 void SessionListModel::show_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
   beginResetModel();
   sessions_ = std::move(sessions);
+  uses_.clear();
   endResetModel();
+}
+
+void SessionListModel::show_use(const std::shared_ptr<const PipelineOutput>& output) {
+  uses_.clear();
+  if (output && output->method == kPairwise && !output->pairs.empty())
+    uses_ = count_by_session(*output, sessions_.size());
+  if (!sessions_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
+}
+
+QString SessionListModel::use_text(std::size_t session) const {
+  if (session >= uses_.size()) return {};
+  const SessionUse& use = uses_[session];
+  if (use.accepted > 0) return '\n' + tr("%1 of %2 pairs accepted").arg(use.accepted).arg(use.pairs);
+  return '\n' + (use.pairs == 0 ? tr("not in the result: it has no pairs")
+                                : tr("not in the result: none of its %1 pairs is accepted").arg(use.pairs));
 }
 
 void SessionListModel::set_palette(const QPalette& palette) { palette_ = palette; }
@@ -88,10 +105,11 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
   const Session& session = *sessions_[static_cast<std::size_t>(row)];
   const bool is_session = index.internalId() == kTop;
   if (is_session) {
-    const Severity severity = worst(session);
+    const auto number = static_cast<std::size_t>(row);
+    const Severity severity = is_unused(number) ? std::max(Severity::Warning, worst(session)) : worst(session);
     if (role == Qt::DisplayRole) {
       const QString sign = severity == Severity::Note ? QString() : severity_sign(severity) + ' ';
-      return sign + QString::fromStdString(session.name) + '\n' + session_summary(session);
+      return sign + QString::fromStdString(session.name) + '\n' + session_summary(session) + use_text(number);
     }
     if (role == Qt::ToolTipRole) return QString::fromStdString(session.path.string()) + '\n' + session_summary(session);
     if (role == Qt::ForegroundRole && severity != Severity::Note) return QBrush(severity_color(severity, palette_));

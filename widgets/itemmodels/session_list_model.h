@@ -6,7 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "model/session.h"
+#include "model/pipeline.h"
+#include "widgets/pair_counts.h"
 
 namespace remount {
 
@@ -17,6 +18,8 @@ class SessionListModel : public QAbstractItemModel {
 
   using QAbstractItemModel::QAbstractItemModel;
   void show_sessions(std::vector<std::shared_ptr<const Session>> sessions);
+  /// How much of each session the result rests on; null: nothing is calibrated.
+  void show_use(const std::shared_ptr<const PipelineOutput>& output);
   void set_palette(const QPalette& palette);
   /// The session of an index, itself or its parent; -1 for none.
   int session_of(const QModelIndex& index) const;
@@ -30,11 +33,15 @@ class SessionListModel : public QAbstractItemModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  QString use_text(std::size_t session) const;
+  bool is_unused(std::size_t session) const { return session < uses_.size() && uses_[session].accepted == 0; }
+
   std::vector<std::shared_ptr<const Session>> sessions_;
+  std::vector<SessionUse> uses_;  // empty where there is no result from pairs
   QPalette palette_;
 };
 
-/// "kitti-raw · 120 scans · 12.0 s · 1200 INS samples".
+/// "kitti-raw · 120 scans in 12.0 s · 1200 INS samples".
 QString session_summary(const Session& session);
 
 }  // namespace remount

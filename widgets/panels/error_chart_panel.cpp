@@ -34,7 +34,9 @@ ErrorChartPanel::ErrorChartPanel(QWidget* parent)
 }
 
 void ErrorChartPanel::show_count(int rejected, int of) {
-  count_->setText(of < 0 ? tr("drag ◀ to reject") : tr("rejects %1 of %2").arg(rejected).arg(of));
+  count_->setText(of < 0          ? tr("drag ◀ to reject")
+                  : rejected == 0 ? tr("none of the %1 kept is above").arg(of)
+                                  : tr("rejects %1 of %2").arg(rejected).arg(of));
 }
 
 }  // namespace remount

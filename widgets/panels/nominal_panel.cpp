@@ -72,6 +72,13 @@ void NominalPanel::send() {
       {values_[0]->value(), values_[1]->value(), values_[2]->value(), radians(3), radians(4), radians(5)}));
 }
 
+void NominalPanel::forget_numbers() {
+  for (QDoubleSpinBox* value : values_) {
+    const QSignalBlocker quiet(value);
+    value->setValue(0.0);
+  }
+}
+
 void NominalPanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
   const QSignalBlocker quiet_known(known_), quiet_unknown(unknown_);
   (ins_from_lidar ? known_ : unknown_)->setChecked(true);

@@ -16,7 +16,9 @@ class NominalPanel : public QWidget {
   Q_OBJECT
  public:
   explicit NominalPanel(QWidget* parent = nullptr);
+  /// Where it is unknown, the numbers of before stay, greyed: to be taken up again.
   void show_nominal(const std::optional<RigidTransform>& ins_from_lidar);
+  void forget_numbers();  ///< they belong to another vehicle
 
  signals:
   void nominal_edited(const std::optional<remount::RigidTransform>& ins_from_lidar);

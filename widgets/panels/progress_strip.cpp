@@ -2,12 +2,12 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
 #include "widgets/model_text.h"
+#include "widgets/panels/busy_bar.h"
 
 namespace remount {
 
@@ -29,7 +29,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
     : QWidget(parent),
       text_(new QLabel(this)),
       elapsed_(new QLabel(this)),
-      bar_(new QProgressBar(this)),
+      bar_(new BusyBar(this)),
       cancel_(new QToolButton(this)),
       second_(new QTimer(this)) {
   bar_->setMaximumWidth(220);
@@ -88,6 +88,13 @@ void ProgressStrip::tick() {
 
 void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulonglong total) {
   if (!cancel_->isVisibleTo(this) || !cancel_->isEnabled()) return;
+  constexpr qint64 kOften_ms = 200;  // what changes more often nobody reads, and each change makes the window anew
+  const bool again = stage == stage_ && total == total_ && done < total && since_shown_.isValid();
+  if (again && since_shown_.elapsed() < kOften_ms) {
+    done_ = done;
+    return;
+  }
+  since_shown_.start();
   if (stage != stage_) {
     stage_ = stage;
     since_stage_.start();

@@ -5,11 +5,12 @@
 #include <QWidget>
 
 class QLabel;
-class QProgressBar;
 class QTimer;
 class QToolButton;
 
 namespace remount {
+
+class BusyBar;
 
 class ProgressStrip : public QWidget {
   Q_OBJECT
@@ -30,9 +31,9 @@ class ProgressStrip : public QWidget {
   void say();
 
   QLabel *text_, *elapsed_;
-  QProgressBar* bar_;
+  BusyBar* bar_;
   QToolButton* cancel_;
-  QElapsedTimer since_stage_;
+  QElapsedTimer since_stage_, since_shown_;
   QTimer* second_;  ///< so that a long step is not "about 1 s left" until it ends
   QString stage_;
   qulonglong done_at_start_ = 0, done_ = 0, total_ = 0;

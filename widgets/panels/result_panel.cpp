@@ -143,7 +143,10 @@ QString result_as_text(const CalibrationResult& result) {
 QString moved_text(std::size_t i, double change) {
   const bool large = std::abs(change) >= 1.0;
   const QString unit = large ? unit_suffix(i) : is_angle(i) ? QStringLiteral(" mdeg") : QStringLiteral(" mm");
-  const QString number = QString::number(large ? change : 1e3 * change, 'f', large ? 3 : is_angle(i) ? 1 : 2);
+  const QString number = QString::number(large ? change : 1e3 * change, 'f',
+                                         large                                          ? 3
+                                         : is_angle(i) && std::abs(1e3 * change) >= 1.0 ? 1
+                                                                                        : 2);
   const bool nothing = number.toDouble() == 0.0;
   return nothing ? QStringLiteral("0") + unit : (change > 0.0 ? QStringLiteral("+") : QString()) + number + unit;
 }
@@ -361,13 +364,9 @@ void ResultPanel::show_words(const PipelineOutput& output) {
                    .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
   const bool joint = std::any_of(result.candidates.begin(), result.candidates.end(),
                                  [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
-  const bool decided = std::any_of(output.pairs.begin(), output.pairs.end(),
-                                   [](const Pair& pair) { return pair.decided_by == DecidedBy::User; });
   if (has_numbers(result.status) && !output.pairs.empty())
     figures << (joint ? tr("the clouds of all accepted pairs were aligned together as the last step")
-                : decided
-                    ? tr("solved from the aligned pairs: with decisions of yours their clouds are not aligned together")
-                    : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
+                      : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
   html +=
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   html += nominal_table(output) + sharpness_table(output);

@@ -32,6 +32,7 @@ SessionsPanel::SessionsPanel(SessionListModel& model, QWidget* parent)
   topics_->setToolTip(tr("Which topics of a bag the session is made of"));
   connect(topics_, &QPushButton::clicked, this, [this] { emit topics_requested(session_with_topics()); });
   connect(&model_, &QAbstractItemModel::modelReset, this, &SessionsPanel::after_reset);
+  connect(&model_, &QAbstractItemModel::dataChanged, this, &SessionsPanel::fit_height, Qt::QueuedConnection);
   connect(tree_->selectionModel(), &QItemSelectionModel::currentChanged, this, &SessionsPanel::update_buttons);
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(open_);

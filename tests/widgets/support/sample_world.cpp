@@ -93,6 +93,18 @@ void fill_result(PipelineOutput& output) {
   result.time_offset = {0.012, 0.001, false};
 }
 
+/// What nobody has decided is judged, too.
+void solve(PipelineOutput& output) {
+  for (Pair& pair : output.pairs)
+    if (pair.decided_by == DecidedBy::Nobody && unusable_reason(pair).empty()) {
+      pair.state = PairState::Accepted;
+      pair.decided_by = DecidedBy::Program;
+    }
+  fill_result(output);
+  output.result.candidates.clear();
+  add_candidates(output);
+}
+
 }  // namespace
 
 PointCloud street_cloud(const RigidTransform& world_from_lidar, int seed) {
@@ -224,12 +236,12 @@ Engine sample_engine(int stages, std::shared_ptr<const std::atomic<int>> hold_at
       }
       return output;
     }
-    return sample_output(input, 50);
+    PipelineOutput output = sample_output(input, 50);
+    if (apply_verdicts(input.verdicts, output) > 0) solve(output);
+    return output;
   };
   engine.solve_again = [](const PipelineInput&, PipelineOutput& output, Progress&) {
-    fill_result(output);
-    output.result.candidates.clear();
-    add_candidates(output);
+    solve(output);
     return true;
   };
   engine.load_pair_clouds = [](const PipelineInput& input, const PipelineOutput& output, int pair) {
