@@ -47,7 +47,7 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "not aligned: the calibration was cancelled"),
       QT_TRANSLATE_NOOP("remount::model",
                         "was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last "
-                        "steps (aligning all clouds, sharpness of the map). Calibrate again for the rest."),
+                        "steps (aligning all clouds). Calibrate again for the rest."),
       QT_TRANSLATE_NOOP("remount::model", "registration did not converge"),
       QT_TRANSLATE_NOOP("remount::model", "the surfaces in common determine nothing"),
       QT_TRANSLATE_NOOP("remount::model", "overlap too small: %1"),

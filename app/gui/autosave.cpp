@@ -6,7 +6,7 @@ namespace remount {
 namespace {
 constexpr int kAgain_ms = 60000;
 constexpr int kUnanswered_ms = 10000;  // a disk that was asleep has woken up by then
-}
+}  // namespace
 
 Autosave::Autosave(Workbench& workbench, const QString& data_folder, QObject* parent)
     : QObject(parent), workbench_(workbench), saved_revision_(workbench.revision()) {

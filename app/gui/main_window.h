@@ -114,6 +114,7 @@ class MainWindow : public QMainWindow {
   bool save_project(bool ask, std::function<void()> saved = {});  ///< false where the user changed their mind
   /// Opens a project in place of what is there; asks about unsaved work first.
   void begin_project();
+  void make_report(const QString& path);
   void replace_by(const QString& project);
   /// False where the user has to answer more, or changed their mind; `saved` is called where they chose to save.
   bool may_close(std::function<void()> saved);

@@ -191,6 +191,8 @@ QString QualityController::why_no_sharpness(const PipelineOutput& output) const 
     case MapCheck::NoOverlap:
       return tr("Not compared: no stretch of eight scans that follow each other turns and overlaps.");
     case MapCheck::NotReached:
+      if (workbench_.checking_map()) return tr("The map is being compared…");
+      break;
     case MapCheck::Made:
       break;
   }

@@ -57,13 +57,14 @@ void describe_run(const Workbench& workbench, std::array<StepInfo, kStepCount>& 
 }
 
 /// What speaks against the result without its residuals, before what the user says of it.
-StepInfo describe_check(const PipelineOutput& output, bool confirmed) {
+StepInfo describe_check(const PipelineOutput& output, bool confirmed, bool checking_map) {
   const bool less_sharp = std::any_of(output.findings.begin(), output.findings.end(),
                                       [](const Finding& finding) { return finding.code == kMapLessSharp; });
   if (less_sharp) return {StepState::Attention, Words::tr("map less sharp")};
   if (output.result.session_disagreement > kSessionsContradict)
     return {StepState::Attention, Words::tr("sessions contradict")};
   if (confirmed) return {StepState::Done, Words::tr("confirmed by you")};
+  if (checking_map) return {StepState::Running, Words::tr("comparing the map…")};
   return {StepState::Next, Words::tr("confirm in Quality")};
 }
 
@@ -149,7 +150,7 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     for (const Step which : {Step::Check, Step::Export}) step(which) = {StepState::Attention, Words::tr("out of date")};
     return steps;
   }
-  step(Step::Check) = describe_check(*output, workbench.confirmed());
+  step(Step::Check) = describe_check(*output, workbench.confirmed(), workbench.checking_map());
   step(Step::Export) = describe_export(workbench.exported());
   return steps;
 }

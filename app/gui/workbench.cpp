@@ -204,6 +204,20 @@ bool Workbench::may_calibrate() {
   return true;
 }
 
+namespace {
+
+/// The result does not wait for the map, which is compared beside it.
+PipelineOutput run_without_map_check(const Engine& engine, const PipelineInput& input, Progress& progress) {
+  if (!engine.check_map || !input.settings.run.map_check) return engine.run(input, progress);
+  PipelineInput without = input;
+  without.settings.run.map_check = false;
+  PipelineOutput output = engine.run(without, progress);
+  if (output.map_check == MapCheck::SwitchedOff) output.map_check = MapCheck::NotReached;
+  return output;
+}
+
+}  // namespace
+
 void Workbench::calibrate() {
   if (!may_calibrate()) return;
   for (const int job : {solve_job_, map_job_}) jobs_.cancel(job);
@@ -215,7 +229,7 @@ void Workbench::calibrate() {
   emit message(Severity::Note, {}, tr("Calibration started"));
   run_job_ = jobs_.start(
       [this, input, engine = engine_, decisions = decisions_](Progress& progress) -> JobRunner::Deliver {
-        auto output = std::make_shared<PipelineOutput>(engine.run(input, progress));
+        const auto output = std::make_shared<PipelineOutput>(run_without_map_check(engine, input, progress));
         if (output->result.status == Status::Cancelled)
           return [this, input, output] { take_cancelled_run(input, output); };
         return [this, input, output, decisions] {
@@ -286,6 +300,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   emit output_changed();
   selected_ = -1;
   select_pair(selected);
+  check_map_soon();
   hash_input_files();
   mark_edited();
 }

@@ -102,7 +102,7 @@ class Workbench : public QObject {
   bool confirmed() const { return confirmed_; }  ///< the user said that this result is good
   /// Goes up with every other X; what only another map check or other words change keeps it.
   int solution() const { return solution_; }
-  /// The map check of an X that a decision moved is under way, or begins soon.
+  /// The map check of a new X is under way, or begins soon.
   bool checking_map() const { return map_pause_.isActive() || jobs_.running(map_job_); }
   /// Hashes of what was read, for provenance; made in the background after a calibration, empty until then.
   const std::vector<InputFile>& input_files() const { return input_files_; }

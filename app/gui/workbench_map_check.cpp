@@ -1,5 +1,6 @@
-// The map check of an X that a decision moved, in the background.
+// The map check of a new X, in the background.
 #include "app/gui/workbench.h"
+#include "model/pipeline/sharpness_stage.h"
 
 namespace remount {
 namespace {
@@ -10,8 +11,9 @@ void Workbench::check_map_soon() {
   jobs_.cancel(map_job_);
   map_job_ = 0;
   map_pause_.stop();
-  const bool moved = output_ && output_ == output_solved_ && output_->map_check == MapCheck::Moved;
-  if (moved && is_usable(output_->result) && engine_.check_map) map_pause_.start(kPause_ms);
+  if (!output_ || output_ != output_solved_ || !engine_.check_map || !run_input_.settings.run.map_check) return;
+  const bool missing = output_->map_check == MapCheck::Moved || output_->map_check == MapCheck::NotReached;
+  if (missing && is_usable(output_->result)) map_pause_.start(kPause_ms);
 }
 
 void Workbench::check_map_again() {
@@ -27,7 +29,12 @@ void Workbench::check_map_again() {
           if (*job != map_job_ || output != output_) return;
           // No edit: a project that was saved before is checked again when it is opened.
           output_ = output_solved_ = checked;
+          for (const Finding& finding : checked->findings)
+            if (finding.code == kMapLessSharp)
+              emit message(finding.severity, QString::fromStdString(finding.where),
+                           QString::fromStdString(finding.explanation));
           emit output_changed();
+          emit state_changed();
         };
       },
       report_failure());

@@ -18,7 +18,7 @@ bool not_reached(const Pair& pair) {
 
 // What a whole calibration would have done besides.
 std::string missing_steps(const PipelineInput& input, const PipelineOutput& output) {
-  std::string steps = "aligning all clouds, sharpness of the map";
+  std::string steps = "aligning all clouds";
   if (input.settings.measured.ins_height_sigma_m > 0.0 && !output.ground) steps += ", the given height of the INS";
   return steps;
 }

@@ -4601,8 +4601,8 @@ Save under another name, or close it there first.</source>
         <translation>未配准：标定已被取消</translation>
     </message>
     <message>
-        <source>was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last steps (aligning all clouds, sharpness of the map). Calibrate again for the rest.</source>
-        <translation>在 %2 个帧对中有 %1 个完成配准时被取消：结果仅来自这些帧对，未执行最后的步骤（对齐全部点云、地图清晰度）。要处理其余帧对，请重新标定。</translation>
+        <source>was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last steps (aligning all clouds). Calibrate again for the rest.</source>
+        <translation>在 %2 个帧对中有 %1 个完成配准时被取消：结果仅来自这些帧对，未执行最后的步骤（对齐全部点云）。要处理其余帧对，请重新标定。</translation>
     </message>
     <message>
         <source>%1 gaps, the longest %2 s; nothing is interpolated across them.</source>
@@ -5561,8 +5561,8 @@ Save under another name, or close it there first.</source>
         <translation>经过 %1 秒的数据，X 已收敛。</translation>
     </message>
     <message>
-        <source>X has not converged to the sigmas that trajectory.converged_* ask for.</source>
-        <translation>X 没有收敛到 trajectory.converged_* 要求的标准差。</translation>
+        <source>X has not converged to the sigmas that trajectory.converged_translation_m and trajectory.converged_rotation_deg ask for.</source>
+        <translation>X 没有收敛到 trajectory.converged_translation_m 和 trajectory.converged_rotation_deg 要求的标准差。</translation>
     </message>
     <message>
         <source>The odometry is complete, but no session has an INS with attitude to calibrate against.</source>
