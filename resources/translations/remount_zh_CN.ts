@@ -24,6 +24,13 @@
     </message>
 </context>
 <context>
+    <name>remount::Autosave</name>
+    <message>
+        <source>the disk does not answer</source>
+        <translation>磁盘没有响应</translation>
+    </message>
+</context>
+<context>
     <name>remount::CandidatePlot</name>
     <message>
         <source>Candidates: x, y, z</source>
@@ -636,8 +643,20 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>帧对 %1：%2</translation>
     </message>
     <message>
-        <source>rejects %1 of %2 above %3 %4</source>
-        <translation>拒绝 %2 个中的 %1 个（高于 %3 %4）</translation>
+        <source>This method works without pairs.</source>
+        <translation>该方法不使用帧对。</translation>
+    </message>
+    <message>
+        <source>There are no pairs.</source>
+        <translation>没有帧对。</translation>
+    </message>
+    <message>
+        <source>rejects %1 of %2 above %3</source>
+        <translation>拒绝高于 %3 的 %1 个（共 %2 个）</translation>
+    </message>
+    <message>
+        <source>none of the %1 kept is above %2</source>
+        <translation>保留的 %1 个中没有高于 %2 的</translation>
     </message>
 </context>
 <context>
@@ -661,6 +680,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>drag ◀ to reject</source>
         <translation>拖动 ◀ 以拒绝</translation>
+    </message>
+    <message>
+        <source>none of the %1 kept is above</source>
+        <translation>保留的 %1 个中没有更高的</translation>
     </message>
 </context>
 <context>
@@ -1212,10 +1235,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>报告已保存，同时保存为 %1</translation>
     </message>
     <message>
-        <source>Select a pair to see its two scans.</source>
-        <translation>选择一个帧对以查看它的两次扫描。</translation>
-    </message>
-    <message>
         <source>Reading the scans of pair %1…</source>
         <translation>正在读取帧对 %1 的扫描…</translation>
     </message>
@@ -1390,6 +1409,14 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>&amp;Project…</source>
         <translation>项目(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>&amp;New project</source>
+        <translation>新建项目(&amp;N)</translation>
+    </message>
+    <message>
+        <source>The report is written as soon as the map is compared.</source>
+        <translation>地图比较完成后即写出报告。</translation>
     </message>
 </context>
 <context>
@@ -2485,6 +2512,10 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>Needs a second session: the mounting X is solved on one and scored on the other.</source>
         <translation>需要第二份数据：在一份上求解安装 X，在另一份上评分。</translation>
     </message>
+    <message>
+        <source>The map is being compared…</source>
+        <translation>正在比较地图……</translation>
+    </message>
 </context>
 <context>
     <name>remount::QualityView</name>
@@ -2892,10 +2923,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>Not solved: nothing is observed</source>
         <translation>未求解：没有可观测的量</translation>
     </message>
-    <message>
-        <source>solved from the aligned pairs: with decisions of yours their clouds are not aligned together</source>
-        <translation>由已配准的帧对求解：有您的决定时，点云不再一起配准</translation>
-    </message>
 </context>
 <context>
     <name>remount::SceneController</name>
@@ -2964,14 +2991,6 @@ Everything else works.</source>
 <context>
     <name>remount::SessionListModel</name>
     <message>
-        <source>%1 scans</source>
-        <translation>%1 次扫描</translation>
-    </message>
-    <message>
-        <source>%1 LiDAR poses, no scans</source>
-        <translation>%1 个激光雷达位姿，没有扫描</translation>
-    </message>
-    <message>
         <source>%1 s</source>
         <translation>%1 秒</translation>
     </message>
@@ -2990,6 +3009,26 @@ Everything else works.</source>
     <message>
         <source>What to do: %1</source>
         <translation>处理办法：%1</translation>
+    </message>
+    <message>
+        <source>%1 scans in %2</source>
+        <translation>%2 内 %1 帧扫描</translation>
+    </message>
+    <message>
+        <source>%1 LiDAR poses in %2, no scans</source>
+        <translation>%2 内 %1 个激光雷达位姿，没有扫描</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs accepted</source>
+        <translation>%2 个帧对中接受 %1 个</translation>
+    </message>
+    <message>
+        <source>not in the result: it has no pairs</source>
+        <translation>未用于结果：没有帧对</translation>
+    </message>
+    <message>
+        <source>not in the result: none of its %1 pairs is accepted</source>
+        <translation>未用于结果：其 %1 个帧对无一被接受</translation>
     </message>
 </context>
 <context>
@@ -3433,10 +3472,6 @@ Everything else works.</source>
         <translation>标定开始</translation>
     </message>
     <message>
-        <source>Cancelled. What was there before is kept.</source>
-        <translation>已取消。原有内容保留。</translation>
-    </message>
-    <message>
         <source>Result</source>
         <translation>结果</translation>
     </message>
@@ -3589,6 +3624,18 @@ Save under another name, or close it there first.</source>
     <message>
         <source>The calibration was of other sessions or topics than there are now: it is left out. Calibrate (F5) for these.</source>
         <translation>该标定所用的数据或话题与现在的不同：未予采用。请为现在的数据标定 (F5)。</translation>
+    </message>
+    <message>
+        <source>The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they are left out.</source>
+        <translation>保留之前的结果。此时 %2 个帧对中有 %1 个已重新配准，未予采用。</translation>
+    </message>
+    <message>
+        <source>is being calibrated. Cancel that (Esc) before removing it.</source>
+        <translation>正在标定。请先取消（Esc）再移除。</translation>
+    </message>
+    <message>
+        <source>Wait until the present work is done, or cancel it, before beginning a project.</source>
+        <translation>请等当前工作完成或将其取消，再新建项目。</translation>
     </message>
 </context>
 <context>
@@ -7281,6 +7328,13 @@ Save under another name, or close it there first.</source>
     </message>
 </context>
 <context>
+    <name>remount::option_mentions</name>
+    <message>
+        <source>“%1” (%2)</source>
+        <translation>“%1”（%2）</translation>
+    </message>
+</context>
+<context>
     <name>remount::pair_measure</name>
     <message>
         <source>Residual translation</source>
@@ -7470,6 +7524,18 @@ Save under another name, or close it there first.</source>
         <source>nothing observed</source>
         <translation>均不可观测</translation>
     </message>
+    <message>
+        <source>comparing the map…</source>
+        <translation>正在比较地图…</translation>
+    </message>
+    <message>
+        <source>%1 (%2 by you)</source>
+        <translation>%1（您决定 %2）</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sessions unused</source>
+        <translation>%2 份数据中 %1 份未用</translation>
+    </message>
 </context>
 <context>
     <name>remount::theme</name>
@@ -7589,6 +7655,14 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>The mounting is solved again; its sigmas, the candidates and the judgement of other pairs follow.</source>
         <translation>正在重新求解安装；其 sigma、候选和对其他帧对的判断随后给出。</translation>
+    </message>
+    <message>
+        <source>This method works without pairs. What it found is on the page Method (Ctrl+Shift+D).</source>
+        <translation>该方法不使用帧对。其结果在“方法”页（Ctrl+Shift+D）。</translation>
+    </message>
+    <message>
+        <source>Select a pair to see its two scans.</source>
+        <translation>选择一个帧对以查看其两帧扫描。</translation>
     </message>
 </context>
 <context>
