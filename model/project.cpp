@@ -169,10 +169,10 @@ void add_setting_changes(const Settings& then, const Settings& now, std::vector<
   const DocumentNode before = settings_document(then), after = settings_document(now);
   for (std::size_t s = 0; s < before.items.size(); ++s)
     for (std::size_t i = 0; i < before.items[s].items.size(); ++i) {
-      const std::string key = before.keys[s] + "." + before.items[s].keys[i];
+      const std::string &section = before.keys[s], &name = before.items[s].keys[i];
       const std::string &old_value = before.items[s].items[i].text, &new_value = after.items[s].items[i].text;
-      if (old_value != new_value && key != "run.cache_mb")  // memory, not method
-        changes.push_back(key + " " + old_value + ", now " + new_value);
+      if (old_value != new_value && affects_result(section, name))
+        changes.push_back(section + "." + name + " " + old_value + ", now " + new_value);
     }
 }
 
@@ -207,6 +207,8 @@ std::vector<std::string> changes_since(const CalibrationBasis& calibration, cons
   add_setting_changes(calibration.settings, now.settings, changes);
   return changes;
 }
+
+bool affects_result(std::string_view section, std::string_view name) { return section != "run" || name != "cache_mb"; }
 
 std::vector<std::string> Project::changes_since_calibration() const {
   if (!output) return {};

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/pipeline.h"
@@ -23,6 +24,10 @@ CalibrationBasis basis_of(const PipelineInput& input);
 /// In words, one for each, what is set now and was not so for the calibration ("pairing.max_gap_s 1.5, now 2.5"); empty
 /// where the calibration would come out the same again.
 std::vector<std::string> changes_since(const CalibrationBasis& calibration, const CalibrationBasis& now);
+
+/// Whether a result may come out otherwise where this option is another: how much memory is used is none of its
+/// matters.
+bool affects_result(std::string_view section, std::string_view name);
 
 struct Project {
   std::vector<std::filesystem::path> sessions;  ///< absolute, or relative to the working directory

@@ -169,7 +169,8 @@ void add_lines(const Profile& profile, float noise_m, std::vector<Eigen::Vector3
     }
     std::sort(sharp.begin(), sharp.end());
     std::vector<std::size_t> taken;
-    for (const auto& [sharpness, i] : sharp) {
+    for (const auto& candidate : sharp) {
+      const std::size_t i = candidate.second;
       const auto near = [i](std::size_t other) { return std::max(i, other) - std::min(i, other) <= kReach; };
       if (taken.size() == kPerSector) break;
       if (std::any_of(taken.begin(), taken.end(), near)) continue;

@@ -51,7 +51,9 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
                                  const RegistrationOptions& options, int& key, CoarseStart& out, int threads,
                                  Progress& progress) {
   const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
-  const auto [begin, end] = busiest_stretch(motion, session, stamps);
+  // Names of their own: clang 14 gives those of a structured binding to no lambda.
+  const auto stretch = busiest_stretch(motion, session, stamps);
+  const std::size_t begin = stretch.first, end = stretch.second;
   const int first_key = key;
   key += static_cast<int>(end - begin);
   std::vector<Chain> chains;

@@ -210,6 +210,29 @@ void use_ground(const StageContext& context, const ScanStore& scans, PipelineOut
   if (!output.ground && !progress.cancelled()) report_unseen_ground(output);
 }
 
+void compare_maps(const StageContext& context, const ScanStore& scans, const PipelineInput& input,
+                  PipelineOutput& output, Progress& progress) {
+  if (!input.settings.run.map_check)
+    output.map_check = MapCheck::SwitchedOff;
+  else if (solved(output.result))
+    take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
+}
+
+// What is proposed becomes pairs with shared objects; false where no scan can be read: the result says so.
+bool match_objects_of_pairs(const StageContext& context, const ScanStore& scans, PipelineOutput& output,
+                            std::vector<KeyframeObjects>& objects, Progress& progress) {
+  objects = find_keyframe_objects(context, scans, output.pairs, progress);
+  report_bad_scans(output.keyframes, objects, context.motion, output.findings);
+  std::size_t needed = 0;
+  const std::string unreadable = all_scans_unreadable(objects, output.keyframes, output.pairs, context.motion, needed);
+  if (!unreadable.empty()) {
+    output.result = result_without_scans(needed, unreadable);
+    return false;
+  }
+  match_pairs(context, objects, output.pairs, progress);
+  return true;
+}
+
 // Objects, registration, solution and joint alignment of sessions with scans. Scans are compensated for motion through
 // the initial X, and a second time through the X found, so that an inaccurate nominal leaves no trace; `first_pass` is
 // what there was before that.
@@ -225,17 +248,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     if (compensate && pass == 0) uses_sweep = choose_compensation(context, output.pairs, output.findings, progress);
     if (compensate) scans.compensate_motion(x, uses_sweep);
     output.compensation_ins_from_lidar = x;
-    if (pass == 0) {
-      objects = find_keyframe_objects(context, scans, output.pairs, progress);
-      report_bad_scans(output.keyframes, objects, motion, output.findings);
-      std::size_t needed = 0;
-      const std::string unreadable = all_scans_unreadable(objects, output.keyframes, output.pairs, motion, needed);
-      if (!unreadable.empty()) {
-        output.result = result_without_scans(needed, unreadable);
-        return;
-      }
-      match_pairs(context, objects, output.pairs, progress);
-    }
+    if (pass == 0 && !match_objects_of_pairs(context, scans, output, objects, progress)) return;
     register_pairs(context, scans, objects, output.pairs, progress);
     use_odometry(motion, output.keyframes, output.pairs);
     apply_verdicts(input.verdicts, output);
@@ -251,11 +264,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     }
     if (input.settings.solve.joint_clouds)
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
-    if (!input.settings.run.map_check)
-      output.map_check = MapCheck::SwitchedOff;
-    else if (solved(output.result))
-      take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
-    return;
+    return compare_maps(context, scans, input, output, progress);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "model/project.h"
 #include "widgets/forms/choice_words.h"
 #include "widgets/forms/option_access.h"
 #include "widgets/forms/section_words.h"
@@ -36,8 +37,7 @@ QStringList setting_changes(const Settings& then, const Settings& now) {
   QStringList changes;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const OptionField &old = before[i], &present = after[i];
-    const bool memory = old.section == QLatin1String("run") && old.name == QLatin1String("cache_mb");
-    if (old.value != present.value && !memory)
+    if (old.value != present.value && affects_result(old.section.toStdString(), old.name.toStdString()))
       changes << Words::tr("%1 (%2): %3, now %4")
                      .arg(option_label(old), section_title(old.section), value_text(old), value_text(present));
   }
