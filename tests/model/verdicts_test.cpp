@@ -59,6 +59,7 @@ TEST(verdicts, are_obeyed_by_a_whole_calibration_with_its_last_step) {
   SimulationOptions options;
   options.beams = 32;
   options.azimuth_steps = 600;
+  options.duration_s = 10.0;
   const SimulatedDrive drive = simulate_drive(options);
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(drive.session));

@@ -26,8 +26,27 @@ namespace {
 
 using testing::kPatience_ms;
 
+/// Leaves no pair without a judgement, as the model does.
+Engine engine_that_judges(std::shared_ptr<const std::atomic<int>> hold_at) {
+  Engine engine = testing::sample_engine(10, std::move(hold_at));
+  const auto solve_again = [solve = engine.solve_again](const PipelineInput& input, PipelineOutput& output,
+                                                        Progress& progress) {
+    for (Pair& pair : output.pairs)
+      if (pair.decided_by == DecidedBy::Nobody) pair.state = PairState::Accepted, pair.decided_by = DecidedBy::Program;
+    return solve(input, output, progress);
+  };
+  engine.solve_again = solve_again;
+  engine.run = [run = engine.run, solve_again](const PipelineInput& input, Progress& progress) {
+    PipelineOutput output = run(input, progress);
+    if (output.result.status != Status::Cancelled) solve_again(input, output, progress);
+    return output;
+  };
+  return engine;
+}
+
 class kept_work : public testing::WindowFixture {
  protected:
+  kept_work() : WindowFixture(&engine_that_judges) {}
   StepInfo step(Step which) { return describe_steps(workbench_)[static_cast<std::size_t>(which)]; }
   /// Calibrates again, and does `meanwhile` while that runs.
   void calibrate_and(const std::function<void()>& meanwhile) {

@@ -93,13 +93,7 @@ void fill_result(PipelineOutput& output) {
   result.time_offset = {0.012, 0.001, false};
 }
 
-/// What nobody has decided is judged, too.
 void solve(PipelineOutput& output) {
-  for (Pair& pair : output.pairs)
-    if (pair.decided_by == DecidedBy::Nobody && unusable_reason(pair).empty()) {
-      pair.state = PairState::Accepted;
-      pair.decided_by = DecidedBy::Program;
-    }
   fill_result(output);
   output.result.candidates.clear();
   add_candidates(output);
