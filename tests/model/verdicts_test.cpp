@@ -57,8 +57,8 @@ TEST(verdicts, are_withdrawn_to_what_the_program_can_say) {
 // A whole calibration obeys them before it solves: its last step, the joint alignment, is of the pairs that are left.
 TEST(verdicts, are_obeyed_by_a_whole_calibration_with_its_last_step) {
   SimulationOptions options;
-  options.beams = 32;
-  options.azimuth_steps = 600;
+  options.beams = 16;
+  options.azimuth_steps = 450;
   options.duration_s = 10.0;
   const SimulatedDrive drive = simulate_drive(options);
   PipelineInput input;

@@ -41,6 +41,7 @@ ProgressStrip::ProgressStrip(QWidget* parent)
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long path does not widen the window
   connect(cancel_, &QToolButton::clicked, this, &ProgressStrip::cancel_clicked);
   second_->setInterval(1000);
+  second_->setTimerType(Qt::PreciseTimer);  // others come early, and "1 s" is left out
   connect(second_, &QTimer::timeout, this, &ProgressStrip::tick);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(8, 0, 0, 0);
