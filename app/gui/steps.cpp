@@ -100,13 +100,11 @@ void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, st
                        needed ? Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : not_needed()};
   // The user's is done when nothing is left to look at, or they say that the result is good.
   const bool reviewed = !needed || confirmed || (pairs > 0 && counts.by_user == pairs);
-  const QString judged = Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected);
-  step(Step::Review) = {counts.accepted <= counts.rejected && needed ? StepState::Attention
-                        : reviewed                                   ? StepState::Done
-                                                                     : StepState::Next,
-                        !needed              ? not_needed()
-                        : counts.by_user > 0 ? Words::tr("%1 (%2 by you)").arg(judged).arg(counts.by_user)
-                                             : judged};
+  step(Step::Review) = {
+      counts.accepted <= counts.rejected && needed ? StepState::Attention
+      : reviewed                                   ? StepState::Done
+                                                   : StepState::Next,
+      needed ? Words::tr("%1 accepted, %2 rejected").arg(counts.accepted).arg(counts.rejected) : not_needed()};
   if (stale) step(Step::Pairs) = {StepState::Attention, Words::tr("changed: F5 again")};
 }
 

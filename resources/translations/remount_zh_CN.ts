@@ -7529,10 +7529,6 @@ Save under another name, or close it there first.</source>
         <translation>正在比较地图…</translation>
     </message>
     <message>
-        <source>%1 (%2 by you)</source>
-        <translation>%1（您决定 %2）</translation>
-    </message>
-    <message>
         <source>%1 of %2 sessions unused</source>
         <translation>%2 份数据中 %1 份未用</translation>
     </message>

@@ -48,9 +48,7 @@ class progress : public testing::WindowFixture {
     return {};
   }
   /// Of the step bar: "12 accepted, 3 rejected".
-  QString counted() {
-    return describe_steps(workbench_)[static_cast<std::size_t>(Step::Review)].detail.section(" (", 0, 0);
-  }
+  QString counted() { return describe_steps(workbench_)[static_cast<std::size_t>(Step::Review)].detail; }
 };
 
 QString said(const ProgressStrip& strip) {
