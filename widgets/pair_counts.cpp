@@ -25,6 +25,7 @@ std::vector<SessionUse> count_by_session(const PipelineOutput& output, std::size
     if (of >= sessions) continue;
     ++uses[of].pairs;
     uses[of].accepted += pair.state == PairState::Accepted;
+    uses[of].rejected += pair.state == PairState::Rejected;
   }
   return uses;
 }

@@ -15,7 +15,8 @@ PairCounts count_pairs(const PipelineOutput& output);
 
 /// What became of the pairs of each session that took part.
 struct SessionUse {
-  int pairs = 0, accepted = 0;
+  int pairs = 0, accepted = 0, rejected = 0;
+  bool unused() const { return rejected == pairs; }  ///< all are judged, and none is accepted
 };
 std::vector<SessionUse> count_by_session(const PipelineOutput& output, std::size_t sessions);
 

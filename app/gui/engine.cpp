@@ -5,6 +5,15 @@
 
 namespace remount {
 
+PipelineOutput run_without_map_check(const Engine& engine, const PipelineInput& input, Progress& progress) {
+  if (!engine.check_map || !input.settings.run.map_check) return engine.run(input, progress);
+  PipelineInput without = input;
+  without.settings.run.map_check = false;
+  PipelineOutput output = engine.run(without, progress);
+  if (output.map_check == MapCheck::SwitchedOff) output.map_check = MapCheck::NotReached;
+  return output;
+}
+
 Engine model_engine() {
   const auto open = [](const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) {
     return open_session(path, topics, progress);

@@ -28,6 +28,9 @@ struct Engine {
   std::function<std::optional<TopicOffer>(const std::filesystem::path&, Progress&)> offer_topics;
 };
 
+/// The result does not wait for the map check where that can be made beside it; it is then NotReached.
+PipelineOutput run_without_map_check(const Engine& engine, const PipelineInput& input, Progress& progress);
+
 /// The model's own: open_session, calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
 /// load_keyframe_scan, check_hold_out, check_map, offer_topics.
 Engine model_engine();

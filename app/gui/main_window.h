@@ -112,9 +112,8 @@ class MainWindow : public QMainWindow {
   QAction* add_action(QMenu& menu, const QString& text, const QKeySequence& key, const std::function<void()>& act);
   void open_project();
   bool save_project(bool ask, std::function<void()> saved = {});  ///< false where the user changed their mind
+  void begin_project();  ///< in place of what is there; asks about unsaved work first
   /// Opens a project in place of what is there; asks about unsaved work first.
-  void begin_project();
-  void make_report(const QString& path);
   void replace_by(const QString& project);
   /// False where the user has to answer more, or changed their mind; `saved` is called where they chose to save.
   bool may_close(std::function<void()> saved);

@@ -63,20 +63,7 @@ void MainWindow::ask_for_report() {
                                               tr("Web pages (*.html)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   if (!path.endsWith(QLatin1String(".html"))) path += QStringLiteral(".html");
-  if (may_replace({path, pdf_beside(path)})) make_report(path);
-}
-
-// With what the accumulated map says of the result.
-void MainWindow::make_report(const QString& path) {
-  if (!workbench_.checking_map()) return report_->make(path);
-  show_message(Severity::Note, path, tr("The report is written as soon as the map is compared."));
-  auto* waiting = new QObject(this);
-  connect(&workbench_, &Workbench::state_changed, waiting, [this, waiting, path] {
-    if (workbench_.checking_map()) return;
-    QObject::disconnect(&workbench_, nullptr, waiting, nullptr);
-    waiting->deleteLater();
-    if (!report_->busy() && workbench_.output()) report_->make(path);
-  });
+  if (may_replace({path, pdf_beside(path)})) report_->make(path);
 }
 
 bool MainWindow::may_replace(QStringList files) {

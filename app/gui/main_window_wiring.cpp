@@ -88,6 +88,8 @@ void MainWindow::connect_state() {
           [this] { drive_->show_drives(workbench_.session_names(), workbench_.overviews()); });
   connect(&workbench_, &Workbench::project_changed, this, &MainWindow::show_project);
   connect(&workbench_, &Workbench::project_replaced, nominal_, &NominalPanel::forget_numbers);
+  connect(&workbench_, &Workbench::project_replaced, banner_, &QWidget::hide);
+  connect(&workbench_, &Workbench::project_replaced, method_control_, &MethodController::clear_files);
   connect(&workbench_, &Workbench::settings_changed, this, [this] {
     range_->show_settings(workbench_.settings());
     candidates_->show_range(workbench_.settings().range);
@@ -172,7 +174,7 @@ void MainWindow::progress_text(const QString& text) {
 
 void MainWindow::show_sessions() {
   session_model_->show_sessions(workbench_.sessions());
-  session_model_->show_use(workbench_.output());
+  session_model_->show_use(workbench_.output(), workbench_.input_of_output().sessions.size());
 }
 
 void MainWindow::show_output() {
@@ -184,7 +186,7 @@ void MainWindow::show_output() {
   show_state();
   turns_->start({[this] { pairs_->show_output(workbench_.output()); }, [this] { show_errors(); },
                  [this] {
-                   session_model_->show_use(workbench_.output());
+                   session_model_->show_use(workbench_.output(), workbench_.input_of_output().sessions.size());
                    pairs_->show_selected(workbench_.selected_pair());
                    scenes_->refresh();
                  },

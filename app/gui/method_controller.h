@@ -37,6 +37,7 @@ class MethodController : public QObject {
                    ComparisonView& comparison, QObject* parent = nullptr);
   /// Result files that are to stand beside the results of this window.
   void add_files(const QStringList& paths);
+  void clear_files();
   const KeptResults& compared() const { return compared_; }
   /// Those of a window whose place this one takes; named in the language of this one.
   void take_over(KeptResults compared);
@@ -46,7 +47,6 @@ class MethodController : public QObject {
   void show_choice();
   void show_output();
   void show_comparison();
-  void clear_files();
 
   Workbench& workbench_;
   QComboBox& chooser_;

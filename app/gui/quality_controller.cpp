@@ -180,6 +180,7 @@ void QualityController::refresh_sharpness() {
 }
 
 QString QualityController::why_no_sharpness(const PipelineOutput& output) const {
+  if (!workbench_.map_failure().isEmpty()) return tr("Not compared: %1").arg(workbench_.map_failure());
   switch (output.map_check) {
     case MapCheck::NoScans:
       return tr("Not compared: the sessions hold no scans, or the method has no keyframes.");
@@ -192,6 +193,7 @@ QString QualityController::why_no_sharpness(const PipelineOutput& output) const 
       return tr("Not compared: no stretch of eight scans that follow each other turns and overlaps.");
     case MapCheck::NotReached:
       if (workbench_.checking_map()) return tr("The map is being compared…");
+      if (workbench_.solving()) return tr("The map is compared when the result is solved.");
       break;
     case MapCheck::Made:
       break;

@@ -62,12 +62,34 @@ ReportStyle report_style() {
 }
 
 ReportMaker::ReportMaker(Workbench& workbench, QObject* parent, MakePdf make_pdf)
-    : QObject(parent), workbench_(workbench), make_pdf_(std::move(make_pdf)) {}
+    : QObject(parent), workbench_(workbench), make_pdf_(std::move(make_pdf)) {
+  connect(&workbench_, &Workbench::output_changed, this, &ReportMaker::go_on);
+  connect(&workbench_, &Workbench::state_changed, this, &ReportMaker::go_on);
+}
 
 void ReportMaker::make(const QString& html_path) {
   if (busy_ || !workbench_.output()) return;
   busy_ = true;
   html_path_ = html_path;
+  of_solution_ = workbench_.solution();
+  waiting_ = workbench_.checking_map();
+  if (waiting_) return emit progressed(tr("The report is written as soon as the map is compared."));
+  begin();
+}
+
+void ReportMaker::go_on() {
+  if (!waiting_) return;
+  if (workbench_.solution() != of_solution_ || workbench_.solving() || workbench_.calibrating()) {
+    waiting_ = busy_ = false;
+    return emit failed(html_path_, tr("The report is not written: the result changed while it waited for the "
+                                      "comparison of the map. Ask for it again."));
+  }
+  if (workbench_.checking_map()) return;
+  waiting_ = false;
+  begin();
+}
+
+void ReportMaker::begin() {
   output_ = workbench_.output();
   input_ = workbench_.input_of_output();
   report_ = {};

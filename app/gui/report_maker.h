@@ -22,6 +22,8 @@ class ReportMaker : public QObject {
 
   bool busy() const { return busy_; }
   /// Writes `html_path`, and the PDF of the same name beside it. Does nothing without a result, or while it is busy.
+  /// Where the map is still being compared under the result, waits for that; fails where the result does not last so
+  /// long.
   void make(const QString& html_path);
 
  signals:
@@ -38,6 +40,8 @@ class ReportMaker : public QObject {
     PairTransforms transforms;
   };
 
+  void go_on();
+  void begin();
   void next_pair();
   void draw_next();
   void write();
@@ -53,7 +57,8 @@ class ReportMaker : public QObject {
   std::vector<Sitting> sittings_;                        // of the present pair, still to be drawn
   std::vector<std::pair<std::string, RgbImage>> drawn_;  // with captions
   QString html_path_;
-  bool busy_ = false;
+  bool busy_ = false, waiting_ = false;
+  int of_solution_ = 0;  // while it waits: what it was asked of
   JobRunner jobs_;
 };
 

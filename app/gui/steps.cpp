@@ -84,8 +84,7 @@ StepInfo describe_export(Exported exported) {
 int unused_sessions(const PipelineOutput& output, std::size_t sessions) {
   if (output.method != kPairwise || output.pairs.empty()) return 0;
   const std::vector<SessionUse> uses = count_by_session(output, sessions);
-  return static_cast<int>(
-      std::count_if(uses.begin(), uses.end(), [](const SessionUse& use) { return use.accepted == 0; }));
+  return static_cast<int>(std::count_if(uses.begin(), uses.end(), [](const SessionUse& use) { return use.unused(); }));
 }
 
 /// Pairs, alignment and review; methods without pairs need none of them.
@@ -133,7 +132,7 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     return steps;
   }
   const bool stale = workbench.out_of_date();
-  if (const int unused = stale ? 0 : unused_sessions(*output, workbench.sessions().size()); unused > 0)
+  if (const int unused = stale ? 0 : unused_sessions(*output, workbench.input_of_output().sessions.size()); unused > 0)
     step(Step::Load) = {StepState::Attention, Words::tr("%1 of %2 sessions unused").arg(unused).arg(sessions)};
   describe_pairs(*output, stale, workbench.confirmed(), steps);
   const Status status = output->result.status;

@@ -4,6 +4,8 @@
 #include <QDateTime>
 #include <QLocale>
 
+#include "model/methods/calibration_method.h"
+
 namespace remount {
 namespace {
 struct Words {
@@ -33,7 +35,7 @@ QString scan_name(const std::vector<std::shared_ptr<const Session>>& sessions, c
 
 QString no_pair_text(const Workbench& workbench) {
   const OutputPtr output = workbench.output();
-  return output && output->pairs.empty() && output->method != kPairwise
+  return output && output->pairs.empty() && !is_from_pairs(output->method)
              ? Words::tr("This method works without pairs. What it found is on the page Method (Ctrl+Shift+D).")
              : Words::tr("Select a pair to see its two scans.");
 }
@@ -108,6 +110,8 @@ QString holder_text(const LockHolder& holder) {
 QString export_warning(const Workbench& workbench) {
   QStringList lines;
   if (const QString note = standing_note(workbench); !note.isEmpty()) lines << note;
+  if (workbench.checking_map())
+    lines << Words::tr("The map is still being compared under this result: what it says is not known yet.");
   const OutputPtr output = workbench.output();
   const QString blind = output ? QString::fromStdString(parameter_list(output->result, false)) : QString();
   if (!blind.isEmpty())

@@ -15,6 +15,7 @@
 #include "widgets/forms/option_access.h"
 #include "widgets/forms/option_changes.h"
 #include "widgets/model_text.h"
+#include "widgets/pair_counts.h"
 
 namespace remount {
 
@@ -204,20 +205,6 @@ bool Workbench::may_calibrate() {
   return true;
 }
 
-namespace {
-
-/// The result does not wait for the map, which is compared beside it.
-PipelineOutput run_without_map_check(const Engine& engine, const PipelineInput& input, Progress& progress) {
-  if (!engine.check_map || !input.settings.run.map_check) return engine.run(input, progress);
-  PipelineInput without = input;
-  without.settings.run.map_check = false;
-  PipelineOutput output = engine.run(without, progress);
-  if (output.map_check == MapCheck::SwitchedOff) output.map_check = MapCheck::NotReached;
-  return output;
-}
-
-}  // namespace
-
 void Workbench::calibrate() {
   if (!may_calibrate()) return;
   for (const int job : {solve_job_, map_job_}) jobs_.cancel(job);
@@ -236,7 +223,7 @@ void Workbench::calibrate() {
           if (input.sessions != sessions_) return drop_run();
           const bool redecided = catch_up(decisions, *output);
           take_run(input, output);
-          if (!redecided) return;
+          if (!redecided || output->pairs.empty()) return;
           output_solved_ = nullptr;  // whole, but for the decisions
           start_solve(tr("decisions during the calibration"), FirstAnswer::None);
         };
@@ -250,18 +237,18 @@ void Workbench::calibrate() {
 
 void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared_ptr<PipelineOutput>& output) {
   if (input.sessions != sessions_) return drop_run();
-  // A complete result is not given up for part of another.
+  if (output_) {  // a complete result is not given up for part of another
+    emit message(Severity::Warning, tr("Cancelled"),
+                 tr("The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they are left "
+                    "out.")
+                     .arg(count_pairs(*output).aligned)
+                     .arg(output->pairs.size()));
+    return resume_solving();
+  }
   const std::size_t finished = keep_finished(input, *output);
-  if (output_ || finished == 0) {
-    emit message(output_ ? Severity::Warning : Severity::Note, output_ ? tr("Cancelled") : QString(),
-                 output_
-                     ? tr("The result that was there before is kept. %1 of %2 pairs were aligned anew by then; they "
-                          "are left out.")
-                           .arg(finished)
-                           .arg(output->pairs.size())
-                     : tr("Cancelled before there was anything that could be kept."));
-    resume_solving();
-    return;
+  if (finished == 0) {
+    emit message(Severity::Note, {}, tr("Cancelled before there was anything that could be kept."));
+    return resume_solving();
   }
   withdraw_verdicts(*output);
   apply_verdicts(verdicts(), *output);
@@ -271,16 +258,6 @@ void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared
   emit message(
       Severity::Warning, tr("Cancelled"),
       tr("%1 of %2 pairs were aligned by then; they are kept, and solved.").arg(finished).arg(output->pairs.size()));
-}
-
-int Workbench::same_pair(const PipelineInput& input_before, const PipelineOutput* before, int selected,
-                         const PipelineInput& input, const PipelineOutput& output) {
-  const int first = output.pairs.empty() ? -1 : 0;
-  if (!before || selected < 0 || selected >= std::ssize(before->pairs)) return first;
-  const DecisionKey wanted = key_of(input_before, *before, before->pairs[static_cast<std::size_t>(selected)]);
-  const auto found = std::find_if(output.pairs.begin(), output.pairs.end(),
-                                  [&](const Pair& pair) { return key_of(input, output, pair) == wanted; });
-  return found == output.pairs.end() ? first : static_cast<int>(found - output.pairs.begin());
 }
 
 void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
@@ -410,8 +387,10 @@ void Workbench::confirm(bool good) {
 }
 
 void Workbench::mark_exported(Exported how) {
+  const bool written = how == Exported::Written && exported_ != how;
   exported_ = std::max(exported_, how);
   emit state_changed();
+  if (written) mark_edited();
 }
 
 }  // namespace remount

@@ -104,6 +104,7 @@ class Workbench : public QObject {
   int solution() const { return solution_; }
   /// The map check of a new X is under way, or begins soon.
   bool checking_map() const { return map_pause_.isActive() || jobs_.running(map_job_); }
+  const QString& map_failure() const { return map_failure_; }  ///< why the last check came to nothing
   /// Hashes of what was read, for provenance; made in the background after a calibration, empty until then.
   const std::vector<InputFile>& input_files() const { return input_files_; }
   QUndoStack& undo_stack() { return undo_; }
@@ -312,6 +313,7 @@ class Workbench : public QObject {
   std::vector<ToOpen> waiting_;
   int open_job_ = 0, run_job_ = 0, solve_job_ = 0, cloud_job_ = 0, hash_job_ = 0, map_job_ = 0;
   int solution_ = 0;
+  QString map_failure_;
   QTimer map_pause_;           // while the user goes on deciding, the map is not read
   bool data_changed_ = false;  // the files on disk are not those that output_ was made from
   bool refining_ = false;

@@ -99,6 +99,16 @@ Workbench::DecisionKey Workbench::key_of(const PipelineInput& input, const Pipel
   return {input.sessions.at(static_cast<std::size_t>(a.session))->path.string(), a.stamp_ns, b.stamp_ns};
 }
 
+int Workbench::same_pair(const PipelineInput& input_before, const PipelineOutput* before, int selected,
+                         const PipelineInput& input, const PipelineOutput& output) {
+  const int first = output.pairs.empty() ? -1 : 0;
+  if (!before || selected < 0 || selected >= std::ssize(before->pairs)) return first;
+  const DecisionKey wanted = key_of(input_before, *before, before->pairs[static_cast<std::size_t>(selected)]);
+  const auto found = std::find_if(output.pairs.begin(), output.pairs.end(),
+                                  [&](const Pair& pair) { return key_of(input, output, pair) == wanted; });
+  return found == output.pairs.end() ? first : static_cast<int>(found - output.pairs.begin());
+}
+
 bool Workbench::catch_up(const Decisions& carried, PipelineOutput& output) const {
   if (decisions_ == carried) return false;
   withdraw_verdicts(output);

@@ -39,12 +39,12 @@ void Workbench::put_back(const Calibrated& calibrated) {
 }
 
 void Workbench::show_put_back(const CalibratedPtr& calibrated) {
+  check_map_soon();
   emit output_changed();
   emit state_changed();
   if (output_ && calibrated) {
     select_pair(calibrated->selected);
     if (input_files_.empty()) hash_input_files();
-    check_map_soon();
     if (output_ != output_solved_) start_solve(tr("decisions before"), FirstAnswer::None);
   }
   mark_edited();

@@ -1,4 +1,5 @@
 // The map check of a new X, in the background.
+#include "app/gui/error_words.h"
 #include "app/gui/workbench.h"
 #include "model/pipeline/sharpness_stage.h"
 
@@ -11,6 +12,7 @@ void Workbench::check_map_soon() {
   jobs_.cancel(map_job_);
   map_job_ = 0;
   map_pause_.stop();
+  map_failure_.clear();
   if (!output_ || output_ != output_solved_ || !engine_.check_map || !run_input_.settings.run.map_check) return;
   const bool missing = output_->map_check == MapCheck::Moved || output_->map_check == MapCheck::NotReached;
   if (missing && is_usable(output_->result)) map_pause_.start(kPause_ms);
@@ -30,14 +32,21 @@ void Workbench::check_map_again() {
           // No edit: a project that was saved before is checked again when it is opened.
           output_ = output_solved_ = checked;
           for (const Finding& finding : checked->findings)
-            if (finding.code == kMapLessSharp)
+            if (finding.code == kMapLessSharp) {
+              confirmed_ = false;  // it was, without this
               emit message(finding.severity, QString::fromStdString(finding.where),
                            QString::fromStdString(finding.explanation));
+            }
           emit output_changed();
           emit state_changed();
         };
       },
-      report_failure());
+      [this, job](const JobFailure& failure) {
+        if (*job != map_job_) return;
+        map_failure_ = in_words(failure);
+        emit message(Severity::Problem, failure.where, failure.what);
+        emit state_changed();
+      });
   *job = map_job_;
   emit state_changed();
 }

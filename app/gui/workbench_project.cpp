@@ -307,6 +307,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   exported_ = whole && project.exported ? Exported::Written : Exported::No;
   confirmed_ = whole && project.confirmed;
   undo_.clear();
+  check_map_soon();
   emit project_replaced();
   emit sessions_changed();
   emit settings_changed();
@@ -316,7 +317,6 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   selected_ = -1;
   select_pair(output_ && !output_->pairs.empty() ? 0 : -1);
   if (output_) compare_input_files();
-  check_map_soon();
   if (output_ != output_solved_) start_solve(tr("decisions before it was saved"), FirstAnswer::None);
 }
 

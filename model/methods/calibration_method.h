@@ -15,6 +15,7 @@ struct CalibrationMethod {
   std::string_view title;             ///< for people: "Pairs of keyframes"
   std::string_view needs;             ///< the streams a session must have, in words
   std::string_view settings_section;  ///< of Settings::visit_sections; empty where it has none of its own
+  bool from_pairs = false;            ///< of keyframes, which are there to be reviewed
   /// Throws Error(Unsupported) where the sessions lack a stream, Error(Contract) for settings out of range. What the
   /// numbers do not allow is part of the result. Cancellable; the same for any number of threads.
   PipelineOutput (*run)(const PipelineInput& input, Progress& progress);
@@ -26,6 +27,9 @@ const std::vector<CalibrationMethod>& calibration_methods();
 
 /// Throws Error(Contract) that names the methods where `id` is none of them.
 const CalibrationMethod& calibration_method(std::string_view id);
+
+/// False for a name that is none of theirs.
+bool is_from_pairs(std::string_view id);
 
 /// Whether any value is given that was measured by hand.
 bool is_measured(const MeasuredOptions& measured);

@@ -8,13 +8,14 @@ namespace remount {
 
 const std::vector<CalibrationMethod>& calibration_methods() {
   static const std::vector<CalibrationMethod> methods{
-      {kPairwise, "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", run_pipeline},
-      {"trajectory", "Trajectory alignment", "scans or LiDAR poses, and an INS or GNSS fixes", "trajectory",
+      {kPairwise, "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", true, run_pipeline},
+      {"trajectory", "Trajectory alignment", "scans or LiDAR poses, and an INS or GNSS fixes", "trajectory", false,
        run_trajectory_method},
       {"vehicle-frame", "Vehicle frame", "wheel speeds, an IMU or INS, and scans or poses of the sensor",
-       "vehicle_frame", run_vehicle_frame},
-      {"fusion-odometry", "Multi-sensor odometry", "scans, and an INS with attitude", "fusion", run_fusion_method},
-      {"slew", "Slewing machine", "three recordings of a LiDAR: ground, swept arm, full turn", "slew", run_slew},
+       "vehicle_frame", false, run_vehicle_frame},
+      {"fusion-odometry", "Multi-sensor odometry", "scans, and an INS with attitude", "fusion", true,
+       run_fusion_method},
+      {"slew", "Slewing machine", "three recordings of a LiDAR: ground, swept arm, full turn", "slew", false, run_slew},
   };
   return methods;
 }
@@ -26,6 +27,11 @@ const CalibrationMethod& calibration_method(std::string_view id) {
     known += (known.empty() ? "" : ", ") + std::string(method.id);
   }
   throw Error(ErrorCode::Contract, "method " + std::string(id), "is not one of: " + known);
+}
+
+bool is_from_pairs(std::string_view id) {
+  return std::any_of(calibration_methods().begin(), calibration_methods().end(),
+                     [&](const CalibrationMethod& method) { return method.id == id && method.from_pairs; });
 }
 
 bool is_measured(const MeasuredOptions& measured) {

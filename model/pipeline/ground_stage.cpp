@@ -73,4 +73,12 @@ std::optional<ObservedGround> observe_ground(const StageContext& context, const 
   return plane;
 }
 
+void report_unseen_ground(PipelineOutput& output) {
+  const bool told = std::any_of(output.findings.begin(), output.findings.end(),
+                                [](const Finding& finding) { return finding.code == "ground-not-seen"; });
+  if (!told)
+    output.findings.push_back({Severity::Warning, "ground-not-seen", "scans",
+                               "Too few scans show the ground near the vehicle; the height of the INS is not used."});
+}
+
 }  // namespace remount

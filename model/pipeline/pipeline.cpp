@@ -197,25 +197,9 @@ bool moved_much(const RigidTransform& from, const RigidTransform& to) {
          (to.translation() - from.translation()).norm() > 0.02;
 }
 
-void report_unseen_ground(PipelineOutput& output) {
-  const bool told = std::any_of(output.findings.begin(), output.findings.end(),
-                                [](const Finding& finding) { return finding.code == "ground-not-seen"; });
-  if (!told)
-    output.findings.push_back({Severity::Warning, "ground-not-seen", "scans",
-                               "Too few scans show the ground near the vehicle; the height of the INS is not used."});
-}
-
 void use_ground(const StageContext& context, const ScanStore& scans, PipelineOutput& output, Progress& progress) {
   output.ground = observe_ground(context, scans, progress);
   if (!output.ground && !progress.cancelled()) report_unseen_ground(output);
-}
-
-void compare_maps(const StageContext& context, const ScanStore& scans, const PipelineInput& input,
-                  PipelineOutput& output, Progress& progress) {
-  if (!input.settings.run.map_check)
-    output.map_check = MapCheck::SwitchedOff;
-  else if (solved(output.result))
-    take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
 }
 
 // What is proposed becomes pairs with shared objects; false where no scan can be read: the result says so.
@@ -264,7 +248,8 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     }
     if (input.settings.solve.joint_clouds)
       align_all_clouds(context, input, motion, scans, objects, details, output, progress);
-    return compare_maps(context, scans, input, output, progress);
+    if (solved(output.result)) take_sharpness(context, scans, input.nominal_ins_from_lidar, output, progress);
+    return;
   }
 }
 

@@ -101,6 +101,10 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
 void take_sharpness(const StageContext& context, const ScanStore& scans,
                     const std::optional<RigidTransform>& nominal_ins_from_lidar, PipelineOutput& output,
                     Progress& progress) {
+  if (!context.settings.run.map_check) {
+    output.map_check = MapCheck::SwitchedOff;
+    return;
+  }
   output.sharpness = check_sharpness(context, scans, output.result, nominal_ins_from_lidar, progress);
   if (!output.sharpness.empty())
     output.map_check = MapCheck::Made;

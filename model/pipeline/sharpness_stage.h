@@ -15,7 +15,7 @@ std::vector<NamedSharpness> check_sharpness(const StageContext& context, const S
                                             const std::optional<RigidTransform>& nominal_ins_from_lidar,
                                             Progress& progress);
 
-/// check_sharpness of the output's X, into `sharpness` and `map_check`.
+/// check_sharpness of the output's X, into `sharpness` and `map_check`, unless the settings switch it off.
 void take_sharpness(const StageContext& context, const ScanStore& scans,
                     const std::optional<RigidTransform>& nominal_ins_from_lidar, PipelineOutput& output,
                     Progress& progress);

@@ -1414,10 +1414,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>&amp;New project</source>
         <translation>新建项目(&amp;N)</translation>
     </message>
-    <message>
-        <source>The report is written as soon as the map is compared.</source>
-        <translation>地图比较完成后即写出报告。</translation>
-    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -2516,6 +2512,14 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>The map is being compared…</source>
         <translation>正在比较地图……</translation>
     </message>
+    <message>
+        <source>Not compared: %1</source>
+        <translation>未比较：%1</translation>
+    </message>
+    <message>
+        <source>The map is compared when the result is solved.</source>
+        <translation>求解完成后比较地图。</translation>
+    </message>
 </context>
 <context>
     <name>remount::QualityView</name>
@@ -2675,6 +2679,14 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>Pair %1, from above, under the mounting that the calibration started from; no nominal was given.</source>
         <translation>帧对 %1，俯视，按标定起始时的安装；没有给出名义安装。</translation>
+    </message>
+    <message>
+        <source>The report is written as soon as the map is compared.</source>
+        <translation>地图比较完成后即写出报告。</translation>
+    </message>
+    <message>
+        <source>The report is not written: the result changed while it waited for the comparison of the map. Ask for it again.</source>
+        <translation>未写出报告：等待地图比较期间结果已改变。请重新生成。</translation>
     </message>
 </context>
 <context>
@@ -7659,6 +7671,10 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>Select a pair to see its two scans.</source>
         <translation>选择一个帧对以查看其两帧扫描。</translation>
+    </message>
+    <message>
+        <source>The map is still being compared under this result: what it says is not known yet.</source>
+        <translation>正在比较该结果下的地图：其结论尚不可知。</translation>
     </message>
 </context>
 <context>

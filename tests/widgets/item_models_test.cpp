@@ -125,13 +125,18 @@ TEST(session_list_model, says_of_each_session_whether_the_result_rests_on_it) {
   model.show_sessions(input.sessions);
   const auto said = [&](int session) { return model.index(session, 0).data().toString(); };
   EXPECT_FALSE(said(0).contains("not in the result")) << "nothing is calibrated yet";
-  model.show_use(output);
+  model.show_use(output, 2);
   EXPECT_TRUE(said(0).contains("not in the result: it has no pairs")) << said(0).toStdString();
   EXPECT_TRUE(said(1).contains("none of its 10 pairs is accepted")) << said(1).toStdString();
   output->pairs[3].state = PairState::Accepted;
-  model.show_use(output);
+  model.show_use(output, 2);
   EXPECT_TRUE(said(1).contains("1 of 10 pairs accepted")) << said(1).toStdString();
-  model.show_use(nullptr);
+  output->pairs[3].state = PairState::Proposed;
+  model.show_use(output, 2);
+  EXPECT_FALSE(said(1).contains("not in the result")) << "one is not judged yet";
+  model.show_use(output, 1);
+  EXPECT_FALSE(said(1).contains("pairs")) << "it was opened since";
+  model.show_use(nullptr, 0);
   EXPECT_FALSE(said(1).contains("accepted"));
 }
 

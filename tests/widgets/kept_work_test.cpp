@@ -118,7 +118,9 @@ TEST_F(kept_work, an_exported_result_is_exported_when_its_project_is_opened) {
   const QTemporaryDir folder;
   const QString path = folder.filePath("job.remount");
   calibrate_drive();
+  const int before = workbench_.revision();
   workbench_.mark_exported(Exported::Written);
+  EXPECT_GT(workbench_.revision(), before) << "it is to be saved";
   bool saved = false;
   workbench_.save_project(path, [&] { saved = true; });
   ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));

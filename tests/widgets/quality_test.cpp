@@ -10,7 +10,6 @@
 #include <QTabBar>
 #include <QTableWidget>
 #include <atomic>
-#include <thread>
 
 #include "algorithms/core/error.h"
 #include "app/gui/quality_controller.h"
@@ -304,58 +303,6 @@ TEST_F(quality_page, says_why_the_map_was_not_compared_and_leads_to_it) {
   workbench_.decide({1}, PairState::Rejected);
   ASSERT_TRUE(settle());
   EXPECT_TRUE(says(*view().sharpness(), "no stretch of eight scans")) << "calibrating again would not help";
-}
-
-TEST(quality_sharpness, that_was_made_before_the_last_decision_says_what_to_do) {
-  Engine engine = testing::sample_engine(2);
-  engine.solve_again = [solve = engine.solve_again](const PipelineInput& input, PipelineOutput& output,
-                                                    Progress& progress) {
-    output.map_check = MapCheck::Moved;
-    return solve(input, output, progress);
-  };
-  Workbench workbench(engine);
-  QualityView view;
-  const QualityController controller(workbench, view);
-  workbench.open({"/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
-  workbench.decide({1}, PairState::Rejected);
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("Calibrate again (F5)"); }, kPatience_ms));
-}
-
-// Reading scans for it takes its time, and nobody waits with the result in hand.
-TEST(quality_sharpness, is_found_while_the_result_is_there_already) {
-  std::atomic<bool> wait = true, asked_for_it = false;
-  Engine engine = testing::sample_engine(2);
-  engine.run = [&asked_for_it, run = engine.run](const PipelineInput& input, Progress& progress) {
-    PipelineOutput output = run(input, progress);
-    asked_for_it = input.settings.run.map_check;
-    output.map_check = MapCheck::SwitchedOff;
-    return output;
-  };
-  engine.check_map = [&wait](const PipelineInput&, PipelineOutput& output, Progress& progress) {
-    while (wait && !progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    output.map_check = MapCheck::NoOverlap;
-  };
-  Workbench workbench(engine);
-  QualityView view;
-  const QualityController controller(workbench, view);
-  workbench.open({"/data/drive1"});
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
-  workbench.calibrate();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
-  EXPECT_FALSE(asked_for_it);
-  ASSERT_TRUE(workbench.output());
-  EXPECT_TRUE(workbench.checking_map());
-  EXPECT_TRUE(workbench.input_of_output().settings.run.map_check) << "it was not switched off";
-  EXPECT_FALSE(workbench.out_of_date());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("being compared"); }, kPatience_ms));
-  wait = false;
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("stretch of eight scans"); }, kPatience_ms));
-  EXPECT_FALSE(workbench.checking_map());
 }
 
 TEST(result_panel, says_that_the_map_is_to_be_compared_again_only_where_it_was_compared) {

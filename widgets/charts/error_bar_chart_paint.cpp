@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/methods/calibration_method.h"
 #include "widgets/charts/chart_axis.h"
 #include "widgets/charts/error_bar_chart.h"
 #include "widgets/theme.h"
@@ -17,10 +18,10 @@ void ErrorBarChart::paintEvent(QPaintEvent*) {
   if (pairs_.empty()) {
     painter.setPen(palette().color(QPalette::Disabled, QPalette::Text));
     painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
-                     !output_                       ? tr("No pairs yet: the error of each pair appears here.")
-                     : !output_->pairs.empty()      ? tr("No pair is shown: the filter of the table hides them.")
-                     : output_->method != kPairwise ? tr("This method works without pairs.")
-                                                    : tr("There are no pairs."));
+                     !output_                          ? tr("No pairs yet: the error of each pair appears here.")
+                     : !output_->pairs.empty()         ? tr("No pair is shown: the filter of the table hides them.")
+                     : !is_from_pairs(output_->method) ? tr("This method works without pairs.")
+                                                       : tr("There are no pairs."));
     return;
   }
   paint_axis(painter, area);

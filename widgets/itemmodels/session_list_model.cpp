@@ -55,17 +55,17 @@ void SessionListModel::show_sessions(std::vector<std::shared_ptr<const Session>>
   endResetModel();
 }
 
-void SessionListModel::show_use(const std::shared_ptr<const PipelineOutput>& output) {
+void SessionListModel::show_use(const std::shared_ptr<const PipelineOutput>& output, std::size_t calibrated) {
   uses_.clear();
   if (output && output->method == kPairwise && !output->pairs.empty())
-    uses_ = count_by_session(*output, sessions_.size());
+    uses_ = count_by_session(*output, std::min(calibrated, sessions_.size()));
   if (!sessions_.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
 }
 
 QString SessionListModel::use_text(std::size_t session) const {
   if (session >= uses_.size()) return {};
   const SessionUse& use = uses_[session];
-  if (use.accepted > 0) return '\n' + tr("%1 of %2 pairs accepted").arg(use.accepted).arg(use.pairs);
+  if (!use.unused()) return '\n' + tr("%1 of %2 pairs accepted").arg(use.accepted).arg(use.pairs);
   return '\n' + (use.pairs == 0 ? tr("not in the result: it has no pairs")
                                 : tr("not in the result: none of its %1 pairs is accepted").arg(use.pairs));
 }

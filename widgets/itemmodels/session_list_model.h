@@ -19,7 +19,8 @@ class SessionListModel : public QAbstractItemModel {
   using QAbstractItemModel::QAbstractItemModel;
   void show_sessions(std::vector<std::shared_ptr<const Session>> sessions);
   /// How much of each session the result rests on; null: nothing is calibrated.
-  void show_use(const std::shared_ptr<const PipelineOutput>& output);
+  /// `calibrated`: so many of the sessions took part, the first.
+  void show_use(const std::shared_ptr<const PipelineOutput>& output, std::size_t calibrated);
   void set_palette(const QPalette& palette);
   /// The session of an index, itself or its parent; -1 for none.
   int session_of(const QModelIndex& index) const;
@@ -34,7 +35,7 @@ class SessionListModel : public QAbstractItemModel {
 
  private:
   QString use_text(std::size_t session) const;
-  bool is_unused(std::size_t session) const { return session < uses_.size() && uses_[session].accepted == 0; }
+  bool is_unused(std::size_t session) const { return session < uses_.size() && uses_[session].unused(); }
 
   std::vector<std::shared_ptr<const Session>> sessions_;
   std::vector<SessionUse> uses_;  // empty where there is no result from pairs

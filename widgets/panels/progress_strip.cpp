@@ -10,6 +10,9 @@
 #include "widgets/panels/busy_bar.h"
 
 namespace remount {
+namespace {
+constexpr int kSteps = 1000;  // of the bar
+}  // namespace
 
 QString remaining_text(qint64 elapsed_ms, double done, double total) {
   if (elapsed_ms < 1500 || done < 1.0 || done >= total) return {};
@@ -82,6 +85,8 @@ void ProgressStrip::tick() {
   constexpr qint64 kSoon_ms = 1000;  // what is done by then flashes nothing
   const qint64 taken_ms = since_stage_.elapsed();
   if (!stage_.isEmpty()) say();
+  if (total_ > 0)
+    bar_->setValue(static_cast<int>(kSteps * std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_))));
   if (cancel_->isHidden()) bar_->setVisible(taken_ms >= kSoon_ms);
   elapsed_->setText(elapsed_text(taken_ms));
   elapsed_->setVisible(total_ == 0 && taken_ms >= kSoon_ms);
@@ -103,10 +108,7 @@ void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulongl
   }
   done_ = done;
   total_ = total;
-  constexpr int kSteps = 1000;
   bar_->setRange(0, total > 0 ? kSteps : 0);
-  if (total > 0)
-    bar_->setValue(static_cast<int>(kSteps * std::min(1.0, static_cast<double>(done) / static_cast<double>(total))));
   tick();
   second_->start();
 }

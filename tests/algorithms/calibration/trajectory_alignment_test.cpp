@@ -136,10 +136,9 @@ TEST(trajectory_alignment, errors_of_gnss_that_last_stay_within_the_stated_sigma
       }
       std::printf("  errors of %.0f s: chi-square per degree of freedom over %d seeds %.3f\n", lasting_s, kSeeds,
                   chi2 / kSeeds);
-      // Over ninety seeds it is 1.07 and 1.18, 1.11 and 1.19: sigma is a tenth too small at most. Beyond that, 72 and
-      // 144 degrees of freedom: the 1% limits are 0.66 and 1.43, 0.75 and 1.30.
-      constexpr double kTenthTooSmall = 1.2;
-      EXPECT_LT(chi2 / kSeeds, kTenthTooSmall * (positions_only ? 1.43 : 1.30));
+      // Over ninety seeds it is 1.07 and 1.18, 1.11 and 1.19. Beyond that, 72 and 144 degrees of freedom are within a
+      // quarter, or a sixth, of it.
+      EXPECT_LT(chi2 / kSeeds, positions_only ? 1.63 : 1.43);
       EXPECT_GT(chi2 / kSeeds, positions_only ? 0.66 : 0.5);
     }
 }

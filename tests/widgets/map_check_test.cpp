@@ -1,0 +1,162 @@
+// The comparison of the accumulated map, which is made beside the result: nobody waits for it with the result in hand.
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <atomic>
+#include <thread>
+
+#include "algorithms/core/error.h"
+#include "app/gui/quality_controller.h"
+#include "app/gui/report_maker.h"
+#include "app/gui/steps.h"
+#include "app/gui/wording.h"
+#include "model/pipeline/sharpness_stage.h"
+#include "tests/widgets/support/restored.h"
+#include "tests/widgets/support/window_fixture.h"
+#include "widgets/panels/quality_view.h"
+#include "widgets/panels/sharpness_view.h"
+#include "widgets/panels/verdict_table.h"
+
+namespace remount {
+namespace {
+
+using testing::kPatience_ms;
+
+QString verdict_of(const QWidget& view) { return view.findChild<VerdictLabel*>()->text(); }
+
+/// A calibrated drive whose map is compared when `go` says so, by `compare`.
+struct Checked {
+  using Compare = std::function<void(PipelineOutput&)>;
+
+  explicit Checked(Compare how) : compare(std::move(how)) {
+    workbench.open({"/data/drive1"});
+    (void)QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms);
+    workbench.calibrate();
+    (void)QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms);
+  }
+  Engine engine() {
+    Engine engine = testing::sample_engine(2);
+    engine.run = [this, run = engine.run](const PipelineInput& input, Progress& progress) {
+      PipelineOutput output = run(input, progress);
+      run_was_to_compare = input.settings.run.map_check;
+      output.map_check = MapCheck::SwitchedOff;
+      return output;
+    };
+    engine.check_map = [this](const PipelineInput&, PipelineOutput& output, Progress& progress) {
+      while (!go && !progress.cancelled()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      if (!progress.cancelled()) compare(output);
+    };
+    return engine;
+  }
+  bool says(const QString& words) {
+    return QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains(words); }, kPatience_ms);
+  }
+
+  const testing::LanguageFor english{"en"};
+  std::atomic<bool> go = false, run_was_to_compare = false;
+  Compare compare;
+  Workbench workbench{engine()};
+  QualityView view;
+  const QualityController controller{workbench, view};
+};
+
+void find_no_overlap(PipelineOutput& output) { output.map_check = MapCheck::NoOverlap; }
+
+TEST(map_check, is_made_while_the_result_is_there_already) {
+  Checked checked(find_no_overlap);
+  Workbench& workbench = checked.workbench;
+  ASSERT_TRUE(workbench.output());
+  EXPECT_FALSE(checked.run_was_to_compare);
+  EXPECT_TRUE(workbench.checking_map());
+  EXPECT_TRUE(workbench.input_of_output().settings.run.map_check) << "it was not switched off";
+  EXPECT_FALSE(workbench.out_of_date());
+  EXPECT_EQ(describe_steps(workbench)[static_cast<std::size_t>(Step::Check)].state, StepState::Running);
+  EXPECT_TRUE(export_warning(workbench).contains("still being compared"));
+  EXPECT_TRUE(checked.says("being compared")) << verdict_of(*checked.view.sharpness()).toStdString();
+  checked.go = true;
+  EXPECT_TRUE(checked.says("stretch of eight scans")) << verdict_of(*checked.view.sharpness()).toStdString();
+  EXPECT_FALSE(workbench.checking_map());
+  EXPECT_FALSE(export_warning(workbench).contains("still being compared"));
+}
+
+TEST(map_check, that_speaks_against_the_result_takes_its_confirmation_back_and_says_so) {
+  Checked checked([](PipelineOutput& output) {
+    output.map_check = MapCheck::Made;
+    output.findings.push_back({Severity::Warning, kMapLessSharp, "map check", "the map contradicts the result"});
+  });
+  checked.workbench.confirm(true);
+  const QSignalSpy said(&checked.workbench, &Workbench::message);
+  checked.go = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !checked.workbench.checking_map() && !said.isEmpty(); }, kPatience_ms));
+  EXPECT_FALSE(checked.workbench.confirmed());
+  EXPECT_TRUE(said.back().at(2).toString().contains("contradicts the result"));
+}
+
+TEST(map_check, that_fails_says_why) {
+  Checked checked(
+      [](PipelineOutput&) { throw Error(ErrorCode::Io, "/data/drive1/scan0.pcd", "cannot be read any more"); });
+  checked.go = true;
+  EXPECT_TRUE(checked.says("cannot be read any more")) << verdict_of(*checked.view.sharpness()).toStdString();
+  EXPECT_FALSE(checked.workbench.checking_map());
+}
+
+TEST(map_check, that_was_made_before_the_last_decision_says_what_to_do) {
+  Engine engine = testing::sample_engine(2);
+  engine.solve_again = [solve = engine.solve_again](const PipelineInput& input, PipelineOutput& output,
+                                                    Progress& progress) {
+    output.map_check = MapCheck::Moved;
+    return solve(input, output, progress);
+  };
+  Workbench workbench(engine);
+  QualityView view;
+  const QualityController controller(workbench, view);
+  workbench.open({"/data/drive1"});
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.opening(); }, kPatience_ms));
+  workbench.calibrate();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
+  workbench.decide({1}, PairState::Rejected);
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("Calibrate again (F5)"); }, kPatience_ms));
+}
+
+class waiting_report : public ::testing::Test {
+ protected:
+  waiting_report() { maker_.make(path_); }
+  bool written() const { return QFileInfo::exists(path_); }
+
+  Checked checked_{find_no_overlap};
+  const QTemporaryDir folder_;
+  const QString path_ = folder_.filePath("report.html");
+  ReportMaker maker_{checked_.workbench};
+  QSignalSpy finished_{&maker_, &ReportMaker::finished}, failed_{&maker_, &ReportMaker::failed};
+};
+
+TEST_F(waiting_report, is_written_with_what_the_map_says) {
+  EXPECT_TRUE(maker_.busy()) << "nobody closes over it, and no other is begun";
+  QTest::qWait(50);
+  EXPECT_FALSE(written());
+  checked_.go = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return finished_.count() == 1; }, kPatience_ms));
+  EXPECT_TRUE(written());
+  EXPECT_TRUE(failed_.isEmpty());
+}
+
+TEST_F(waiting_report, is_not_written_of_another_result_than_it_was_asked_for) {
+  checked_.workbench.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return failed_.count() == 1; }, kPatience_ms));
+  EXPECT_FALSE(maker_.busy());
+  checked_.go = true;
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !checked_.workbench.checking_map(); }, kPatience_ms));
+  EXPECT_FALSE(written());
+}
+
+TEST_F(waiting_report, is_not_written_of_another_project) {
+  checked_.workbench.begin_project();
+  EXPECT_EQ(failed_.count(), 1);
+  EXPECT_FALSE(maker_.busy());
+  EXPECT_FALSE(written());
+}
+
+}  // namespace
+}  // namespace remount
