@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/checks/data_check.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -119,6 +120,7 @@ DriveOverview drive_overview(const Session& session, std::size_t most) {
   drive.ins_gaps = gaps_of(ins, drive.ins, drive);
   describe_track(session, poses, most, drive);
   for (const std::int64_t stamp_ns : lidar) drive.scans_m.push_back(place_at(poses, stamp_ns));
+  drive.findings = drive_findings(session);
   drive.outlook = motion_outlook(session);
   return drive;
 }

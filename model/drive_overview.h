@@ -32,7 +32,8 @@ struct DriveOverview {
   std::vector<std::size_t> breaks;       ///< places in the track before which samples are missing
   std::vector<Eigen::Vector2d> scans_m;  ///< of the INS at each scan or LiDAR pose; NaN where the INS does not cover it
   std::vector<InsStretch> stretches;
-  MotionOutlook outlook;  ///< for pairs of keyframes, with the settings of the program
+  std::vector<Finding> findings;  ///< of the checks that look at the drive as a whole
+  MotionOutlook outlook;          ///< for pairs of keyframes, with the settings of the program
 
   double time_s(std::int64_t stamp_ns) const { return 1e-9 * static_cast<double>(stamp_ns - start_ns); }
 };

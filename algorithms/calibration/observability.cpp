@@ -46,16 +46,23 @@ void sort_directions(CalibrationResult& result) {
 // `observed` in the order x, y, z, yaw, pitch, roll.
 void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion, CalibrationResult& result) {
   const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
+  // Of two that the same motion shows, those that this drive does not.
+  const auto missing = [&](std::size_t first, const char* one, std::size_t second, const char* other,
+                           const std::string& both) -> std::string {
+    if (!observed[first] && !observed[second]) return both + " need ";
+    return (observed[first] ? other : one) + std::string(" needs ");
+  };
   if (!observed[0] || !observed[1])
-    result.advice.push_back(straight
-                                ? "x and y need turns: drive a figure of eight or two tight turns in each direction."
-                                : "x and y need more rotation: drive tighter turns, in both directions.");
+    result.advice.push_back(missing(0, "x", 1, "y", "x and y") +
+                            (straight ? "turns: drive a figure of eight or two tight turns in each direction."
+                                      : "more rotation: drive tighter turns, in both directions."));
   if (!observed[2])
     result.advice.push_back(
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
         "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.");
   if (!observed[3] || !observed[4])
-    result.advice.push_back("Yaw and pitch need travel: drive at least a few tens of metres with good INS quality.");
+    result.advice.push_back(missing(3, "Yaw", 4, "Pitch", "Yaw and pitch") +
+                            "travel: drive at least a few tens of metres with good INS quality.");
   if (!observed[5]) result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
 }
 

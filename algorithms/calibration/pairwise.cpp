@@ -138,7 +138,7 @@ void set_status(const PairwiseInput& input, CalibrationResult& result) {
     std::string names;
     for (std::size_t i = 0; i < 6; ++i)
       if (!result.observed[i]) names += (names.empty() ? "" : ", ") + std::string(kParameterNames[i]);
-    result.message = "Solved, but not everything is observed: " + names + ".";
+    result.message = "Solved, but for what is not observed: " + names + ".";
   } else {
     result.status = Status::Ok;
     const bool any = std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();

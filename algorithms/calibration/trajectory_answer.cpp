@@ -276,7 +276,7 @@ void set_status(bool with_ins, TrajectoryAnswer& answer) {
     result.message = "Nothing is observed: the motion of this drive does not determine any component of X.";
   else if (with_ins)
     result.message = missing.empty() ? "Solved; all six parameters are observed."
-                                     : "Solved, but not everything is observed: " + missing + ".";
+                                     : "Solved, but for what is not observed: " + missing + ".";
   else
     result.message = "Solved for the lever arm of the antenna" +
                      (missing.empty() ? std::string() : ", of which is not observed: " + missing) +

@@ -63,8 +63,11 @@ int compare(const std::vector<std::string>& paths, Console& console) {
       console.print(pair.words);
     agree = agree && compared && !pair.contradict;
   }
-  char limit[96];
-  std::snprintf(limit, sizeof(limit), "(they contradict each other beyond %.1f times the sigma of both together)", kDiffer_sigma);
+  char limit[128];
+  std::snprintf(
+      limit, sizeof(limit),
+      "(to contradict each other, they would have to differ by more than %.1f times the sigma of both together)",
+      kDiffer_sigma);
   console.print(limit);
   return agree ? kSolved : kNoResult;
 }

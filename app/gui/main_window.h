@@ -209,6 +209,7 @@ class MainWindow : public QMainWindow {
               *methods_dock_ = nullptr;
   QPushButton* run_ = nullptr;
   QAction *calibrate_ = nullptr, *cancel_ = nullptr, *export_ = nullptr, *make_report_ = nullptr, *obstacles_ = nullptr;
+  QAction *copy_ = nullptr, *use_as_nominal_ = nullptr;
   QList<QAction*> undo_actions_;  // undo, redo
   QMenu* open_menu_ = nullptr;    // folder, files, project: behind every button that opens
   struct BoundAction {

@@ -76,7 +76,7 @@ void MainWindow::make_edit_menu() {
   menu.addActions(undo_actions_);
   new UndoKeys(this);
   menu.addSeparator();
-  add_action(menu, tr("&Copy result"), tr("Ctrl+Shift+C"), [this] { copy_result(); });
+  copy_ = add_action(menu, tr("&Copy result"), tr("Ctrl+Shift+C"), [this] { copy_result(); });
   add_action(menu, tr("&Options…"), tr("Ctrl+,"), [this] { show_options(); });
 }
 
@@ -85,7 +85,8 @@ void MainWindow::make_calibrate_menu() {
   calibrate_ = add_action(menu, tr("&Calibrate"), tr("F5"), [this] { workbench_.calibrate(); });
   cancel_ = add_action(menu, tr("C&ancel"), tr("Esc"), [this] { workbench_.cancel(); });
   menu.addSeparator();
-  add_action(menu, tr("Use the result as &nominal mounting"), {}, [this] { workbench_.use_result_as_nominal(); });
+  use_as_nominal_ =
+      add_action(menu, tr("Use the result as &nominal mounting"), {}, [this] { workbench_.use_result_as_nominal(); });
   obstacles_ = add_action(menu, tr("Check &obstacles…"), tr("Ctrl+B"), [this] { show_obstacles(); });
   add_action(menu, tr("Check &quality"), tr("Ctrl+Shift+B"), [this] { show_quality(); });
   add_action(menu, tr("Figures of the &method, results compared"), tr("Ctrl+Shift+D"), [this] { show_methods(); });
@@ -220,6 +221,7 @@ void MainWindow::show_export() {
     const OutputPtr now = workbench_.output();
     if (!now || !is_usable(now->result)) return dialog->reject();
     dialog->show_warning(export_warning(workbench_));
+    dialog->set_final(!workbench_.solving());
     dialog->show_current();  // what is saved is what is the result then
   };
   follow();

@@ -97,10 +97,12 @@ bool MainWindow::may_close(std::function<void()> saved) {
   if (workbench_.output()) unsaved << tr("the result of the calibration");
   if (const int decisions = workbench_.decision_count(); decisions > 0)
     unsaved << tr("%n decision(s) about pairs", nullptr, decisions);
+  const QString name = QFileInfo(workbench_.project_path()).fileName();
   const auto answer = QMessageBox::question(
       this, tr("Work is not saved"),
-      unsaved.isEmpty() ? tr("Save your changes to the project before closing?")
-                        : tr("Save your work as a project before closing? Not saved: %1.").arg(unsaved.join(", ")),
+      !name.isEmpty()     ? tr("Save your changes to %1 first?").arg(name)
+      : unsaved.isEmpty() ? tr("Save your work as a project first?")
+                          : tr("Save your work as a project first? Not saved: %1.").arg(unsaved.join(", ")),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   if (answer != QMessageBox::Save) return answer == QMessageBox::Discard;
   // Goes on once the file is known to be whole; a failure keeps the window as it is and says why.

@@ -84,11 +84,17 @@ void MainWindow::connect_intents() {
 void MainWindow::connect_state() {
   make_controllers();
   connect(&workbench_, &Workbench::sessions_changed, this, &MainWindow::show_sessions);
-  connect(&workbench_, &Workbench::overviews_changed, this,
-          [this] { drive_->show_drives(workbench_.session_names(), workbench_.overviews()); });
+  connect(&workbench_, &Workbench::overviews_changed, this, [this] {
+    drive_->show_drives(workbench_.session_names(), workbench_.overviews());
+    session_model_->show_drives(workbench_.overviews());
+  });
   connect(&workbench_, &Workbench::project_changed, this, &MainWindow::show_project);
   connect(&workbench_, &Workbench::project_replaced, nominal_, &NominalPanel::forget_numbers);
-  connect(&workbench_, &Workbench::project_replaced, banner_, &QWidget::hide);
+  connect(&workbench_, &Workbench::project_replaced, this, [this] {
+    banner_->hide();
+    note_at_end_.clear();
+    idle_.clear();  // the strip speaks of the project before
+  });
   connect(&workbench_, &Workbench::project_replaced, method_control_, &MethodController::clear_files);
   connect(&workbench_, &Workbench::settings_changed, this, [this] {
     range_->show_settings(workbench_.settings());
@@ -174,6 +180,7 @@ void MainWindow::progress_text(const QString& text) {
 
 void MainWindow::show_sessions() {
   session_model_->show_sessions(workbench_.sessions());
+  session_model_->show_drives(workbench_.overviews());
   session_model_->show_use(workbench_.output(), workbench_.input_of_output().sessions.size());
 }
 
@@ -237,7 +244,8 @@ void MainWindow::show_state() {
     progress_text(idle);
   }
   quality_->show_confirmed(workbench_.confirmed(), workbench_.output() && is_usable(workbench_.output()->result) &&
-                                                       !busy && !workbench_.solving() && !workbench_.out_of_date());
+                                                       !busy && !workbench_.solving() && !workbench_.checking_map() &&
+                                                       !workbench_.out_of_date());
   steps_->show_steps(describe_steps(workbench_));
   calibrate_->setEnabled(!busy);
   run_->setEnabled(!busy && !workbench_.sessions().empty());
@@ -251,6 +259,8 @@ void MainWindow::show_state() {
   const OutputPtr output = workbench_.output();
   export_->setEnabled(output && is_usable(output->result));
   make_report_->setEnabled(output != nullptr);
+  copy_->setEnabled(output != nullptr);
+  use_as_nominal_->setEnabled(output && is_usable(output->result));
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
   for (QAction* review : review_actions_) review->setEnabled(output != nullptr);
   result_->show_standing(standing_of(workbench_), standing_note(workbench_), next_text(workbench_));

@@ -188,6 +188,7 @@ QString QualityController::why_no_sharpness(const PipelineOutput& output) const 
       return tr("Not compared: the map check is switched off in the options (run).");
     case MapCheck::Moved:
       if (workbench_.checking_map()) return tr("The result has moved: the map is being compared again…");
+      if (workbench_.solving()) return tr("The map is compared when the result is solved.");
       return tr("Not compared since the last decision, which moved the result. Calibrate again (F5).");
     case MapCheck::NoOverlap:
       return tr("Not compared: no stretch of eight scans that follow each other turns and overlaps.");

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "model/pipeline/keep_finished.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/stages.h"
 #include "widgets/model_text.h"
@@ -20,6 +21,7 @@ QString not_needed() { return Words::tr("not needed"); }
 
 /// "0.9000 m" would say more than fits: the status in a few words.
 QString short_status(const CalibrationResult& result) {
+  if (is_preliminary(result)) return Words::tr("preliminary: F5");
   switch (result.status) {
     case Status::Ok:
       return Words::tr("all six observed");
@@ -95,7 +97,9 @@ void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, st
   const PairCounts counts = count_pairs(output);
   step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
                        needed ? Words::tr("%1 pairs").arg(pairs) : not_needed()};
-  step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale ? StepState::Done : StepState::Attention,
+  step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale && !is_preliminary(output.result)
+                           ? StepState::Done
+                           : StepState::Attention,
                        needed ? Words::tr("%1 of %2 aligned").arg(counts.aligned).arg(pairs) : not_needed()};
   // The user's is done when nothing is left to look at, or they say that the result is good.
   const bool reviewed = !needed || confirmed || (pairs > 0 && counts.by_user == pairs);
@@ -148,7 +152,9 @@ std::array<StepInfo, kStepCount> describe_steps(const Workbench& workbench) {
     return steps;
   }
   step(Step::Check) = describe_check(*output, workbench.confirmed(), workbench.checking_map());
-  step(Step::Export) = describe_export(workbench.exported());
+  step(Step::Export) = workbench.solving()              ? StepInfo{StepState::Waiting, Words::tr("after the solution")}
+                       : is_preliminary(output->result) ? StepInfo{StepState::Attention, Words::tr("preliminary")}
+                                                        : describe_export(workbench.exported());
   return steps;
 }
 

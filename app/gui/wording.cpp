@@ -5,6 +5,8 @@
 #include <QLocale>
 
 #include "model/methods/calibration_method.h"
+#include "model/pipeline/keep_finished.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 namespace {
@@ -110,6 +112,8 @@ QString holder_text(const LockHolder& holder) {
 QString export_warning(const Workbench& workbench) {
   QStringList lines;
   if (const QString note = standing_note(workbench); !note.isEmpty()) lines << note;
+  if (const OutputPtr now = workbench.output(); now && is_preliminary(now->result))
+    lines << model_text(now->result.message);
   if (workbench.checking_map())
     lines << Words::tr("The map is still being compared under this result: what it says is not known yet.");
   const OutputPtr output = workbench.output();

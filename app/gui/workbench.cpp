@@ -225,6 +225,7 @@ void Workbench::calibrate() {
           take_run(input, output);
           if (!redecided || output->pairs.empty()) return;
           output_solved_ = nullptr;  // whole, but for the decisions
+          whole_run_.reset();
           start_solve(tr("decisions during the calibration"), FirstAnswer::None);
         };
       },
@@ -253,6 +254,7 @@ void Workbench::take_cancelled_run(const PipelineInput& input, const std::shared
   withdraw_verdicts(*output);
   apply_verdicts(verdicts(), *output);
   take_run(input, output);
+  whole_run_.reset();
   output_solved_ = nullptr;
   start_solve(tr("cancelled calibration"), FirstAnswer::None);
   emit message(
@@ -267,6 +269,7 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   output_before_ = output_solved_;
   moved_by_.clear();
   output_ = output_solved_ = std::move(output);
+  whole_run_ = WholeRun{input, output_, decisions_};
   data_changed_ = confirmed_ = false;
   exported_ = Exported::No;
   ++solution_;
@@ -359,7 +362,7 @@ void Workbench::apply_settings(const Settings& settings, const QString& step) {
   if (!output_) return;
   // An option that only a whole calibration obeys needs no new solution; one under way may hold an earlier edit.
   const bool solvable = solving() || !changes_since(basis_of(run_input_), basis_of(input_of_next_solve())).empty();
-  if (solvable && settings_.check().empty()) start_solve(step, FirstAnswer::Ranking);
+  if (solvable && settings_.check().empty() && !return_to_run(step)) start_solve(step, FirstAnswer::Ranking);
   emit state_changed();
 }
 

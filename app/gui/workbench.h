@@ -269,6 +269,9 @@ class Workbench : public QObject {
   /// What is shown before the whole solution: how X moved by a decision, or the ranking in another search range.
   enum class FirstAnswer { None, Moved, Ranking };
   void start_solve(const QString& step, FirstAnswer first);
+  /// Where all is decided and set as it was for the last whole calibration, its result is there again, the last steps
+  /// included. False where it is not so.
+  bool return_to_run(const QString& step);
   void take_ranking(OutputPtr answer);
   void take_first_answer(OutputPtr answer, OutputPtr before);
   void take_solution(OutputPtr solved, OutputPtr before, const Settings& settings);
@@ -308,6 +311,12 @@ class Workbench : public QObject {
   PipelineInput run_input_;  // of output_: what it was made with, solutions since then included
   OutputPtr output_, output_before_, output_solved_;
   Decisions decisions_;
+  struct WholeRun {
+    PipelineInput input;
+    OutputPtr output;
+    Decisions decisions;
+  };
+  std::optional<WholeRun> whole_run_;  // the last calibration, before anything was decided or set since
   std::vector<InputFile> input_files_;
   int selected_ = -1;
   std::vector<ToOpen> waiting_;

@@ -64,14 +64,30 @@ struct Answer {
   OutputPtr before;
 };
 
-/// X, residuals and counts; nothing where they cannot be had at once.
+/// `x`, moved as far as `to` is from `from`, each parameter by itself: one that is held stays as it is.
+RigidTransform moved_alike(const RigidTransform& x, const RigidTransform& from, const RigidTransform& to) {
+  const SixParameters was = six_from_rigid(from), is = six_from_rigid(to);
+  SixParameters six = six_from_rigid(x);
+  six.x_m += is.x_m - was.x_m;
+  six.y_m += is.y_m - was.y_m;
+  six.z_m += is.z_m - was.z_m;
+  six.yaw_rad += is.yaw_rad - was.yaw_rad;
+  six.pitch_rad += is.pitch_rad - was.pitch_rad;
+  six.roll_rad += is.roll_rad - was.roll_rad;
+  return rigid_from_six(six);
+}
+
+/// X, residuals and counts; nothing where they cannot be had at once. What is solved at once differs a little from the
+/// whole solution: what was before is solved so as well, and X moves by the difference of the two.
 std::optional<Answer> answer_at_once(const SolveTask& task, const Engine& engine, Progress& progress) {
   if (!task.before || !engine.solve_at_once) return {};
   auto like = std::make_shared<PipelineOutput>(*task.before);
-  if (task.unlike && !engine.solve_at_once(task.input_before, *like, progress)) return {};
+  if (!engine.solve_at_once(task.input_before, *like, progress)) return {};
   auto answer = std::make_shared<PipelineOutput>(*task.output);
   if (!engine.solve_at_once(task.input, *answer, progress)) return {};
-  return Answer{answer, like};
+  RigidTransform& x = answer->result.ins_from_lidar;
+  x = moved_alike(task.before->result.ins_from_lidar, like->result.ins_from_lidar, x);
+  return Answer{answer, task.before};
 }
 
 /// Nothing where cancelled.
@@ -159,7 +175,7 @@ void Workbench::apply_decisions(const std::vector<PairDecision>& decisions, cons
   output_ = std::move(changed);
   emit logged(Severity::Note, {}, step);
   if (counts) {
-    start_solve(step, FirstAnswer::Moved);
+    if (!return_to_run(step)) start_solve(step, FirstAnswer::Moved);
   } else {
     output_solved_ = output_;  // the reasons are other words for the same
     check_map_soon();
@@ -208,6 +224,20 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
       report_failure());
   *job = solve_job_;
   emit state_changed();
+}
+
+bool Workbench::return_to_run(const QString& step) {
+  if (!whole_run_ || whole_run_->decisions != decisions_ || calibrating()) return false;
+  if (!changes_since(basis_of(whole_run_->input), basis_of(input_of_next_solve())).empty()) return false;
+  for (const int job : {solve_job_, map_job_}) jobs_.cancel(job);
+  solve_job_ = 0;
+  refining_ = false;
+  solving_for_ = step;
+  // What aligning the clouds changed is not the effect of this step.
+  const OutputPtr before = aligned_together(*whole_run_->output) ? nullptr : output_solved_;
+  take_solution(whole_run_->output, before, whole_run_->input.settings);
+  emit state_changed();
+  return true;
 }
 
 void Workbench::resume_solving() {

@@ -12,6 +12,7 @@ struct Workbench::Calibrated {
   PipelineInput input;
   OutputPtr output, before, solved;
   Decisions decisions;
+  std::optional<WholeRun> whole_run;
   std::vector<InputFile> files;
   QString moved_by;
   Exported exported = Exported::No;
@@ -21,8 +22,8 @@ struct Workbench::Calibrated {
 
 Workbench::CalibratedPtr Workbench::calibrated() const {
   return std::make_shared<const Calibrated>(Calibrated{run_input_, output_, output_before_, output_solved_, decisions_,
-                                                       input_files_, moved_by_, exported_, data_changed_, confirmed_,
-                                                       selected_});
+                                                       whole_run_, input_files_, moved_by_, exported_, data_changed_,
+                                                       confirmed_, selected_});
 }
 
 void Workbench::put_back(const Calibrated& calibrated) {
@@ -31,6 +32,7 @@ void Workbench::put_back(const Calibrated& calibrated) {
   output_before_ = calibrated.before;
   output_solved_ = calibrated.solved;
   decisions_ = calibrated.decisions;
+  whole_run_ = calibrated.whole_run;
   input_files_ = calibrated.files;
   moved_by_ = calibrated.moved_by;
   data_changed_ = calibrated.data_changed;
@@ -53,6 +55,7 @@ void Workbench::show_put_back(const CalibratedPtr& calibrated) {
 void Workbench::forget_calibration() {
   for (const int job : {solve_job_, cloud_job_, hash_job_}) jobs_.cancel(job);
   solve_job_ = cloud_job_ = hash_job_ = 0;
+  whole_run_.reset();
   output_ = output_before_ = output_solved_ = nullptr;  // pairs refer to sessions by number
   data_changed_ = confirmed_ = false;
   exported_ = Exported::No;

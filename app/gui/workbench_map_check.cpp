@@ -31,6 +31,7 @@ void Workbench::check_map_again() {
           if (*job != map_job_ || output != output_) return;
           // No edit: a project that was saved before is checked again when it is opened.
           output_ = output_solved_ = checked;
+          if (whole_run_ && whole_run_->output == output) whole_run_->output = checked;
           for (const Finding& finding : checked->findings)
             if (finding.code == kMapLessSharp) {
               confirmed_ = false;  // it was, without this

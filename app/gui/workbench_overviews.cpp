@@ -30,7 +30,12 @@ void Workbench::look_over_sessions() {
         for (const auto& session : unknown)
           if (!progress.cancelled()) found.push_back(std::make_shared<const DriveOverview>(drive_overview(*session)));
         return [this, unknown, found] {
-          for (std::size_t i = 0; i < found.size(); ++i) overviews_[unknown[i]] = found[i];
+          for (std::size_t i = 0; i < found.size(); ++i) {
+            overviews_[unknown[i]] = found[i];
+            for (const Finding& finding : found[i]->findings)
+              emit logged(finding.severity, QString::fromStdString(finding.where),
+                          QString::fromStdString(finding.explanation));
+          }
           if (found.size() == unknown.size()) look_over_sessions();
         };
       },

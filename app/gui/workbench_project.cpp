@@ -291,6 +291,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
     run_input_.sessions.resize(std::min(sessions_.size(), project.basis.session_count));
   }
   input_files_ = project.inputs;
+  whole_run_.reset();
   decisions_.clear();
   // Also those on pairs that the result does not hold: another method has none.
   for (const PairVerdict& verdict : project.verdicts) {

@@ -5,6 +5,7 @@
 #include "model/exporters/export_text.h"
 #include "model/exporters/exporter.h"
 #include "model/io/input_file.h"
+#include "model/pipeline/keep_finished.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -60,6 +61,7 @@ std::vector<std::string> export_warnings(const CalibrationResult& result) {
   if (!is_usable(result))
     warnings.push_back("the calibration found no usable result (status " + std::string(to_string(result.status)) +
                        "); do not use these numbers");
+  if (is_preliminary(result)) warnings.push_back(result.message);
   if (result.reference_frame != "ins")
     warnings.push_back("the reference frame is the " + result.reference_frame +
                        "'s, not the INS's: what is called ins here is " + result.reference_frame);

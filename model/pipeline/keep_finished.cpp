@@ -3,10 +3,14 @@
 #include <algorithm>
 
 #include "algorithms/trajectory/pair.h"
+#include "model/result_file.h"
 
 namespace remount {
 namespace {
 
+constexpr const char* kCancelled = "cancelled";  // code of the finding
+constexpr const char* kPreliminary =
+    "Preliminary: the calibration was cancelled before all pairs were aligned, and its sigmas do not hold.";
 constexpr const char* kNotReached = "not aligned: the calibration was cancelled";
 
 bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
@@ -41,12 +45,24 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
       if (pair.registration.attempted) pair.registration.failure = kNotReached;
     }
   }
-  output.findings.push_back({Severity::Warning, "cancelled", "calibration",
+  output.findings.push_back({Severity::Warning, kCancelled, "calibration",
                              "was cancelled when " + std::to_string(finished) + " of " +
                                  std::to_string(output.pairs.size()) +
                                  " pairs were aligned: the result is from these, without the last steps (" +
                                  missing_steps(input, output) + "). Calibrate again for the rest."});
   return finished;
 }
+
+void mark_preliminary(PipelineOutput& output) {
+  const bool cut_short = std::any_of(output.findings.begin(), output.findings.end(),
+                                     [](const Finding& finding) { return finding.code == kCancelled; });
+  CalibrationResult& result = output.result;
+  if (!cut_short || !is_usable(result)) return;
+  result.status = Status::Degenerate;  // whoever looks at the status alone is to look again
+  result.message = kPreliminary;
+  result.advice.insert(result.advice.begin(), "Calibrate again, to the end.");
+}
+
+bool is_preliminary(const CalibrationResult& result) { return result.message == kPreliminary; }
 
 }  // namespace remount

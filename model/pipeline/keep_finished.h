@@ -11,4 +11,9 @@ namespace remount {
 /// that are to be applied.
 std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output);
 
+/// A solution of what keep_finished left says so: it is no result to rely on. Without the second pass, scans are
+/// compensated through a first guess of X, and sigma does not know that.
+void mark_preliminary(PipelineOutput& output);
+bool is_preliminary(const CalibrationResult& result);
+
 }  // namespace remount

@@ -14,6 +14,7 @@
 #include "model/pipeline/coarse_start.h"
 #include "model/pipeline/ground_stage.h"
 #include "model/pipeline/input_checks.h"
+#include "model/pipeline/keep_finished.h"
 #include "model/pipeline/register_stage.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
@@ -357,6 +358,7 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   std::erase_if(solved.findings, [](const Finding& finding) { return finding.code == kClockOffset; });
   report_clock(solved.result, solved.findings);
   report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
+  mark_preliminary(solved);
   output = std::move(solved);
   return true;
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWidth = 680.0, kLeft = 46.0, kRight = 10.0, kTop = 22.0, kBottom = 24.0;
 constexpr std::size_t kTrackPoints = 1500;
-constexpr const char *kAccepted = "#2a6fbb", *kRejected = "#b9bcc2", *kUndecided = "#e0a030", *kAxis = "#8a8f98";
+constexpr const char *kAccepted = "#1b7f45", *kRejected = "#80858d", *kUndecided = "#e0a030", *kAxis = "#8a8f98";
 
 std::string number(const char* pattern, double value) {
   char text[48];

@@ -1,6 +1,7 @@
 #include "model/report/report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
@@ -109,7 +110,7 @@ void Page::write_parameters() {
   const bool of_ins = result_.reference_frame == "ins", of_antenna = result_.calibrated == "antenna";
   const std::string name = html_escaped(result_.reference_frame + "_from_" + result_.calibrated);
   heading(of_ins ? phrase("report", "LiDAR in the INS frame (ins_from_lidar)")
-                 : (of_antenna                              ? phrase("report", "Antenna in the reference frame")
+                 : (of_antenna                             ? phrase("report", "Antenna in the reference frame")
                     : result_.reference_frame == "antenna" ? phrase("report", "LiDAR from the antenna, in its own axes")
                                                            : phrase("report", "LiDAR in the reference frame")) +
                        ": " + name);
@@ -175,6 +176,18 @@ void Page::write_method() {
   for (const Plot& plot : file_.plots) chart(plot_chart(plot, words()));
 }
 
+/// As the window has it: blue for negative, orange for positive, stronger with size.
+std::string correlation_color(double value) {
+  constexpr std::array<int, 3> kNegative{0x2b, 0x7b, 0xd6}, kPositive{0xe0, 0x7b, 0x1a};
+  const double share = std::isfinite(value) ? 0.5 * std::min(1.0, std::abs(value)) : 0.0;
+  const auto mixed = [&](std::size_t i) {
+    return 255 - static_cast<int>(share * (255 - (value < 0.0 ? kNegative : kPositive)[i]));
+  };
+  char color[16];
+  std::snprintf(color, sizeof(color), "#%02x%02x%02x", mixed(0), mixed(1), mixed(2));
+  return color;
+}
+
 void Page::write_correlation() {
   heading(phrase("report", "Correlation of the parameters"));
   begin_table();
@@ -185,11 +198,7 @@ void Page::write_correlation() {
     html_ += "<tr><th class=\"text\" align=\"left\">" + std::string(kParameterNames[i]) + "</th>";
     for (std::size_t k = 0; k < 6; ++k) {
       const double value = correlation(result_, i, k);
-      const int shade = std::isfinite(value) ? 255 - static_cast<int>(110.0 * std::min(1.0, std::abs(value))) : 255;
-      char cell[96];
-      std::snprintf(cell, sizeof(cell), "<td align=\"right\" bgcolor=\"#%02x%02x%02x\">", value < 0 ? 255 : shade,
-                    shade, value < 0 ? shade : 255);
-      html_ += cell + number("%.2f", value) + "</td>";
+      html_ += "<td align=\"right\" bgcolor=\"" + correlation_color(value) + "\">" + number("%.2f", value) + "</td>";
     }
     html_ += "</tr>\n";
   }
@@ -200,8 +209,11 @@ void Page::write_observability() {
   heading(phrase("report", "What the drive can tell"));
   std::vector<std::string> lines;
   for (const ObservabilityDirection& direction : result_.directions)
-    if (!direction.words.empty())
-      lines.push_back((direction.observed ? "" : "<span class=\"warn\">▲</span> ") + sentence(direction.words));
+    if (!direction.words.empty()) {
+      // Two directions of the same parameters have the same words.
+      const std::string line = (direction.observed ? "" : "<span class=\"warn\">▲</span> ") + sentence(direction.words);
+      if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
+    }
   const std::string blind = parameter_list(result_, false);
   lines.push_back(blind.empty() ? phrase("report", "All six parameters are observed.")
                                 : phrase("report", "Not observed") + ": " + html_escaped(blind));

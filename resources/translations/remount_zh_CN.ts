@@ -1167,14 +1167,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>有未保存的工作</translation>
     </message>
     <message>
-        <source>Save your changes to the project before closing?</source>
-        <translation>关闭前是否把更改保存到项目？</translation>
-    </message>
-    <message>
-        <source>Save your work as a project before closing? Not saved: %1.</source>
-        <translation>关闭前是否把工作保存为项目？未保存：%1。</translation>
-    </message>
-    <message>
         <source>&amp;Review</source>
         <translation>审查(&amp;R)</translation>
     </message>
@@ -1413,6 +1405,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>&amp;New project</source>
         <translation>新建项目(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Save your changes to %1 first?</source>
+        <translation>先将更改保存到 %1 吗？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project first?</source>
+        <translation>先将工作保存为项目吗？</translation>
+    </message>
+    <message>
+        <source>Save your work as a project first? Not saved: %1.</source>
+        <translation>先将工作保存为项目吗？未保存：%1。</translation>
     </message>
 </context>
 <context>
@@ -2935,6 +2939,14 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>Not solved: nothing is observed</source>
         <translation>未求解：没有可观测的量</translation>
     </message>
+    <message>
+        <source>Preliminary: the calibration was cancelled</source>
+        <translation>初步结果：标定已取消</translation>
+    </message>
+    <message>
+        <source>(not observed)</source>
+        <translation>（不可观测）</translation>
+    </message>
 </context>
 <context>
     <name>remount::SceneController</name>
@@ -3902,10 +3914,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Solved; all six parameters are known, with what was measured.</source>
         <translation>已求解；连同测量值，六个参数全部已知。</translation>
-    </message>
-    <message>
-        <source>Solved, but not everything is observed: %1.</source>
-        <translation>已求解，但并非全部可观测：%1。</translation>
     </message>
     <message>
         <source>The solution lies outside the search range: %1.</source>
@@ -7323,6 +7331,30 @@ Save under another name, or close it there first.</source>
         <source>Left side of the vehicle, leftward from the INS.</source>
         <translation>车左侧，自 INS 沿左向计。</translation>
     </message>
+    <message>
+        <source>Solved, but for what is not observed: %1.</source>
+        <translation>已求解，但以下不可观测：%1。</translation>
+    </message>
+    <message>
+        <source>Preliminary: the calibration was cancelled before all pairs were aligned, and its sigmas do not hold.</source>
+        <translation>初步结果：标定在全部帧对配准之前被取消，其标准差不成立。</translation>
+    </message>
+    <message>
+        <source>Calibrate again, to the end.</source>
+        <translation>请重新标定，直到完成。</translation>
+    </message>
+    <message>
+        <source>%1 needs turns: drive a figure of eight or two tight turns in each direction.</source>
+        <translation>%1 需要转弯：请行驶 8 字形，或向两个方向各急转两次。</translation>
+    </message>
+    <message>
+        <source>%1 needs more rotation: drive tighter turns, in both directions.</source>
+        <translation>%1 需要更多转动：请向两个方向更急地转弯。</translation>
+    </message>
+    <message>
+        <source>%1 needs travel: drive at least a few tens of metres with good INS quality.</source>
+        <translation>%1 需要行程：请在 INS 质量良好时至少行驶几十米。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
@@ -7543,6 +7575,18 @@ Save under another name, or close it there first.</source>
     <message>
         <source>%1 of %2 sessions unused</source>
         <translation>%2 份数据中 %1 份未用</translation>
+    </message>
+    <message>
+        <source>preliminary: F5</source>
+        <translation>初步：F5</translation>
+    </message>
+    <message>
+        <source>after the solution</source>
+        <translation>求解之后</translation>
+    </message>
+    <message>
+        <source>preliminary</source>
+        <translation>初步结果</translation>
     </message>
 </context>
 <context>

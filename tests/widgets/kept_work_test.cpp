@@ -133,6 +133,28 @@ TEST_F(kept_work, an_exported_result_is_exported_when_its_project_is_opened) {
   EXPECT_EQ(again.exported(), Exported::Written);
 }
 
+TEST_F(kept_work, what_was_calibrated_is_there_again_when_all_decisions_are_undone) {
+  calibrate_drive();
+  const OutputPtr calibrated = workbench_.output();
+  workbench_.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  workbench_.decide({8}, PairState::Rejected);
+  ASSERT_TRUE(settle());
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_NE(workbench_.output(), calibrated);
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.output(), calibrated) << "with its last steps, which no decision repeats";
+  EXPECT_FALSE(workbench_.incomplete());
+  workbench_.edit_option("range", "x_max_m", 0.95);
+  ASSERT_TRUE(settle());
+  EXPECT_NE(workbench_.output(), calibrated);
+  workbench_.undo_stack().undo();
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.output(), calibrated);
+}
+
 TEST_F(kept_work, the_selected_pair_stays_where_the_next_calibration_has_it_too) {
   calibrate_drive();
   workbench_.select_pair(17);

@@ -150,8 +150,8 @@ TEST_F(chinese, what_no_reader_knows_is_told_line_by_line) {
 }
 
 TEST_F(chinese, sentences_of_the_methods_are_recognised_whatever_they_are_about) {
-  EXPECT_EQ(model_text(QStringLiteral("Solved, but not everything is observed: z, roll.")),
-            "已求解，但并非全部可观测：z、横滚。")
+  EXPECT_EQ(model_text(QStringLiteral("Solved, but for what is not observed: z, roll.")),
+            "已求解，但以下不可观测：z、横滚。")
       << "a list is translated item by item";
   EXPECT_EQ(model_text(QStringLiteral("The LiDAR runs on a circle of 0.123 m radius with residuals of 0.045 m: it sits "
                                       "too near the slew axis for its circle to have a plane.")),

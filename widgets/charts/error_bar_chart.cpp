@@ -151,7 +151,9 @@ void ErrorBarChart::set_threshold(std::optional<double> threshold) {
 
 void ErrorBarChart::reject_above() {
   const std::vector<int> above = above_threshold();
-  if (!above.empty()) emit reject_requested(above, *threshold_);
+  if (above.empty()) return;
+  emit reject_requested(above, *threshold_);
+  set_threshold(std::nullopt);  // it has done its work: what is undone later is not rejected by it again
 }
 
 void ErrorBarChart::mousePressEvent(QMouseEvent* event) {

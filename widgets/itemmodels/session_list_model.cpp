@@ -19,9 +19,9 @@ double duration_s(const Session& session) {
   return poses.size() > 1 ? 1e-9 * static_cast<double>(poses.back().stamp_ns - poses.front().stamp_ns) : 0.0;
 }
 
-Severity worst(const Session& session) {
+Severity worst(const std::vector<Finding>& findings) {
   Severity severity = Severity::Note;
-  for (const Finding& finding : session.findings) severity = std::max(severity, finding.severity);
+  for (const Finding& finding : findings) severity = std::max(severity, finding.severity);
   return severity;
 }
 
@@ -51,8 +51,28 @@ QString session_summary(const Session& session) {
 void SessionListModel::show_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
   beginResetModel();
   sessions_ = std::move(sessions);
+  drives_.clear();
+  collect_findings();
   uses_.clear();
   endResetModel();
+}
+
+void SessionListModel::show_drives(std::vector<std::shared_ptr<const DriveOverview>> drives) {
+  if (drives == drives_) return;
+  beginResetModel();
+  drives_ = std::move(drives);
+  collect_findings();
+  endResetModel();
+}
+
+void SessionListModel::collect_findings() {
+  findings_.clear();
+  for (std::size_t i = 0; i < sessions_.size(); ++i) {
+    std::vector<Finding> all = sessions_[i]->findings;
+    if (i < drives_.size() && drives_[i])
+      all.insert(all.end(), drives_[i]->findings.begin(), drives_[i]->findings.end());
+    findings_.push_back(std::move(all));
+  }
 }
 
 void SessionListModel::show_use(const std::shared_ptr<const PipelineOutput>& output, std::size_t calibrated) {
@@ -94,7 +114,7 @@ QModelIndex SessionListModel::parent(const QModelIndex& child) const {
 int SessionListModel::rowCount(const QModelIndex& parent) const {
   if (!parent.isValid()) return static_cast<int>(sessions_.size());
   if (parent.internalId() != kTop || parent.column() != 0) return 0;
-  return static_cast<int>(sessions_[static_cast<std::size_t>(parent.row())]->findings.size());
+  return static_cast<int>(findings_[static_cast<std::size_t>(parent.row())].size());
 }
 
 int SessionListModel::columnCount(const QModelIndex&) const { return ColumnCount; }
@@ -106,7 +126,8 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
   const bool is_session = index.internalId() == kTop;
   if (is_session) {
     const auto number = static_cast<std::size_t>(row);
-    const Severity severity = is_unused(number) ? std::max(Severity::Warning, worst(session)) : worst(session);
+    const Severity found = worst(findings_[number]);
+    const Severity severity = is_unused(number) ? std::max(Severity::Warning, found) : found;
     if (role == Qt::DisplayRole) {
       const QString sign = severity == Severity::Note ? QString() : severity_sign(severity) + ' ';
       return sign + QString::fromStdString(session.name) + '\n' + session_summary(session) + use_text(number);
@@ -115,7 +136,7 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ForegroundRole && severity != Severity::Note) return QBrush(severity_color(severity, palette_));
     return {};
   }
-  const Finding& finding = session.findings[static_cast<std::size_t>(index.row())];
+  const Finding& finding = findings_[static_cast<std::size_t>(row)][static_cast<std::size_t>(index.row())];
   const QString explanation = model_text(finding.explanation);
   if (role == Qt::DisplayRole)
     return severity_sign(finding.severity) + ' ' + QString::fromStdString(finding.where) + QStringLiteral(": ") +

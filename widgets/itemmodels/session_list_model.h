@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/drive_overview.h"
 #include "model/pipeline.h"
 #include "widgets/pair_counts.h"
 
@@ -18,6 +19,8 @@ class SessionListModel : public QAbstractItemModel {
 
   using QAbstractItemModel::QAbstractItemModel;
   void show_sessions(std::vector<std::shared_ptr<const Session>> sessions);
+  /// What was found out about each session's drive since it was opened; null where nothing is known yet.
+  void show_drives(std::vector<std::shared_ptr<const DriveOverview>> drives);
   /// How much of each session the result rests on; null: nothing is calibrated.
   /// `calibrated`: so many of the sessions took part, the first.
   void show_use(const std::shared_ptr<const PipelineOutput>& output, std::size_t calibrated);
@@ -34,11 +37,14 @@ class SessionListModel : public QAbstractItemModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  void collect_findings();
   QString use_text(std::size_t session) const;
   bool is_unused(std::size_t session) const { return session < uses_.size() && uses_[session].unused(); }
 
   std::vector<std::shared_ptr<const Session>> sessions_;
-  std::vector<SessionUse> uses_;  // empty where there is no result from pairs
+  std::vector<std::shared_ptr<const DriveOverview>> drives_;
+  std::vector<std::vector<Finding>> findings_;  // of each session's files and of its drive
+  std::vector<SessionUse> uses_;                // empty where there is no result from pairs
   QPalette palette_;
 };
 

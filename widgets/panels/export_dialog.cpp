@@ -92,9 +92,11 @@ void ExportDialog::show_current() {
   const QString shown = current.problem.isEmpty() ? current.text : current.problem;
   if (preview_->toPlainText() != shown) preview_->setPlainText(shown);  // or it would jump to its beginning
   // A message must not be saved for a calibration.
-  copy_->setEnabled(current.problem.isEmpty());
-  save_->setEnabled(current.problem.isEmpty());
+  copy_->setEnabled(final_ && current.problem.isEmpty());
+  save_->setEnabled(final_ && current.problem.isEmpty());
 }
+
+void ExportDialog::set_final(bool is_final) { final_ = is_final; }
 
 void ExportDialog::ask_where() {
   if (list_->currentRow() < 0) return;

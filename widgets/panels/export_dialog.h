@@ -31,6 +31,8 @@ class ExportDialog : public QDialog {
   ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent = nullptr);
   /// What is to be known before anything is written; empty for nothing.
   void show_warning(const QString& warning);
+  /// While the result is still being solved, nothing is copied or saved.
+  void set_final(bool is_final);
   QString current_id() const;
   QString current_text() const;  ///< empty where the format cannot hold the result
   void choose(const QString& id);
@@ -51,6 +53,7 @@ class ExportDialog : public QDialog {
   QLabel *direction_, *warning_;
   QPushButton *copy_ = nullptr, *save_ = nullptr;
   QString text_;
+  bool final_ = true;
 };
 
 }  // namespace remount

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/pipeline/keep_finished.h"
 #include "model/result_file.h"
 #include "widgets/charts/correlation_chart.h"
 #include "widgets/model_text.h"
@@ -100,6 +101,7 @@ bool knows_nothing(const CalibrationResult& result) {
 }
 
 QString status_title(const CalibrationResult& result) {
+  if (is_preliminary(result)) return ResultPanel::tr("Preliminary: the calibration was cancelled");
   switch (result.status) {
     case Status::Ok:
       return ResultPanel::tr("Solved");
@@ -130,6 +132,10 @@ QString result_as_text(const CalibrationResult& result) {
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
   for (std::size_t i = 0; i < values.size() && has_numbers(result.status); ++i) {
     const std::optional<double> sigma = finite_sigma(result, i);
+    if (!sigma && values[i] == 0.0) {  // nobody gave it, and a number would be taken for one
+      lines << QStringLiteral("%1 = – %2").arg(parameter_name(i), ResultPanel::tr("(not observed)"));
+      continue;
+    }
     lines << QStringLiteral("%1 = %2%3 %4")
                  .arg(parameter_name(i))
                  .arg(values[i], 0, 'f', 4)
