@@ -110,6 +110,22 @@ TEST(session_list_model, lists_findings_beneath_their_session) {
   EXPECT_TRUE(model.index(0, 0, second).data().toString().contains("ins.csv:212"));
 }
 
+TEST(session_list_model, lists_what_is_found_out_about_a_drive_later) {
+  SessionListModel model;
+  const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  model.show_sessions({std::make_shared<const Session>(testing::sample_session("drive1")),
+                       std::make_shared<const Session>(testing::sample_session("drive2"))});
+  const int before = model.rowCount(model.index(0, 0));
+  DriveOverview drive;
+  drive.findings = {{Severity::Warning, "little-turning", "drive1", "The vehicle turns by 1.2 degrees in all."}};
+  model.show_drives({std::make_shared<const DriveOverview>(drive), nullptr});
+  ASSERT_EQ(model.rowCount(model.index(0, 0)), before + 1);
+  EXPECT_EQ(model.rowCount(model.index(1, 0)), before);
+  EXPECT_TRUE(model.index(before, 0, model.index(0, 0)).data().toString().contains("turns by 1.2 degrees"));
+  model.show_sessions({});
+  EXPECT_EQ(model.rowCount(), 0);
+}
+
 TEST(session_list_model, says_of_each_session_whether_the_result_rests_on_it) {
   const testing::LanguageFor english("en");
   PipelineInput input;

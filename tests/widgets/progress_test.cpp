@@ -3,6 +3,7 @@
 
 #include <QLabel>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
@@ -15,6 +16,7 @@
 #include "widgets/gl_support.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/pair_counts.h"
+#include "widgets/panels/export_dialog.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/progress_strip.h"
 #include "widgets/panels/result_panel.h"
@@ -99,6 +101,27 @@ TEST_F(progress, a_solution_after_an_edit_shows_that_it_goes_on) {
   ASSERT_TRUE(settle());
   EXPECT_TRUE(QTest::qWaitFor([&] { return said(strip) == "Ready"; }, kPatience_ms)) << said(strip).toStdString();
   EXPECT_FALSE(bar.isVisible());
+}
+
+TEST_F(progress, nothing_is_exported_or_confirmed_before_a_solution_is_whole) {
+  show();
+  calibrate_drive();
+  trigger("Ctrl+E");
+  auto& dialog = child<ExportDialog>();
+  const auto may_save = [&] {
+    for (const auto* button : dialog.findChildren<QPushButton*>())
+      if (button->text() == "Save…") return button->isEnabled();
+    return false;
+  };
+  EXPECT_TRUE(may_save());
+  *hold_at_ = kHoldSolution;
+  workbench_.decide({5}, PairState::Rejected);
+  EXPECT_FALSE(may_save());
+  EXPECT_EQ(describe_steps(workbench_)[static_cast<std::size_t>(Step::Export)].state, StepState::Waiting);
+  *hold_at_ = -1;
+  ASSERT_TRUE(settle());
+  EXPECT_TRUE(may_save());
+  dialog.reject();
 }
 
 TEST_F(progress, all_panels_count_the_same_pairs_before_a_cancelled_calibration_is_solved) {
