@@ -58,9 +58,8 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Solved; all six parameters are observed."),
       QT_TRANSLATE_NOOP("remount::model", "Solved; all six parameters are known, with what was measured."),
       QT_TRANSLATE_NOOP("remount::model", "Solved, but for what is not observed: %1."),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "Preliminary: the calibration was cancelled before all pairs were aligned, and its sigmas do not hold."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Preliminary: the calibration was cancelled before its end, and its sigmas do not hold."),
       QT_TRANSLATE_NOOP("remount::model", "Calibrate again, to the end."),
       QT_TRANSLATE_NOOP("remount::model", "The solution lies outside the search range: %1."),
       QT_TRANSLATE_NOOP("remount::model", "The joint solution did not converge."),

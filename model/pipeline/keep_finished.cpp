@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kCancelled = "cancelled";  // code of the finding
 constexpr const char* kPreliminary =
-    "Preliminary: the calibration was cancelled before all pairs were aligned, and its sigmas do not hold.";
+    "Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.";
 constexpr const char* kNotReached = "not aligned: the calibration was cancelled";
 
 bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }

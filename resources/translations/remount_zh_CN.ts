@@ -7336,8 +7336,8 @@ Save under another name, or close it there first.</source>
         <translation>已求解，但以下不可观测：%1。</translation>
     </message>
     <message>
-        <source>Preliminary: the calibration was cancelled before all pairs were aligned, and its sigmas do not hold.</source>
-        <translation>初步结果：标定在全部帧对配准之前被取消，其标准差不成立。</translation>
+        <source>Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.</source>
+        <translation>初步结果：标定未完成就被取消，其标准差不成立。</translation>
     </message>
     <message>
         <source>Calibrate again, to the end.</source>
