@@ -3,9 +3,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "model/pipeline/keep_finished.h"
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/stages.h"
+#include "model/preliminary.h"
 #include "widgets/model_text.h"
 #include "widgets/pair_counts.h"
 #include "widgets/panels/result_panel.h"

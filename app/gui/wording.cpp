@@ -5,7 +5,7 @@
 #include <QLocale>
 
 #include "model/methods/calibration_method.h"
-#include "model/pipeline/keep_finished.h"
+#include "model/preliminary.h"
 #include "widgets/model_text.h"
 
 namespace remount {

@@ -5,7 +5,7 @@
 #include "model/exporters/export_text.h"
 #include "model/exporters/exporter.h"
 #include "model/io/input_file.h"
-#include "model/pipeline/keep_finished.h"
+#include "model/preliminary.h"
 #include "model/session_frames.h"
 
 namespace remount {

@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "algorithms/trajectory/pair.h"
+#include "model/preliminary.h"
 #include "model/result_file.h"
 
 namespace remount {
 namespace {
 
 constexpr const char* kCancelled = "cancelled";  // code of the finding
-constexpr const char* kPreliminary =
-    "Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.";
 constexpr const char* kNotReached = "not aligned: the calibration was cancelled";
 
 bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
@@ -53,16 +52,10 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
   return finished;
 }
 
-void mark_preliminary(PipelineOutput& output) {
+void mark_if_cut_short(PipelineOutput& output) {
   const bool cut_short = std::any_of(output.findings.begin(), output.findings.end(),
                                      [](const Finding& finding) { return finding.code == kCancelled; });
-  CalibrationResult& result = output.result;
-  if (!cut_short || !is_usable(result)) return;
-  result.status = Status::Degenerate;  // whoever looks at the status alone is to look again
-  result.message = kPreliminary;
-  result.advice.insert(result.advice.begin(), "Calibrate again, to the end.");
+  if (cut_short && is_usable(output.result)) mark_preliminary(output.result);
 }
-
-bool is_preliminary(const CalibrationResult& result) { return result.message == kPreliminary; }
 
 }  // namespace remount

@@ -11,9 +11,7 @@ namespace remount {
 /// that are to be applied.
 std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output);
 
-/// A solution of what keep_finished left says so: it is no result to rely on. Without the second pass, scans are
-/// compensated through a first guess of X, and sigma does not know that.
-void mark_preliminary(PipelineOutput& output);
-bool is_preliminary(const CalibrationResult& result);
+/// A usable solution of what keep_finished left is marked as preliminary.
+void mark_if_cut_short(PipelineOutput& output);
 
 }  // namespace remount

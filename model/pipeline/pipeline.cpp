@@ -358,7 +358,7 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   std::erase_if(solved.findings, [](const Finding& finding) { return finding.code == kClockOffset; });
   report_clock(solved.result, solved.findings);
   report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
-  mark_preliminary(solved);
+  mark_if_cut_short(solved);
   output = std::move(solved);
   return true;
 }

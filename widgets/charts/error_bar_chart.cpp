@@ -60,12 +60,19 @@ void ErrorBarChart::set_measure(PairMeasure measure) {
 /// Once: each picture asks for the values of all pairs several times.
 void ErrorBarChart::find_values() {
   values_.clear();
+  rejected_.clear();
   if (!output_) return;
   values_.reserve(output_->pairs.size());
-  for (const Pair& pair : output_->pairs) values_.push_back(measured(pair, measure_));
+  rejected_.reserve(output_->pairs.size());
+  for (const Pair& pair : output_->pairs) {
+    values_.push_back(measured(pair, measure_));
+    rejected_.push_back(pair.state == PairState::Rejected);
+  }
 }
 
 std::optional<double> ErrorBarChart::value_of(int index) const { return values_[static_cast<std::size_t>(index)]; }
+
+bool ErrorBarChart::is_rejected(int index) const { return rejected_[static_cast<std::size_t>(index)]; }
 
 QRect ErrorBarChart::plot_area() const {
   const QFontMetrics metrics = fontMetrics();
@@ -86,7 +93,7 @@ void ErrorBarChart::find_top() {
     const std::optional<double> value = value_of(index);
     if (!value) continue;
     values.push_back(*value);
-    if (pair(index).state != PairState::Rejected) kept.push_back(*value);
+    if (!is_rejected(index)) kept.push_back(*value);
   }
   if (!kept.empty()) values = std::move(kept);
   top_ = 1.0;
@@ -130,14 +137,13 @@ std::vector<int> ErrorBarChart::above_threshold() const {
   std::vector<int> above;
   if (!threshold_) return above;
   for (int index : pairs_)
-    if (pair(index).state != PairState::Rejected && value_of(index).value_or(0.0) > *threshold_) above.push_back(index);
+    if (!is_rejected(index) && value_of(index).value_or(0.0) > *threshold_) above.push_back(index);
   std::sort(above.begin(), above.end());
   return above;
 }
 
 int ErrorBarChart::kept_count() const {
-  return static_cast<int>(
-      std::count_if(pairs_.begin(), pairs_.end(), [&](int index) { return pair(index).state != PairState::Rejected; }));
+  return static_cast<int>(std::count_if(pairs_.begin(), pairs_.end(), [&](int index) { return !is_rejected(index); }));
 }
 
 void ErrorBarChart::set_threshold(std::optional<double> threshold) {

@@ -60,6 +60,7 @@ class ErrorBarChart : public QWidget {
   int place_of(int pair) const;  // -1 where it is not shown
   const Pair& pair(int index) const { return output_->pairs[static_cast<std::size_t>(index)]; }
   void find_values();
+  bool is_rejected(int pair) const;
   void find_top();
   double value_at(int y) const;
   int y_of(double value) const;
@@ -76,6 +77,7 @@ class ErrorBarChart : public QWidget {
   std::shared_ptr<const PipelineOutput> output_;
   std::vector<int> pairs_;
   std::vector<std::optional<double>> values_;  // of each pair of the output, under the measure
+  std::vector<bool> rejected_;                 // each pair of the output; pairs are too large to be gone through
   PairMeasure measure_ = PairMeasure::ResidualTranslation;
   double top_ = 1.0;
   int selected_ = -1;

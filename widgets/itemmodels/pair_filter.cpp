@@ -60,19 +60,18 @@ void sort_by_rank(std::vector<int>& pairs, const std::vector<int>& ranks, bool d
 }
 
 /// Pairs without a number (NaN) come last in either order. Keeps the order of equals.
-template <class Number>
-void sort_by_number(std::vector<int>& pairs, const Number& number_of, bool down) {
+void sort_by_number(std::vector<int>& pairs, const std::vector<double>& numbers, bool down) {
   struct Keyed {
     double key;
-    std::size_t before;  // where it was
+    int before;  // where it was
     int pair;
   };
   std::vector<Keyed> keyed;
   keyed.reserve(pairs.size());
   for (const int pair : pairs) {
-    const double number = number_of(pair);
+    const double number = numbers[static_cast<std::size_t>(pair)];
     const double key = std::isnan(number) ? std::numeric_limits<double>::infinity() : down ? -number : number;
-    keyed.push_back({key, keyed.size(), pair});
+    keyed.push_back({key, static_cast<int>(keyed.size()), pair});
   }
   std::sort(keyed.begin(), keyed.end(),
             [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.before < b.before; });
@@ -88,16 +87,19 @@ void PairFilter::setSourceModel(QAbstractItemModel* model) {
   connect(model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { beginResetModel(); });
   connect(model, &QAbstractItemModel::modelReset, this, &PairFilter::after_source_reset);
   connect(model, &QAbstractItemModel::dataChanged, this, [this] {
+    known_column_ = -1;
     update_shown();
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
   });
   connect(model, &QAbstractItemModel::headerDataChanged, this, &QAbstractItemModel::headerDataChanged);
+  known_column_ = -1;
   set_shown(choose());
   endResetModel();
   emit shown_changed();
 }
 
 void PairFilter::after_source_reset() {
+  known_column_ = -1;
   set_shown(choose());
   endResetModel();
   emit shown_changed();
@@ -136,7 +138,7 @@ void PairFilter::update_shown() {
   emit shown_changed();
 }
 
-std::vector<int> PairFilter::choose() const {
+std::vector<int> PairFilter::choose() {
   std::vector<int> pairs;
   const int count = sourceModel() ? sourceModel()->rowCount() : 0;
   pairs.reserve(static_cast<std::size_t>(count));
@@ -149,6 +151,7 @@ std::vector<int> PairFilter::choose() const {
 }
 
 bool PairFilter::matches(int index) const {
+  if (!criteria_.state && criteria_.group == PairGroup::All) return true;
   const Pair& pair = *pairs_model()->pair(index);
   if (criteria_.state && pair.state != *criteria_.state) return false;
   switch (criteria_.group) {
@@ -181,24 +184,32 @@ void PairFilter::keep_worst(std::vector<int>& pairs) const {
   std::sort(pairs.begin(), pairs.end());
 }
 
-void PairFilter::sort_pairs(std::vector<int>& pairs) const {
+void PairFilter::sort_pairs(std::vector<int>& pairs) {
   const bool down = sort_order_ == Qt::DescendingOrder;
   if (sort_column_ == PairTableModel::Number) {
     if (down) std::reverse(pairs.begin(), pairs.end());
     return;
   }
-  const auto count = static_cast<std::size_t>(sourceModel()->rowCount());
+  if (sort_column_ != known_column_) find_sort_keys();
+  if (sort_column_ == PairTableModel::Reason)
+    sort_by_rank(pairs, reason_ranks_, down);
+  else
+    sort_by_number(pairs, sort_numbers_, down);
+}
+
+void PairFilter::find_sort_keys() {
+  const int count = sourceModel()->rowCount();
+  known_column_ = sort_column_;
+  reason_ranks_.clear();
+  sort_numbers_.clear();
   if (sort_column_ == PairTableModel::Reason) {
-    std::vector<std::string_view> reasons(count);
-    for (int pair : pairs) reasons[static_cast<std::size_t>(pair)] = pairs_model()->pair(pair)->reason;
-    // Pairs without a reason, and those that are filtered away, come first of all: -1 for them.
-    std::vector<int> ranks = text_ranks(reasons);
-    for (std::size_t i = 0; i < count; ++i)
-      if (reasons[i].empty()) ranks[i] = -1;
-    sort_by_rank(pairs, ranks, down);
+    std::vector<std::string_view> reasons;
+    for (int pair = 0; pair < count; ++pair) reasons.emplace_back(pairs_model()->pair(pair)->reason);
+    reason_ranks_ = text_ranks(reasons);
+    for (std::size_t i = 0; i < reasons.size(); ++i)
+      if (reasons[i].empty()) reason_ranks_[i] = -1;
   } else {
-    sort_by_number(
-        pairs, [&](int pair) { return pairs_model()->sort_number(pair, sort_column_); }, down);
+    for (int pair = 0; pair < count; ++pair) sort_numbers_.push_back(pairs_model()->sort_number(pair, sort_column_));
   }
 }
 

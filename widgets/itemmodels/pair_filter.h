@@ -49,10 +49,11 @@ class PairFilter : public QAbstractProxyModel {
 
  private:
   const PairTableModel* pairs_model() const { return static_cast<const PairTableModel*>(sourceModel()); }
-  std::vector<int> choose() const;
+  std::vector<int> choose();
   bool matches(int pair) const;
   void keep_worst(std::vector<int>& pairs) const;
-  void sort_pairs(std::vector<int>& pairs) const;
+  void sort_pairs(std::vector<int>& pairs);
+  void find_sort_keys();
   void set_shown(std::vector<int> shown);
   void update_shown();
   void after_source_reset();
@@ -62,6 +63,11 @@ class PairFilter : public QAbstractProxyModel {
   Qt::SortOrder sort_order_ = Qt::AscendingOrder;
   std::vector<int> shown_;  // pair of each row
   std::vector<int> rows_;   // row of each pair, -1 where it is not shown
+  // Of all pairs, in the column they were last sorted by (-1: they have changed since); pairs are too large to be gone
+  // through whenever a letter is typed.
+  int known_column_ = -1;
+  std::vector<double> sort_numbers_;
+  std::vector<int> reason_ranks_;  // -1 where there is no reason
 };
 
 }  // namespace remount

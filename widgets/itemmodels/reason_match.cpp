@@ -17,14 +17,13 @@ bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
 void take_apart(std::string_view text, std::string& shape, std::vector<std::string_view>& numbers) {
   shape.clear();
   numbers.clear();
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t begin = i;
-    while (i < text.size() && is_digit(text[i])) ++i;
-    if (i == begin) {
-      shape += text[i++];
-      continue;
-    }
-    numbers.push_back(text.substr(begin, i - begin));
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at != end;) {
+    const char* const number = std::find_if(at, end, is_digit);
+    shape.append(at, number);
+    if (number == end) return;
+    at = std::find_if_not(number, end, is_digit);
+    numbers.emplace_back(number, static_cast<std::size_t>(at - number));
     shape += '0';
   }
 }

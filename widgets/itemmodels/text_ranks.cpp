@@ -21,12 +21,19 @@ struct Stretch {
   std::size_t begin, end, depth;
 };
 
+/// The first eight, the first one highest.
+std::uint64_t first_bytes(std::string_view text) {
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < kChunk; ++i) bytes = bytes << 8U | static_cast<unsigned char>(text[i]);
+  return bytes;
+}
+
 class Ranking {
  public:
   explicit Ranking(const std::vector<std::string_view>& texts)
       : texts_(texts), sorted_(texts.size()), ranks_(texts.size()) {
     for (std::size_t i = 0; i < texts.size(); ++i) sorted_[i].text = static_cast<std::uint32_t>(i);
-    waiting_.push_back({0, texts.size(), 0});
+    if (!texts.empty()) waiting_.push_back({0, texts.size(), 0});
   }
 
   std::vector<int> ranks() {
@@ -41,15 +48,17 @@ class Ranking {
  private:
   Keyed keyed(std::uint32_t text, std::size_t depth) const {
     const std::string_view rest = texts_[text].substr(std::min(depth, texts_[text].size()));
-    Keyed out{0, text, rest.size() <= kChunk};
+    if (rest.size() > kChunk) return {first_bytes(rest), text, false};
+    Keyed out{0, text, true};
     for (std::size_t i = 0; i < kChunk; ++i)
       out.key = out.key << 8U | (i < rest.size() ? static_cast<unsigned char>(rest[i]) : 0U);
     return out;
   }
 
-  void sort(const Stretch& stretch) {
+  void sort(Stretch stretch) {
     const auto begin = sorted_.begin() + static_cast<std::ptrdiff_t>(stretch.begin),
                end = sorted_.begin() + static_cast<std::ptrdiff_t>(stretch.end);
+    stretch.depth = common_depth(begin, end, stretch.depth);
     for (auto it = begin; it != end; ++it) *it = keyed(it->text, stretch.depth);
     if (!std::all_of(begin, end, [&](const Keyed& other) { return other == *begin; })) std::sort(begin, end);
     for (auto first = begin; first != end;) {
@@ -61,6 +70,20 @@ class Ranking {
         waiting_.push_back({from, static_cast<std::size_t>(last - sorted_.begin()), stretch.depth + kChunk});
       first = last;
     }
+  }
+
+  /// Up to where the texts, the same up to `depth`, are the same: sentences differ in a number behind many words.
+  std::size_t common_depth(std::vector<Keyed>::const_iterator begin, std::vector<Keyed>::const_iterator end,
+                           std::size_t depth) const {
+    std::string_view common = texts_[begin->text];
+    for (auto it = begin + 1; it != end && common.size() > depth; ++it) {
+      const std::string_view other = texts_[it->text];
+      const std::size_t least = std::min(common.size(), other.size());
+      std::size_t same = depth;
+      while (same < least && common[same] == other[same]) ++same;
+      common = common.substr(0, same);
+    }
+    return std::max(depth, common.size());
   }
 
   /// All bytes are the same here, but for zeros at the end.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "model/pipeline/keep_finished.h"
+#include "model/preliminary.h"
 #include "model/result_file.h"
 #include "widgets/charts/correlation_chart.h"
 #include "widgets/model_text.h"

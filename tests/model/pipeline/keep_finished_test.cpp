@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/exporters/exporter.h"
+#include "model/preliminary.h"
 #include "model/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"

@@ -1,0 +1,13 @@
+// Results of calibrations that were cancelled before their end.
+#pragma once
+
+#include "algorithms/calibration/calibration_result.h"
+
+namespace remount {
+
+/// The result says so, in status, message and advice: it is none to rely on. Without the second pass, scans are
+/// compensated through a first guess of X, and sigma does not know that.
+void mark_preliminary(CalibrationResult& result);
+bool is_preliminary(const CalibrationResult& result);
+
+}  // namespace remount
