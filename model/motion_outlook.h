@@ -14,6 +14,8 @@ namespace remount {
 struct MotionOutlook {
   bool judged = false;                 ///< false: the INS does not cover the lidar's times
   std::array<bool, 6> determinable{};  ///< order of kParameterNames
+  /// The session has no nominal mounting, and its motion does not tell yaw: without a nominal nothing can be told.
+  bool needs_nominal = false;
   std::vector<std::string> advice;     ///< what to drive for the rest, one sentence each
 };
 

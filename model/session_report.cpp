@@ -136,9 +136,17 @@ std::string usable_lines(const SessionReport& report) {
   if (!report.usable) return "  usable: no\n";
   if (!report.outlook.judged) return "  usable: yes\n";
   const std::string told = parameter_list(report.outlook, true), untold = parameter_list(report.outlook, false);
-  std::string text = "  the motion can tell: " + told + (untold.empty() ? "" : "; it cannot tell: " + untold) + "\n";
+  const bool lacking = report.outlook.needs_nominal;
+  std::string text = std::string("  the motion can tell") + (lacking ? ", with a nominal mounting: " : ": ") + told +
+                     (untold.empty() ? "" : "; it cannot tell: " + untold) + "\n";
   for (const std::string& advice : report.outlook.advice) text += "  advice: " + advice + "\n";
-  return text + (untold.empty() ? "  usable: yes\n" : "  usable: in part, for " + told + "; not for " + untold + "\n");
+  if (lacking)
+    text +=
+        "  advice: Give a nominal mounting (some 10 degrees are enough): while yaw is open, nothing is known "
+        "without.\n";
+  return text + (untold.empty() ? "  usable: yes\n"
+                                : std::string("  usable: ") + (lacking ? "with a nominal mounting " : "") +
+                                      "in part, for " + told + "; not for " + untold + "\n");
 }
 
 /// The topics of a bag: count, rate, and what each is used as or could be.

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <QString>
+#include <array>
 
 #include "model/display_units.h"
 
 namespace remount {
 
-/// "x", "yaw": of parameter i in the order of kParameterNames.
+/// "x", "yaw", in the language of the window: of parameter i in the order of kParameterNames.
 QString parameter_name(std::size_t i);
+/// "x, yaw": of those that are, or are not; empty for none.
+QString parameter_names(const std::array<bool, 6>& given, bool wanted);
 /// " m" or "°", to follow a number.
 QString unit_suffix(std::size_t i);
 

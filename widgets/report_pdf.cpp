@@ -6,6 +6,7 @@
 #include <QFontMetrics>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QTextBlock>
 #include <QTextDocument>
 #include <QUrl>
 
@@ -37,6 +38,7 @@ void fit_to_paper(QTextDocument& document, const QSizeF& page) {
   document.setDefaultFont(font);
   document.setDefaultStyleSheet(
       "h1{font-size:22px} h2{font-size:16px} table{border-collapse:collapse} td,th{font-size:9px} "
+      "td{white-space:nowrap} td.text{white-space:normal} "
       "pre{font-size:9px} .weak{color:#666666} .warn{color:#9a4a00}");
   document.setDocumentMargin(0);
   document.setPageSize(page);
@@ -80,6 +82,20 @@ void fill(QTextDocument& document, const Report& report, ReportStyle style, int 
   document.setHtml(html);
 }
 
+/// A heading at the end of a page goes to the next one, where what it is of begins.
+void keep_headings_with_text(QTextDocument& document) {
+  const auto page_of = [&](const QTextBlock& block) {  // of its first line: what does not fit is moved on line by line
+    const double top = document.documentLayout()->blockBoundingRect(block).top();
+    const double line = block.layout()->lineCount() > 0 ? block.layout()->lineAt(0).y() : 0.0;
+    return static_cast<int>((top + line) / document.pageSize().height());
+  };
+  QTextBlockFormat on_next_page;
+  on_next_page.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
+  for (QTextBlock block = document.begin(); block.next().isValid(); block = block.next())
+    if (block.blockFormat().headingLevel() > 0 && page_of(block.next()) != page_of(block))
+      QTextCursor(block).mergeBlockFormat(on_next_page);
+}
+
 void paint_text(QPainter& painter, const QTextDocument& document, int page) {
   const QRectF part(QPointF(0, page * document.pageSize().height()), document.pageSize());
   painter.save();
@@ -114,6 +130,7 @@ QByteArray report_pdf(const Report& report, ReportStyle style, const QString& ti
   QTextDocument document;
   fit_to_paper(document, {paper.width(), paper.height() - kFooter});
   fill(document, report, std::move(style), static_cast<int>(paper.width()));
+  keep_headings_with_text(document);
   check_letters(document.toPlainText(), document.defaultFont());
   QPainter painter(&writer);
   if (!painter.isActive()) return {};

@@ -18,11 +18,11 @@ struct ExportArguments {
 int export_result(const ExportArguments& arguments, Console& console) {
   const Exporter& format = exporter(arguments.format);
   const ResultFile result = load_result(arguments.result);
-  for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
   if (!is_usable(result.result)) {
     console.complain(arguments.result + ": holds no usable result, nothing is exported; " + result.result.message);
     return kNoResult;
   }
+  for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
   std::error_code none;
   if (!arguments.output.empty() && std::filesystem::equivalent(arguments.result, arguments.output, none))
     throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which an export must not replace");

@@ -18,12 +18,13 @@ std::string format(const char* pattern, auto... values) {
   return text;
 }
 
-std::string sigma_text(double sigma) { return format(sigma < 1e-3 ? "1-sigma %.1e" : "1-sigma %.4f", sigma); }
+std::string sigma_text(double sigma) { return format(sigma < 1e-4 ? "1-sigma %.6f" : "1-sigma %.4f", sigma); }
 
 /// What the six numbers are. Positions of an antenna give a lever arm and no attitude: no pose of anything.
 std::string meaning(const CalibrationResult& result) {
   const std::string& frame = result.reference_frame;
-  if (frame == "antenna") return "place of the lidar from the antenna, in axes of the lidar: the lever arm turned round";
+  if (frame == "antenna")
+    return "place of the lidar from the antenna, in axes of the lidar: the lever arm turned round";
   if (result.calibrated == "antenna") return "place of the antenna in the " + frame + " frame: its lever arm";
   return "pose of the " + result.calibrated + " in the " + frame + " frame";
 }
@@ -68,6 +69,11 @@ void count_reason(const std::string& reason, CountedReasons& reasons) {
   if (count++ == 0) example = reason;
 }
 
+/// The reason of one stands for those of all that differ from it in numbers only.
+std::string reason_line(const char* state, int count, const std::string& reason) {
+  return format(count > 1 ? "  %5d %s, one of them: " : "  %5d %s: ", count, state) + reason + "\n";
+}
+
 std::string sharpness(const std::vector<NamedSharpness>& list) {
   std::string text;
   for (const NamedSharpness& one : list)
@@ -92,11 +98,8 @@ std::string pairs(const ResultFile& file) {
   for (const auto& [kind, counted] : reasons) sorted.push_back({-counted.first, counted.second});
   std::sort(sorted.begin(), sorted.end());
   for (std::size_t i = 0; i < std::min<std::size_t>(sorted.size(), 8); ++i)
-    text += format("  %5d rejected: ", -sorted[i].first) + sorted[i].second +
-            (sorted[i].first < -1 ? " (and alike)" : "") + "\n";
-  for (const auto& [kind, counted] : open_directions)
-    text +=
-        format("  %5d accepted: ", counted.first) + counted.second + (counted.first > 1 ? " (and alike)" : "") + "\n";
+    text += reason_line("rejected", -sorted[i].first, sorted[i].second);
+  for (const auto& [kind, counted] : open_directions) text += reason_line("accepted", counted.first, counted.second);
   return text;
 }
 

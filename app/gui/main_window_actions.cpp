@@ -229,14 +229,16 @@ void MainWindow::show_export() {
   connect(&workbench_, &Workbench::state_changed, dialog, follow);
   connect(dialog, &ExportDialog::copied, &workbench_, [this] { workbench_.mark_exported(Exported::Copied); });
   connect(dialog, &ExportDialog::save_requested, this,
-          [this](const QString&, const QString& path, const QString& text) {
+          [this, dialog](const QString&, const QString& path, const QString& text) {
             try {
               save_text(path, text);
               workbench_.mark_exported(Exported::Written);
               show_message(Severity::Note, path, tr("saved"));
+              dialog->show_outcome(tr("Saved: %1").arg(path), false);
             } catch (const Error& error) {
               const JobFailure failure = failure_of(error);
               show_message(Severity::Problem, failure.where, failure.what);
+              dialog->show_outcome(failure.where + QStringLiteral(": ") + failure.what, true);
             }
           });
   dialog->open();

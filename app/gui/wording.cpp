@@ -7,6 +7,7 @@
 #include "model/methods/calibration_method.h"
 #include "model/preliminary.h"
 #include "widgets/model_text.h"
+#include "widgets/parameter_text.h"
 
 namespace remount {
 namespace {
@@ -96,7 +97,7 @@ QString distance_caution(const Workbench& workbench) {
     lines << Words::tr(
         "No nominal mounting was given: \"start\" is the program's own first estimate, not where the LiDAR was "
         "before.");
-  if (const QString blind = QString::fromStdString(parameter_list(output->result, false)); !blind.isEmpty())
+  if (const QString blind = parameter_names(output->result.observed, false); !blind.isEmpty())
     lines << Words::tr("Not observed: %1. Distances and heights rest on values there that nobody measured.").arg(blind);
   return lines.join('\n');
 }
@@ -117,7 +118,7 @@ QString export_warning(const Workbench& workbench) {
   if (workbench.checking_map())
     lines << Words::tr("The map is still being compared under this result: what it says is not known yet.");
   const OutputPtr output = workbench.output();
-  const QString blind = output ? QString::fromStdString(parameter_list(output->result, false)) : QString();
+  const QString blind = output ? parameter_names(output->result.observed, false) : QString();
   if (!blind.isEmpty())
     lines << Words::tr(
                  "Not observed: %1. What a file holds for these is not measured: for a translation the nominal "

@@ -1,13 +1,28 @@
 // Calibration files that go from the INS to the LiDAR: KITTI and OpenCalib. Both hold the inverse of X.
+#include <algorithm>
+#include <array>
+
 #include "algorithms/core/error.h"
 #include "model/exporters/builtin.h"
 #include "model/exporters/export_text.h"
 #include "model/io/input_file.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
+#include "model/session_report.h"
 
 namespace remount {
 namespace {
+
+/// As KITTI writes it: of the last scan that took part, so that the same result gives the same bytes.
+std::string calibration_time(const ResultFile& result) {
+  constexpr std::array<const char*, 12> kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                                "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  std::int64_t last_ns = 0;
+  for (const PairRecord& pair : result.pairs) last_ns = std::max(last_ns, pair.stamp_b_ns);
+  const std::string utc = utc_text(last_ns);  // 2011-09-26 13:02:25.964 UTC
+  const std::size_t month = static_cast<std::size_t>(std::stoi(utc.substr(5, 2))) - 1;
+  return utc.substr(8, 2) + "-" + kMonths.at(month) + "-" + utc.substr(0, 4) + utc.substr(10, 9);
+}
 
 class KittiExporter final : public Exporter {
  public:
@@ -21,10 +36,10 @@ class KittiExporter final : public Exporter {
     const RigidTransform lidar_from_ins = result.result.ins_from_lidar.inverse();
     const Eigen::Matrix3d r = lidar_from_ins.linear();
     const Eigen::Vector3d t = lidar_from_ins.translation();
-    // The time stands in the first line of KITTI's files; without a clock the same result gives the same bytes.
-    return "calib_time: 01-Jan-1970 00:00:00\nR: " +
-           joined({r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)}) +
-           "\nT: " + joined({t.x(), t.y(), t.z()}) + "\n";
+    // Readers look for the lines they know by their names; those of notes are none of them.
+    return "calib_time: " + calibration_time(result) +
+           "\nR: " + joined({r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)}) +
+           "\nT: " + joined({t.x(), t.y(), t.z()}) + "\n" + commented(export_header(*this, result), "note: ");
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     std::vector<double> r, t;

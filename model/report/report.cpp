@@ -20,7 +20,8 @@ constexpr const char* kCss =
     "body{font-family:'Noto Sans','Noto Sans CJK SC',sans-serif;color:#222;max-width:860px;margin:24px auto;padding:0 "
     "16px}h1{font-size:22px}h2{font-size:16px;margin-top:26px;border-bottom:1px solid #ccc}"
     "table{border-collapse:collapse;font-size:12px}td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}"
-    "th{background:#f0f2f5}td.text,th.text{text-align:left}.weak{color:#777}.warn{color:#9a4a00}"
+    "th{background:#f0f2f5}td{white-space:nowrap}td.text,th.text{text-align:left}td.text{white-space:normal}.weak{"
+    "color:#777}.warn{color:#9a4a00}"
     "pre{font-size:11px;background:#f6f7f9;padding:8px}img,svg{max-width:100%;height:auto}";
 
 std::string number(const char* pattern, double value, const char* instead = "–") {
@@ -45,7 +46,14 @@ class Page {
   std::string sentence(const std::string& text) const {
     return html_escaped(style_.sentence ? style_.sentence(text) : text);
   }
+  std::string parameter(std::size_t i) const { return sentence(std::string(kParameterNames[i])); }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
+  /// Repeated on each page of paper.
+  void header(const std::vector<std::string>& cells, bool last_is_text = false) {
+    html_ += "<thead>";
+    row(cells, "th", last_is_text);
+    html_ += "</thead>\n";
+  }
   void row(const std::vector<std::string>& cells, const char* tag = "td", bool last_is_text = false) {
     html_ += "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
@@ -115,9 +123,8 @@ void Page::write_parameters() {
                                                            : phrase("report", "LiDAR in the reference frame")) +
                        ": " + name);
   begin_table();
-  row({"", phrase("report", "value"), phrase("report", "1 sigma"), phrase("report", "by resampling"),
-       phrase("report", "nominal"), phrase("report", "new − nominal")},
-      "th");
+  header({"", phrase("report", "value"), phrase("report", "1 sigma"), phrase("report", "by resampling"),
+          phrase("report", "nominal"), phrase("report", "new − nominal")});
   const std::array<double, 6> values = six_on_screen(result_.ins_from_lidar);
   for (std::size_t i = 0; i < 6; ++i) {
     const char* unit = is_angle(i) ? " °" : " m";
@@ -130,8 +137,7 @@ void Page::write_parameters() {
       nominal = number("%.4f", given) + unit;
       if (has_numbers()) change = number("%+.4f", moved) + unit;
     }
-    row({html_escaped(kParameterNames[i]) + (result_.measured[i] ? " *" : ""),
-         has_numbers() ? number("%.4f", values[i]) + unit : "–",
+    row({parameter(i) + (result_.measured[i] ? " *" : ""), has_numbers() ? number("%.4f", values[i]) + unit : "–",
          sigma ? "± " + number("%.4f", on_screen(i, *sigma)) + unit : phrase("report", "not observed"),
          sigma && result_.bootstrap_sigma[i] > 0.0
              ? "± " + number("%.4f", on_screen(i, result_.bootstrap_sigma[i])) + unit
@@ -192,10 +198,10 @@ void Page::write_correlation() {
   heading(phrase("report", "Correlation of the parameters"));
   begin_table();
   std::vector<std::string> titles{""};
-  for (const std::string_view name : kParameterNames) titles.emplace_back(name);
-  row(titles, "th");
+  for (std::size_t i = 0; i < 6; ++i) titles.push_back(parameter(i));
+  header(titles);
   for (std::size_t i = 0; i < 6; ++i) {
-    html_ += "<tr><th class=\"text\" align=\"left\">" + std::string(kParameterNames[i]) + "</th>";
+    html_ += "<tr><th class=\"text\" align=\"left\">" + parameter(i) + "</th>";
     for (std::size_t k = 0; k < 6; ++k) {
       const double value = correlation(result_, i, k);
       html_ += "<td align=\"right\" bgcolor=\"" + correlation_color(value) + "\">" + number("%.2f", value) + "</td>";
@@ -214,9 +220,11 @@ void Page::write_observability() {
       const std::string line = (direction.observed ? "" : "<span class=\"warn\">▲</span> ") + sentence(direction.words);
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
-  const std::string blind = parameter_list(result_, false);
+  std::string blind;
+  for (std::size_t i = 0; i < 6; ++i)
+    if (!result_.observed[i]) blind += (blind.empty() ? "" : ", ") + parameter(i);
   lines.push_back(blind.empty() ? phrase("report", "All six parameters are observed.")
-                                : phrase("report", "Not observed") + ": " + html_escaped(blind));
+                                : phrase("report", "Not observed") + ": " + blind);
   if (std::isfinite(result_.time_offset.offset_s))
     lines.push_back(phrase("report", "Clock offset INS − LiDAR") + ": " +
                     number("%.1f ms", 1e3 * result_.time_offset.offset_s) + " ± " +
@@ -233,9 +241,8 @@ void Page::write_sharpness() {
   }
   html_ += "<p>" + phrase("report", "Lower is sharper. This check does not use the residual.") + "</p>\n";
   begin_table();
-  row({phrase("report", "under"), phrase("report", "mean map entropy"), phrase("report", "thickness of planes"),
-       phrase("report", "neighbourhoods")},
-      "th");
+  header({phrase("report", "under"), phrase("report", "mean map entropy"), phrase("report", "thickness of planes"),
+          phrase("report", "neighbourhoods")});
   for (const NamedSharpness& entry : file_.sharpness)
     row({sentence(entry.source), number("%.4f", entry.sharpness.mean_map_entropy),
          number("%.1f mm", 1e3 * entry.sharpness.plane_thickness_m), std::to_string(entry.sharpness.points)});
@@ -277,11 +284,10 @@ void Page::write_pairs() {
            phrase("report", "rms of residuals") + ": " + number("%.2f cm", 100.0 * result_.translation_rms_m) + ", " +
            number("%.3f °", radians_to_degrees(result_.rotation_rms_rad)) + "</p>\n";
   begin_table();
-  row({phrase("report", "pair"), phrase("report", "session"), phrase("report", "scan a (UTC)"), phrase("report", "gap"),
-       phrase("report", "baseline"), phrase("report", "turn"), phrase("report", "RMSE"), phrase("report", "overlap"),
-       phrase("report", "screw test"), phrase("report", "residual"), phrase("report", "state"),
-       phrase("report", "reason")},
-      "th");
+  header({phrase("report", "pair"), phrase("report", "session"), phrase("report", "scan a (UTC)"),
+          phrase("report", "gap"), phrase("report", "baseline"), phrase("report", "turn"), phrase("report", "RMSE"),
+          phrase("report", "overlap"), phrase("report", "screw test"), phrase("report", "residual"),
+          phrase("report", "state"), phrase("report", "reason")});
   for (std::size_t i = 0; i < file_.pairs.size(); ++i) {
     const PairRecord& pair = file_.pairs[i];
     row({std::to_string(i), std::to_string(pair.session + 1), html_escaped(utc_text(pair.stamp_a_ns).substr(11, 12)),
@@ -300,9 +306,9 @@ void Page::write_findings() {
   if (file_.findings.empty()) return;
   heading(phrase("report", "Warnings"));
   begin_table();
-  row({phrase("report", "code"), phrase("report", "where"), phrase("report", "what was found"),
-       phrase("report", "what it means, and what to do")},
-      "th", true);
+  header({phrase("report", "code"), phrase("report", "where"), phrase("report", "what was found"),
+          phrase("report", "what it means, and what to do")},
+         true);
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
     html_ += "<tr>";
@@ -321,7 +327,7 @@ void Page::write_data() {
     html_ += "<p class=\"weak\">" + phrase("report", "The files' hashes are not known.") + "</p>\n";
   if (file_.inputs.empty()) return;
   begin_table();
-  row({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"}, "th");
+  header({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"});
   for (const InputFile& input : file_.inputs)
     row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
          input.sha256.empty() ? "–" : input.sha256});

@@ -532,6 +532,10 @@
         <source>Its motion can tell %1; not %2</source>
         <translation>其运动能确定 %1；不能确定 %2</translation>
     </message>
+    <message>
+        <source>Given a nominal mounting, its motion can tell %1; not %2. Without one, nothing</source>
+        <translation>给出名义安装后，其运动可确定 %1；不能确定 %2。没有名义安装则什么也不能确定</translation>
+    </message>
 </context>
 <context>
     <name>remount::DriveTimeline</name>
@@ -719,6 +723,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Save %1</source>
         <translation>保存 %1</translation>
+    </message>
+    <message>
+        <source>Copied.</source>
+        <translation>已复制。</translation>
     </message>
 </context>
 <context>
@@ -1417,6 +1425,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Save your work as a project first? Not saved: %1.</source>
         <translation>先将工作保存为项目吗？未保存：%1。</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
     </message>
 </context>
 <context>
@@ -2133,6 +2145,18 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>%1 % of the way</source>
         <translation>%1 % 的位置</translation>
+    </message>
+    <message>
+        <source>objects of a</source>
+        <translation>a 的物体</translation>
+    </message>
+    <message>
+        <source>objects of b</source>
+        <translation>b 的物体</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>运动的</translation>
     </message>
 </context>
 <context>

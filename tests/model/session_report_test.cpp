@@ -85,6 +85,22 @@ TEST(session_report, the_way_the_lidar_is_turned_does_not_change_what_can_be_tol
   EXPECT_EQ(motion_outlook(session).determinable, (std::array<bool, 6>{true, true, false, true, true, true}));
 }
 
+// As the calibration says: tests/algorithms/calibration.
+TEST(session_report, while_yaw_is_open_nothing_can_be_told_without_a_nominal) {
+  Session session = example(0, Road::Flat);
+  for (StampedPose& pose : session.world_from_ins) pose.pose.translation() *= 0.05;  // hardly moves, but turns
+  const MotionOutlook outlook = motion_outlook(session);
+  ASSERT_FALSE(outlook.determinable[3]) << parameter_list(outlook, true);
+  ASSERT_TRUE(outlook.determinable[5]) << parameter_list(outlook, true);
+  EXPECT_TRUE(outlook.needs_nominal);
+  Progress progress;
+  EXPECT_NE(describe(session, report_session(session, progress)).find("usable: with a nominal mounting in part"),
+            std::string::npos)
+      << describe(session, report_session(session, progress));
+  session.nominal_ins_from_lidar = RigidTransform::Identity();
+  EXPECT_FALSE(motion_outlook(session).needs_nominal);
+}
+
 TEST(session_report, clocks_that_do_not_meet_are_a_problem) {
   Progress progress;
   const SessionReport report = report_session(example(3'600'000'000'000LL), progress);

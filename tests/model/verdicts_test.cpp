@@ -75,7 +75,7 @@ TEST(verdicts, are_obeyed_by_a_whole_calibration_with_its_last_step) {
   for (std::size_t i = 0; i < with.pairs.size(); ++i) {
     const bool is_chosen = std::find(chosen.begin(), chosen.end(), i) != chosen.end();
     EXPECT_EQ(with.pairs[i].decided_by == DecidedBy::User, is_chosen) << i;
-    if (is_chosen) EXPECT_EQ(with.pairs[i].state, PairState::Rejected) << i;
+    EXPECT_TRUE(!is_chosen || with.pairs[i].state == PairState::Rejected) << i;
   }
   EXPECT_EQ(with.result.pairs_accepted, std::count_if(with.pairs.begin(), with.pairs.end(), [](const Pair& pair) {
               return pair.state == PairState::Accepted;

@@ -34,6 +34,13 @@ TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
   QFile file(path);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_EQ(QString::fromUtf8(file.readAll()), copied) << "what is saved";
+  EXPECT_TRUE(texts_of(dialog).contains(path)) << "the dialog says so itself, for it covers the window";
+  const QString nowhere = folder.filePath("no/such/folder/matrix.txt");
+  emit dialog.save_requested("matrix", nowhere, dialog.current_text());
+  EXPECT_TRUE(texts_of(dialog).contains("✕")) << texts_of(dialog).toStdString();
+  dialog.choose("yaml");
+  EXPECT_FALSE(texts_of(dialog).contains("✕"));
+  dialog.choose("matrix");
   const RigidTransform read = exporter("matrix").read(copied.toStdString(), "clipboard");
   EXPECT_EQ(read.matrix(), workbench_.output()->result.ins_from_lidar.matrix()) << "not one bit is lost";
   dialog.close();

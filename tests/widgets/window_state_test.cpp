@@ -31,12 +31,6 @@ class window_state : public testing::WindowFixture {
  protected:
   explicit window_state(int stages = 10) : WindowFixture(stages) {}
 
-  QString texts_of(QWidget& widget) {
-    QStringList texts;
-    for (const QLabel* label : widget.findChildren<QLabel*>())
-      if (label->isVisible()) texts << label->text();
-    return texts.join('\n');
-  }
   QString strip() { return texts_of(child<ProgressStrip>()); }
   /// Scans that are read for the view are announced there, too.
   bool strip_becomes(const QString& text) {

@@ -9,6 +9,7 @@
 
 #include "widgets/charts/drive_map.h"
 #include "widgets/charts/drive_timeline.h"
+#include "widgets/parameter_text.h"
 
 namespace remount {
 namespace {
@@ -28,12 +29,15 @@ QString drive_figures(const DriveOverview& drive) {
   QStringList lines{
       stream_figures(DrivePanel::tr("LiDAR"), drive.lidar), stream_figures(DrivePanel::tr("INS"), drive.ins),
       DrivePanel::tr("%1 s, %2 m travelled").arg(drive.duration_s, 0, 'f', 1).arg(drive.travelled_m, 0, 'f', 0)};
-  const QString told = QString::fromStdString(parameter_list(drive.outlook, true)),
-                untold = QString::fromStdString(parameter_list(drive.outlook, false));
+  const QString told = parameter_names(drive.outlook.determinable, true),
+                untold = parameter_names(drive.outlook.determinable, false);
   if (drive.outlook.judged && untold.isEmpty()) lines << DrivePanel::tr("Its motion can tell all of X");
   if (drive.outlook.judged && !untold.isEmpty())
     lines << (told.isEmpty() ? DrivePanel::tr("Its motion can tell nothing of X")
-                             : DrivePanel::tr("Its motion can tell %1; not %2").arg(told, untold));
+              : drive.outlook.needs_nominal
+                  ? DrivePanel::tr("Given a nominal mounting, its motion can tell %1; not %2. Without one, nothing")
+                        .arg(told, untold)
+                  : DrivePanel::tr("Its motion can tell %1; not %2").arg(told, untold));
   return lines.join('\n');
 }
 

@@ -23,7 +23,8 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
       list_(new QListWidget(this)),
       preview_(new QPlainTextEdit(this)),
       direction_(new QLabel(this)),
-      warning_(new QLabel(this)) {
+      warning_(new QLabel(this)),
+      outcome_(new QLabel(this)) {
   setWindowTitle(tr("Export the result"));
   list_->setAccessibleName(tr("Format"));
   list_->setTextElideMode(Qt::ElideRight);
@@ -41,12 +42,16 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   warning_->setWordWrap(true);
   warning_->setTextFormat(Qt::PlainText);
   warning_->hide();
+  outcome_->setWordWrap(true);
+  outcome_->setTextFormat(Qt::PlainText);
+  outcome_->hide();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   copy_ = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
   save_ = buttons->addButton(tr("Save…"), QDialogButtonBox::ActionRole);
   save_->setDefault(true);
   connect(copy_, &QPushButton::clicked, this, [this] {
     QGuiApplication::clipboard()->setText(current_text());
+    show_outcome(tr("Copied."), false);
     emit copied(current_id());
   });
   connect(save_, &QPushButton::clicked, this, &ExportDialog::ask_where);
@@ -57,7 +62,8 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   grid->addWidget(list_, 1, 0, 2, 1);
   grid->addWidget(direction_, 1, 1);
   grid->addWidget(preview_, 2, 1);
-  grid->addWidget(buttons, 3, 0, 1, 2);
+  grid->addWidget(outcome_, 3, 0, 1, 2);
+  grid->addWidget(buttons, 4, 0, 1, 2);
   grid->setColumnStretch(1, 1);
   grid->setRowStretch(2, 1);
   resize(within_screen(*this, {1080, 620}));
@@ -68,6 +74,12 @@ void ExportDialog::show_warning(const QString& warning) {
   set_style(*warning_, marked_box(warning_color, QStringLiteral("padding: 6px")));
   warning_->setText(QStringLiteral("▲  ") + warning);
   warning_->setVisible(!warning.isEmpty());
+}
+
+void ExportDialog::show_outcome(const QString& text, bool failed) {
+  set_style(*outcome_, marked_box(failed ? bad_color : good_color, QStringLiteral("padding: 6px")));
+  outcome_->setText((failed ? QStringLiteral("✕  ") : QStringLiteral("✓  ")) + text);
+  outcome_->show();
 }
 
 QString ExportDialog::current_id() const {
@@ -87,6 +99,7 @@ void ExportDialog::show_current() {
   const ExportFormat& format = formats_[static_cast<std::size_t>(list_->currentRow())];
   direction_->setText("<b>" + tr("Direction:").toHtmlEscaped() + "</b> " + format.direction.toHtmlEscaped());
   const ExportText current = text_of_(format.id);
+  if (current.text != text_) outcome_->hide();  // it was about another text
   text_ = current.text;
   preview_->setLineWrapMode(current.problem.isEmpty() ? QPlainTextEdit::NoWrap : QPlainTextEdit::WidgetWidth);
   const QString shown = current.problem.isEmpty() ? current.text : current.problem;

@@ -31,6 +31,8 @@ class ExportDialog : public QDialog {
   ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QWidget* parent = nullptr);
   /// What is to be known before anything is written; empty for nothing.
   void show_warning(const QString& warning);
+  /// What became of the last copy or save; until there is another text.
+  void show_outcome(const QString& text, bool failed);
   /// While the result is still being solved, nothing is copied or saved.
   void set_final(bool is_final);
   QString current_id() const;
@@ -50,7 +52,7 @@ class ExportDialog : public QDialog {
   TextOf text_of_;
   QListWidget* list_;
   QPlainTextEdit* preview_;
-  QLabel *direction_, *warning_;
+  QLabel *direction_, *warning_, *outcome_;
   QPushButton *copy_ = nullptr, *save_ = nullptr;
   QString text_;
   bool final_ = true;

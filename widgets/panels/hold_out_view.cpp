@@ -59,20 +59,20 @@ Rows score_rows(const HoldOut& found, const QStringList& names) {
   return rows;
 }
 
-/// "+1.2 ± 0.8", in mm or mdeg.
+/// "+1.2 ± 0.8", in mm or degrees.
 QString difference_text(std::size_t i, double difference, double sigma) {
-  const double value = 1e3 * on_screen(i, difference);
+  const double units = is_angle(i) ? 1.0 : 1e3, value = units * on_screen(i, difference);
+  const int decimals = is_angle(i) ? 4 : 1;
   return QStringLiteral("%1%2 ± %3")
       .arg(value < 0.0 ? QStringLiteral("−") : QStringLiteral("+"))
-      .arg(std::abs(value), 0, 'f', 1)
-      .arg(1e3 * on_screen(i, sigma), 0, 'f', 1);
+      .arg(std::abs(value), 0, 'f', decimals)
+      .arg(units * on_screen(i, sigma), 0, 'f', decimals);
 }
 
 QStringList difference_heads() {
   QStringList heads{HoldOutView::tr("Difference of X")};
   for (std::size_t i = 0; i < kParameterNames.size(); ++i)
-    heads << QStringLiteral("%1 [%2]").arg(parameter_name(i),
-                                           is_angle(i) ? QStringLiteral("mdeg") : QStringLiteral("mm"));
+    heads << QStringLiteral("%1 [%2]").arg(parameter_name(i), is_angle(i) ? QStringLiteral("°") : QStringLiteral("mm"));
   return heads << HoldOutView::tr("In words");
 }
 

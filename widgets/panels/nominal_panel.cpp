@@ -7,6 +7,7 @@
 #include <QRadioButton>
 #include <QSignalBlocker>
 
+#include "algorithms/calibration/calibration_result.h"
 #include "widgets/axes_picture.h"
 #include "widgets/parameter_text.h"
 #include "widgets/readable.h"
@@ -43,7 +44,7 @@ NominalPanel::NominalPanel(QWidget* parent)
     spin->setAccessibleName(tr("Nominal %1").arg(text));
     spin->setAccessibleDescription(convention);
     spin->setToolTip(with_axes);
-    spin->setObjectName("nominal." + text);
+    spin->setObjectName("nominal." + QString::fromUtf8(kParameterNames[i]));
     spin->setEnabled(false);
     connect(spin, &QDoubleSpinBox::valueChanged, this, &NominalPanel::send);
     auto* label = new QLabel(text, this);

@@ -63,12 +63,13 @@ void PairView::make_buttons() {
   QHBoxLayout* second = add_row();
   add_coloring(second);
   second->addStretch();
-  auto* objects = add_button(
+  objects_ = add_button(
       second, tr("Objects"),
       tr("Boxes of the objects that both scans contain, joined by lines; moving ones are red and crossed out"), true);
-  objects->setChecked(true);
-  connect(objects, &QToolButton::toggled, this, [this](bool on) {
+  objects_->setChecked(true);
+  connect(objects_, &QToolButton::toggled, this, [this](bool on) {
     scene_.show_objects(on);
+    update_caption();
     render();
   });
   add_shading_button(second);
@@ -280,15 +281,19 @@ void PairView::update_caption() {
     return;
   }
   const bool dark = is_dark(palette());
-  const auto swatch = [](const char* color, const QString& text) {
-    return QStringLiteral(" &nbsp; <span style='color:%1'>■</span>&nbsp;%2")
-        .arg(QLatin1String(color), QString(text).replace(' ', QChar::Nbsp));
+  const auto swatch = [](const char* color, const QString& text, const QString& sign = QStringLiteral("■")) {
+    return QStringLiteral(" &nbsp; <span style='color:%1'>%2</span>&nbsp;%3")
+        .arg(QLatin1String(color), sign, QString(text).replace(' ', QChar::Nbsp));
   };
   QString text = pair_caption_.toHtmlEscaped();
   const auto coloring = static_cast<SourceColoring>(coloring_->currentIndex());
   if (coloring == SourceColoring::Orange) text += swatch(dark ? "#ff9e33" : "#d94a05", tr("scan a"));
   if (coloring == SourceColoring::Blue) text += swatch(dark ? "#56b4ff" : "#005faf", tr("scan a"));
   text += swatch(dark ? "#9ea6b0" : "#757a85", tr("scan b"));
+  if (objects_->isChecked())
+    text += swatch("#14a06e", tr("objects of a"), QStringLiteral("□")) +
+            swatch("#1e78c8", tr("objects of b"), QStringLiteral("□")) +
+            swatch("#dc1e28", tr("moving"), QStringLiteral("☒"));
   if (side_by_side_->isChecked())
     text += QStringLiteral(" &nbsp; ") + tr("left: before, right: %1")
                                              .arg(share_ == 1.0 ? alignments_[static_cast<std::size_t>(after_)]->text()

@@ -76,7 +76,7 @@ class PairView : public SceneView {
   QLabel* caption_;
   DistanceLegend* legend_;
   std::array<QToolButton*, 3> alignments_{};
-  QToolButton *blink_ = nullptr, *side_by_side_ = nullptr;
+  QToolButton *blink_ = nullptr, *side_by_side_ = nullptr, *objects_ = nullptr;
   QSlider* slider_ = nullptr;
   QComboBox* coloring_ = nullptr;
   QTimer* timer_;

@@ -8,9 +8,9 @@
 #include <QSignalBlocker>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "model/display_units.h"
 #include "widgets/axes_picture.h"
 #include "widgets/charts/range_bar.h"
-#include "widgets/parameter_text.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -102,13 +102,13 @@ RangeBar* RangePanel::make_bar(const QString& parameter, bool angle) {
 
 void RangePanel::show_nominal(const std::optional<RigidTransform>& ins_from_lidar) {
   for (std::size_t i = 0; i < kParameterNames.size(); ++i)
-    bars_.at(parameter_name(i))
+    bars_.at(QString::fromUtf8(kParameterNames[i]))
         ->show_nominal(ins_from_lidar ? std::optional(six_on_screen(*ins_from_lidar)[i]) : std::nullopt);
 }
 
 void RangePanel::show_result(const std::optional<RigidTransform>& ins_from_lidar) {
   for (std::size_t i = 0; i < kParameterNames.size(); ++i)
-    bars_.at(parameter_name(i))
+    bars_.at(QString::fromUtf8(kParameterNames[i]))
         ->show_result(ins_from_lidar ? std::optional(six_on_screen(*ins_from_lidar)[i]) : std::nullopt);
 }
 

@@ -147,12 +147,9 @@ QString result_as_text(const CalibrationResult& result) {
 }
 
 QString moved_text(std::size_t i, double change) {
-  const bool large = std::abs(change) >= 1.0;
-  const QString unit = large ? unit_suffix(i) : is_angle(i) ? QStringLiteral(" mdeg") : QStringLiteral(" mm");
-  const QString number = QString::number(large ? change : 1e3 * change, 'f',
-                                         large                                          ? 3
-                                         : is_angle(i) && std::abs(1e3 * change) >= 1.0 ? 1
-                                                                                        : 2);
+  const bool small = std::abs(change) < 1.0, in_mm = small && !is_angle(i);
+  const QString unit = in_mm ? QStringLiteral(" mm") : unit_suffix(i);
+  const QString number = in_mm ? QString::number(1e3 * change, 'f', 2) : QString::number(change, 'f', small ? 4 : 3);
   const bool nothing = number.toDouble() == 0.0;
   return nothing ? QStringLiteral("0") + unit : (change > 0.0 ? QStringLiteral("+") : QString()) + number + unit;
 }

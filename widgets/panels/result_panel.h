@@ -63,7 +63,7 @@ class ResultPanel : public QScrollArea {
   QString next_;
 };
 
-/// "+1.24 mm", "-3.1 mdeg", "+2.400°": how far parameter i moved, given in m or degrees.
+/// "+1.24 mm", "-0.0031°", "+2.400°": how far parameter i moved, given in m or degrees.
 QString moved_text(std::size_t i, double change);
 /// "Solved", "Solved in part", … for a heading.
 QString status_title(const CalibrationResult& result);

@@ -67,7 +67,7 @@ TEST(exporters, every_format_says_its_direction) {
     EXPECT_EQ(&exporter(format->id()), format.get());
     const bool inverse = format->direction().find("ins to lidar") != std::string_view::npos;
     EXPECT_EQ(inverse, format->id() == "kitti" || format->id() == "opencalib") << format->id();
-    const bool has_comments = format->id() != "kitti" && format->id() != "opencalib" && format->id() != "json";
+    const bool has_comments = format->id() != "opencalib" && format->id() != "json";
     const std::string text = format->write(result_with(x), {});
     EXPECT_EQ(text.find(format->direction()) != std::string::npos, has_comments) << text;
   }
@@ -81,7 +81,7 @@ TEST(exporters, what_is_not_observed_is_said_in_the_file) {
   file.result.covariance.row(2).setConstant(std::nan(""));
   ASSERT_EQ(export_warnings(file.result).size(), 1U);
   EXPECT_NE(export_warnings(file.result)[0].find("z"), std::string::npos);
-  for (const char* id : {"yaml", "matrix", "ros1", "ros2", "autoware", "apollo", "apollo-rfu", "urdf"})
+  for (const char* id : {"kitti", "yaml", "matrix", "ros1", "ros2", "autoware", "apollo", "apollo-rfu", "urdf"})
     EXPECT_NE(exporter(id).write(file, {}).find("WARNING: not observed"), std::string::npos) << id;
   file.result.status = Status::Inconsistent;
   EXPECT_EQ(export_warnings(file.result).size(), 2U);
@@ -94,6 +94,15 @@ TEST(exporters, kitti_and_opencalib_hold_the_inverse) {
       << exporter("kitti").write(file, {});
   EXPECT_NE(exporter("opencalib").write(file, {}).find("[1, 0, 0, -1]"), std::string::npos);
   EXPECT_NE(exporter("apollo").write(file, {}).find("x: 1\n"), std::string::npos) << exporter("apollo").write(file, {});
+}
+
+TEST(exporters, kitti_has_the_time_of_the_last_scan) {
+  ResultFile file = result_with(RigidTransform::Identity());
+  file.pairs.resize(2);
+  file.pairs[0].stamp_b_ns = 1317042152964000000;  // 2011-09-26 13:02:32.964 UTC
+  file.pairs[1].stamp_b_ns = file.pairs[0].stamp_b_ns - 1000000000;
+  const std::string text = exporter("kitti").write(file, {});
+  EXPECT_TRUE(text.starts_with("calib_time: 26-Sep-2011 13:02:32\nR: ")) << text;
 }
 
 TEST(exporters, apollo_rfu_turns_forward_into_its_y) {

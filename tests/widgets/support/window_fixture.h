@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QDir>
 #include <QGuiApplication>
+#include <QLabel>
 #include <QTest>
 
 #include "app/gui/main_window.h"
@@ -50,6 +51,13 @@ class WindowFixture : public ::testing::Test {
   template <class Widget>
   Widget& child() {
     return *window_.findChild<Widget*>();
+  }
+  /// Of all visible labels.
+  static QString texts_of(const QWidget& widget) {
+    QStringList texts;
+    for (const QLabel* label : widget.findChildren<QLabel*>())
+      if (label->isVisible()) texts << label->text();
+    return texts.join('\n');
   }
   /// Where REMOUNT_SCREENSHOT_DIR is set, a picture of a widget is left there for people to look at.
   void photograph(QWidget& widget, const QString& name) {
