@@ -38,7 +38,7 @@ void fit_to_paper(QTextDocument& document, const QSizeF& page) {
   document.setDefaultFont(font);
   document.setDefaultStyleSheet(
       "h1{font-size:22px} h2{font-size:16px} table{border-collapse:collapse} td,th{font-size:9px} "
-      "td{white-space:nowrap} td.text{white-space:normal} "
+      "td,th{white-space:nowrap} td.text{white-space:normal} "
       "pre{font-size:9px} .weak{color:#666666} .warn{color:#9a4a00}");
   document.setDocumentMargin(0);
   document.setPageSize(page);
@@ -82,18 +82,24 @@ void fill(QTextDocument& document, const Report& report, ReportStyle style, int 
   document.setHtml(html);
 }
 
-/// A heading at the end of a page goes to the next one, where what it is of begins.
+/// A heading at the end of a page, with a line that leads to what follows, goes to the next one, where that begins.
 void keep_headings_with_text(QTextDocument& document) {
-  const auto page_of = [&](const QTextBlock& block) {  // of its first line: what does not fit is moved on line by line
-    const double top = document.documentLayout()->blockBoundingRect(block).top();
-    const double line = block.layout()->lineCount() > 0 ? block.layout()->lineAt(0).y() : 0.0;
-    return static_cast<int>((top + line) / document.pageSize().height());
+  const auto page_of = [&](const QTextBlock& block) {  // of its first line, which may be a chart
+    double end = document.documentLayout()->blockBoundingRect(block).top();
+    if (block.layout()->lineCount() > 0) end += block.layout()->lineAt(0).rect().bottom();
+    return static_cast<int>((end - 1.0) / document.pageSize().height());
   };
   QTextBlockFormat on_next_page;
   on_next_page.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
-  for (QTextBlock block = document.begin(); block.next().isValid(); block = block.next())
-    if (block.blockFormat().headingLevel() > 0 && page_of(block.next()) != page_of(block))
-      QTextCursor(block).mergeBlockFormat(on_next_page);
+  for (QTextBlock block = document.begin(); block.next().isValid(); block = block.next()) {
+    if (block.blockFormat().headingLevel() == 0) continue;
+    const QTextBlock first = block.next(), second = first.next();
+    const bool leads = first.text().size() > 1 && first.layout()->lineCount() == 1 && second.isValid() &&
+                       second.blockFormat().headingLevel() == 0;
+    if (page_of(first) == page_of(block) && (!leads || page_of(second) == page_of(block))) continue;
+    QTextCursor(block).mergeBlockFormat(on_next_page);
+    document.setPageSize(document.pageSize());  // all is laid out anew: what is only moved on is not drawn
+  }
 }
 
 void paint_text(QPainter& painter, const QTextDocument& document, int page) {

@@ -2147,16 +2147,16 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>%1 % 的位置</translation>
     </message>
     <message>
-        <source>objects of a</source>
-        <translation>a 的物体</translation>
-    </message>
-    <message>
-        <source>objects of b</source>
-        <translation>b 的物体</translation>
-    </message>
-    <message>
         <source>moving</source>
         <translation>运动的</translation>
+    </message>
+    <message>
+        <source>objects a</source>
+        <translation>物体 a</translation>
+    </message>
+    <message>
+        <source>b</source>
+        <translation>b</translation>
     </message>
 </context>
 <context>

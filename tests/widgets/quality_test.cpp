@@ -21,6 +21,7 @@
 #include "widgets/panels/quality_view.h"
 #include "widgets/panels/result_panel.h"
 #include "widgets/panels/sharpness_view.h"
+#include "widgets/panels/shrinking_area.h"
 #include "widgets/panels/verdict_table.h"
 
 namespace remount {
@@ -95,6 +96,28 @@ std::shared_ptr<const VehicleScan> courtyard() {
 
 MeasuredScanPtr measured(const VehicleBox& box) {
   return std::make_shared<const MeasuredScan>(measure_scan(*courtyard(), box));
+}
+
+TEST(sharpness_view, needs_no_more_room_than_its_words_though_they_came_while_it_was_hidden) {
+  auto* tabs = new QTabWidget;
+  auto* view = new SharpnessView;
+  tabs->addTab(new QLabel("another page"), "one");
+  tabs->addTab(view, "two");
+  ShrinkingArea area(tabs);
+  area.resize(700, 260);
+  area.show();
+  QTest::qWait(50);
+  std::vector<NamedSharpness> mountings;
+  for (const char* source : {"result", "candidate 1", "candidate 2", "candidate 3", "candidate 4", "candidate 5"})
+    mountings.push_back({source, {-3.6, 0.0096, 20000}});
+  view->show_sharpness(mountings);
+  tabs->setCurrentIndex(1);
+  QTest::qWait(50);
+  const auto& note = *view->findChild<NoteLabel*>();
+  ASSERT_TRUE(note.isVisible());
+  EXPECT_GE(note.height(), note.heightForWidth(note.width()));
+  EXPECT_LE(note.minimumHeight(), note.heightForWidth(note.width()));
+  EXPECT_LE(tabs->height(), area.viewport()->height()) << "nothing to be scrolled to";
 }
 
 TEST(clearance_view, tells_what_is_free_on_each_side_before_and_after) {

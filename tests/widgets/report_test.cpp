@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QBuffer>
 #include <QFile>
 #include <QFileDialog>
 #include <QFontDatabase>
@@ -169,6 +170,62 @@ TEST_F(report_window, asks_once_before_page_or_pdf_are_replaced) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return finished.count() > 1; }, kPatience_ms));
 }
 
+/// The text of a PDF, laid out; empty where pdftotext is not installed.
+QString text_of_pdf(const QByteArray& pdf, const QStringList& options) {
+  const QString reader = QStandardPaths::findExecutable("pdftotext");
+  if (reader.isEmpty()) return {};
+  const QTemporaryDir folder;
+  QFile file(folder.filePath("report.pdf"));
+  EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(pdf);
+  file.close();
+  QProcess read;
+  read.start(reader, options + QStringList{file.fileName(), "-"});
+  EXPECT_TRUE(read.waitForFinished(kPatience_ms));
+  return QString::fromUtf8(read.readAllStandardOutput());
+}
+
+TEST(report_pdf, numbers_are_whole_headers_repeated_and_headings_stay_with_what_follows) {
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
+  const PipelineOutput output = testing::sample_output(input, 150);
+  Report report;
+  report.file.result = output.result;
+  report.file.pairs = pair_records(output.keyframes, output.pairs);
+  QByteArray png;
+  QBuffer buffer(&png);
+  QImage grey(600, 300, QImage::Format_RGB32);
+  grey.fill(Qt::gray);
+  ASSERT_TRUE(grey.save(&buffer, "PNG"));
+  for (const char* caption : {"the worst pair", "the best pair", "another pair"})
+    report.pictures.push_back({caption, {png.begin(), png.end()}});
+  static const QRegularExpression kRow(R"(\d\d:\d\d:\d\d\.\d\d\d +\d+\.\d s)");
+  // What stands before the heading grows line by line, so that headings come to any place of a page.
+  for (int lines = 0; lines < 24; lines += 2) {
+    if (lines > 0) report.file.result.advice.insert(report.file.result.advice.end(), 2, "Drive on.");
+    const QString text = text_of_pdf(report_pdf(report, {}, "report"), {"-layout"});
+    if (text.isEmpty()) GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
+    for (const ReportPicture& picture : report.pictures)
+      EXPECT_TRUE(text.contains(QString::fromStdString(picture.caption)))
+          << picture.caption << ", " << lines << " lines";
+    EXPECT_EQ(text.count(kRow), 150) << lines << " lines";
+    int tables = 0;
+    for (const QString& page : text.split('\f', Qt::SkipEmptyParts)) {
+      const QStringList said = page.split('\n', Qt::SkipEmptyParts);
+      if (said.size() < 3) continue;                         // the text of charts is no text
+      const QString last = said[said.size() - 2].trimmed();  // before the number of the page
+      for (const char* heading : {"Residuals of the pairs", "Drive", "Pairs", "Settings", "Data"})
+        EXPECT_NE(last, heading) << lines << " lines\n" << page.toStdString();
+      const qsizetype row = page.indexOf(kRow), header = page.indexOf("scan a (UTC)");
+      if (row < 0) continue;
+      ++tables;
+      EXPECT_TRUE(header >= 0 && header < row) << page.toStdString();
+    }
+    EXPECT_GE(tables, 2) << text.toStdString();
+    if (HasFailure()) return;
+  }
+}
+
 class chinese_report : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -181,18 +238,9 @@ class chinese_report : public ::testing::Test {
 };
 
 TEST_F(chinese_report, is_a_pdf_with_chinese_letters) {
-  const QString reader = QStandardPaths::findExecutable("pdftotext");
-  if (reader.isEmpty()) GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
   if (QFontDatabase::families(QFontDatabase::SimplifiedChinese).isEmpty()) GTEST_SKIP() << "no font for Chinese";
-  const QTemporaryDir folder;
-  QFile file(folder.filePath("report.pdf"));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write(report_pdf(report_, report_style(), "报告"));
-  file.close();
-  QProcess read;
-  read.start(reader, {file.fileName(), "-"});
-  ASSERT_TRUE(read.waitForFinished(kPatience_ms));
-  QString text = QString::fromUtf8(read.readAllStandardOutput());
+  QString text = text_of_pdf(report_pdf(report_, report_style(), "报告"), {});
+  if (text.isEmpty()) GTEST_SKIP() << "pdftotext (poppler-utils) is not installed";
   text.remove(QRegularExpression("\\s"));  // lines break anywhere
   const auto phrase = [](const char* english) { return QCoreApplication::translate("report", english); };
   for (const QString& words : {QStringLiteral("已求解；六个参数全部可观测。"), phrase("Calibration of a LiDAR: report"),

@@ -291,8 +291,7 @@ void PairView::update_caption() {
   if (coloring == SourceColoring::Blue) text += swatch(dark ? "#56b4ff" : "#005faf", tr("scan a"));
   text += swatch(dark ? "#9ea6b0" : "#757a85", tr("scan b"));
   if (objects_->isChecked())
-    text += swatch("#14a06e", tr("objects of a"), QStringLiteral("□")) +
-            swatch("#1e78c8", tr("objects of b"), QStringLiteral("□")) +
+    text += swatch("#14a06e", tr("objects a"), QStringLiteral("□")) + swatch("#1e78c8", tr("b"), QStringLiteral("□")) +
             swatch("#dc1e28", tr("moving"), QStringLiteral("☒"));
   if (side_by_side_->isChecked())
     text += QStringLiteral(" &nbsp; ") + tr("left: before, right: %1")

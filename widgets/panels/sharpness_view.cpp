@@ -82,9 +82,9 @@ SharpnessView::SharpnessView(QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 4, 4, 4);
   column->addWidget(verdict_);
+  column->addLayout(buttons);
   column->addWidget(table_, 1);
   column->addWidget(order_);
-  column->addLayout(buttons);
   column->addStretch();
   show_message({});
   offer_maps(false, {});

@@ -77,11 +77,16 @@ NoteLabel::NoteLabel(QWidget* parent) : QLabel(parent) {
 void NoteLabel::show_note(const QString& text) {
   setText(text);
   setVisible(!text.isEmpty());
-  setMinimumHeight(std::max(0, heightForWidth(width())));
+  fit_height();
 }
 
 void NoteLabel::resizeEvent(QResizeEvent* event) {
   QLabel::resizeEvent(event);
+  fit_height();
+}
+
+void NoteLabel::fit_height() {
+  setMinimumHeight(0);  // heightForWidth is never below it
   setMinimumHeight(std::max(0, heightForWidth(width())));
 }
 

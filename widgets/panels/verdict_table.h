@@ -33,6 +33,9 @@ class NoteLabel : public QLabel {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void fit_height();
 };
 
 struct TableCell {
@@ -46,6 +49,8 @@ class FigureTable : public QTableWidget {
  public:
   explicit FigureTable(const QString& accessible_name, QWidget* parent = nullptr);
   void show_rows(const QStringList& heads, const std::vector<std::vector<TableCell>>& rows);
+  /// A few rows: a page with words of any width is given the height that its parts wish for, seen or not.
+  QSize sizeHint() const override { return {QTableWidget::sizeHint().width(), minimumHeight()}; }
 
  protected:
   void changeEvent(QEvent* event) override;
