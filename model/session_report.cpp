@@ -142,11 +142,12 @@ std::string usable_lines(const SessionReport& report) {
   for (const std::string& advice : report.outlook.advice) text += "  advice: " + advice + "\n";
   if (lacking)
     text +=
-        "  advice: Give a nominal mounting (some 10 degrees are enough): while yaw is open, nothing is known "
-        "without.\n";
-  return text + (untold.empty() ? "  usable: yes\n"
-                                : std::string("  usable: ") + (lacking ? "with a nominal mounting " : "") +
-                                      "in part, for " + told + "; not for " + untold + "\n");
+        "  advice: Give a nominal mounting (some 10 degrees are enough): while yaw is open, nothing is known without "
+        "one.\n";
+  return text + (untold.empty()
+                     ? "  usable: yes\n"
+                     : std::string("  usable: in part") + (lacking ? " and only with a nominal mounting" : "") +
+                           ", for " + told + "; not for " + untold + "\n");
 }
 
 /// The topics of a bag: count, rate, and what each is used as or could be.

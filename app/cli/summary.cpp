@@ -18,7 +18,9 @@ std::string format(const char* pattern, auto... values) {
   return text;
 }
 
-std::string sigma_text(double sigma) { return format(sigma < 1e-4 ? "1-sigma %.6f" : "1-sigma %.4f", sigma); }
+std::string sigma_text(double sigma) {
+  return format(sigma < 1e-6 ? "1-sigma %.1e" : sigma < 1e-3 ? "1-sigma %.6f" : "1-sigma %.4f", sigma);
+}
 
 /// What the six numbers are. Positions of an antenna give a lever arm and no attitude: no pose of anything.
 std::string meaning(const CalibrationResult& result) {

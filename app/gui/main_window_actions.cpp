@@ -238,7 +238,7 @@ void MainWindow::show_export() {
             } catch (const Error& error) {
               const JobFailure failure = failure_of(error);
               show_message(Severity::Problem, failure.where, failure.what);
-              dialog->show_outcome(failure.where + QStringLiteral(": ") + failure.what, true);
+              dialog->show_outcome(in_words(failure), true);
             }
           });
   dialog->open();

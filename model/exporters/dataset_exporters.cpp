@@ -7,19 +7,23 @@
 #include "model/exporters/export_text.h"
 #include "model/io/input_file.h"
 #include "model/io/parse_document.h"
+#include "model/io/time_stamp.h"
 #include "model/io/transform_document.h"
-#include "model/session_report.h"
 
 namespace remount {
 namespace {
 
-/// As KITTI writes it: of the last scan that took part, so that the same result gives the same bytes.
+/// "26-Sep-2011 13:02:25", as KITTI writes it: of the last scan of an accepted pair, so that the same result gives the
+/// same bytes. No date where there is none, or where stamps count from the beginning of the recording.
 std::string calibration_time(const ResultFile& result) {
   constexpr std::array<const char*, 12> kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
                                                 "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  constexpr std::int64_t kEarliest_ns = 631152000LL * 1000000000LL;  // 1990: no lidar recorded before
   std::int64_t last_ns = 0;
-  for (const PairRecord& pair : result.pairs) last_ns = std::max(last_ns, pair.stamp_b_ns);
-  const std::string utc = utc_text(last_ns);  // 2011-09-26 13:02:25.964 UTC
+  for (const PairRecord& pair : result.pairs)
+    if (pair.state == PairState::Accepted) last_ns = std::max(last_ns, pair.stamp_b_ns);
+  if (last_ns < kEarliest_ns) return "unknown";
+  const std::string utc = format_date_ns(last_ns);
   const std::size_t month = static_cast<std::size_t>(std::stoi(utc.substr(5, 2))) - 1;
   return utc.substr(8, 2) + "-" + kMonths.at(month) + "-" + utc.substr(0, 4) + utc.substr(10, 9);
 }
@@ -37,9 +41,9 @@ class KittiExporter final : public Exporter {
     const Eigen::Matrix3d r = lidar_from_ins.linear();
     const Eigen::Vector3d t = lidar_from_ins.translation();
     // Readers look for the lines they know by their names; those of notes are none of them.
-    return "calib_time: " + calibration_time(result) +
-           "\nR: " + joined({r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)}) +
-           "\nT: " + joined({t.x(), t.y(), t.z()}) + "\n" + commented(export_header(*this, result), "note: ");
+    return "calib_time: " + calibration_time(result) + "\n" + commented(export_header(*this, result), "note: ") +
+           "R: " + joined({r(0, 0), r(0, 1), r(0, 2), r(1, 0), r(1, 1), r(1, 2), r(2, 0), r(2, 1), r(2, 2)}) +
+           "\nT: " + joined({t.x(), t.y(), t.z()}) + "\n";
   }
   RigidTransform read(std::string_view text, const std::string& where) const override {
     std::vector<double> r, t;

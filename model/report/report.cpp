@@ -20,7 +20,8 @@ constexpr const char* kCss =
     "body{font-family:'Noto Sans','Noto Sans CJK SC',sans-serif;color:#222;max-width:860px;margin:24px auto;padding:0 "
     "16px}h1{font-size:22px}h2{font-size:16px;margin-top:26px;border-bottom:1px solid #ccc}"
     "table{border-collapse:collapse;font-size:12px}td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}"
-    "th{background:#f0f2f5}td{white-space:nowrap}td.text,th.text{text-align:left}td.text{white-space:normal}.weak{"
+    "th{background:#f0f2f5}td{white-space:nowrap}td.text,th.text{text-align:left}td.text{white-space:normal;overflow-"
+    "wrap:anywhere}.weak{"
     "color:#777}.warn{color:#9a4a00}"
     "pre{font-size:11px;background:#f6f7f9;padding:8px}img,svg{max-width:100%;height:auto}";
 
@@ -63,9 +64,18 @@ class Page {
           ">" + cells[i] + "</" + tag + ">";
     html_ += "</tr>\n";
   }
+  void text_row(const std::vector<std::string>& cells) {
+    html_ += "<tr>";
+    for (const std::string& cell : cells) html_ += "<td class=\"text\" align=\"left\">" + cell + "</td>";
+    html_ += "</tr>\n";
+  }
   void begin_table() { html_ += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"; }
   void end_table() { html_ += "</table>\n"; }
-  void list(const std::vector<std::string>& items);
+  void list(const std::vector<std::string>& items) {
+    html_ += items.empty() ? "" : "<ul>";
+    for (const std::string& item : items) html_ += "<li>" + item + "</li>";
+    html_ += items.empty() ? "" : "</ul>\n";
+  }
   void chart(const Drawing& drawing) {
     html_ += "<p>" + (style_.chart ? style_.chart(drawing) : to_svg(drawing)) + "</p>\n";
   }
@@ -97,12 +107,6 @@ class Page {
   std::string html_;
 };
 
-void Page::list(const std::vector<std::string>& items) {
-  html_ += "<ul>";
-  for (const std::string& item : items) html_ += "<li>" + item + "</li>";
-  html_ += "</ul>\n";
-}
-
 void Page::write_verdict() {
   html_ += "<h1>" + phrase("report", "Calibration of a LiDAR: report") + "</h1>\n<p class=\"weak\">";
   if (!report_.created.empty()) html_ += html_escaped(report_.created) + " · ";
@@ -111,7 +115,7 @@ void Page::write_verdict() {
            sentence(result_.message) + "</p>\n";
   std::vector<std::string> advice;
   for (const std::string& line : result_.advice) advice.push_back(sentence(line));
-  if (!advice.empty()) list(advice);
+  list(advice);
 }
 
 void Page::write_parameters() {
@@ -311,26 +315,23 @@ void Page::write_findings() {
          true);
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    html_ += "<tr>";
-    for (const std::string& cell :
-         {html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
-          kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : std::string("–")})
-      html_ += "<td class=\"text\" align=\"left\">" + cell + "</td>";
-    html_ += "</tr>\n";
+    text_row({html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
+              kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : "–"});
   }
   end_table();
 }
 
 void Page::write_data() {
   heading(phrase("report", "Data"));
-  if (file_.inputs.empty())
+  if (file_.inputs.empty()) {
     html_ += "<p class=\"weak\">" + phrase("report", "The files' hashes are not known.") + "</p>\n";
-  if (file_.inputs.empty()) return;
+    return;
+  }
   begin_table();
   header({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"});
   for (const InputFile& input : file_.inputs)
-    row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
-         input.sha256.empty() ? "–" : input.sha256});
+    text_row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
+              input.sha256.empty() ? "–" : input.sha256});
   end_table();
 }
 
@@ -347,7 +348,7 @@ void Page::write_settings() {
            (changed.empty() ? phrase("report", "All settings have their defaults.")
                             : phrase("report", "Changed from the defaults (in brackets):")) +
            "</p>\n";
-  if (!changed.empty()) list(changed);
+  list(changed);
   html_ += "<pre>" + html_escaped(settings_text(file_.settings, false)) + "</pre>\n";
 }
 

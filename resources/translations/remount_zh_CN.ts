@@ -534,7 +534,7 @@
     </message>
     <message>
         <source>Given a nominal mounting, its motion can tell %1; not %2. Without one, nothing</source>
-        <translation>给出名义安装后，其运动可确定 %1；不能确定 %2。没有名义安装则什么也不能确定</translation>
+        <translation>给出名义安装后，其运动能确定 %1；不能确定 %2。没有名义安装则什么也不能确定</translation>
     </message>
 </context>
 <context>
@@ -727,6 +727,10 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Copied.</source>
         <translation>已复制。</translation>
+    </message>
+    <message>
+        <source>What became of it</source>
+        <translation>结果如何</translation>
     </message>
 </context>
 <context>
@@ -2148,7 +2152,7 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     </message>
     <message>
         <source>moving</source>
-        <translation>运动的</translation>
+        <translation>运动物体</translation>
     </message>
     <message>
         <source>objects a</source>

@@ -94,7 +94,7 @@ TEST(session_report, while_yaw_is_open_nothing_can_be_told_without_a_nominal) {
   ASSERT_TRUE(outlook.determinable[5]) << parameter_list(outlook, true);
   EXPECT_TRUE(outlook.needs_nominal);
   Progress progress;
-  EXPECT_NE(describe(session, report_session(session, progress)).find("usable: with a nominal mounting in part"),
+  EXPECT_NE(describe(session, report_session(session, progress)).find("usable: in part and only with a nominal mounting, for "),
             std::string::npos)
       << describe(session, report_session(session, progress));
   session.nominal_ins_from_lidar = RigidTransform::Identity();

@@ -38,6 +38,10 @@ TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
   const QString nowhere = folder.filePath("no/such/folder/matrix.txt");
   emit dialog.save_requested("matrix", nowhere, dialog.current_text());
   EXPECT_TRUE(texts_of(dialog).contains("✕")) << texts_of(dialog).toStdString();
+  const int width = dialog.width();
+  emit dialog.save_requested("matrix", folder.filePath(QString(250, 'x') + "/matrix.txt"), dialog.current_text());
+  QTest::qWait(20);
+  EXPECT_EQ(dialog.width(), width) << "whatever the path";
   dialog.choose("yaml");
   EXPECT_FALSE(texts_of(dialog).contains("✕"));
   dialog.choose("matrix");

@@ -44,6 +44,8 @@ ExportDialog::ExportDialog(std::vector<ExportFormat> formats, TextOf text_of, QW
   warning_->hide();
   outcome_->setWordWrap(true);
   outcome_->setTextFormat(Qt::PlainText);
+  outcome_->setAccessibleName(tr("What became of it"));
+  outcome_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // a long path does not widen the dialog
   outcome_->hide();
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   copy_ = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);

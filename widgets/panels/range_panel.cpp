@@ -11,6 +11,7 @@
 #include "model/display_units.h"
 #include "widgets/axes_picture.h"
 #include "widgets/charts/range_bar.h"
+#include "widgets/model_text.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -28,9 +29,9 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
   for (const OptionField& field : option_fields(Settings{})) {
     if (field.section != kSection) continue;
     const bool lower = field.name.contains(QLatin1String("_min_"));
-    const QString parameter = field.name.section('_', 0, 0);
+    const QString parameter = field.name.section('_', 0, 0), words = model_text(parameter);
     if (lower) {
-      grid->addWidget(new QLabel(parameter, this), ++row, 0);
+      grid->addWidget(new QLabel(words, this), ++row, 0);
       grid->addWidget(make_bar(parameter, is_angle(field)), ++row, 1, 1, 2);
     }
     auto* spin = new QDoubleSpinBox(this);
@@ -39,7 +40,7 @@ RangePanel::RangePanel(QWidget* parent) : QWidget(parent), problem_(new QLabel(t
     spin->setToolTip(tooltip_with_axes(field.help));
     spin->setAccessibleDescription(field.help);
     spin->setObjectName("range." + field.name);
-    spin->setAccessibleName(lower ? tr("Smallest %1").arg(parameter) : tr("Largest %1").arg(parameter));
+    spin->setAccessibleName(lower ? tr("Smallest %1").arg(words) : tr("Largest %1").arg(words));
     connect(spin, &QDoubleSpinBox::valueChanged, this,
             [this, field](double value) { emit edited(kSection, field.name, from_screen(field, value, angle_unit_)); });
     grid->addWidget(spin, row - 1, lower ? 1 : 2);
@@ -85,7 +86,7 @@ RangeBar* RangePanel::make_bar(const QString& parameter, bool angle) {
   const SearchRange widest;
   auto* bar = angle ? new RangeBar(radians_to_degrees(widest.yaw_min_rad), radians_to_degrees(widest.yaw_max_rad), this)
                     : new RangeBar(widest.x_min_m, widest.x_max_m, this);
-  bar->setAccessibleName(tr("Range of %1").arg(parameter));
+  bar->setAccessibleName(tr("Range of %1").arg(model_text(parameter)));
   bar->setToolTip(tr("Drag the ends. ▼ above: the nominal mounting; ▲ below: the result."));
   const QString unit = angle ? QStringLiteral("rad") : QStringLiteral("m");
   const auto edit = [this, angle](const QString& name, double value) {  // bars are in degrees

@@ -96,13 +96,19 @@ TEST(exporters, kitti_and_opencalib_hold_the_inverse) {
   EXPECT_NE(exporter("apollo").write(file, {}).find("x: 1\n"), std::string::npos) << exporter("apollo").write(file, {});
 }
 
-TEST(exporters, kitti_has_the_time_of_the_last_scan) {
+TEST(exporters, kitti_has_the_time_of_the_last_scan_that_took_part) {
   ResultFile file = result_with(RigidTransform::Identity());
-  file.pairs.resize(2);
+  EXPECT_TRUE(exporter("kitti").write(file, {}).starts_with("calib_time: unknown\nnote: "));
+  file.pairs.resize(3);
+  file.pairs[0].stamp_b_ns = 753000000000;  // counts from the beginning of the recording
+  file.pairs[0].state = file.pairs[1].state = PairState::Accepted;
+  EXPECT_TRUE(exporter("kitti").write(file, {}).starts_with("calib_time: unknown\nnote: "));
   file.pairs[0].stamp_b_ns = 1317042152964000000;  // 2011-09-26 13:02:32.964 UTC
   file.pairs[1].stamp_b_ns = file.pairs[0].stamp_b_ns - 1000000000;
+  file.pairs[2].stamp_b_ns = file.pairs[0].stamp_b_ns + 1000000000;
+  file.pairs[2].state = PairState::Rejected;
   const std::string text = exporter("kitti").write(file, {});
-  EXPECT_TRUE(text.starts_with("calib_time: 26-Sep-2011 13:02:32\nR: ")) << text;
+  EXPECT_TRUE(text.starts_with("calib_time: 26-Sep-2011 13:02:32\nnote: ")) << text;
 }
 
 TEST(exporters, apollo_rfu_turns_forward_into_its_y) {
