@@ -80,9 +80,8 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   const Matrix6d covariance = (trusted_information(directions, settings.solve) + weak_prior(false)).inverse();
   judge_parameters(covariance, summary, settings.solve, result);
   outlook.determinable = result.observed;
-  constexpr std::size_t kYaw = 3;
   const bool anything = std::any_of(result.observed.begin(), result.observed.end(), [](bool told) { return told; });
-  outlook.needs_nominal = anything && !session.nominal_ins_from_lidar && !result.observed[kYaw];
+  outlook.needs_nominal = anything && !session.nominal_ins_from_lidar && yaw_is_open(result);
   outlook.advice = result.advice;
   return outlook;
 }

@@ -184,6 +184,11 @@ void claim_nothing(const std::string& reason, CalibrationResult& result) {
   sort_directions(result);
 }
 
+bool yaw_is_open(const CalibrationResult& result) {
+  constexpr std::size_t kYaw = 3;  // order of kParameterNames
+  return !result.observed[kYaw];
+}
+
 void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
                CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);

@@ -238,8 +238,7 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
 // Without a nominal, a yaw that is not observed may be anything: X then lies anywhere on an arc, and what is stated of
 // the other parameters holds at one place of it only.
 void claim_nothing_at_unknown_yaw(CalibrationResult& result) {
-  constexpr std::size_t kYaw = 3;
-  if (result.observed[kYaw]) return;
+  if (!yaw_is_open(result)) return;
   claim_nothing("yaw may be anything", result);
   result.advice.emplace_back(
       "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are "

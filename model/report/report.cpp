@@ -17,13 +17,12 @@ namespace remount {
 namespace {
 
 constexpr const char* kCss =
-    "body{font-family:'Noto Sans','Noto Sans CJK SC',sans-serif;color:#222;max-width:860px;margin:24px auto;padding:0 "
-    "16px}h1{font-size:22px}h2{font-size:16px;margin-top:26px;border-bottom:1px solid #ccc}"
-    "table{border-collapse:collapse;font-size:12px}td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}"
-    "th{background:#f0f2f5}td{white-space:nowrap}td.text,th.text{text-align:left}td.text{white-space:normal;overflow-"
-    "wrap:anywhere}.weak{"
-    "color:#777}.warn{color:#9a4a00}"
-    "pre{font-size:11px;background:#f6f7f9;padding:8px}img,svg{max-width:100%;height:auto}";
+    "body{font-family:'Noto Sans','Noto Sans CJK SC',sans-serif;color:#222;"
+    "max-width:860px;margin:24px auto;padding:0 16px}h1{font-size:22px}img,svg{max-width:100%;height:auto}"
+    "h2{font-size:16px;margin-top:26px;border-bottom:1px solid #ccc}table{border-collapse:collapse;font-size:12px}"
+    "td,th{padding:2px 8px;border:1px solid #d5d8dd;text-align:right}th{background:#f0f2f5}td{white-space:nowrap}"
+    "td.text,th.text{text-align:left}td.text{white-space:normal;overflow-wrap:anywhere}"
+    ".weak{color:#777}.warn{color:#9a4a00}pre{font-size:11px;background:#f6f7f9;padding:8px}";
 
 std::string number(const char* pattern, double value, const char* instead = "–") {
   if (!std::isfinite(value)) return instead;
@@ -55,18 +54,19 @@ class Page {
     row(cells, "th", last_is_text);
     html_ += "</thead>\n";
   }
+  void cell(const std::string& content, const std::string& tag, bool is_text) {
+    const char* style = is_text ? " class=\"text\" align=\"left\">" : " align=\"right\">";
+    html_.append("<").append(tag).append(style).append(content).append("</").append(tag).append(">");
+  }
   void row(const std::vector<std::string>& cells, const char* tag = "td", bool last_is_text = false) {
     html_ += "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
-      html_ +=
-          std::string("<") + tag +
-          (i == 0 || (last_is_text && i + 1 == cells.size()) ? " class=\"text\" align=\"left\"" : " align=\"right\"") +
-          ">" + cells[i] + "</" + tag + ">";
+      cell(cells[i], tag, i == 0 || (last_is_text && i + 1 == cells.size()));
     html_ += "</tr>\n";
   }
   void text_row(const std::vector<std::string>& cells) {
     html_ += "<tr>";
-    for (const std::string& cell : cells) html_ += "<td class=\"text\" align=\"left\">" + cell + "</td>";
+    for (const std::string& content : cells) cell(content, "td", true);
     html_ += "</tr>\n";
   }
   void begin_table() { html_ += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"; }

@@ -110,6 +110,37 @@ TEST(pair_filter, finds_what_an_engineer_looks_for) {
   EXPECT_EQ(group(PairGroup::Undecided).size(), 49U);
 }
 
+TEST(pair_filter, is_sorted_by_what_pairs_say_now) {
+  auto output = output_of(4);
+  const auto say = [&](const std::vector<double>& residuals_m, const std::vector<const char*>& reasons) {
+    auto changed = std::make_shared<PipelineOutput>(*output);
+    for (std::size_t i = 0; i < 4; ++i) {
+      changed->pairs[i].residual_translation_m = residuals_m[i];
+      changed->pairs[i].reason = reasons[i];
+    }
+    return output = changed;
+  };
+  PairTableModel model;
+  PairFilter filter;
+  filter.setSourceModel(&model);
+  for (const int column : {PairTableModel::ResidualTranslation, PairTableModel::Reason}) {
+    model.show_output(nullptr, {});
+    model.show_output(say({0.1, 0.2, 0.3, 0.4}, {"a", "b", "c", "d"}), {"drive1"});
+    filter.sort(column);
+    EXPECT_EQ(filter.pairs(), (std::vector<int>{0, 1, 2, 3})) << column;
+    QSignalSpy reset(&model, &QAbstractItemModel::modelReset), changed(&model, &QAbstractItemModel::dataChanged);
+    model.show_output(say({0.4, 0.3, 0.1, 0.2}, {"d", "c", "a", "b"}), {"drive1"});
+    EXPECT_EQ(reset.count(), 0);
+    EXPECT_EQ(changed.count(), 1);
+    EXPECT_EQ(filter.pairs(), (std::vector<int>{2, 3, 1, 0})) << column << ": other values of the same pairs";
+    auto fewer = std::make_shared<PipelineOutput>(*say({0.2, 0.1, 0.3, 0.4}, {"b", "a", "c", "d"}));
+    fewer->pairs.pop_back();
+    model.show_output(fewer, {"drive1"});
+    EXPECT_EQ(reset.count(), 1);
+    EXPECT_EQ(filter.pairs(), (std::vector<int>{1, 0, 2})) << column << ": other pairs";
+  }
+}
+
 TEST(pair_filter, the_next_pair_is_found_from_the_place_of_one_that_was_filtered_away) {
   auto output = output_of(50);
   PairTableModel model;

@@ -15,6 +15,8 @@
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/gl_support.h"
 #include "widgets/panels/distance_legend.h"
+#include "widgets/panels/swatch.h"
+#include "widgets/scene/pair_colors.h"
 
 namespace remount {
 namespace {
@@ -167,6 +169,32 @@ TEST_F(pair_view, side_by_side_shows_before_and_after_with_one_camera) {
   const QImage turned = picture();
   EXPECT_NE(turned.copy(0, 0, half, both.height()), both.copy(0, 0, half, both.height()));
   EXPECT_NE(turned.copy(half, 0, half, both.height()), both.copy(half, 0, half, both.height()));
+}
+
+TEST_F(pair_view, the_legend_names_what_is_in_the_picture_in_its_colours) {
+  const auto legend = [&] {
+    for (const auto* label : view_.findChildren<QLabel*>())
+      if (label->text().startsWith("Pair 0")) return label->text();
+    return QString();
+  };
+  const auto names = [&](const SceneColor& color) { return legend().contains(to_qt(color).name()); };
+  const auto clouds_with = [](bool moving) {
+    auto clouds = std::make_shared<PairClouds>(*known_clouds());
+    clouds->objects_a.resize(1);
+    clouds->objects_b.resize(1);
+    clouds->matches.push_back({0, 0, moving, 0.0});
+    return clouds;
+  };
+  EXPECT_TRUE(names(scan_colors(false).orange) && names(scan_colors(false).target)) << legend().toStdString();
+  EXPECT_FALSE(names(kObjectA) || names(kObjectB) || names(kMoving)) << "there are none: " << legend().toStdString();
+  show(clouds_with(false));
+  EXPECT_TRUE(names(kObjectA) && names(kObjectB)) << legend().toStdString();
+  EXPECT_FALSE(names(kMoving)) << legend().toStdString();
+  show(clouds_with(true));
+  EXPECT_FALSE(names(kObjectA) || names(kObjectB)) << legend().toStdString();
+  EXPECT_TRUE(names(kMoving)) << legend().toStdString();
+  button("Objects").click();
+  EXPECT_FALSE(names(kMoving)) << "they are hidden";
 }
 
 TEST_F(pair_view, distance_colours_keep_their_scale_from_pair_to_pair) {

@@ -106,15 +106,14 @@ TEST(sharpness_view, needs_no_more_room_than_its_words_though_they_came_while_it
   ShrinkingArea area(tabs);
   area.resize(700, 260);
   area.show();
-  QTest::qWait(50);
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&area));
   std::vector<NamedSharpness> mountings;
   for (const char* source : {"result", "candidate 1", "candidate 2", "candidate 3", "candidate 4", "candidate 5"})
     mountings.push_back({source, {-3.6, 0.0096, 20000}});
   view->show_sharpness(mountings);
   tabs->setCurrentIndex(1);
-  QTest::qWait(50);
   const auto& note = *view->findChild<NoteLabel*>();
-  ASSERT_TRUE(note.isVisible());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return note.isVisible() && tabs->height() <= area.viewport()->height(); }));
   EXPECT_GE(note.height(), note.heightForWidth(note.width()));
   EXPECT_LE(note.minimumHeight(), note.heightForWidth(note.width()));
   EXPECT_LE(tabs->height(), area.viewport()->height()) << "nothing to be scrolled to";

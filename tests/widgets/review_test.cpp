@@ -118,6 +118,30 @@ TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit)
   for (const int index : above) EXPECT_NE(pair(index).decided_by, DecidedBy::User);
 }
 
+TEST(error_bar_chart, counts_by_the_decisions_of_now) {
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
+  auto output = std::make_shared<PipelineOutput>(testing::sample_output(input, 10));
+  std::vector<int> all;
+  for (int i = 0; i < 10; ++i) {
+    all.push_back(i);
+    output->pairs[static_cast<std::size_t>(i)].state = PairState::Accepted;
+    output->pairs[static_cast<std::size_t>(i)].residual_translation_m = 0.1 * (i + 1);
+  }
+  ErrorBarChart chart;
+  QSignalSpy moved(&chart, &ErrorBarChart::threshold_moved);
+  chart.show_output(output);
+  chart.show_pairs(all);
+  chart.set_threshold(75.0);  // cm
+  ASSERT_FALSE(moved.isEmpty());
+  EXPECT_EQ(moved.last(), (QList<QVariant>{3, 10}));
+  auto decided = std::make_shared<PipelineOutput>(*output);
+  decided->pairs[9].state = PairState::Rejected;
+  chart.show_output(decided);
+  EXPECT_EQ(moved.last(), (QList<QVariant>{2, 9}));
+  EXPECT_EQ(chart.above_threshold(), (std::vector<int>{7, 8}));
+}
+
 TEST_F(review, the_line_moves_with_keys_and_escape_lets_go) {
   show();
   calibrate_drive();

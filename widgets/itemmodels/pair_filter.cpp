@@ -204,11 +204,13 @@ void PairFilter::find_sort_keys() {
   sort_numbers_.clear();
   if (sort_column_ == PairTableModel::Reason) {
     std::vector<std::string_view> reasons;
+    reasons.reserve(static_cast<std::size_t>(count));
     for (int pair = 0; pair < count; ++pair) reasons.emplace_back(pairs_model()->pair(pair)->reason);
     reason_ranks_ = text_ranks(reasons);
     for (std::size_t i = 0; i < reasons.size(); ++i)
       if (reasons[i].empty()) reason_ranks_[i] = -1;
   } else {
+    sort_numbers_.reserve(static_cast<std::size_t>(count));
     for (int pair = 0; pair < count; ++pair) sort_numbers_.push_back(pairs_model()->sort_number(pair, sort_column_));
   }
 }

@@ -7,18 +7,10 @@
 
 #include "algorithms/quality/surface_distance.h"
 #include "widgets/panels/color_bar.h"
+#include "widgets/panels/swatch.h"
 #include "widgets/scene/distance_scale.h"
 
 namespace remount {
-namespace {
-
-QColor to_qt(const SceneColor& color) { return {color[0], color[1], color[2]}; }
-
-QString swatch(const SceneColor& color, const QString& text) {
-  return QStringLiteral("<span style='color:%1'>■</span>&nbsp;%2").arg(to_qt(color).name(), text);
-}
-
-}  // namespace
 
 DistanceLegend::DistanceLegend(QWidget* parent)
     : QWidget(parent), limit_(new QDoubleSpinBox(this)), medians_(new QLabel(this)) {

@@ -11,6 +11,8 @@
 
 #include "algorithms/quality/surface_distance.h"
 #include "widgets/panels/distance_legend.h"
+#include "widgets/panels/swatch.h"
+#include "widgets/scene/pair_colors.h"
 #include "widgets/theme.h"
 
 namespace remount {
@@ -280,24 +282,21 @@ void PairView::update_caption() {
     caption_->clear();
     return;
   }
-  const bool dark = is_dark(palette());
-  const auto swatch = [](const char* color, const QString& text, const QString& sign = QStringLiteral("■")) {
-    return QStringLiteral(" &nbsp; <span style='color:%1'>%2</span>&nbsp;%3")
-        .arg(QLatin1String(color), sign, QString(text).replace(' ', QChar::Nbsp));
-  };
-  QString text = pair_caption_.toHtmlEscaped();
+  const ScanColors scans = scan_colors(is_dark(palette()));
+  const QString box = QStringLiteral("□");
+  QStringList parts{pair_caption_.toHtmlEscaped()};
   const auto coloring = static_cast<SourceColoring>(coloring_->currentIndex());
-  if (coloring == SourceColoring::Orange) text += swatch(dark ? "#ff9e33" : "#d94a05", tr("scan a"));
-  if (coloring == SourceColoring::Blue) text += swatch(dark ? "#56b4ff" : "#005faf", tr("scan a"));
-  text += swatch(dark ? "#9ea6b0" : "#757a85", tr("scan b"));
-  if (objects_->isChecked())
-    text += swatch("#14a06e", tr("objects a"), QStringLiteral("□")) + swatch("#1e78c8", tr("b"), QStringLiteral("□")) +
-            swatch("#dc1e28", tr("moving"), QStringLiteral("☒"));
+  if (coloring != SourceColoring::Distance)
+    parts << swatch(coloring == SourceColoring::Orange ? scans.orange : scans.blue, tr("scan a"));
+  parts << swatch(scans.target, tr("scan b"));
+  if (objects_->isChecked() && scene_.has_objects(false))
+    parts << swatch(kObjectA, tr("objects a"), box) << swatch(kObjectB, tr("b"), box);
+  if (objects_->isChecked() && scene_.has_objects(true)) parts << swatch(kMoving, tr("moving"), QStringLiteral("☒"));
   if (side_by_side_->isChecked())
-    text += QStringLiteral(" &nbsp; ") + tr("left: before, right: %1")
-                                             .arg(share_ == 1.0 ? alignments_[static_cast<std::size_t>(after_)]->text()
-                                                                : tr("%1 % of the way").arg(std::lround(100 * share_)));
-  caption_->setText(text);
+    parts << tr("left: before, right: %1")
+                 .arg(share_ == 1.0 ? alignments_[static_cast<std::size_t>(after_)]->text()
+                                    : tr("%1 % of the way").arg(std::lround(100 * share_)));
+  caption_->setText(parts.join(QStringLiteral(" &nbsp; ")));
 }
 
 }  // namespace remount

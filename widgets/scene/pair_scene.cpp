@@ -7,21 +7,16 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/scene/frame_budget.h"
+#include "widgets/scene/pair_colors.h"
 #include "widgets/scene/pair_scene_parts.h"
 #include "widgets/scene/scene_polydata.h"
 
 namespace remount {
 namespace {
-
-constexpr SceneColor kLink{20, 140, 150}, kMoving{220, 30, 40};
-struct Palette {
-  SceneColor target, orange, blue;
-};
-constexpr Palette kLight{{117, 122, 133}, {217, 74, 5}, {0, 95, 175}};
-constexpr Palette kDark{{158, 166, 176}, {255, 158, 51}, {86, 180, 255}};
 
 /// Lines in one lidar frame.
 struct Lines {
@@ -95,12 +90,12 @@ struct PairScene::Parts {
   }
 
   void color() {
-    const Palette& palette = dark ? kDark : kLight;
+    const ScanColors scans = scan_colors(dark);
     for (Picture& picture : pictures) {
-      picture.target.set_color(palette.target);
-      picture.source.set_color(coloring == SourceColoring::Blue       ? palette.blue
+      picture.target.set_color(scans.target);
+      picture.source.set_color(coloring == SourceColoring::Blue       ? scans.blue
                                : coloring == SourceColoring::Distance ? DistanceScale::kNothingNear
-                                                                      : palette.orange);
+                                                                      : scans.orange);
       const bool known = coloring == SourceColoring::Distance && !picture.distances_m.empty();
       picture.source.set_colors(
           known ? std::make_shared<const std::vector<SceneColor>>(scale.colors(picture.distances_m)) : nullptr);
@@ -184,6 +179,11 @@ RigidTransform PairScene::lidar_b_from_lidar_a(int pane) const {
 void PairScene::show_objects(bool visible) {
   for (Picture& picture : parts_->pictures)
     for (Lines* lines : {&picture.boxes_a, &picture.boxes_b, &picture.links}) lines->actor->SetVisibility(visible);
+}
+
+bool PairScene::has_objects(bool moving) const {
+  const auto& matches = parts_->data->clouds->matches;
+  return std::any_of(matches.begin(), matches.end(), [&](const ObjectMatch& match) { return match.moving == moving; });
 }
 
 void PairScene::set_dark(bool dark) {

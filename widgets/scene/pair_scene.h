@@ -43,6 +43,8 @@ class PairScene {
   /// The transform under which a picture shows scan a.
   RigidTransform lidar_b_from_lidar_a(int pane) const;
   void show_objects(bool visible);
+  /// Whether there are boxes to show: of objects that stand still, or of those that move.
+  bool has_objects(bool moving) const;
   void set_dark(bool dark);
   void set_pixel_ratio(double device_pixels);  ///< of the display: points are as large on every one
   void set_coloring(SourceColoring coloring);

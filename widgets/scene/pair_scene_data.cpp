@@ -2,13 +2,11 @@
 
 #include <Eigen/Geometry>
 
+#include "widgets/scene/pair_colors.h"
 #include "widgets/scene/pair_scene_parts.h"
 #include "widgets/scene/scene_polydata.h"
 
 namespace remount {
-namespace {
-constexpr SceneColor kObjectB{30, 120, 200}, kObjectA{20, 160, 110}, kMoving{220, 30, 40};
-}  // namespace
 
 const RigidTransform& PairTransforms::of(PairAlignment alignment) const {
   if (alignment == PairAlignment::Before) return before_lidar_b_from_lidar_a;
