@@ -2,6 +2,7 @@
 // tests/widgets/language_test.cpp.
 #include <QtGlobal>
 
+#include "widgets/calibration_phrases.h"
 #include "widgets/check_phrases.h"
 #include "widgets/file_phrases.h"
 #include "widgets/method_phrases.h"
@@ -11,8 +12,8 @@
 namespace remount {
 namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
-  for (const auto* others :
-       {&check_phrases(), &file_phrases(), &method_phrases(), &method_option_phrases(), &topic_phrases()})
+  for (const auto* others : {&calibration_phrases(), &check_phrases(), &file_phrases(), &method_phrases(),
+                             &method_option_phrases(), &topic_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }

@@ -17,6 +17,7 @@ constexpr const char* kComma = ", ";  // itself a phrase
 constexpr qsizetype kMostRemembered = 4000;
 
 struct Pattern {
+  QString piece;  // stands in every text that fits: most are told by it, before an expression is compiled for them
   QRegularExpression expression;
   QString translation;
   qsizetype letters = 0;  // that have to be there
@@ -28,6 +29,14 @@ struct Patterns {
   QSet<QString> phrases;  // in English
   QHash<QString, QString> known;
 };
+
+/// The longest piece between placeholders.
+QString fixed_piece(const QString& english) {
+  static const QRegularExpression kPlaceholder(QStringLiteral("%\\d"));
+  const QStringList pieces = english.split(kPlaceholder);
+  return *std::max_element(pieces.begin(), pieces.end(),
+                           [](const QString& a, const QString& b) { return a.size() < b.size(); });
+}
 
 QString translated(const char* phrase) { return QCoreApplication::translate(kContext, phrase); }
 
@@ -43,7 +52,8 @@ Patterns& patterns() {
     if (!english.contains(QLatin1String("%1")) || other == english) continue;
     QString expression = QRegularExpression::escape(english);
     expression.replace(QRegularExpression(QStringLiteral("\\\\%(\\d)")), QStringLiteral("(?<a\\1>.+?)"));
-    all.list.push_back({QRegularExpression(QStringLiteral("\\A") + expression + QStringLiteral("\\z"),
+    all.list.push_back({fixed_piece(english),
+                        QRegularExpression(QStringLiteral("\\A") + expression + QStringLiteral("\\z"),
                                            QRegularExpression::DotMatchesEverythingOption),
                         other, english.size()});
   }
@@ -81,6 +91,7 @@ bool may_stand_in_few_words(const QString& captured, const QString& words) {
 
 QString by_pattern(const QString& text, const Patterns& all) {
   for (const Pattern& pattern : all.list) {
+    if (!text.contains(pattern.piece)) continue;
     const QRegularExpressionMatch match = pattern.expression.match(text);
     if (!match.hasMatch()) continue;
     QString sentence = pattern.translation;

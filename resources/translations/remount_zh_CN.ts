@@ -7383,6 +7383,310 @@ Save under another name, or close it there first.</source>
         <source>%1 needs travel: drive at least a few tens of metres with good INS quality.</source>
         <translation>%1 需要行程：请在 INS 质量良好时至少行驶几十米。</translation>
     </message>
+    <message>
+        <source>Nothing is known: without a nominal mounting yaw is open, and everything else depends on it.</source>
+        <translation>一无所知：没有名义安装时偏航角不定，其余各量都取决于它。</translation>
+    </message>
+    <message>
+        <source>yaw may be anything</source>
+        <translation>偏航角可以是任意值</translation>
+    </message>
+    <message>
+        <source>its session contradicts all others, which agree (with it they scatter %1 times their errors)</source>
+        <translation>其所属数据与彼此一致的其他数据都矛盾（计入它时离散程度为误差的 %1 倍）</translation>
+    </message>
+    <message>
+        <source>%1 contradicts the drive by %2 sigma (%3 %4 are left): check the measurement and its sigma.</source>
+        <translation>%1与行驶数据相差 %2 sigma（还差 %3 %4）：请检查测量值及其 sigma。</translation>
+    </message>
+    <message>
+        <source>The ground in the scans with the height of the INS</source>
+        <translation>扫描中的地面连同 INS 高度</translation>
+    </message>
+    <message>
+        <source>The tilt of the ground in the scans</source>
+        <translation>扫描中地面的倾斜</translation>
+    </message>
+    <message>
+        <source>The measured %1</source>
+        <translation>测得的 %1 </translation>
+    </message>
+    <message>
+        <source>Whether the ground is square to the slew axis cannot be told: the angle between ground and turn has a sigma of %1 deg, and %2 deg are allowed.</source>
+        <translation>无法判断地面是否与回转轴垂直：地面与转动之间夹角的 sigma 为 %1 度，允许 %2 度。</translation>
+    </message>
+    <message>
+        <source>the LiDAR moves, but its attitude does not turn</source>
+        <translation>激光雷达在移动，但姿态没有转动</translation>
+    </message>
+    <message>
+        <source>what was measured contradicts the drive</source>
+        <translation>测量值与行驶数据矛盾</translation>
+    </message>
+    <message>
+        <source>The sessions contradict one another %1 times as much as their errors explain; what the pairs say counts the less. Look for one whose INS or clock is worse, and calibrate without it.</source>
+        <translation>各份数据之间的矛盾是其误差所能解释的 %1 倍；帧对的结论相应降低权重。请找出 INS 或时钟较差的一份，去掉它再标定。</translation>
+    </message>
+    <message>
+        <source>ambiguous: another alignment %1 m, %2 deg away fits as well (%3 and %4)</source>
+        <translation>不唯一：相距 %1 m、%2 度的另一种配准同样吻合（%3 与 %4）</translation>
+    </message>
+    <message>
+        <source>%1 (gap %2 of %3, %4 regions).</source>
+        <translation>%1（差距 %2，总值 %3，%4 个区域）。</translation>
+    </message>
+    <message>
+        <source>%1 (gap %2 of %3, %4 regions); others score the same.</source>
+        <translation>%1（差距 %2，总值 %3，%4 个区域）；另有得分相同者。</translation>
+    </message>
+    <message>
+        <source>Nothing in the search range scores better than this</source>
+        <translation>搜索范围内没有比它得分更好的</translation>
+    </message>
+    <message>
+        <source>Not proved to be the best of the search range: too many regions</source>
+        <translation>未能证明它是搜索范围内最好的：区域太多</translation>
+    </message>
+    <message>
+        <source>Cancelled before the search range was covered</source>
+        <translation>在覆盖整个搜索范围之前被取消</translation>
+    </message>
+    <message>
+        <source>The pairs or the search range hold numbers that are not finite.</source>
+        <translation>帧对或搜索范围中有非有限的数值。</translation>
+    </message>
+    <message>
+        <source>The search range is empty: a lower limit lies above its upper limit.</source>
+        <translation>搜索范围为空：某个下限大于其上限。</translation>
+    </message>
+    <message>
+        <source>the inverse rotation</source>
+        <translation>逆旋转</translation>
+    </message>
+    <message>
+        <source>a quaternion whose scalar part stands at the other end</source>
+        <translation>标量部分位于另一端的四元数</translation>
+    </message>
+    <message>
+        <source>The INS contradicts itself: its heading follows its travel only under another convention.</source>
+        <translation>INS 自相矛盾：只有在另一种约定下，其航向才与行进方向一致。</translation>
+    </message>
+    <message>
+        <source>Before anything else correct the convention of the INS attitude: its heading does not follow the direction of travel, and would under another one (see the findings).</source>
+        <translation>请首先更正 INS 姿态的约定：其航向与行进方向不一致，而在另一种约定下则一致（见检查结果）。</translation>
+    </message>
+    <message>
+        <source>the INS data do not cover the scans&apos; times: %1</source>
+        <translation>INS 数据不覆盖扫描的时间：%1</translation>
+    </message>
+    <message>
+        <source>the LiDAR&apos;s times end %1 before the INS data begin, and %2</source>
+        <translation>激光雷达的时间在 INS 数据开始前 %1 就结束了；%2</translation>
+    </message>
+    <message>
+        <source>the LiDAR&apos;s times begin %1 after the INS data end, and %2</source>
+        <translation>激光雷达的时间在 INS 数据结束后 %1 才开始；%2</translation>
+    </message>
+    <message>
+        <source>the beginnings are %1 apart. %2</source>
+        <translation>两者的开始相差 %1。%2</translation>
+    </message>
+    <message>
+        <source>%1 hours</source>
+        <translation>%1 小时</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 天</translation>
+    </message>
+    <message>
+        <source>That is the time between the epochs of Unix and GPS: one of them counts from 1980; declare its time scale.</source>
+        <translation>这正是 Unix 与 GPS 起算点之间的时间：其中一个从 1980 年起算；请声明其时间系统。</translation>
+    </message>
+    <message>
+        <source>GPS time is 18 s ahead of UTC since 2017 (17 s before): likely leap seconds; declare the time scale.</source>
+        <translation>自 2017 年起 GPS 时间比 UTC 快 18 秒（此前为 17 秒）：很可能是闰秒；请声明时间系统。</translation>
+    </message>
+    <message>
+        <source>That is about %1 hours: likely a time zone; both must be in UTC.</source>
+        <translation>这约为 %1 小时：很可能是时区；两者都必须用 UTC。</translation>
+    </message>
+    <message>
+        <source>They belong to different drives, or a clock or its unit is wrong.</source>
+        <translation>它们属于不同的行驶，或者某个时钟或其单位有误。</translation>
+    </message>
+    <message>
+        <source>They belong to different drives, or one clock is not synchronised.</source>
+        <translation>它们属于不同的行驶，或者某个时钟没有同步。</translation>
+    </message>
+    <message>
+        <source>Wheel speeds or yaw rates have a gap after %1 s: the end error is that of the %2 m before it, of %3 m driven.</source>
+        <translation>轮速或偏航角速度在 %1 秒后有间断：终点误差只是此前 %2 m 的，共行驶 %3 m。</translation>
+    </message>
+    <message>
+        <source>values measured by hand are of the LiDAR in the INS frame, and the method &apos;%1&apos; finds it in that of the %2; leave them out</source>
+        <translation>手工测量值是激光雷达在 INS 坐标系中的，而方法“%1”求的是它在 %2 坐标系中的位置；请去掉测量值</translation>
+    </message>
+    <message>
+        <source>is used with the ground in the scans, which the method &apos;trajectory&apos; does not look for; measure z, pitch and roll, or choose the method &apos;pairwise&apos;</source>
+        <translation>要与扫描中的地面一起使用，而方法“trajectory”不寻找地面；请测量 z、俯仰和横滚，或选择方法“pairwise”</translation>
+    </message>
+    <message>
+        <source>the session began with scans and has none any more</source>
+        <translation>数据开始时有扫描，现在没有了</translation>
+    </message>
+    <message>
+        <source>The values measured by hand are of the LiDAR in the INS frame; there is no INS, and they are not used.</source>
+        <translation>手工测量值是激光雷达在 INS 坐标系中的；这里没有 INS，因此未使用。</translation>
+    </message>
+    <message>
+        <source>neighbouring scans could not be registered (%1 of %2 failed), or the vehicle hardly moved</source>
+        <translation>相邻扫描无法配准（%2 次中 %1 次失败），或车辆几乎没有移动</translation>
+    </message>
+    <message>
+        <source>the session has no INS poses: X needs the motion of the INS</source>
+        <translation>数据没有 INS 位姿：求 X 需要 INS 的运动</translation>
+    </message>
+    <message>
+        <source>has INS axes %1, but %2 has %3: they have no common X. Calibrate them one by one, or declare the same attitude convention.</source>
+        <translation>的 INS 坐标轴为 %1，而 %2 的为 %3：它们没有共同的 X。请逐一标定，或声明相同的姿态约定。</translation>
+    </message>
+    <message>
+        <source>holds no motion of an INS, only that of a LiDAR; name a folder or a session.yaml that has both</source>
+        <translation>没有 INS 的运动，只有激光雷达的运动；请指定两者都有的文件夹或 session.yaml</translation>
+    </message>
+    <message>
+        <source>holds the motion of an INS, but neither scans nor LiDAR poses; name a folder or a session.yaml that has both</source>
+        <translation>有 INS 的运动，但既没有扫描也没有激光雷达位姿；请指定两者都有的文件夹或 session.yaml</translation>
+    </message>
+    <message>
+        <source>is the same recording as %1: its pairs would count as evidence twice. Give it once.</source>
+        <translation>与 %1 是同一份记录：其帧对会被当作证据计算两次。只给出一次即可。</translation>
+    </message>
+    <message>
+        <source>they lie in gaps of the INS data.</source>
+        <translation>它们落在 INS 数据的间断中。</translation>
+    </message>
+    <message>
+        <source>No scan lies within the INS data: %1</source>
+        <translation>没有扫描落在 INS 数据的时间内：%1</translation>
+    </message>
+    <message>
+        <source>Of %1 keyframes no pair is within %2 and has moved by %3 or turned by %4.</source>
+        <translation>%1 个关键帧中，没有一对相隔不超过 %2，且移动了 %3 或转动了 %4。</translation>
+    </message>
+    <message>
+        <source>One keyframe only: lower keyframes.interval_s, or give a longer drive.</source>
+        <translation>只有一个关键帧：请减小 keyframes.interval_s，或给出更长的行驶。</translation>
+    </message>
+    <message>
+        <source>One keyframe only: lower keyframes.distance_m and keyframes.rotation_deg, or give a longer drive.</source>
+        <translation>只有一个关键帧：请减小 keyframes.distance_m 和 keyframes.rotation_deg，或给出更长的行驶。</translation>
+    </message>
+    <message>
+        <source>The vehicle stands still while the LiDAR records: drive turns within sight of buildings and poles.</source>
+        <translation>激光雷达记录时车辆静止不动：请在看得见建筑物和杆状物的地方转弯行驶。</translation>
+    </message>
+    <message>
+        <source>Widen these settings of pairing, or take keyframes closer together.</source>
+        <translation>请放宽这些配对设置，或把关键帧取得更密。</translation>
+    </message>
+    <message>
+        <source>None of the %1 scans that are needed can be read. First: %2</source>
+        <translation>所需的 %1 帧扫描都无法读取。第一帧：%2</translation>
+    </message>
+    <message>
+        <source>Copy or export the scans again: they are incomplete, or of another type than declared.</source>
+        <translation>请重新复制或导出扫描：它们不完整，或类型与声明的不同。</translation>
+    </message>
+    <message>
+        <source>was cancelled when %1 of %2 pairs were aligned: the result is from these, without the last steps (aligning all clouds, the given height of the INS). Calibrate again for the rest.</source>
+        <translation>在 %2 个帧对中配准了 %1 个时被取消：结果由这些得出，没有最后的步骤（全部点云联合配准、给定的 INS 高度）。要得到其余部分请重新标定。</translation>
+    </message>
+    <message>
+        <source>motion pairs have no scans that show the ground; give z instead</source>
+        <translation>运动对没有能显示地面的扫描；请改为给出 z</translation>
+    </message>
+    <message>
+        <source>scan cannot be read: %1</source>
+        <translation>扫描无法读取：%1</translation>
+    </message>
+    <message>
+        <source>no scan can be read: %1</source>
+        <translation>没有扫描可以读取：%1</translation>
+    </message>
+    <message>
+        <source>only %1 shared static objects, %2 needed</source>
+        <translation>只有 %1 个共同的静止物体，需要 %2 个</translation>
+    </message>
+    <message>
+        <source>the session has lidar poses and no scans</source>
+        <translation>数据有激光雷达位姿，没有扫描</translation>
+    </message>
+    <message>
+        <source>decisions about pairs that the solution does not answer in full</source>
+        <translation>求解尚未完全反映的帧对判定</translation>
+    </message>
+    <message>
+        <source>a stream hardly turns, so its rate of rotation says nothing about time</source>
+        <translation>某个数据流几乎没有转动，其角速度无法说明时间</translation>
+    </message>
+    <message>
+        <source>a stream is shorter than %1 s</source>
+        <translation>某个数据流短于 %1 秒</translation>
+    </message>
+    <message>
+        <source>the rates of rotation do not resemble each other under any offset</source>
+        <translation>在任何时间偏移下，角速度都互不相似</translation>
+    </message>
+    <message>
+        <source>the rates of rotation hardly resemble each other</source>
+        <translation>角速度几乎互不相似</translation>
+    </message>
+    <message>
+        <source>another offset fits nearly as well</source>
+        <translation>另一个偏移也几乎同样吻合</translation>
+    </message>
+    <message>
+        <source>Of %1 keyframes no pair is within %2 or %3 and has moved by %4 or turned by %5.</source>
+        <translation>%1 个关键帧中，没有一对相隔不超过 %2 或 %3，且移动了 %4 或转动了 %5。</translation>
+    </message>
+    <message>
+        <source>%1 (axes of the lidar)</source>
+        <translation>%1（激光雷达坐标轴）</translation>
+    </message>
+    <message>
+        <source>the shift along [%1]</source>
+        <translation>沿 [%1] 的平移</translation>
+    </message>
+    <message>
+        <source>the turn about [%1]</source>
+        <translation>绕 [%1] 的转动</translation>
+    </message>
+    <message>
+        <source>the shift along [%1], the turn about [%2]</source>
+        <translation>沿 [%1] 的平移、绕 [%2] 的转动</translation>
+    </message>
+    <message>
+        <source>a turn about an axis beside the sensor</source>
+        <translation>绕传感器旁一轴的转动</translation>
+    </message>
+    <message>
+        <source>the time of a point is not finite</source>
+        <translation>某个点的时间不是有限值</translation>
+    </message>
+    <message>
+        <source>the times of the points spread over %1 s</source>
+        <translation>各点的时间跨度达 %1 秒</translation>
+    </message>
+    <message>
+        <source>holds LiDAR poses and no scans: no obstacles can be found</source>
+        <translation>有激光雷达位姿，没有扫描：无法寻找障碍物</translation>
+    </message>
+    <message>
+        <source>the origin is not on the globe</source>
+        <translation>原点不在地球上</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

@@ -105,7 +105,7 @@ class Tour {
     pair.set_coloring(SourceColoring::Orange);
     trigger("Ctrl+M");
     auto& map = *window().findChild<MapView*>();
-    QTest::qWaitFor([&] { return map.shows_scene() && map.rests(); }, kPatience_ms / 10);
+    (void)QTest::qWaitFor([&] { return map.shows_scene() && map.rests(); }, kPatience_ms / 10);
     save(window(), "map");
     trigger("Ctrl+Shift+P");
   }

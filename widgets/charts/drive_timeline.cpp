@@ -14,8 +14,6 @@
 
 namespace remount {
 namespace {
-constexpr int kRows = 4;  // LiDAR, INS, quality, what its colours say
-
 QString quality_text(InsQuality quality) {
   switch (quality) {
     case InsQuality::Good:
@@ -56,8 +54,18 @@ double DriveTimeline::curve_value(const InsStretch& stretch) const {
   return shows_sigma() ? stretch.position_sigma_m : stretch.speed_m_s;
 }
 
+std::array<QString, DriveTimeline::kRows> DriveTimeline::row_names() const {
+  return {tr("LiDAR"), tr("INS"), tr("fix"), QString()};
+}
+
+QRect DriveTimeline::curve_area() const {
+  return plot_area().adjusted(0, kRows * row_height() + fontMetrics().height() + 8, 0, -row_height());
+}
+
 QRect DriveTimeline::plot_area() const {
-  return rect().adjusted(fontMetrics().horizontalAdvance(QStringLiteral("LiDAR 0")) + 4, 2, -8, -2);
+  int widest = fontMetrics().horizontalAdvance(QStringLiteral("0.000"));  // of the curve's ticks
+  for (const QString& name : row_names()) widest = std::max(widest, fontMetrics().horizontalAdvance(name));
+  return rect().adjusted(widest + 10, 2, -8, -2);
 }
 
 double DriveTimeline::time_at(int x) const {
@@ -93,8 +101,10 @@ void DriveTimeline::paintEvent(QPaintEvent*) {
   paint_curve(painter);
   if (times_s_) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
-    for (const double time_s : {times_s_->first, times_s_->second})
-      painter.drawLine(x_of(time_s), 2, x_of(time_s), height() - row_height());
+    for (const double time_s : {times_s_->first, times_s_->second})  // not through the words in between
+      for (const auto& [top, bottom] :
+           {std::pair{2, 3 * row_height()}, std::pair{curve_area().top() - 4, curve_area().bottom()}})
+        painter.drawLine(x_of(time_s), top, x_of(time_s), bottom);
   }
   if (!hasFocus()) return;
   painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
@@ -103,7 +113,7 @@ void DriveTimeline::paintEvent(QPaintEvent*) {
 
 void DriveTimeline::paint_rows(QPainter& painter) const {
   const QRect area = plot_area();
-  const std::array<QString, kRows> names{tr("LiDAR"), tr("INS"), tr("fix"), QString()};
+  const auto names = row_names();
   for (int i = 0; i < kRows; ++i) {
     const QRect row(area.left(), area.top() + i * row_height(), area.width(), row_height() - 4);
     painter.setPen(palette().color(QPalette::Text));
@@ -155,9 +165,7 @@ void DriveTimeline::paint_quality_legend(QPainter& painter, const QRect& row) co
 }
 
 void DriveTimeline::paint_curve(QPainter& painter) const {
-  QRect area = plot_area();
-  area.setTop(area.top() + kRows * row_height() + fontMetrics().height() + 8);
-  area.setBottom(area.bottom() - row_height());
+  const QRect area = curve_area();
   double top = 0.0;
   for (const InsStretch& stretch : drive_->stretches)
     if (std::isfinite(curve_value(stretch))) top = std::max(top, curve_value(stretch));
@@ -166,7 +174,7 @@ void DriveTimeline::paint_curve(QPainter& painter) const {
   top = step * (std::floor(top / step) + 1.0);
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(QRect(4, area.top() - fontMetrics().height() - 8, width() - 8, fontMetrics().height()),
-                   Qt::AlignLeft,
+                   Qt::AlignLeft | Qt::TextDontClip,
                    shows_sigma() ? tr("position sigma of the INS [m]") : tr("speed [m/s] (the log states no sigma)"));
   for (const double value : nice_ticks(0.0, top, static_cast<int>(std::lround(top / step)))) {
     const int y = area.bottom() - static_cast<int>(value / top * area.height());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -36,7 +37,10 @@ class DriveTimeline : public QWidget {
   bool event(QEvent* event) override;
 
  private:
+  static constexpr int kRows = 4;  // LiDAR, INS, quality, what its colours say
+  std::array<QString, kRows> row_names() const;
   QRect plot_area() const;
+  QRect curve_area() const;
   int row_height() const { return fontMetrics().height() + 2; }
   void paint_rows(class QPainter& painter) const;
   void paint_quality(class QPainter& painter, const QRect& row) const;

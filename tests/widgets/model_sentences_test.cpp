@@ -1,0 +1,104 @@
+// Every sentence of the model is among the phrases that are translated: found by reading the sources, for what a rare
+// drive says appears in no other test.
+#include <gtest/gtest.h>
+
+#include <QDirIterator>
+#include <QFile>
+#include <QRegularExpression>
+
+#include "tests/widgets/support/restored.h"
+#include "widgets/model_text.h"
+
+namespace remount {
+namespace {
+
+const QString kRoot = QStringLiteral(REMOUNT_SOURCE_DIR "/");
+
+/// What no window shows.
+bool is_shown(const QString& path) {
+  static const QRegularExpression kOthers(
+      "model/(batch|simulator|exporters)/"          // the command line's, and texts of files
+      "|model/(session_report|topic_choice)\\.cpp"  // the command line's
+      "|model/report/"                              // with the words of the report, which lupdate finds
+      "|model/io/|model/(settings_file|result_reader|project)\\.cpp");  // details of damaged files
+  return !path.contains(kOthers);
+}
+
+/// Mistakes of who calls.
+const QStringList kMistakes{"was not added to the alignment", "the objects are not those of this scan",
+                            "as many values as candidates are expected", "; its scans are 0 to "};
+
+/// Known as a whole, or in a longer one.
+bool is_known(const QString& piece, const QString& literal) {
+  static const QString phrases = [] {
+    QString all;
+    for (const char* phrase : model_phrases()) all += QString::fromUtf8(phrase) + '\n';
+    return all;
+  }();
+  return phrases.contains(piece) || model_text(literal) != literal;
+}
+
+/// String literals of C++, those beside each other joined.
+QStringList literals_of(const QString& source) {
+  static const QRegularExpression kToken(
+      R"re(//[^\n]*|#include[^\n]*|(?<![0-9a-fA-F])'(?:[^'\\\n]|\\.)+'|"((?:[^"\\\n]|\\.)*)")re");
+  QStringList literals;
+  qsizetype end_of_last = -1;
+  for (auto match = kToken.globalMatch(source); match.hasNext();) {
+    const QRegularExpressionMatch token = match.next();
+    if (token.capturedStart(1) < 0) continue;
+    const QString text = token.captured(1).replace("\\\"", "\"").replace("\\n", "\n");
+    const bool follows =
+        end_of_last >= 0 && source.mid(end_of_last, token.capturedStart() - end_of_last).trimmed().isEmpty();
+    if (follows)
+      literals.back() += text;
+    else
+      literals << text;
+    end_of_last = token.capturedEnd();
+  }
+  return literals;
+}
+
+/// What stands between inserted values, where it is long enough to be part of a sentence.
+QStringList pieces_of(const QString& text) {
+  static const QRegularExpression kInserted(R"(%[-+.*0-9]*(?:zu|td|lld|[sdfgeuc%])|%\d)"),
+      kEdges(R"(^[ .,:;()]+|[ .,:;()]+$)");
+  QStringList pieces;
+  for (QString piece : text.split(kInserted)) {
+    piece.remove(kEdges);
+    if (piece.count(' ') >= 3) pieces << piece;
+  }
+  return pieces;
+}
+
+TEST(model_sentences, are_read_from_sources_as_a_compiler_does) {
+  EXPECT_EQ(
+      literals_of(
+          "f(\"one \"\n  \"two\",  // \"no\"\n  '\"', \"three \\\"x\\\"\", 1'000, \"four\");\n#include \"no.h\"\n"),
+      (QStringList{"one two", "three \"x\"", "four"}));
+  EXPECT_EQ(pieces_of("the farthest is %.2f m off the others at %s; one of %zu."), QStringList{"m off the others at"});
+}
+
+TEST(model_sentences, are_all_among_the_phrases) {
+  const testing::LanguageFor chinese("zh_CN");
+  int sentences = 0;
+  for (const char* folder : {"algorithms", "model"})
+    for (QDirIterator files(kRoot + folder, {"*.cpp"}, QDir::Files, QDirIterator::Subdirectories); files.hasNext();) {
+      const QString path = files.next().mid(kRoot.size());
+      if (!is_shown(path)) continue;
+      QFile file(kRoot + path);
+      ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+      for (const QString& literal : literals_of(QString::fromUtf8(file.readAll()))) {
+        if (literal.startsWith('#') || kMistakes.contains(literal)) continue;  // '#': a comment in a file
+        for (const QString& piece : pieces_of(literal)) {
+          ++sentences;
+          EXPECT_TRUE(is_known(piece, literal))
+              << path.toStdString() << " says what widgets/*_phrases.cpp do not know: " << literal.toStdString();
+        }
+      }
+    }
+  EXPECT_GT(sentences, 200);
+}
+
+}  // namespace
+}  // namespace remount
