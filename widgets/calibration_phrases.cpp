@@ -104,12 +104,6 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "no scan can be read: %1"),
       QT_TRANSLATE_NOOP("remount::model", "only %1 shared static objects, %2 needed"),
       QT_TRANSLATE_NOOP("remount::model", "the session has lidar poses and no scans"),
-      QT_TRANSLATE_NOOP("remount::model", "decisions about pairs that the solution does not answer in full"),
-      QT_TRANSLATE_NOOP("remount::model", "a stream hardly turns, so its rate of rotation says nothing about time"),
-      QT_TRANSLATE_NOOP("remount::model", "a stream is shorter than %1 s"),
-      QT_TRANSLATE_NOOP("remount::model", "the rates of rotation do not resemble each other under any offset"),
-      QT_TRANSLATE_NOOP("remount::model", "the rates of rotation hardly resemble each other"),
-      QT_TRANSLATE_NOOP("remount::model", "another offset fits nearly as well"),
       QT_TRANSLATE_NOOP("remount::model",
                         "Of %1 keyframes no pair is within %2 or %3 and has moved by %4 or turned by %5."),
       QT_TRANSLATE_NOOP("remount::model", "%1 (axes of the lidar)"),
@@ -119,7 +113,6 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "a turn about an axis beside the sensor"),
       QT_TRANSLATE_NOOP("remount::model", "the time of a point is not finite"),
       QT_TRANSLATE_NOOP("remount::model", "the times of the points spread over %1 s"),
-      QT_TRANSLATE_NOOP("remount::model", "holds LiDAR poses and no scans: no obstacles can be found"),
       QT_TRANSLATE_NOOP("remount::model", "the origin is not on the globe"),
   };
   return phrases;

@@ -2,18 +2,22 @@
 // tests/widgets/language_test.cpp.
 #include <QtGlobal>
 
+#include "widgets/bag_phrases.h"
 #include "widgets/calibration_phrases.h"
 #include "widgets/check_phrases.h"
+#include "widgets/document_phrases.h"
 #include "widgets/file_phrases.h"
 #include "widgets/method_phrases.h"
 #include "widgets/model_text.h"
+#include "widgets/reader_phrases.h"
 #include "widgets/topic_phrases.h"
 
 namespace remount {
 namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
-  for (const auto* others : {&calibration_phrases(), &check_phrases(), &file_phrases(), &method_phrases(),
-                             &method_option_phrases(), &topic_phrases()})
+  for (const auto* others :
+       {&bag_phrases(), &calibration_phrases(), &check_phrases(), &document_phrases(), &file_phrases(),
+        &method_phrases(), &method_option_phrases(), &reader_phrases(), &topic_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }

@@ -20,7 +20,8 @@ struct Pattern {
   QString piece;  // stands in every text that fits: most are told by it, before an expression is compiled for them
   QRegularExpression expression;
   QString translation;
-  qsizetype letters = 0;  // that have to be there
+  qsizetype letters = 0;   // that have to be there
+  QList<int> as_they_are;  // placeholders in quotes: names in files, which are not translated
 };
 
 struct Patterns {
@@ -36,6 +37,13 @@ QString fixed_piece(const QString& english) {
   const QStringList pieces = english.split(kPlaceholder);
   return *std::max_element(pieces.begin(), pieces.end(),
                            [](const QString& a, const QString& b) { return a.size() < b.size(); });
+}
+
+QList<int> quoted(const QString& english) {
+  static const QRegularExpression kQuoted(QStringLiteral("['\"]%(\\d)['\"]"));
+  QList<int> numbers;
+  for (auto match = kQuoted.globalMatch(english); match.hasNext();) numbers << match.next().captured(1).toInt();
+  return numbers;
 }
 
 QString translated(const char* phrase) { return QCoreApplication::translate(kContext, phrase); }
@@ -55,7 +63,7 @@ Patterns& patterns() {
     all.list.push_back({fixed_piece(english),
                         QRegularExpression(QStringLiteral("\\A") + expression + QStringLiteral("\\z"),
                                            QRegularExpression::DotMatchesEverythingOption),
-                        other, english.size()});
+                        other, english.size(), quoted(english)});
   }
   // What says more is tried first: "%1 with %2" would take many a sentence apart.
   std::stable_sort(all.list.begin(), all.list.end(),
@@ -64,7 +72,8 @@ Patterns& patterns() {
 }
 
 /// What stands for a "%1": a sentence, a phrase, phrases with commas between them, or lines of a list.
-QString captured_text(const QString& text, const Patterns& all) {
+/// @param is_list_of_names where there are commas; such a list stays as it is
+QString captured_text(const QString& text, bool is_list_of_names, const Patterns& all) {
   if (text.startsWith(QLatin1Char('\n'))) {
     QStringList lines = text.split(QLatin1Char('\n'));
     for (QString& line : lines) {
@@ -74,7 +83,7 @@ QString captured_text(const QString& text, const Patterns& all) {
     return lines.join(QLatin1Char('\n'));
   }
   const QString whole = model_text(text);
-  if (whole != text || !text.contains(QLatin1String(kComma))) return whole;
+  if (whole != text || is_list_of_names || !text.contains(QLatin1String(kComma))) return whole;
   QStringList parts = text.split(QLatin1String(kComma));
   for (QString& part : parts) {
     if (!all.phrases.contains(part)) return text;
@@ -97,7 +106,9 @@ QString by_pattern(const QString& text, const Patterns& all) {
     QString sentence = pattern.translation;
     bool fits = true;
     for (int i = 1; i < match.lastCapturedIndex() + 1; ++i) {
-      const QString captured = match.captured(QStringLiteral("a%1").arg(i)), words = captured_text(captured, all);
+      const QString captured = match.captured(QStringLiteral("a%1").arg(i));
+      const QString words =
+          pattern.as_they_are.contains(i) ? captured : captured_text(captured, !pattern.as_they_are.isEmpty(), all);
       fits = fits && (pattern.letters > kFewLetters || may_stand_in_few_words(captured, words));
       sentence.replace(QStringLiteral("%%1").arg(i), words);
     }

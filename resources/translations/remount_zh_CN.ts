@@ -7687,6 +7687,1762 @@ Save under another name, or close it there first.</source>
         <source>the origin is not on the globe</source>
         <translation>原点不在地球上</translation>
     </message>
+    <message>
+        <source>holds no bag</source>
+        <translation>不含 bag</translation>
+    </message>
+    <message>
+        <source>holds %1 bags and no metadata.yaml; open them one by one:%2</source>
+        <translation>含有 %1 个 bag，没有 metadata.yaml；请逐一打开：%2</translation>
+    </message>
+    <message>
+        <source>the index names more than %1 messages, too many for a file of %2 bytes</source>
+        <translation>索引列出超过 %1 条消息，对于 %2 字节的文件过多</translation>
+    </message>
+    <message>
+        <source>is no bag that is known: expected one of ROS 1, an MCAP or an SQLite database of ROS 2</source>
+        <translation>不是已知的 bag：应为 ROS 1 的 bag、MCAP，或 ROS 2 的 SQLite 数据库</translation>
+    </message>
+    <message>
+        <source>the files that metadata.yaml names are not here: %1</source>
+        <translation>metadata.yaml 所列的文件不在此处：%1</translation>
+    </message>
+    <message>
+        <source>goes with an IMU whose orientation serves as ins; give --topic ins=TOPIC of that IMU</source>
+        <translation>须与以其姿态用作 ins 的 IMU 配合；请用 --topic ins=TOPIC 给出该 IMU</translation>
+    </message>
+    <message>
+        <source>is no topic of this bag. It has:%1</source>
+        <translation>不是此 bag 的话题。它含有：%1</translation>
+    </message>
+    <message>
+        <source>cannot serve as %1: see what inspect says of it</source>
+        <translation>不能用作 %1：请查看 inspect 对它的说明</translation>
+    </message>
+    <message>
+        <source>no scan of this topic can be read</source>
+        <translation>此话题没有可读取的扫描</translation>
+    </message>
+    <message>
+        <source>The times of the points are of another clock than the scan&apos;s stamp (more than a second apart): the first point is taken to be of the stamp. A time offset of up to one turn may remain.</source>
+        <translation>点的时间与扫描的时间戳不是同一时钟（相差超过一秒）：取第一个点的时间为该时间戳。可能残留最多一圈的时间偏移。</translation>
+    </message>
+    <message>
+        <source>%1 messages have no fix and are left out.</source>
+        <translation>%1 条消息没有定位，已略去。</translation>
+    </message>
+    <message>
+        <source>%1 fixes do not state their covariance; a sigma of 1 m is assumed.</source>
+        <translation>%1 个定位未说明协方差；假定标准差为 1 m。</translation>
+    </message>
+    <message>
+        <source>The INS has a position every %1 s only; between them the motion is interpolated.</source>
+        <translation>INS 每 %1 秒才有一个位置；其间的运动由插值得到。</translation>
+    </message>
+    <message>
+        <source>no usable INS is in this topic</source>
+        <translation>此话题中没有可用的 INS</translation>
+    </message>
+    <message>
+        <source>no usable INS is in this topic%1</source>
+        <translation>此话题中没有可用的 INS%1</translation>
+    </message>
+    <message>
+        <source>no usable INS is in this topic: its orientations have no NavSatFix with them</source>
+        <translation>此话题中没有可用的 INS：其姿态没有相应的 NavSatFix</translation>
+    </message>
+    <message>
+        <source>no usable INS is in this topic: its orientations have no NavSatFix with them%1</source>
+        <translation>此话题中没有可用的 INS：其姿态没有相应的 NavSatFix%1</translation>
+    </message>
+    <message>
+        <source>messages of this topic are neither of ROS 1 nor in CDR</source>
+        <translation>此话题的消息既不是 ROS 1 的，也不是 CDR 编码</translation>
+    </message>
+    <message>
+        <source>the message is serialised with representation %1, expected plain CDR: 0 or 1</source>
+        <translation>消息的序列化表示为 %1，应为普通 CDR：0 或 1</translation>
+    </message>
+    <message>
+        <source>the message has %1 bytes, expected %2 more than it has after byte %3</source>
+        <translation>消息有 %1 字节，在字节 %3 之后应有的 %2 字节不足</translation>
+    </message>
+    <message>
+        <source>a sequence promises %1 items, the message has only %2 bytes left</source>
+        <translation>有序列声明有 %1 项，而消息只剩 %2 字节</translation>
+    </message>
+    <message>
+        <source>a field of the cloud has type %1, expected 1 to 8</source>
+        <translation>点云有字段的类型为 %1，应为 1 到 8</translation>
+    </message>
+    <message>
+        <source>the cloud has %1 fields, at most 512 are read</source>
+        <translation>点云有 %1 个字段，最多读取 512 个</translation>
+    </message>
+    <message>
+        <source>field %1 lies at byte %2 of a point of %3 bytes</source>
+        <translation>字段 %1 位于字节 %2，而每点只有 %3 字节</translation>
+    </message>
+    <message>
+        <source>a row has %1 bytes, expected %2 for %3 points</source>
+        <translation>一行有 %1 字节，%3 个点应为 %2 字节</translation>
+    </message>
+    <message>
+        <source>the cloud promises %1 rows of %2 bytes, %3 bytes are there</source>
+        <translation>点云声明有 %1 行、每行 %2 字节，实际有 %3 字节</translation>
+    </message>
+    <message>
+        <source>the orientation is no quaternion of length 1</source>
+        <translation>姿态不是长度为 1 的四元数</translation>
+    </message>
+    <message>
+        <source>the position is not finite</source>
+        <translation>位置不是有限的数</translation>
+    </message>
+    <message>
+        <source>the GPS time of week is not possible</source>
+        <translation>GPS 周内时间不合理</translation>
+    </message>
+    <message>
+        <source>GPS week and time of week are no GPS time</source>
+        <translation>GPS 周数和周内时间不是 GPS 时间</translation>
+    </message>
+    <message>
+        <source>%1 bytes are promised, %2 are there</source>
+        <translation>声明有 %1 字节，实际有 %2 字节</translation>
+    </message>
+    <message>
+        <source>%1: byte %2: %3 bytes are promised, %4 are there</source>
+        <translation>%1：字节 %2：声明有 %3 字节，实际有 %4 字节</translation>
+    </message>
+    <message>
+        <source>%1, field &apos;%2&apos;: %3 bytes are promised, %4 are there</source>
+        <translation>%1，字段“%2”：声明有 %3 字节，实际有 %4 字节</translation>
+    </message>
+    <message>
+        <source>%1 (unpacked chunk: byte %2): %3 bytes are promised, %4 are there</source>
+        <translation>%1（解压后的块：字节 %2）：声明有 %3 字节，实际有 %4 字节</translation>
+    </message>
+    <message>
+        <source>a chunk is compressed with &apos;%1&apos;, expected none, bz2, lz4 or zstd</source>
+        <translation>有块以“%1”压缩，应为 none、bz2、lz4 或 zstd</translation>
+    </message>
+    <message>
+        <source>the compressed chunk is damaged: %1 of %2 bytes can be unpacked</source>
+        <translation>压缩的块已损坏：%2 字节中只能解压 %1 字节</translation>
+    </message>
+    <message>
+        <source>%1 bytes are expected here, the part of the file that holds them has %2 bytes in all</source>
+        <translation>此处应有 %1 字节，而文件的相应部分总共只有 %2 字节</translation>
+    </message>
+    <message>
+        <source>%1: byte %2: %3 bytes are expected here, the part of the file that holds them has %4 bytes in all</source>
+        <translation>%1：字节 %2：此处应有 %3 字节，而文件的相应部分总共只有 %4 字节</translation>
+    </message>
+    <message>
+        <source>%1 (unpacked chunk: byte %2): %3 bytes are expected here, the chunk holds %4 bytes in all</source>
+        <translation>%1（解压后的块：字节 %2）：此处应有 %3 字节，而该块总共只有 %4 字节</translation>
+    </message>
+    <message>
+        <source>%1 bytes are expected here, the chunk holds %2 bytes in all</source>
+        <translation>此处应有 %1 字节，而该块总共只有 %2 字节</translation>
+    </message>
+    <message>
+        <source>the checksum of the chunk does not agree with its bytes: it is damaged</source>
+        <translation>块的校验和与其内容不符：它已损坏</translation>
+    </message>
+    <message>
+        <source>a chunk of %1 bytes does not fit a file of %2</source>
+        <translation>%1 字节的块超出 %2 字节的文件</translation>
+    </message>
+    <message>
+        <source>a chunk that is not compressed promises %1 bytes and has %2</source>
+        <translation>未压缩的块声明有 %1 字节，实际有 %2 字节</translation>
+    </message>
+    <message>
+        <source>a chunk promises %1 bytes, at most %2 are taken from a file of this size</source>
+        <translation>块声明有 %1 字节，对于这样大小的文件最多读取 %2 字节</translation>
+    </message>
+    <message>
+        <source>the bag has too many chunks</source>
+        <translation>bag 的块过多</translation>
+    </message>
+    <message>
+        <source>a record promises %1 bytes, at most %2 are read of its kind</source>
+        <translation>记录声明有 %1 字节，此类记录最多读取 %2 字节</translation>
+    </message>
+    <message>
+        <source>a record promises %1 bytes, %2 are there</source>
+        <translation>记录声明有 %1 字节，实际有 %2 字节</translation>
+    </message>
+    <message>
+        <source>a record header promises %1 bytes, at most %2 are read</source>
+        <translation>记录头声明有 %1 字节，最多读取 %2 字节</translation>
+    </message>
+    <message>
+        <source>no record begins with 0</source>
+        <translation>记录不能以 0 开头</translation>
+    </message>
+    <message>
+        <source>a record is too short</source>
+        <translation>有记录太短</translation>
+    </message>
+    <message>
+        <source>a field of a record header has no &apos;=&apos;, expected NAME=VALUE</source>
+        <translation>记录头的字段没有“=”，应为 NAME=VALUE</translation>
+    </message>
+    <message>
+        <source>the record has no field &apos;%1&apos;</source>
+        <translation>记录没有字段“%1”</translation>
+    </message>
+    <message>
+        <source>a record is expected behind the end</source>
+        <translation>在文件结尾之后应有记录</translation>
+    </message>
+    <message>
+        <source>the index says a chunk begins here</source>
+        <translation>索引指出此处是块的开头</translation>
+    </message>
+    <message>
+        <source>the index says a message begins here</source>
+        <translation>索引指出此处是消息的开头</translation>
+    </message>
+    <message>
+        <source>the index names a chunk twice</source>
+        <translation>索引两次列出同一个块</translation>
+    </message>
+    <message>
+        <source>the index names %1 of %2 chunks</source>
+        <translation>%2 个块中，索引只列出 %1 个</translation>
+    </message>
+    <message>
+        <source>the index has another version than 1</source>
+        <translation>索引的版本不是 1</translation>
+    </message>
+    <message>
+        <source>is an MCAP of another version than 0</source>
+        <translation>是版本不为 0 的 MCAP</translation>
+    </message>
+    <message>
+        <source>is no MCAP</source>
+        <translation>不是 MCAP</translation>
+    </message>
+    <message>
+        <source>it has no summary</source>
+        <translation>没有摘要</translation>
+    </message>
+    <message>
+        <source>channel %1 is not described</source>
+        <translation>通道 %1 没有说明</translation>
+    </message>
+    <message>
+        <source>a chunk is longer than its record</source>
+        <translation>块比其记录长</translation>
+    </message>
+    <message>
+        <source>the file was not closed</source>
+        <translation>文件没有正常关闭</translation>
+    </message>
+    <message>
+        <source>expected the footer of the file</source>
+        <translation>应为文件的尾部记录</translation>
+    </message>
+    <message>
+        <source>the checksum of the summary does not agree with its bytes</source>
+        <translation>摘要的校验和与其内容不符</translation>
+    </message>
+    <message>
+        <source>The checksum of the data does not agree with the file. What is read of it may be wrong where it has no checksum of its own.</source>
+        <translation>数据的校验和与文件不符。其中没有自身校验和的部分，读出的内容可能有误。</translation>
+    </message>
+    <message>
+        <source>Attachments that do not agree with their checksums: %1. They are not used. First: %2.</source>
+        <translation>与校验和不符的附件：%1 个。它们未被使用。首个：%2。</translation>
+    </message>
+    <message>
+        <source>a chunk reaches behind the end of the file</source>
+        <translation>块超出文件的结尾</translation>
+    </message>
+    <message>
+        <source>the indexes of a chunk lie behind the end of the file</source>
+        <translation>块的索引超出文件的结尾</translation>
+    </message>
+    <message>
+        <source>The bag has no usable index (%1). It was read from the beginning: %2 messages were found; %3 bytes at the end are not readable.</source>
+        <translation>bag 没有可用的索引（%1）。已从头读取：找到 %2 条消息；末尾 %3 字节无法读取。</translation>
+    </message>
+    <message>
+        <source>The bag has no usable index (%1). It was read from the beginning: %2 messages were found; %3 bytes at the end are not readable. First that cannot be read: %4.</source>
+        <translation>bag 没有可用的索引（%1）。已从头读取：找到 %2 条消息；末尾 %3 字节无法读取。首个无法读取的：%4。</translation>
+    </message>
+    <message>
+        <source>the bag holds no readable message (%1).</source>
+        <translation>bag 不含可读取的消息（%1）。</translation>
+    </message>
+    <message>
+        <source>the bag holds no readable message (%1). First that cannot be read: %2.</source>
+        <translation>bag 不含可读取的消息（%1）。首个无法读取的：%2。</translation>
+    </message>
+    <message>
+        <source>is a bag of an older version; &apos;rosbag fix&apos; makes one of version 2.0</source>
+        <translation>是旧版本的 bag；可用“rosbag fix”转换为 2.0 版本</translation>
+    </message>
+    <message>
+        <source>is no bag of ROS 1</source>
+        <translation>不是 ROS 1 的 bag</translation>
+    </message>
+    <message>
+        <source>expected the header of the bag</source>
+        <translation>应为 bag 的头部</translation>
+    </message>
+    <message>
+        <source>the bag is encrypted</source>
+        <translation>bag 已加密</translation>
+    </message>
+    <message>
+        <source>it was not closed</source>
+        <translation>没有正常关闭</translation>
+    </message>
+    <message>
+        <source>its index is damaged: %1</source>
+        <translation>其索引已损坏：%1</translation>
+    </message>
+    <message>
+        <source>a connection has no type</source>
+        <translation>有连接没有类型</translation>
+    </message>
+    <message>
+        <source>connection %1 is not described</source>
+        <translation>连接 %1 没有说明</translation>
+    </message>
+    <message>
+        <source>It is readable to its end.</source>
+        <translation>直到结尾均可读取。</translation>
+    </message>
+    <message>
+        <source>It is readable to its end. %1 chunks are damaged. First: %2</source>
+        <translation>直到结尾均可读取。有 %1 个块已损坏。首个：%2</translation>
+    </message>
+    <message>
+        <source>It ends in the middle of a record.</source>
+        <translation>它在一条记录的中间结束。</translation>
+    </message>
+    <message>
+        <source>It ends in the middle of a record. %1 chunks are damaged. First: %2</source>
+        <translation>它在一条记录的中间结束。有 %1 个块已损坏。首个：%2</translation>
+    </message>
+    <message>
+        <source>The last %1 bytes are not readable: %2.</source>
+        <translation>最后 %1 字节无法读取：%2。</translation>
+    </message>
+    <message>
+        <source>The last %1 bytes are not readable: %2: byte %3: %4 bytes are expected here, but the file ends at byte %5.</source>
+        <translation>最后 %1 字节无法读取：%2：字节 %3：此处应有 %4 字节，但文件止于字节 %5。</translation>
+    </message>
+    <message>
+        <source>The last %1 bytes are not readable: %2: byte %3: %4 bytes are expected here, but the file ends at byte %5. %6 chunks are damaged. First: %7</source>
+        <translation>最后 %1 字节无法读取：%2：字节 %3：此处应有 %4 字节，但文件止于字节 %5。有 %6 个块已损坏。首个：%7</translation>
+    </message>
+    <message>
+        <source>The last %1 bytes are not readable: %2. %3 chunks are damaged. First: %4</source>
+        <translation>最后 %1 字节无法读取：%2。有 %3 个块已损坏。首个：%4</translation>
+    </message>
+    <message>
+        <source>the bag holds no readable message (%1). %2</source>
+        <translation>bag 不含可读取的消息（%1）。%2</translation>
+    </message>
+    <message>
+        <source>holds no SQLite database when it is unpacked; unpack it with &apos;zstd -d&apos; and open what comes out</source>
+        <translation>解压后不含 SQLite 数据库；请用“zstd -d”解压，再打开所得的文件</translation>
+    </message>
+    <message>
+        <source>the database cannot be opened: %1</source>
+        <translation>无法打开数据库：%1</translation>
+    </message>
+    <message>
+        <source>is no bag of ROS 2: expected a table &apos;topics&apos;: %1</source>
+        <translation>不是 ROS 2 的 bag：应有表“topics”：%1</translation>
+    </message>
+    <message>
+        <source>is no bag of ROS 2: expected a table &apos;messages&apos;: %1</source>
+        <translation>不是 ROS 2 的 bag：应有表“messages”：%1</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>数据库文件已损坏</translation>
+    </message>
+    <message>
+        <source>file is not a database</source>
+        <translation>文件不是数据库</translation>
+    </message>
+    <message>
+        <source>database is locked</source>
+        <translation>数据库已被锁定</translation>
+    </message>
+    <message>
+        <source>unable to open database file</source>
+        <translation>无法打开数据库文件</translation>
+    </message>
+    <message>
+        <source>disk I/O error</source>
+        <translation>磁盘读写错误</translation>
+    </message>
+    <message>
+        <source>no such table: %1</source>
+        <translation>没有表 %1</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>the file is shorter than the database</source>
+        <translation>文件比数据库短</translation>
+    </message>
+    <message>
+        <source>the bag holds no readable message</source>
+        <translation>bag 不含可读取的消息</translation>
+    </message>
+    <message>
+        <source>the bag holds no readable message: %1</source>
+        <translation>bag 不含可读取的消息：%1</translation>
+    </message>
+    <message>
+        <source>The database is damaged: %1 messages were found, %2 belong to no topic.</source>
+        <translation>数据库已损坏：找到 %1 条消息，%2 条不属于任何话题。</translation>
+    </message>
+    <message>
+        <source>promises %1 bytes, more than the file has</source>
+        <translation>声明有 %1 字节，超出文件的大小</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked in %1: %2; set TMPDIR to a folder with more room, or unpack it with &apos;zstd -d&apos;</source>
+        <translation>无法解压到 %1：%2；请把 TMPDIR 设为空间更大的文件夹，或用“zstd -d”自行解压</translation>
+    </message>
+    <message>
+        <source>after %1 only %2 are free</source>
+        <translation>写入 %1 后仅余 %2 可用空间</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked, there is no folder for temporary files: %1; set TMPDIR to one, or unpack it with &apos;zstd -d&apos;</source>
+        <translation>无法解压，没有存放临时文件的文件夹：%1；请用 TMPDIR 指定一个，或用“zstd -d”自行解压</translation>
+    </message>
+    <message>
+        <source>the compressed file is damaged here</source>
+        <translation>压缩文件在此处已损坏</translation>
+    </message>
+    <message>
+        <source>unpacks to more than %1, which no bag of this size does</source>
+        <translation>解压后超过 %1，这样大小的 bag 不会如此</translation>
+    </message>
+    <message>
+        <source>the compressed file was cut: its end is missing</source>
+        <translation>压缩文件不完整：缺少结尾</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: byte %2 (unpacked chunk: byte %3): %4</source>
+        <translation>%1：字节 %2（解压后的块：字节 %3）：%4</translation>
+    </message>
+    <message>
+        <source>byte %1 (unpacked chunk: byte %2): %3</source>
+        <translation>字节 %1（解压后的块：字节 %2）：%3</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>空值</translation>
+    </message>
+    <message>
+        <source>a map</source>
+        <translation>映射</translation>
+    </message>
+    <message>
+        <source>a list of %1</source>
+        <translation>含 %1 项的列表</translation>
+    </message>
+    <message>
+        <source>expected a map with the key &quot;%1&quot;, found %2</source>
+        <translation>应为含键“%1”的映射，实际为：%2</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is missing</source>
+        <translation>缺少键“%1”</translation>
+    </message>
+    <message>
+        <source>expected a list, found %1</source>
+        <translation>应为列表，实际为：%1</translation>
+    </message>
+    <message>
+        <source>expected a map, found %1</source>
+        <translation>应为映射，实际为：%1</translation>
+    </message>
+    <message>
+        <source>expected a finite number, found %1</source>
+        <translation>应为有限的数，实际为：%1</translation>
+    </message>
+    <message>
+        <source>expected a list of %1 numbers, found %2</source>
+        <translation>应为含 %1 个数的列表，实际为：%2</translation>
+    </message>
+    <message>
+        <source>expected a whole number from %1 to %2, found %3</source>
+        <translation>应为 %1 到 %2 之间的整数，实际为：%3</translation>
+    </message>
+    <message>
+        <source>expected true or false, found %1</source>
+        <translation>应为 true 或 false，实际为：%1</translation>
+    </message>
+    <message>
+        <source>expected a text, found %1</source>
+        <translation>应为文本，实际为：%1</translation>
+    </message>
+    <message>
+        <source>expected one of %1; found %2</source>
+        <translation>应为以下之一：%1；实际为：%2</translation>
+    </message>
+    <message>
+        <source>is not a key that is known here; known are %1</source>
+        <translation>不是此处已知的键；已知的有 %1</translation>
+    </message>
+    <message>
+        <source>a key of a map is missing</source>
+        <translation>映射缺少一个键</translation>
+    </message>
+    <message>
+        <source>a list or a map cannot be the key of a map here</source>
+        <translation>此处列表或映射不能作为映射的键</translation>
+    </message>
+    <message>
+        <source>lists and maps are nested deeper than %1</source>
+        <translation>列表和映射的嵌套深度超过 %1</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; appears twice in one map</source>
+        <translation>键“%1”在同一映射中出现两次</translation>
+    </message>
+    <message>
+        <source>holds more than %1 values</source>
+        <translation>含有超过 %1 个值</translation>
+    </message>
+    <message>
+        <source>aliases (*name) are not accepted; write the value out</source>
+        <translation>不接受别名（*name）；请直接写出值</translation>
+    </message>
+    <message>
+        <source>anchors (&amp;name) are not accepted; write the value out</source>
+        <translation>不接受锚点（&amp;name）；请直接写出值</translation>
+    </message>
+    <message>
+        <source>tags (%1) are not accepted</source>
+        <translation>不接受标签（%1）</translation>
+    </message>
+    <message>
+        <source>is not JSON here (byte %1)</source>
+        <translation>此处不是 JSON（字节 %1）</translation>
+    </message>
+    <message>
+        <source>is %1 bytes long, at most %2 are expected here</source>
+        <translation>长 %1 字节，此处最多应为 %2 字节</translation>
+    </message>
+    <message>
+        <source>is empty, expected keys and values</source>
+        <translation>是空的，应为键和值</translation>
+    </message>
+    <message>
+        <source>a second YAML document begins, only one is expected</source>
+        <translation>出现第二个 YAML 文档，应只有一个</translation>
+    </message>
+    <message>
+        <source>is not YAML here: %1</source>
+        <translation>此处不是 YAML：%1</translation>
+    </message>
+    <message>
+        <source>illegal map value</source>
+        <translation>映射的值不合法</translation>
+    </message>
+    <message>
+        <source>illegal map key</source>
+        <translation>映射的键不合法</translation>
+    </message>
+    <message>
+        <source>end of map not found</source>
+        <translation>找不到映射的结尾</translation>
+    </message>
+    <message>
+        <source>end of map flow not found</source>
+        <translation>找不到流式映射的结尾</translation>
+    </message>
+    <message>
+        <source>end of sequence not found</source>
+        <translation>找不到列表的结尾</translation>
+    </message>
+    <message>
+        <source>end of sequence flow not found</source>
+        <translation>找不到流式列表的结尾</translation>
+    </message>
+    <message>
+        <source>illegal flow end</source>
+        <translation>流式结构的结尾不合法</translation>
+    </message>
+    <message>
+        <source>illegal block entry</source>
+        <translation>列表项的位置不合法</translation>
+    </message>
+    <message>
+        <source>illegal EOF in scalar</source>
+        <translation>文件在一个值的中间结束</translation>
+    </message>
+    <message>
+        <source>illegal tab when looking for indentation</source>
+        <translation>缩进中不允许使用制表符</translation>
+    </message>
+    <message>
+        <source>unknown token</source>
+        <translation>无法识别的符号</translation>
+    </message>
+    <message>
+        <source>expected as many numbers as in x</source>
+        <translation>数的个数应与 x 中相同</translation>
+    </message>
+    <message>
+        <source>is negative</source>
+        <translation>为负数</translation>
+    </message>
+    <message>
+        <source>%1 differs from the matrix by %2; the file contradicts itself</source>
+        <translation>%1与矩阵相差 %2；文件自相矛盾</translation>
+    </message>
+    <message>
+        <source>the translation</source>
+        <translation>平移</translation>
+    </message>
+    <message>
+        <source>the quaternion</source>
+        <translation>四元数</translation>
+    </message>
+    <message>
+        <source>the yaw-pitch-roll</source>
+        <translation>偏航-俯仰-横滚</translation>
+    </message>
+    <message>
+        <source>expected four rows of four numbers</source>
+        <translation>应为四行，每行四个数</translation>
+    </message>
+    <message>
+        <source>the last row must be 0, 0, 0, 1</source>
+        <translation>最后一行必须是 0, 0, 0, 1</translation>
+    </message>
+    <message>
+        <source>the rotation is not orthonormal (off by %1)</source>
+        <translation>旋转不是正交的（偏差 %1）</translation>
+    </message>
+    <message>
+        <source>the rotation is a reflection (its determinant is -1)</source>
+        <translation>旋转是反射（其行列式为 -1）</translation>
+    </message>
+    <message>
+        <source>expected a unit quaternion in the order x, y, z, w; its length is %1</source>
+        <translation>应为按 x、y、z、w 顺序的单位四元数；其长度为 %1</translation>
+    </message>
+    <message>
+        <source>is not a setting; known here are %1</source>
+        <translation>不是设置项；此处已知的有 %1</translation>
+    </message>
+    <message>
+        <source>is not a section of settings; known are %1</source>
+        <translation>不是设置的分组；已知的有 %1</translation>
+    </message>
+    <message>
+        <source>expected section.key=value</source>
+        <translation>应为 section.key=value</translation>
+    </message>
+    <message>
+        <source>expected three entries: x, y, z</source>
+        <translation>应为三项：x、y、z</translation>
+    </message>
+    <message>
+        <source>expected three entries: roll, pitch, yaw</source>
+        <translation>应为三项：roll、pitch、yaw</translation>
+    </message>
+    <message>
+        <source>a sigma is negative</source>
+        <translation>有标准差为负</translation>
+    </message>
+    <message>
+        <source>expected six rows</source>
+        <translation>应为六行</translation>
+    </message>
+    <message>
+        <source>expected six entries</source>
+        <translation>应为六项</translation>
+    </message>
+    <message>
+        <source>gives a number for %1, which is not observed</source>
+        <translation>给出了 %1 的数值，而它不可观测</translation>
+    </message>
+    <message>
+        <source>expected &quot;remount-result/1&quot;, found &quot;%1&quot;</source>
+        <translation>应为“remount-result/1”，实际为“%1”</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a status that is known here</source>
+        <translation>“%1”不是此处已知的状态</translation>
+    </message>
+    <message>
+        <source>expected a unit vector</source>
+        <translation>应为单位向量</translation>
+    </message>
+    <message>
+        <source>%1 rad (%2 deg) is outside %3 to %4 rad (%5 to %6 deg)</source>
+        <translation>%1 rad（%2 度）超出 %3 到 %4 rad（%5 到 %6 度）</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3</source>
+        <translation>%1 超出 %2 到 %3</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, expected &quot;%2&quot;</source>
+        <translation>为“%1”，应为“%2”</translation>
+    </message>
+    <message>
+        <source>is &quot;%1&quot;, expected &quot;%2&quot;; a later version of Remount wrote it</source>
+        <translation>为“%1”，应为“%2”；由更新版本的 Remount 写入</translation>
+    </message>
+    <message>
+        <source>expected ROLE=TOPIC with a role of %1; the topic none leaves a role out</source>
+        <translation>应为 ROLE=TOPIC，ROLE 取自 %1；TOPIC 为 none 时不使用该角色</translation>
+    </message>
+    <message>
+        <source>%1 has a topic already</source>
+        <translation>%1 已有话题</translation>
+    </message>
+    <message>
+        <source>expected the 12 or 16 numbers of a matrix, found %1</source>
+        <translation>应为矩阵的 12 或 16 个数，实际为 %1 个</translation>
+    </message>
+    <message>
+        <source>expected an attribute %1=&quot;...&quot;</source>
+        <translation>应有属性 %1=&quot;...&quot;</translation>
+    </message>
+    <message>
+        <source>is KITTI&apos;s calibration of a camera (it has a line &quot;delta_f:&quot;), expected calib_imu_to_velo.txt</source>
+        <translation>是 KITTI 的相机标定（含有“delta_f:”一行），应为 calib_imu_to_velo.txt</translation>
+    </message>
+    <message>
+        <source>expected a line &quot;R:&quot; with nine numbers and a line &quot;T:&quot; with three</source>
+        <translation>应有含九个数的“R:”一行和含三个数的“T:”一行</translation>
+    </message>
+    <message>
+        <source>expected an entry &quot;&lt;a&gt;-to-&lt;b&gt;-extrinsic&quot;</source>
+        <translation>应有条目“&lt;a&gt;-to-&lt;b&gt;-extrinsic”</translation>
+    </message>
+    <message>
+        <source>names a LiDAR; expected an extrinsic from the GNSS/INS to the LiDAR</source>
+        <translation>是激光雷达；应为从 GNSS/INS 到激光雷达的外参</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>无法写入：%1</translation>
+    </message>
+    <message>
+        <source>is being written by another process</source>
+        <translation>正由另一进程写入</translation>
+    </message>
+    <message>
+        <source>is no name of a file to save to</source>
+        <translation>不是可以保存的文件名</translation>
+    </message>
+    <message>
+        <source>cannot be saved, it is a folder</source>
+        <translation>无法保存，它是文件夹</translation>
+    </message>
+    <message>
+        <source>cannot be saved, it is no regular file</source>
+        <translation>无法保存，它不是普通文件</translation>
+    </message>
+    <message>
+        <source>cannot be saved, its permissions cannot be set: %1; nothing was replaced</source>
+        <translation>无法保存，不能设置其权限：%1；未替换任何内容</translation>
+    </message>
+    <message>
+        <source>is there and is nothing that this would replace (no &quot;%1&quot; in it): name another file, or remove it first</source>
+        <translation>已存在，且不是可以替换的文件（其中没有“%1”）：请另取文件名，或先将其删除</translation>
+    </message>
+    <message>
+        <source>%1; replaced already: %2</source>
+        <translation>%1；此前已替换：%2</translation>
+    </message>
+    <message>
+        <source>cannot be locked: %1</source>
+        <translation>无法锁定：%1</translation>
+    </message>
+    <message>
+        <source>cannot be locked, it is no regular file</source>
+        <translation>无法锁定，它不是普通文件</translation>
+    </message>
+    <message>
+        <source>cannot be locked: it is made and removed again and again</source>
+        <translation>无法锁定：它不断被创建和删除</translation>
+    </message>
+    <message>
+        <source>cannot be locked: the file system knows no locks</source>
+        <translation>无法锁定：文件系统不支持锁</translation>
+    </message>
+    <message>
+        <source>cannot be made: a file is in the way</source>
+        <translation>无法创建：已有同名文件</translation>
+    </message>
+    <message>
+        <source>is %1, expected a regular file</source>
+        <translation>是%1，应为普通文件</translation>
+    </message>
+    <message>
+        <source>a directory</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>a FIFO</source>
+        <translation>命名管道</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>套接字</translation>
+    </message>
+    <message>
+        <source>something else</source>
+        <translation>其他类型</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes, at most %2 are read</source>
+        <translation>含 %1 字节，最多读取 %2 字节</translation>
+    </message>
+    <message>
+        <source>%1 bytes are expected here, but the file ends at byte %2</source>
+        <translation>此处应有 %1 字节，但文件止于字节 %2</translation>
+    </message>
+    <message>
+        <source>%1: byte %2: %3 bytes are expected here, but the file ends at byte %4</source>
+        <translation>%1：字节 %2：此处应有 %3 字节，但文件止于字节 %4</translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation>文件在读取时变短了</translation>
+    </message>
+    <message>
+        <source>has become shorter: it was written anew</source>
+        <translation>变短了：它被重新写过</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>打开的文件过多</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>不是文件夹</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>不允许该操作</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>超出磁盘配额</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>设备或资源忙</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>符号链接层数过多</translation>
+    </message>
+    <message>
+        <source>has no column &apos;%1&apos;; its columns are %2</source>
+        <translation>没有列“%1”；现有的列为 %2</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, expected a finite number</source>
+        <translation>%1：“%2”不是有限的数</translation>
+    </message>
+    <message>
+        <source>velocity is &apos;%1&apos;, expected a finite number</source>
+        <translation>速度：“%1”不是有限的数</translation>
+    </message>
+    <message>
+        <source>turn rate is &apos;%1&apos;, expected a finite number</source>
+        <translation>转动角速度：“%1”不是有限的数</translation>
+    </message>
+    <message>
+        <source>position is &apos;%1&apos;, expected a finite number</source>
+        <translation>位置：“%1”不是有限的数</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;&apos;, expected a finite number</source>
+        <translation>%1：空白，应为有限的数</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, expected a number</source>
+        <translation>%1：“%2”不是数</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;&apos;, expected a number</source>
+        <translation>%1：空白，应为数</translation>
+    </message>
+    <message>
+        <source>field %1</source>
+        <translation>第 %1 个字段</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>an entry</source>
+        <translation>某一项</translation>
+    </message>
+    <message>
+        <source>has %1 fields, column %2 is needed</source>
+        <translation>有 %1 个字段，需要第 %2 列</translation>
+    </message>
+    <message>
+        <source>has %1 fields, expected %2</source>
+        <translation>有 %1 个字段，应为 %2 个</translation>
+    </message>
+    <message>
+        <source>has %1 fields, expected more than %2</source>
+        <translation>有 %1 个字段，应多于 %2 个</translation>
+    </message>
+    <message>
+        <source>has %1 fields, expected a time stamp and 12 numbers</source>
+        <translation>有 %1 个字段，应为一个时间戳和 12 个数</translation>
+    </message>
+    <message>
+        <source>has %1 fields, the header has %2</source>
+        <translation>有 %1 个字段，而表头有 %2 个</translation>
+    </message>
+    <message>
+        <source>has %1 data fields, expected %2</source>
+        <translation>有 %1 个数据字段，应为 %2 个</translation>
+    </message>
+    <message>
+        <source>has %1 numbers, expected %2</source>
+        <translation>有 %1 个数，应为 %2 个</translation>
+    </message>
+    <message>
+        <source>has %1 values, expected %2</source>
+        <translation>有 %1 个值，应为 %2 个</translation>
+    </message>
+    <message>
+        <source>has %1 columns, expected at least %2</source>
+        <translation>有 %1 列，至少应为 %2 列</translation>
+    </message>
+    <message>
+        <source>%1 line cannot be used and is left out. First: %2</source>
+        <translation>%1 行无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 lines cannot be used and are left out. First: %2</source>
+        <translation>%1 行无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 file cannot be used and is left out. First: %2</source>
+        <translation>%1 个文件无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 files cannot be used and are left out. First: %2</source>
+        <translation>%1 个文件无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 INS file cannot be used and is left out. First: %2</source>
+        <translation>%1 个 INS 文件无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 INS files cannot be used and are left out. First: %2</source>
+        <translation>%1 个 INS 文件无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 scan cannot be used and is left out. First: %2</source>
+        <translation>%1 次扫描无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 scans cannot be used and are left out. First: %2</source>
+        <translation>%1 次扫描无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 time stamp cannot be used and is left out. First: %2</source>
+        <translation>%1 个时间戳无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 time stamps cannot be used and are left out. First: %2</source>
+        <translation>%1 个时间戳无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 track point cannot be used and is left out. First: %2</source>
+        <translation>%1 个轨迹点无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 track points cannot be used and are left out. First: %2</source>
+        <translation>%1 个轨迹点无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 message cannot be used and is left out. First: %2</source>
+        <translation>%1 条消息无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>%1 messages cannot be used and are left out. First: %2</source>
+        <translation>%1 条消息无法使用，已略去。首个：%2</translation>
+    </message>
+    <message>
+        <source>no entry has a possible time, expected nanoseconds since 1970</source>
+        <translation>没有一条的时间合理，应为自 1970 年起的纳秒数</translation>
+    </message>
+    <message>
+        <source>the rotation holds numbers that are not finite</source>
+        <translation>旋转中含有非有限的数</translation>
+    </message>
+    <message>
+        <source>the nine numbers are no rotation: an entry is off by %1</source>
+        <translation>这九个数不是旋转：有一项偏差 %1</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, expected a time in unit: %3</source>
+        <translation>%1：“%2”不是以 unit: %3 计的时间</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;&apos;, expected a time in unit: %2</source>
+        <translation>%1：空白，应为以 unit: %2 计的时间</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, too large for unit: %3; declare unit: %4 where that is what it counts</source>
+        <translation>%1：“%2”对 unit: %3 而言过大；请按它实际的计数单位声明 unit: %4</translation>
+    </message>
+    <message>
+        <source>GPS week and time of week are out of range</source>
+        <translation>GPS 周数和周内时间超出范围</translation>
+    </message>
+    <message>
+        <source>the quaternion has length %1, expected 1</source>
+        <translation>四元数的长度为 %1，应为 1</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, expected unknown, good, degraded or invalid</source>
+        <translation>%1：“%2”应为 unknown、good、degraded 或 invalid</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;&apos;, expected unknown, good, degraded or invalid</source>
+        <translation>%1：空白，应为 unknown、good、degraded 或 invalid</translation>
+    </message>
+    <message>
+        <source>holds no usable INS sample.</source>
+        <translation>不含可用的 INS 样本。</translation>
+    </message>
+    <message>
+        <source>holds no usable INS sample. First problem: %1</source>
+        <translation>不含可用的 INS 样本。首个问题：%1</translation>
+    </message>
+    <message>
+        <source>no time stamps</source>
+        <translation>没有时间戳</translation>
+    </message>
+    <message>
+        <source>the angles are declared in radians, but roll or pitch reaches %1, more than radians allow (3.14). Declare attitude: {unit: deg} in session.yaml</source>
+        <translation>角度声明为弧度，但横滚或俯仰达到 %1，超出弧度的范围（3.14）。请在 session.yaml 中声明 attitude: {unit: deg}</translation>
+    </message>
+    <message>
+        <source>the angles are declared as unit: deg, but the heading then goes against the direction of travel; it follows it as rad. Declare attitude: {unit: rad} in session.yaml</source>
+        <translation>角度声明为 unit: deg，但这样航向与行驶方向不符；按 rad 则相符。请在 session.yaml 中声明 attitude: {unit: rad}</translation>
+    </message>
+    <message>
+        <source>As unit: deg, the heading is %1 degrees off the direction of travel; as rad, %2. Declare attitude: {unit: rad} in session.yaml, unless the INS is mounted like that.</source>
+        <translation>按 unit: deg，航向与行驶方向相差 %1 度；按 rad 则相差 %2 度。请在 session.yaml 中声明 attitude: {unit: rad}，除非 INS 确实这样安装。</translation>
+    </message>
+    <message>
+        <source>the angles are declared as unit: rad, but the heading then goes against the direction of travel; it follows it as deg. Declare attitude: {unit: deg} in session.yaml</source>
+        <translation>角度声明为 unit: rad，但这样航向与行驶方向不符；按 deg 则相符。请在 session.yaml 中声明 attitude: {unit: deg}</translation>
+    </message>
+    <message>
+        <source>As unit: rad, the heading is %1 degrees off the direction of travel; as deg, %2. Declare attitude: {unit: deg} in session.yaml, unless the INS is mounted like that.</source>
+        <translation>按 unit: rad，航向与行驶方向相差 %1 度；按 deg 则相差 %2 度。请在 session.yaml 中声明 attitude: {unit: deg}，除非 INS 确实这样安装。</translation>
+    </message>
+    <message>
+        <source>GPS week &apos;&apos; and time &apos;&apos; are no GPS time</source>
+        <translation>GPS 周数和时间空白，不是 GPS 时间</translation>
+    </message>
+    <message>
+        <source>GPS week &apos;%1&apos; and time &apos;%2&apos; are no GPS time</source>
+        <translation>GPS 周数“%1”和时间“%2”不是 GPS 时间</translation>
+    </message>
+    <message>
+        <source>expected &apos;#INSPVAXA,&lt;header&gt;;&lt;data&gt;*&lt;crc&gt;&apos;</source>
+        <translation>应为“#INSPVAXA,&lt;header&gt;;&lt;data&gt;*&lt;crc&gt;”</translation>
+    </message>
+    <message>
+        <source>the header has too few fields</source>
+        <translation>头部的字段太少</translation>
+    </message>
+    <message>
+        <source>roll, pitch or azimuth is no angle in degrees</source>
+        <translation>横滚、俯仰或方位角不是以度计的角度</translation>
+    </message>
+    <message>
+        <source>holds no usable INSPVAX line.</source>
+        <translation>不含可用的 INSPVAX 行。</translation>
+    </message>
+    <message>
+        <source>holds no usable INSPVAX line. First problem: %1</source>
+        <translation>不含可用的 INSPVAX 行。首个问题：%1</translation>
+    </message>
+    <message>
+        <source>Of several INSPVAX files this one has intact stamps and most samples; not used: %1.</source>
+        <translation>在多个 INSPVAX 文件中，此文件的时间戳完好且样本最多；未使用：%1。</translation>
+    </message>
+    <message>
+        <source>holds several files of LiDAR poses: %1 and %2</source>
+        <translation>含有多个激光雷达位姿文件：%1 和 %2</translation>
+    </message>
+    <message>
+        <source>holds several pose files, none named after lidar, laser, odom, loam or mapped</source>
+        <translation>含有多个位姿文件，但名称中都没有 lidar、laser、odom、loam 或 mapped</translation>
+    </message>
+    <message>
+        <source>An INSPVAX log is half a session: put it into a folder with LiDAR poses, or declare it with the scans in a session.yaml.</source>
+        <translation>INSPVAX 记录只是半份数据：请把它与激光雷达位姿放入同一文件夹，或在 session.yaml 中与扫描一起声明。</translation>
+    </message>
+    <message>
+        <source>%1 without usable values</source>
+        <translation>%1 没有可用的值</translation>
+    </message>
+    <message>
+        <source>the checksum is wrong</source>
+        <translation>校验和错误</translation>
+    </message>
+    <message>
+        <source>holds no GGA sentence with a fix.</source>
+        <translation>不含带定位的 GGA 语句。</translation>
+    </message>
+    <message>
+        <source>holds no GGA sentence with a fix. First problem: %1</source>
+        <translation>不含带定位的 GGA 语句。首个问题：%1</translation>
+    </message>
+    <message>
+        <source>holds no date: GGA tells the time of day alone. Log RMC or ZDA as well</source>
+        <translation>没有日期：GGA 只含一天内的时刻。请同时记录 RMC 或 ZDA</translation>
+    </message>
+    <message>
+        <source>The log does not state errors (GST): what the quality of a fix usually means is assumed.</source>
+        <translation>日志未说明误差（GST）：按定位质量的通常含义假定误差。</translation>
+    </message>
+    <message>
+        <source>Heights are above sea level, for the log does not give the geoid&apos;s.</source>
+        <translation>高度为海拔，因为日志未给出大地水准面的高度。</translation>
+    </message>
+    <message>
+        <source>The log has a heading (HDT) and no roll and pitch: they are taken to be zero, good to some degrees.</source>
+        <translation>日志有航向（HDT），没有横滚和俯仰：二者按零处理，精度为几度。</translation>
+    </message>
+    <message>
+        <source>the tag &lt;trkpt does not end</source>
+        <translation>标签 &lt;trkpt 没有结束</translation>
+    </message>
+    <message>
+        <source>a track point needs lat, lon and a time like 2026-11-22T10:00:00Z</source>
+        <translation>轨迹点需要 lat、lon 以及形如 2026-11-22T10:00:00Z 的时间</translation>
+    </message>
+    <message>
+        <source>the position is not on the Earth</source>
+        <translation>位置不在地球上</translation>
+    </message>
+    <message>
+        <source>holds no track point with a time.</source>
+        <translation>不含带时间的轨迹点。</translation>
+    </message>
+    <message>
+        <source>holds no track point with a time. First problem: %1</source>
+        <translation>不含带时间的轨迹点。首个问题：%1</translation>
+    </message>
+    <message>
+        <source>GPX does not state errors: 3 m, and 5 m in height, are assumed.</source>
+        <translation>GPX 不说明误差：假定为 3 m，高度为 5 m。</translation>
+    </message>
+    <message>
+        <source>%1 track points have no height; it is taken to be zero.</source>
+        <translation>%1 个轨迹点没有高度；按零处理。</translation>
+    </message>
+    <message>
+        <source>holds neither an NMEA log nor a GPX track</source>
+        <translation>既不含 NMEA 日志，也不含 GPX 轨迹</translation>
+    </message>
+    <message>
+        <source>holds several %1: %2 and %3; put each drive into a folder of its own, or name the files in a session.yaml</source>
+        <translation>含有多个 %1：%2 和 %3；请把每段行程放入各自的文件夹，或在 session.yaml 中指明文件</translation>
+    </message>
+    <message>
+        <source>NMEA logs</source>
+        <translation>NMEA 日志</translation>
+    </message>
+    <message>
+        <source>GPX tracks</source>
+        <translation>GPX 轨迹</translation>
+    </message>
+    <message>
+        <source>files of LiDAR poses</source>
+        <translation>激光雷达位姿文件</translation>
+    </message>
+    <message>
+        <source>A GNSS log is half a session: put it into a folder with LiDAR poses, or declare it with the scans in a session.yaml.</source>
+        <translation>GNSS 日志只是半份数据：请把它与激光雷达位姿放入同一文件夹，或在 session.yaml 中与扫描一起声明。</translation>
+    </message>
+    <message>
+        <source>field %1 is beyond 1e9</source>
+        <translation>第 %1 个字段超过 1e9</translation>
+    </message>
+    <message>
+        <source>&apos;&apos; is no time in seconds</source>
+        <translation>空白，应为以秒计的时间</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no time in seconds</source>
+        <translation>“%1”不是以秒计的时间</translation>
+    </message>
+    <message>
+        <source>header.stamp holds no seconds and nanoseconds</source>
+        <translation>header.stamp 中没有秒和纳秒</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no position type, expected a whole number</source>
+        <translation>“%1”不是定位类型，应为整数</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no time like 2021-10-26-16-21-29-468</source>
+        <translation>“%1”不是形如 2021-10-26-16-21-29-468 的时间</translation>
+    </message>
+    <message>
+        <source>Positions are taken to be UTM, and attitudes to be relative to true north, as Apollo&apos;s GNSS driver writes them: away from the middle of a zone yaw of X is off by the grid convergence, up to some 2 degrees, which no residual shows.</source>
+        <translation>位置按 UTM、姿态按相对真北处理，与 Apollo 的 GNSS 驱动程序的写法相同：离投影带中央较远时，X 的偏航会偏差子午线收敛角，最大约 2 度，且残差中看不出来。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 positions are not fixed by their position type.</source>
+        <translation>%2 个位置中，有 %1 个按其定位类型不是固定解。</translation>
+    </message>
+    <message>
+        <source>holds no usable pose (%1).</source>
+        <translation>不含可用的位姿（%1）。</translation>
+    </message>
+    <message>
+        <source>holds no usable pose (%1). First problem: %2</source>
+        <translation>不含可用的位姿（%1）。首个问题：%2</translation>
+    </message>
+    <message>
+        <source>INS time = LiDAR time %1 s (sigma %2 s, correlation %3, next best %4)</source>
+        <translation>INS 时间 = 激光雷达时间 %1 s（标准差 %2 s，相关系数 %3，次优 %4）</translation>
+    </message>
+    <message>
+        <source>holds several pose files named after %1; put each pair into a folder of its own:%2</source>
+        <translation>含有多个名称带 %1 的位姿文件；请把每一对放入各自的文件夹：%2</translation>
+    </message>
+    <message>
+        <source>holds no pose file named after %1, found:%2</source>
+        <translation>没有名称带 %1 的位姿文件，找到的有：%2</translation>
+    </message>
+    <message>
+        <source>ins, imu, gnss, hand, vicon or body</source>
+        <translation>ins、imu、gnss、hand、vicon 或 body</translation>
+    </message>
+    <message>
+        <source>lidar, camera, cam, odom or laser</source>
+        <translation>lidar、camera、cam、odom 或 laser</translation>
+    </message>
+    <message>
+        <source>the index is &apos;%1&apos;, expected a whole number from 0</source>
+        <translation>序号为“%1”，应为从 0 起的整数</translation>
+    </message>
+    <message>
+        <source>more than %1 pairs, too many for a file of this size</source>
+        <translation>超过 %1 对，对于这样大小的文件过多</translation>
+    </message>
+    <message>
+        <source>%1 holds no rotation</source>
+        <translation>%1 不是旋转</translation>
+    </message>
+    <message>
+        <source>is empty, expected a header with P00..P23 and Q00..Q23</source>
+        <translation>是空的，应有含 P00..P23 和 Q00..Q23 的表头</translation>
+    </message>
+    <message>
+        <source>holds no pair below its header</source>
+        <translation>表头之下没有数据对</translation>
+    </message>
+    <message>
+        <source>&apos;&apos; is not one of: %1</source>
+        <translation>空白，应为以下之一：%1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not one of: %2</source>
+        <translation>“%1”不是以下之一：%2</translation>
+    </message>
+    <message>
+        <source>expected a number above 0</source>
+        <translation>应为大于 0 的数</translation>
+    </message>
+    <message>
+        <source>a column&apos;s index must be 0 to 10000</source>
+        <translation>列的序号必须为 0 到 10000</translation>
+    </message>
+    <message>
+        <source>expected either &apos;%1&apos; or &apos;%2&apos;</source>
+        <translation>应为“%1”或“%2”之一</translation>
+    </message>
+    <message>
+        <source>a week belongs to scale: gps</source>
+        <translation>week 只用于 scale: gps</translation>
+    </message>
+    <message>
+        <source>latitude and longitude must have the same unit</source>
+        <translation>纬度和经度的单位必须相同</translation>
+    </message>
+    <message>
+        <source>&apos;sweep&apos; stands with timing: sweep and only there</source>
+        <translation>“sweep”须与 timing: sweep 一同使用，且只能如此</translation>
+    </message>
+    <message>
+        <source>there is no folder %1</source>
+        <translation>没有文件夹 %1</translation>
+    </message>
+    <message>
+        <source>no scan with a stamp is found in %1</source>
+        <translation>在 %1 中没有找到带时间戳的扫描</translation>
+    </message>
+    <message>
+        <source>has no attitude (PASHR or HDT): declare it as gnss</source>
+        <translation>没有姿态（PASHR 或 HDT）：请将其声明为 gnss</translation>
+    </message>
+    <message>
+        <source>a sigma is not negative</source>
+        <translation>标准差不能为负</translation>
+    </message>
+    <message>
+        <source>%1 deg is outside -360 to 360 deg</source>
+        <translation>%1 度超出 -360 到 360 度</translation>
+    </message>
+    <message>
+        <source>is no map of keys and values; expected &quot;format: %1&quot; and the rest of a session</source>
+        <translation>不是键和值的映射；应有“format: %1”及数据的其余声明</translation>
+    </message>
+    <message>
+        <source>the key &quot;format&quot; is missing; expected &quot;format: %1&quot;</source>
+        <translation>缺少键“format”；应有“format: %1”</translation>
+    </message>
+    <message>
+        <source>is &apos;%1&apos;, expected %2</source>
+        <translation>为“%1”，应为 %2</translation>
+    </message>
+    <message>
+        <source>clocks can be aligned only where lidar_poses are given</source>
+        <translation>只有给出 lidar_poses 时才能对齐时钟</translation>
+    </message>
+    <message>
+        <source>%1: the name is no time stamp (nanoseconds, seconds or 2021-10-26-16-21-29-468)</source>
+        <translation>%1：名称不是时间戳（纳秒、秒或 2021-10-26-16-21-29-468）</translation>
+    </message>
+    <message>
+        <source>expected a file&apos;s name and its stamp in nanoseconds</source>
+        <translation>应为文件名及以纳秒计的时间戳</translation>
+    </message>
+    <message>
+        <source>is missing or no regular file</source>
+        <translation>缺失或不是普通文件</translation>
+    </message>
+    <message>
+        <source>time_ns is &apos;&apos;, expected nanoseconds since 1970</source>
+        <translation>time_ns 空白，应为自 1970 年起的纳秒数</translation>
+    </message>
+    <message>
+        <source>time_ns is &apos;%1&apos;, expected nanoseconds since 1970</source>
+        <translation>time_ns 为“%1”，应为自 1970 年起的纳秒数</translation>
+    </message>
+    <message>
+        <source>is empty, expected a line of column names</source>
+        <translation>是空的，应有一行列名</translation>
+    </message>
+    <message>
+        <source>holds no usable line.</source>
+        <translation>不含可用的行。</translation>
+    </message>
+    <message>
+        <source>holds no usable line. First problem: %1</source>
+        <translation>不含可用的行。首个问题：%1</translation>
+    </message>
+    <message>
+        <source>the covariance is not positive definite; state the receiver&apos;s own</source>
+        <translation>协方差不是正定的；请给出接收机自己的协方差</translation>
+    </message>
+    <message>
+        <source>cov_east_north_m2, cov_east_up_m2 and cov_north_up_m2 stand together or not at all</source>
+        <translation>cov_east_north_m2、cov_east_up_m2 和 cov_north_up_m2 须同时给出或都不给出</translation>
+    </message>
+    <message>
+        <source>expected a time like 2011-09-26 13:02:25.964389445</source>
+        <translation>应为形如 2011-09-26 13:02:25.964389445 的时间</translation>
+    </message>
+    <message>
+        <source>has no time stamp</source>
+        <translation>没有时间戳</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>expected R: with 9 and T: with 3 numbers</source>
+        <translation>应有含 9 个数的 R: 和含 3 个数的 T:</translation>
+    </message>
+    <message>
+        <source>holds no KITTI drive: a folder with oxts/timestamps.txt, oxts/data and velodyne_points/data</source>
+        <translation>不含 KITTI 行程：即含 oxts/timestamps.txt、oxts/data 和 velodyne_points/data 的文件夹</translation>
+    </message>
+    <message>
+        <source>holds %1 drives; open them one by one:%2</source>
+        <translation>含有 %1 段行程；请逐一打开：%2</translation>
+    </message>
+    <message>
+        <source>Of several files this one is used for the INS; not used: %1.</source>
+        <translation>在多个文件中，此文件用于 INS；未使用：%1。</translation>
+    </message>
+    <message>
+        <source>Of several files this one is used for the LiDAR; not used: %1.</source>
+        <translation>在多个文件中，此文件用于激光雷达；未使用：%1。</translation>
+    </message>
+    <message>
+        <source>holds no INS poses: lines of a stamp like 2021-10-26-16-21-29-468 and 12 numbers</source>
+        <translation>不含 INS 位姿：即由形如 2021-10-26-16-21-29-468 的时间戳和 12 个数组成的行</translation>
+    </message>
+    <message>
+        <source>holds INS poses, but neither PCD files named by their stamps nor LiDAR poses (*lidar*-pose*)</source>
+        <translation>含有 INS 位姿，但既没有以时间戳命名的 PCD 文件，也没有激光雷达位姿（*lidar*-pose*）</translation>
+    </message>
+    <message>
+        <source>There are %1 LiDAR poses and only %2 scans; the poses are used. To use the scans, move the LiDAR poses away.</source>
+        <translation>有 %1 个激光雷达位姿，而扫描只有 %2 次；使用位姿。若要使用扫描，请移走激光雷达位姿。</translation>
+    </message>
+    <message>
+        <source>expected a time in seconds after the keyword</source>
+        <translation>关键字之后应为以秒计的时间</translation>
+    </message>
+    <message>
+        <source>holds no usable odom3 line.</source>
+        <translation>不含可用的 odom3 行。</translation>
+    </message>
+    <message>
+        <source>holds no usable odom3 line. First problem: %1</source>
+        <translation>不含可用的 odom3 行。首个问题：%1</translation>
+    </message>
+    <message>
+        <source>the position is not near the Earth&apos;s surface</source>
+        <translation>位置不在地球表面附近</translation>
+    </message>
+    <message>
+        <source>holds no usable point3 line.</source>
+        <translation>不含可用的 point3 行。</translation>
+    </message>
+    <message>
+        <source>holds no usable point3 line. First problem: %1</source>
+        <translation>不含可用的 point3 行。首个问题：%1</translation>
+    </message>
+    <message>
+        <source>holds %1 drives; name one of them, as %2</source>
+        <translation>含有 %1 段行程；请指明其中之一，例如 %2</translation>
+    </message>
+    <message>
+        <source>There is one speed of the vehicle and none of its wheels: both wheels have it, and their difference tells nothing about turning.</source>
+        <translation>只有车辆的速度，没有各车轮的速度：两轮都采用此速度，其差值不能说明转弯。</translation>
+    </message>
+    <message>
+        <source>The positions are the data set&apos;s ground truth, not a receiver&apos;s; their covariance is not stated, a sigma of 0.1 m is assumed.</source>
+        <translation>这些位置是数据集的真值，而非接收机的定位；其协方差未说明，假定标准差为 0.1 m。</translation>
+    </message>
+    <message>
+        <source>is a session of format %1, which has no topics to choose from</source>
+        <translation>是 %1 格式的数据，没有可供选择的话题</translation>
+    </message>
+    <message>
+        <source>has no scan %1; its scans are 0 to %2</source>
+        <translation>没有扫描 %1；其扫描为 0 到 %2</translation>
+    </message>
+    <message>
+        <source>has no INS motion to write</source>
+        <translation>没有可写入的 INS 运动</translation>
+    </message>
+    <message>
+        <source>has neither scans nor LiDAR poses to write</source>
+        <translation>既没有可写入的扫描，也没有可写入的激光雷达位姿</translation>
+    </message>
+    <message>
+        <source>KITTI raw needs geodetic INS samples and scans</source>
+        <translation>KITTI raw 需要含经纬度的 INS 样本以及扫描</translation>
+    </message>
+    <message>
+        <source>reading GNSS</source>
+        <translation>读取 GNSS</translation>
+    </message>
+    <message>
+        <source>reading ground truth</source>
+        <translation>读取真值</translation>
+    </message>
+    <message>
+        <source>reading odometry</source>
+        <translation>读取里程计</translation>
+    </message>
+    <message>
+        <source>reading what is new</source>
+        <translation>读取新增内容</translation>
+    </message>
+    <message>
+        <source>reading messages</source>
+        <translation>读取消息</translation>
+    </message>
+    <message>
+        <source>reading the index</source>
+        <translation>读取索引</translation>
+    </message>
+    <message>
+        <source>reading a bag without an index, MB</source>
+        <translation>读取没有索引的 bag，MB</translation>
+    </message>
+    <message>
+        <source>unpacking the bag, MB</source>
+        <translation>解压 bag，MB</translation>
+    </message>
+    <message>
+        <source>%1. The scan is skipped.</source>
+        <translation>%1。该帧扫描已跳过。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: %3 points of %4 bytes from byte %5 on, but the file has %6 bytes</source>
+        <translation>%1，字节 %2：自字节 %5 起有 %3 个点，每点 %4 字节，但文件只有 %6 字节</translation>
+    </message>
+    <message>
+        <source>fields are &apos;%1&apos;, expected x, y and z with one value each</source>
+        <translation>字段为“%1”，应有 x、y 和 z，各一个值</translation>
+    </message>
+    <message>
+        <source>is no PCD, PLY, LAS, KITTI .bin or .txt scan</source>
+        <translation>不是 PCD、PLY、LAS、KITTI .bin 或 .txt 扫描</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes, expected a multiple of 16 (x, y, z, reflectance as floats)</source>
+        <translation>含 %1 字节，应为 16 的倍数（x、y、z、反射率，均为 float）</translation>
+    </message>
+    <message>
+        <source>expected x y z and reflectance</source>
+        <translation>应为 x y z 和反射率</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>“%1”不是数</translation>
+    </message>
+    <message>
+        <source>expected &quot;LASF&quot;</source>
+        <translation>应为“LASF”</translation>
+    </message>
+    <message>
+        <source>ends within the header, expected at least 227 bytes</source>
+        <translation>在头部中结束，至少应有 227 字节</translation>
+    </message>
+    <message>
+        <source>ends within the header, LAS 1.4 has 375 bytes</source>
+        <translation>在头部中结束，LAS 1.4 的头部为 375 字节</translation>
+    </message>
+    <message>
+        <source>is LAS %1, expected 1.2 to 1.4</source>
+        <translation>是 LAS %1，应为 1.2 到 1.4</translation>
+    </message>
+    <message>
+        <source>is compressed (LAZ): unpack it to LAS first</source>
+        <translation>是压缩的（LAZ）：请先解压为 LAS</translation>
+    </message>
+    <message>
+        <source>point format %1, expected 0 to 10</source>
+        <translation>点格式为 %1，应为 0 到 10</translation>
+    </message>
+    <message>
+        <source>points of %1 bytes, format %2 has at least %3</source>
+        <translation>每点 %1 字节，而格式 %2 至少为 %3 字节</translation>
+    </message>
+    <message>
+        <source>%1 points of %2 bytes from byte %3 on, but the file has %4 bytes</source>
+        <translation>自字节 %3 起有 %1 个点，每点 %2 字节，但文件只有 %4 字节</translation>
+    </message>
+    <message>
+        <source>scale or offset is no finite number, or the scale is 0</source>
+        <translation>比例或偏移不是有限的数，或比例为 0</translation>
+    </message>
+    <message>
+        <source>more points than the file has bytes</source>
+        <translation>点数多于文件的字节数</translation>
+    </message>
+    <message>
+        <source>holds coordinates of a map (up to %1 m), expected metres in the frame of the sensor, one scan a file</source>
+        <translation>含有地图坐标（达 %1 m），应为传感器坐标系中以米计的坐标，每个文件一次扫描</translation>
+    </message>
+    <message>
+        <source>a point is farther away than LAS of this scale holds</source>
+        <translation>有点的距离超出此比例的 LAS 所能表示的范围</translation>
+    </message>
+    <message>
+        <source>%1 holds &apos;%2&apos;, expected an integer from %3 to %4</source>
+        <translation>%1 为“%2”，应为整数，范围 %3 到 %4</translation>
+    </message>
+    <message>
+        <source>has %1 columns, at most %2 are read</source>
+        <translation>有 %1 列，最多读取 %2 列</translation>
+    </message>
+    <message>
+        <source>%1 expects one number</source>
+        <translation>%1 应有一个数</translation>
+    </message>
+    <message>
+        <source>TYPE holds &apos;%1&apos;, expected I, U or F</source>
+        <translation>TYPE 为“%1”，应为 I、U 或 F</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a line of a PCD header</source>
+        <translation>“%1”不是 PCD 头部的行</translation>
+    </message>
+    <message>
+        <source>TYPE %1 with SIZE %2 is not a number type</source>
+        <translation>TYPE %1 与 SIZE %2 不构成数的类型</translation>
+    </message>
+    <message>
+        <source>FIELDS is missing before DATA</source>
+        <translation>DATA 之前缺少 FIELDS</translation>
+    </message>
+    <message>
+        <source>FIELDS names %1 columns, but SIZE has %2, TYPE %3 and COUNT %4</source>
+        <translation>FIELDS 列出 %1 列，但 SIZE 有 %2 项，TYPE 有 %3 项，COUNT 有 %4 项</translation>
+    </message>
+    <message>
+        <source>neither POINTS nor WIDTH stands before DATA</source>
+        <translation>DATA 之前既没有 POINTS 也没有 WIDTH</translation>
+    </message>
+    <message>
+        <source>WIDTH times HEIGHT does not fit 64 bits</source>
+        <translation>WIDTH 乘以 HEIGHT 超出 64 位</translation>
+    </message>
+    <message>
+        <source>POINTS is %1, but WIDTH times HEIGHT is %2</source>
+        <translation>POINTS 为 %1，但 WIDTH 乘以 HEIGHT 为 %2</translation>
+    </message>
+    <message>
+        <source>is empty, expected a PCD header</source>
+        <translation>是空的，应有 PCD 头部</translation>
+    </message>
+    <message>
+        <source>DATA is &apos;&apos;, expected ascii, binary or binary_compressed</source>
+        <translation>DATA 应有 ascii、binary 或 binary_compressed 之一</translation>
+    </message>
+    <message>
+        <source>DATA is &apos;%1&apos;, expected ascii, binary or binary_compressed</source>
+        <translation>DATA 为“%1”，应为 ascii、binary 或 binary_compressed</translation>
+    </message>
+    <message>
+        <source>no DATA line within the first %1 bytes</source>
+        <translation>前 %1 字节内没有 DATA 行</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 points</source>
+        <translation>共 %2 点，在第 %1 点之后结束</translation>
+    </message>
+    <message>
+        <source>ends before the two sizes of the compressed data</source>
+        <translation>在压缩数据的两个长度之前结束</translation>
+    </message>
+    <message>
+        <source>promises %1 compressed bytes, %2 are there</source>
+        <translation>声明有 %1 个压缩字节，实际有 %2 个</translation>
+    </message>
+    <message>
+        <source>promises %1 bytes, expected %2 points of %3 bytes</source>
+        <translation>声明有 %1 字节，应为 %2 个点、每点 %3 字节</translation>
+    </message>
+    <message>
+        <source>the LZF stream is broken or has another length than promised</source>
+        <translation>LZF 数据流已损坏，或长度与声明不符</translation>
+    </message>
+    <message>
+        <source>promises %1 points, the %2 bytes that follow hold at most %3</source>
+        <translation>声明有 %1 个点，其后的 %2 字节最多容纳 %3 个</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a PLY number type</source>
+        <translation>“%1”不是 PLY 的数类型</translation>
+    </message>
+    <message>
+        <source>more than %1 properties in one element</source>
+        <translation>一个元素中超过 %1 个属性</translation>
+    </message>
+    <message>
+        <source>expected &apos;property &lt;type&gt; &lt;name&gt;&apos; or &apos;property list &lt;type&gt; &lt;type&gt; &lt;name&gt;&apos;</source>
+        <translation>应为“property &lt;type&gt; &lt;name&gt;”或“property list &lt;type&gt; &lt;type&gt; &lt;name&gt;”</translation>
+    </message>
+    <message>
+        <source>format is &apos;&apos;, expected ascii, binary_little_endian or binary_big_endian</source>
+        <translation>format 应有 ascii、binary_little_endian 或 binary_big_endian 之一</translation>
+    </message>
+    <message>
+        <source>format is &apos;%1&apos;, expected ascii, binary_little_endian or binary_big_endian</source>
+        <translation>format 为“%1”，应为 ascii、binary_little_endian 或 binary_big_endian</translation>
+    </message>
+    <message>
+        <source>expected &apos;element &lt;name&gt; &lt;count&gt;&apos;</source>
+        <translation>应为“element &lt;name&gt; &lt;count&gt;”</translation>
+    </message>
+    <message>
+        <source>a property stands before the first element</source>
+        <translation>第一个元素之前出现属性</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a line of a PLY header</source>
+        <translation>“%1”不是 PLY 头部的行</translation>
+    </message>
+    <message>
+        <source>does not begin with &apos;ply&apos;</source>
+        <translation>不以“ply”开头</translation>
+    </message>
+    <message>
+        <source>the header has no &apos;format&apos; line</source>
+        <translation>头部没有“format”行</translation>
+    </message>
+    <message>
+        <source>no &apos;end_header&apos; within the first %1 bytes</source>
+        <translation>前 %1 字节内没有“end_header”</translation>
+    </message>
+    <message>
+        <source>ends within element &apos;%1&apos;</source>
+        <translation>在元素“%1”中结束</translation>
+    </message>
+    <message>
+        <source>value %1 of the line is missing or no number</source>
+        <translation>该行的第 %1 个值缺失或不是数</translation>
+    </message>
+    <message>
+        <source>a list promises more values than the file holds</source>
+        <translation>有列表声明的值多于文件所含的</translation>
+    </message>
+    <message>
+        <source>element &apos;%1&apos; promises %2 rows, the file holds at most %3</source>
+        <translation>元素“%1”声明有 %2 行，文件最多容纳 %3 行</translation>
+    </message>
+    <message>
+        <source>has no element &apos;vertex&apos;</source>
+        <translation>没有元素“vertex”</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

@@ -149,6 +149,13 @@ TEST_F(chinese, what_no_reader_knows_is_told_line_by_line) {
       << "one word of Chinese in English is worse than English";
 }
 
+TEST_F(chinese, names_in_files_stay_as_they_are_written) {
+  EXPECT_EQ(model_text(QStringLiteral("has no column 'yaw'; its columns are x, y, height")),
+            "没有列“yaw”；现有的列为 x, y, height")
+      << "they are phrases elsewhere";
+  EXPECT_EQ(model_text(QStringLiteral("height is 'pitch', expected a finite number")), "高度：“pitch”不是有限的数");
+}
+
 TEST_F(chinese, sentences_of_the_methods_are_recognised_whatever_they_are_about) {
   EXPECT_EQ(model_text(QStringLiteral("Solved, but for what is not observed: z, roll.")),
             "已求解，但以下不可观测：z、横滚。")
