@@ -114,6 +114,21 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "the time of a point is not finite"),
       QT_TRANSLATE_NOOP("remount::model", "the times of the points spread over %1 s"),
       QT_TRANSLATE_NOOP("remount::model", "the origin is not on the globe"),
+      QT_TRANSLATE_NOOP("remount::model", "%1: known by what was measured"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The sessions scatter %1 times as much as their errors explain; the sigmas include it."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 was given as measured, %2, without a sigma and is not used: give its sigma, too."),
+      QT_TRANSLATE_NOOP("remount::model", "the shift along [%1], the shift along [%2]"),
+      QT_TRANSLATE_NOOP("remount::model", "the turn about [%1], the turn about [%2]"),
+      QT_TRANSLATE_NOOP("remount::model", "the shift along [%1], the turn about [%2], the turn about [%3]"),
+      QT_TRANSLATE_NOOP("remount::model", "the shift along [%1], the shift along [%2], the turn about [%3]"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "the shift along [%1], the shift along [%2], the turn about [%3], the turn about [%4]"),
+      QT_TRANSLATE_NOOP("remount::model", "the shift along [%1], %2"),
+      QT_TRANSLATE_NOOP("remount::model", "the shift along [%1], the shift along [%2], %3"),
+      QT_TRANSLATE_NOOP("remount::model", "%1, the turn about [%2]"),
+      QT_TRANSLATE_NOOP("remount::model", "%1, the turn about [%2], the turn about [%3]"),
   };
   return phrases;
 }

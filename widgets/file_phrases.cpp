@@ -11,8 +11,8 @@ const std::vector<const char*>& file_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "The INS moves at up to %1 m/s: its position jumps, or its stamps are wrong."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "The vehicle turns by %1 degrees in all: the position of the LiDAR will not be observable from "
-                        "this drive alone. Drive a figure of eight."),
+                        "The vehicle turns by %1 degrees in all: the position of the LiDAR will hardly be observable "
+                        "from this drive alone. Drive a figure of eight."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The vehicle tilts by %1 degrees only: the height of the LiDAR will hardly be observable. "
                         "Drive over a ramp."),

@@ -59,7 +59,8 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
   if (!observed[2])
     result.advice.push_back(
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
-        "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.");
+        "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters: "
+        "measured.z_m.");
   if (!observed[3] || !observed[4])
     result.advice.push_back(missing(3, "Yaw", 4, "Pitch", "Yaw and pitch") +
                             "travel: drive at least a few tens of metres with good INS quality.");
@@ -162,10 +163,13 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
   for (ObservabilityDirection& direction : result.directions) {
     const Vector6d row = limits.cwiseInverse().cwiseProduct(direction.direction);
     const double sigma = std::sqrt(row.dot(covariance * row));
+    const bool by_drive = direction.observed;
     // The weak prior bounds every sigma; a direction that the pairs leave open stays so unless a measurement closes it.
     direction.sigma = std::isfinite(direction.sigma) || sigma < 1.0 ? sigma : direction.sigma;
     direction.observed = direction.sigma < 1.0;
-    direction.words = direction_words(direction.direction, direction.observed, motion);
+    direction.words = direction.observed && !by_drive
+                          ? direction_names(direction.direction) + ": known by what was measured"
+                          : direction_words(direction.direction, direction.observed, motion);
   }
   sort_directions(result);
   add_advice(result.observed, motion, result);

@@ -8,6 +8,7 @@
 
 #include "model/display_units.h"
 #include "model/report/plot_chart.h"
+#include "model/result_words.h"
 
 namespace remount {
 namespace {
@@ -125,9 +126,7 @@ std::string summary(const ResultFile& file) {
       text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
                      radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
   }
-  if (is_usable(result) && result.session_disagreement >= 1.05)
-    text += format("sessions: scatter %.1f times as much as their errors explain; the sigmas include it\n",
-                   result.session_disagreement);
+  if (const std::string words = disagreement_words(result); !words.empty()) text += "sessions: " + words + "\n";
   if (is_usable(result)) text += sharpness(file.sharpness);
   text += quantities(file.quantities);
   if (is_from_pairs(file)) text += pairs(file);

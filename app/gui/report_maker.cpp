@@ -119,10 +119,11 @@ void ReportMaker::next_pair() {
         const bool scans = clouds->cloud_a.size() > 0 || clouds->cloud_b.size() > 0;
         const PairSceneDataPtr data = scans ? prepare_pair_scene(clouds, progress) : nullptr;
         return [this, pair, data, transforms = pair_transforms(*output, static_cast<int>(pair))] {
-          if (data)
-            sittings_ = {{pair, PairAlignment::CurrentX, data, transforms},
-                         {pair, PairAlignment::Before, data, transforms}};
-          else
+          if (data) {
+            sittings_ = {{pair, PairAlignment::Before, data, transforms}};  // drawn from the last
+            if (transforms.current_known)
+              sittings_.insert(sittings_.begin(), {pair, PairAlignment::CurrentX, data, transforms});
+          } else
             report_.no_pictures = tr("No pictures of pairs: they come from LiDAR poses, without scans.").toStdString();
           QTimer::singleShot(0, this, &ReportMaker::draw_next);
         };

@@ -6,6 +6,7 @@
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/stages.h"
 #include "model/preliminary.h"
+#include "model/result_words.h"
 #include "widgets/model_text.h"
 #include "widgets/pair_counts.h"
 #include "widgets/panels/result_panel.h"
@@ -24,7 +25,7 @@ QString short_status(const CalibrationResult& result) {
   if (is_preliminary(result)) return Words::tr("preliminary: F5");
   switch (result.status) {
     case Status::Ok:
-      return Words::tr("all six observed");
+      return is_any_measured(result) ? Words::tr("all six known") : Words::tr("all six observed");
     case Status::Degenerate:
       return knows_nothing(result) ? Words::tr("nothing observed") : Words::tr("solved in part");
     case Status::TooFewPairs:

@@ -7,6 +7,7 @@
 #include "app/gui/wording.h"
 #include "app/gui/workbench.h"
 #include "model/pipeline/first_answer.h"
+#include "model/result_words.h"
 #include "widgets/model_text.h"
 
 namespace remount {
@@ -31,12 +32,6 @@ QString step_name(const std::vector<PairDecision>& decisions, PairState state, c
           ? (count == 1 ? Workbench::tr("accept pair %1").arg(pair) : Workbench::tr("accept %1 pairs").arg(count))
           : (count == 1 ? Workbench::tr("reject pair %1").arg(pair) : Workbench::tr("reject %1 pairs").arg(count));
   return reason.isEmpty() ? step : step + QStringLiteral(": ") + reason;
-}
-
-bool aligned_together(const PipelineOutput& output) {
-  const auto& candidates = output.result.candidates;
-  return std::any_of(candidates.begin(), candidates.end(),
-                     [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
 }
 
 /// What a new solution from the pairs that are there takes over: the search range, and the solution's options but for
@@ -203,9 +198,9 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
   };
   solve_job_ = jobs_.start(
       [this, if_last, first, engine = engine_,
-       task =
-           SolveTask{input_of_next_solve(), run_input_, output_, output_solved_,
-                     output_solved_ && aligned_together(*output_solved_)}](Progress& progress) -> JobRunner::Deliver {
+       task = SolveTask{input_of_next_solve(), run_input_, output_, output_solved_,
+                        output_solved_ && is_aligned_together(output_solved_->result)}](
+          Progress& progress) -> JobRunner::Deliver {
         const auto at_once = [this](auto deliver) { QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection); };
         if (first == FirstAnswer::Moved)
           if (const auto answer = answer_at_once(task, engine, progress))
@@ -234,7 +229,7 @@ bool Workbench::return_to_run(const QString& step) {
   refining_ = false;
   solving_for_ = step;
   // What aligning the clouds changed is not the effect of this step.
-  const OutputPtr before = aligned_together(*whole_run_->output) ? nullptr : output_solved_;
+  const OutputPtr before = is_aligned_together(whole_run_->output->result) ? nullptr : output_solved_;
   take_solution(whole_run_->output, before, whole_run_->input.settings);
   emit state_changed();
   return true;

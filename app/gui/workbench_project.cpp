@@ -7,6 +7,7 @@
 #include "app/gui/wording.h"
 #include "app/gui/workbench.h"
 #include "model/project.h"
+#include "model/result_words.h"
 #include "widgets/model_text.h"
 
 namespace remount {
@@ -307,6 +308,7 @@ void Workbench::restore(std::vector<std::shared_ptr<const Session>> sessions, co
   const bool whole = output_ && output_ == output_solved_;
   exported_ = whole && project.exported ? Exported::Written : Exported::No;
   confirmed_ = whole && project.confirmed;
+  if (whole && is_aligned_together(output_->result)) whole_run_ = WholeRun{run_input_, output_, decisions_};
   undo_.clear();
   check_map_soon();
   emit project_replaced();

@@ -66,8 +66,8 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
   if (variety.turned_deg < kLittleTurning_deg)
     findings.push_back(
         {Severity::Warning, "little-turning", checked.session.name,
-         check_text("The vehicle turns by %.1f degrees in all: the position of the LiDAR will not be observable from "
-                    "this drive alone. Drive a figure of eight.",
+         check_text("The vehicle turns by %.1f degrees in all: the position of the LiDAR will hardly be observable "
+                    "from this drive alone. Drive a figure of eight.",
                     variety.turned_deg)});
   else if (variety.tilt_range_deg < kLittleTilt_deg)
     findings.push_back({Severity::Note, "flat-driving", checked.session.name,

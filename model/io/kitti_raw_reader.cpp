@@ -227,7 +227,10 @@ Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
                 "holds no KITTI drive: a folder with oxts/timestamps.txt, oxts/data and velodyne_points/data");
   if (drives.size() > 1)
     throw SeveralSessions(
-        path, "holds " + std::to_string(drives.size()) + " drives; open them one by one:" + list_of(drives), drives);
+        path,
+        "holds " + std::to_string(drives.size()) +
+            " drives; name their folders, several of one vehicle where they belong together:" + list_of(drives),
+        drives);
   const fs::path drive = drives.front();
   fs::path named = drive.lexically_normal();
   if (named.filename().empty() || named.filename() == ".") named = fs::absolute(drive).lexically_normal();

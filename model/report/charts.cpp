@@ -34,6 +34,14 @@ double shown(const PairRecord& pair, ResidualKind kind) {
                                            : radians_to_degrees(pair.residual_rotation_rad);
 }
 
+double highest(const std::vector<PairRecord>& pairs, ResidualKind kind, bool accepted_only) {
+  double most = 0.0;
+  for (const PairRecord& pair : pairs)
+    if (std::isfinite(shown(pair, kind)) && (!accepted_only || pair.state == PairState::Accepted))
+      most = std::max(most, shown(pair, kind));
+  return most;
+}
+
 const char* color_of(PairState state) {
   return state == PairState::Accepted ? kAccepted : state == PairState::Rejected ? kRejected : kUndecided;
 }
@@ -57,10 +65,10 @@ Drawing residual_chart(const std::vector<PairRecord>& pairs, ResidualKind kind, 
                                 ? phrase("report", "Residual of translation per pair (cm)")
                                 : phrase("report", "Residual of rotation per pair (degrees)");
   drawing.description = title;
-  double most = 0.0;
-  for (const PairRecord& pair : pairs)
-    if (std::isfinite(shown(pair, kind))) most = std::max(most, shown(pair, kind));
-  const double top = round_number(most), plot_height = drawing.height - kTop - kBottom;
+  const double most = highest(pairs, kind, false), kept = highest(pairs, kind, true);
+  // Few wild ones that were rejected would make all others flat; what is higher is cut.
+  const double top = round_number(kept > 0.0 ? std::min(most, 2.0 * kept) : most),
+               plot_height = drawing.height - kTop - kBottom;
   const double base = kTop + plot_height;
   const auto y_of = [&](double value) { return base - plot_height * std::min(1.0, value / top); };
   for (const double share : {0.0, 0.5, 1.0}) {
@@ -77,9 +85,10 @@ Drawing residual_chart(const std::vector<PairRecord>& pairs, ResidualKind kind, 
                                       {std::max(0.5, step * (step > 3.0 ? 0.8 : 1.0)), base - y},
                                       color_of(pairs[i].state)});
   }
-  drawing.shapes.push_back(DrawnText{{kLeft, 13.0}, title, TextAnchor::Start, 11.0});
+  const std::string cut = most > top ? "; " + phrase("report", "higher bars are cut") : "";
+  drawing.shapes.push_back(DrawnText{{kLeft, 13.0}, title + cut, TextAnchor::Start, 11.0});
   drawing.shapes.push_back(DrawnText{{kWidth - kRight, 13.0},
-                                     phrase("report", "blue: accepted, grey: rejected, amber: undecided"),
+                                     phrase("report", "green: accepted, grey: rejected, amber: undecided"),
                                      TextAnchor::End,
                                      10.0});
   drawing.shapes.push_back(DrawnText{{kLeft, base + 15.0}, "0", TextAnchor::Start, 10.0});

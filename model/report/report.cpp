@@ -10,6 +10,7 @@
 #include "model/display_units.h"
 #include "model/io/base64.h"
 #include "model/report/plot_chart.h"
+#include "model/result_words.h"
 #include "model/session_report.h"
 #include "model/settings_file.h"
 
@@ -227,8 +228,10 @@ void Page::write_observability() {
   std::string blind;
   for (std::size_t i = 0; i < 6; ++i)
     if (!result_.observed[i]) blind += (blind.empty() ? "" : ", ") + parameter(i);
-  lines.push_back(blind.empty() ? phrase("report", "All six parameters are observed.")
-                                : phrase("report", "Not observed") + ": " + blind);
+  lines.push_back(!blind.empty()             ? phrase("report", "Not observed") + ": " + blind
+                  : is_any_measured(result_) ? phrase("report", "All six parameters are known, with what was measured.")
+                                             : phrase("report", "All six parameters are observed."));
+  if (const std::string words = disagreement_words(result_); !words.empty()) lines.push_back(sentence(words));
   if (std::isfinite(result_.time_offset.offset_s))
     lines.push_back(phrase("report", "Clock offset INS − LiDAR") + ": " +
                     number("%.1f ms", 1e3 * result_.time_offset.offset_s) + " ± " +

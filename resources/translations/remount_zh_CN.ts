@@ -2975,6 +2975,10 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>(not observed)</source>
         <translation>（不可观测）</translation>
     </message>
+    <message>
+        <source>* with a value measured by hand</source>
+        <translation>* 含手工测量值</translation>
+    </message>
 </context>
 <context>
     <name>remount::SceneController</name>
@@ -4706,10 +4710,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>The INS moves at up to %1 m/s: its position jumps, or its stamps are wrong.</source>
         <translation>INS 速度高达 %1 m/s：位置有跳变，或时间戳有误。</translation>
-    </message>
-    <message>
-        <source>The vehicle turns by %1 degrees in all: the position of the LiDAR will not be observable from this drive alone. Drive a figure of eight.</source>
-        <translation>车辆总共只转了 %1 度：仅凭这段数据无法观测激光雷达的位置。请绕 8 字行驶。</translation>
     </message>
     <message>
         <source>The vehicle tilts by %1 degrees only: the height of the LiDAR will hardly be observable. Drive over a ramp.</source>
@@ -7016,10 +7016,6 @@ Save under another name, or close it there first.</source>
         <translation>ROS bag：.bag (ROS 1)、.mcap 或 .db3 (ROS 2)，或含它的文件夹；PointCloud2 或 Livox 扫描，以及 INSPVAX、Odometry、位姿，或 NavSatFix 加 Imu</translation>
     </message>
     <message>
-        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.</source>
-        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前文件中的 z 为名义值，未给出名义值时为 0；重要时请用卷尺测量。</translation>
-    </message>
-    <message>
         <source>all pairs: Park-Martin</source>
         <translation>所有帧对：Park-Martin</translation>
     </message>
@@ -9108,10 +9104,6 @@ Save under another name, or close it there first.</source>
         <translation>不含 KITTI 行程：即含 oxts/timestamps.txt、oxts/data 和 velodyne_points/data 的文件夹</translation>
     </message>
     <message>
-        <source>holds %1 drives; open them one by one:%2</source>
-        <translation>含有 %1 段行程；请逐一打开：%2</translation>
-    </message>
-    <message>
         <source>Of several files this one is used for the INS; not used: %1.</source>
         <translation>在多个文件中，此文件用于 INS；未使用：%1。</translation>
     </message>
@@ -9443,6 +9435,66 @@ Save under another name, or close it there first.</source>
         <source>has no element &apos;vertex&apos;</source>
         <translation>没有元素“vertex”</translation>
     </message>
+    <message>
+        <source>%1: known by what was measured</source>
+        <translation>%1：由测量值得知</translation>
+    </message>
+    <message>
+        <source>The sessions scatter %1 times as much as their errors explain; the sigmas include it.</source>
+        <translation>各份数据的离散程度是其误差所能解释的 %1 倍；sigma 已将其计入。</translation>
+    </message>
+    <message>
+        <source>%1 was given as measured, %2, without a sigma and is not used: give its sigma, too.</source>
+        <translation>给出了测量值 %1 = %2，但没有 sigma，因此未使用：请同时给出其 sigma。</translation>
+    </message>
+    <message>
+        <source>the shift along [%1], the shift along [%2]</source>
+        <translation>沿 [%1] 和 [%2] 的平移</translation>
+    </message>
+    <message>
+        <source>the turn about [%1], the turn about [%2]</source>
+        <translation>绕 [%1] 和 [%2] 的转动</translation>
+    </message>
+    <message>
+        <source>the shift along [%1], the turn about [%2], the turn about [%3]</source>
+        <translation>沿 [%1] 的平移、绕 [%2] 和 [%3] 的转动</translation>
+    </message>
+    <message>
+        <source>the shift along [%1], the shift along [%2], the turn about [%3]</source>
+        <translation>沿 [%1] 和 [%2] 的平移、绕 [%3] 的转动</translation>
+    </message>
+    <message>
+        <source>the shift along [%1], the shift along [%2], the turn about [%3], the turn about [%4]</source>
+        <translation>沿 [%1] 和 [%2] 的平移、绕 [%3] 和 [%4] 的转动</translation>
+    </message>
+    <message>
+        <source>the shift along [%1], %2</source>
+        <translation>沿 [%1] 的平移、%2</translation>
+    </message>
+    <message>
+        <source>the shift along [%1], the shift along [%2], %3</source>
+        <translation>沿 [%1] 和 [%2] 的平移、%3</translation>
+    </message>
+    <message>
+        <source>%1, the turn about [%2]</source>
+        <translation>%1、绕 [%2] 的转动</translation>
+    </message>
+    <message>
+        <source>%1, the turn about [%2], the turn about [%3]</source>
+        <translation>%1、绕 [%2] 和 [%3] 的转动</translation>
+    </message>
+    <message>
+        <source>The vehicle turns by %1 degrees in all: the position of the LiDAR will hardly be observable from this drive alone. Drive a figure of eight.</source>
+        <translation>车辆总共只转了 %1 度：仅凭这段数据几乎无法观测激光雷达的位置。请绕 8 字行驶。</translation>
+    </message>
+    <message>
+        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape where it matters: measured.z_m.</source>
+        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前文件中的 z 为名义值，未给出名义值时为 0；重要时请用卷尺测量：measured.z_m。</translation>
+    </message>
+    <message>
+        <source>holds %1 drives; name their folders, several of one vehicle where they belong together:%2</source>
+        <translation>含有 %1 段行程；请指明其文件夹，同一辆车的几段可以一起给出：%2</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
@@ -9676,6 +9728,10 @@ Save under another name, or close it there first.</source>
         <source>preliminary</source>
         <translation>初步结果</translation>
     </message>
+    <message>
+        <source>all six known</source>
+        <translation>六个参数全部已知</translation>
+    </message>
 </context>
 <context>
     <name>remount::theme</name>
@@ -9818,10 +9874,6 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>Residual of rotation per pair (degrees)</source>
         <translation>各帧对的旋转残差（度）</translation>
-    </message>
-    <message>
-        <source>blue: accepted, grey: rejected, amber: undecided</source>
-        <translation>蓝：接受，灰：拒绝，黄：未决定</translation>
     </message>
     <message>
         <source>Calibration of a LiDAR: report</source>
@@ -10098,6 +10150,18 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>what it means, and what to do</source>
         <translation>含义与处理办法</translation>
+    </message>
+    <message>
+        <source>higher bars are cut</source>
+        <translation>更高的柱已截断</translation>
+    </message>
+    <message>
+        <source>green: accepted, grey: rejected, amber: undecided</source>
+        <translation>绿：已接受，灰：已拒绝，琥珀：未决定</translation>
+    </message>
+    <message>
+        <source>All six parameters are known, with what was measured.</source>
+        <translation>六个参数全部已知（含测量值）。</translation>
     </message>
 </context>
 </TS>

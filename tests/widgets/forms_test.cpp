@@ -223,6 +223,29 @@ TEST(result_panel, never_prints_a_sigma_for_what_is_not_observed) {
   EXPECT_TRUE(lines[4].startsWith("z = ") && !lines[4].contains("±")) << lines[4].toStdString();
 }
 
+TEST(result_panel, tells_what_was_measured_by_hand_and_that_sessions_disagree) {
+  PipelineOutput output;
+  output.result.status = Status::Ok;
+  output.result.observed.fill(true);
+  output.result.covariance = 1e-4 * Matrix6d::Identity();
+  const auto texts = [&] {
+    ResultPanel panel;
+    panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr);
+    QStringList all;
+    for (const QLabel* label : panel.findChildren<QLabel*>()) all << label->text();
+    return all;
+  };
+  EXPECT_TRUE(texts().filter("*").isEmpty() && texts().filter("scatter").isEmpty());
+  output.result.measured[2] = true;
+  output.result.session_disagreement = 1.4;
+  EXPECT_EQ(texts().filter("± 0.0100 m *").size(), 1) << "z";
+  EXPECT_EQ(texts().filter("* with a value measured by hand").size(), 1);
+  EXPECT_EQ(texts().filter("The sessions scatter 1.4 times as much").size(), 1);
+  output.result.status = Status::Degenerate;
+  output.result.observed.fill(false);
+  EXPECT_TRUE(texts().filter("scatter").isEmpty()) << "nothing is known";
+}
+
 TEST(result_panel, says_what_was_calibrated_and_in_which_frame) {
   PipelineOutput output;
   output.result.status = Status::Degenerate;

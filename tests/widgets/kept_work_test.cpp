@@ -155,6 +155,40 @@ TEST_F(kept_work, what_was_calibrated_is_there_again_when_all_decisions_are_undo
   EXPECT_EQ(workbench_.output(), calibrated);
 }
 
+TEST_F(kept_work, what_was_calibrated_and_saved_is_there_again_when_decisions_about_it_are_undone) {
+  Engine engine = testing::sample_engine();
+  engine.run = [run = engine.run](const PipelineInput& input, Progress& progress) {
+    PipelineOutput output = run(input, progress);
+    output.result.candidates.push_back({});
+    output.result.candidates.back().source = "joint clouds";  // as a whole calibration ends
+    return output;
+  };
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("job.remount");
+  {
+    Workbench first(engine);
+    first.open({"/data/drive1"});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !first.opening(); }, kPatience_ms));
+    first.calibrate();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return first.output() && !first.calibrating(); }, kPatience_ms));
+    bool saved = false;
+    first.save_project(path, [&] { saved = true; });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+  }
+  Workbench again(engine);
+  ProjectToOpen project;
+  project.path = path;
+  again.open_project(project);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return again.output() != nullptr; }, kPatience_ms));
+  const OutputPtr saved = again.output();
+  again.decide({5}, PairState::Rejected);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.solving(); }, kPatience_ms));
+  EXPECT_NE(again.output(), saved);
+  again.undo_stack().undo();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !again.solving(); }, kPatience_ms));
+  EXPECT_EQ(again.output(), saved) << "with its last steps, which no decision repeats";
+}
+
 TEST_F(kept_work, the_selected_pair_stays_where_the_next_calibration_has_it_too) {
   calibrate_drive();
   workbench_.select_pair(17);

@@ -171,6 +171,26 @@ TEST_F(pair_view, side_by_side_shows_before_and_after_with_one_camera) {
   EXPECT_NE(turned.copy(half, 0, half, both.height()), both.copy(half, 0, half, both.height()));
 }
 
+TEST_F(pair_view, what_no_result_says_is_not_offered) {
+  view_.show_alignment(PairAlignment::CurrentX);
+  ASSERT_EQ(view_.alignment(), PairAlignment::CurrentX);
+  PairTransforms transforms = known_transforms();
+  transforms.current_known = false;
+  view_.show_transforms("Pair 0", transforms);
+  EXPECT_FALSE(button("With result").isEnabled());
+  EXPECT_EQ(view_.alignment(), PairAlignment::Registered);
+  EXPECT_NEAR(view_.scene().lidar_b_from_lidar_a(0).translation().y(), 0.0, 1e-9);
+  view_.show_transforms("Pair 0", known_transforms());
+  EXPECT_TRUE(button("With result").isEnabled());
+}
+
+TEST_F(pair_view, buttons_leave_the_keys_to_the_review) {
+  auto& before = button("Before");
+  QTest::mouseClick(&before, Qt::LeftButton);
+  EXPECT_FALSE(before.hasFocus());
+  EXPECT_TRUE(before.focusPolicy() & Qt::TabFocus) << "it is reached by the keyboard all the same";
+}
+
 TEST_F(pair_view, the_legend_names_what_is_in_the_picture_in_its_colours) {
   const auto legend = [&] {
     for (const auto* label : view_.findChildren<QLabel*>())

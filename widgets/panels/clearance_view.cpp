@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/panels/verdict_table.h"
@@ -26,6 +27,22 @@ TableCell change_cell(double before_m, double after_m) {
   return {number.toDouble() > 0.0 ? '+' + number : number, {}, Verdict::Neutral};
 }
 
+/// What tells names apart is often at their end, and the chooser is narrow: "…0005_sync" for
+/// "2011_09_30_drive_0005_sync".
+QStringList without_common_beginning(const QStringList& names) {
+  if (names.size() < 2) return names;
+  const QString& first = names.front();
+  qsizetype common = first.size();
+  for (const QString& name : names)
+    common = std::min<qsizetype>(
+        common, std::mismatch(first.begin(), first.end(), name.begin(), name.end()).first - first.begin());
+  while (common > 0 && first[common - 1].isLetterOrNumber()) --common;  // whole words
+  if (common < 4) return names;
+  QStringList shown;
+  for (const QString& name : names) shown << QStringLiteral("…") + name.sliced(common);
+  return shown;
+}
+
 }  // namespace
 
 ClearanceView::ClearanceView(QWidget* parent)
@@ -43,8 +60,9 @@ ClearanceView::ClearanceView(QWidget* parent)
   auto* column = new QVBoxLayout(right);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(make_controls());
+  column->addWidget(caution_);
   column->addWidget(table_, 1);
-  for (NoteLabel* note : {dashes_, caution_}) column->addWidget(note);
+  column->addWidget(dashes_);
   auto* splitter = new QSplitter(this);
   splitter->addWidget(plot_);
   splitter->addWidget(right);
@@ -131,7 +149,11 @@ void ClearanceView::show_choices(const QStringList& sessions, const std::vector<
   const QSignalBlocker quiet(session_);
   const int before = session_->currentIndex();
   session_->clear();
-  session_->addItems(sessions);
+  const QStringList shown = without_common_beginning(sessions);
+  for (qsizetype i = 0; i < sessions.size(); ++i) {
+    session_->addItem(shown[i]);
+    session_->setItemData(static_cast<int>(i), sessions[i], Qt::ToolTipRole);
+  }
   session_->setCurrentIndex(std::clamp(before, sessions.isEmpty() ? -1 : 0, static_cast<int>(sessions.size()) - 1));
   limit_keyframe();
 }
@@ -189,7 +211,7 @@ void ClearanceView::show_figures(const Clearances& before, const Clearances& aft
     change.push_back(change_cell(before_m[i], after_m[i]));
   }
   table_->show_rows({tr("Free [m]"), tr("Front"), tr("Rear"), tr("Left"), tr("Right"), tr("Nearest")},
-                    {was, is, change});
+                    nominal_known_ ? std::vector{was, is, change} : std::vector{was, is});  // the start is no mounting
   dashes_->show_note(any_dash
                          ? tr("–: no point of the scan lies on that side within the heights. Nothing was seen there, "
                               "which is less than knowing that it is free.")

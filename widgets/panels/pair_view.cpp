@@ -109,6 +109,7 @@ void PairView::show_message(const QString& text) {
   pair_caption_.clear();
   data_ = nullptr;
   known_.clear();
+  legend_->show_medians({});
   update_caption();
 }
 
@@ -121,6 +122,7 @@ void PairView::show_pair(const QString& caption, PairSceneDataPtr scene_data, co
   known_.clear();
   show_scene();
   scene_.set_pair(data_, transforms);
+  offer_current(transforms.current_known);
   if (!framed_) scene_.stage().look(StandardView::Isometric);
   framed_ = true;  // afterwards the view stays where the user has put it, from pair to pair
   apply();
@@ -133,6 +135,7 @@ void PairView::show_transforms(const QString& caption, const PairTransforms& tra
   if (!shows_scene()) return;
   clear_marks();
   scene_.set_transforms(transforms);
+  offer_current(transforms.current_known);
   apply();
 }
 
@@ -171,6 +174,12 @@ void PairView::set_side_by_side(bool on) {
   side_by_side_->setChecked(on);
   if (on && share_ == 0.0) return show_share(1.0);  // or both would show the same
   apply();
+}
+
+/// What the present result says cannot be shown where there is none: it would be the start under another name.
+void PairView::offer_current(bool known) {
+  alignments_[static_cast<std::size_t>(PairAlignment::CurrentX)]->setEnabled(has_gl() && known);
+  if (!known && after_ == PairAlignment::CurrentX) after_ = PairAlignment::Registered;
 }
 
 void PairView::apply() {

@@ -67,6 +67,7 @@ class PairView : public SceneView {
   void make_buttons();
   void add_alignment_buttons(QHBoxLayout* row);
   void add_coloring(QHBoxLayout* row);
+  void offer_current(bool known);
   void apply();
   void color_by_distance();
   bool use_known_distances();

@@ -9,6 +9,7 @@
 
 #include "model/preliminary.h"
 #include "model/result_file.h"
+#include "model/result_words.h"
 #include "widgets/charts/correlation_chart.h"
 #include "widgets/model_text.h"
 #include "widgets/pair_counts.h"
@@ -286,7 +287,7 @@ void ResultPanel::show_status() {
 void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
                               std::shared_ptr<const PipelineOutput> before, const QString& moved_by) {
   const bool numbers = output && has_numbers(output->result.status);
-  copy_->setEnabled(numbers);
+  copy_->setEnabled(numbers && !knows_nothing(output->result));
   export_->setEnabled(output && is_usable(output->result));
   shown_ = output;
   show_status();
@@ -326,8 +327,9 @@ void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_
     const double spread = sigma ? on_screen(i, *sigma) : 0.0;
     const double bootstrap = on_screen(i, result.bootstrap_sigma[i]);
     row.sigma->setText(!numbers ? QString()
-                       : sigma  ? QStringLiteral("± %1%2").arg(spread, 0, 'f', 4).arg(unit_suffix(i))
-                                : tr("not observed"));
+                       : sigma  ? QStringLiteral("± %1%2").arg(spread, 0, 'f', 4).arg(unit_suffix(i)) +
+                                     (result.measured[i] ? QStringLiteral(" *") : QString())
+                               : tr("not observed"));
     set_style(*row.sigma,
               sigma || !numbers ? Style([](const QPalette&) { return QString(); }) : text_in(warning_color));
     row.sigma->setToolTip(
@@ -350,6 +352,7 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   for (const std::string& sentence : result.advice) advice << model_text(sentence);
   for (const ObservabilityDirection& direction : result.directions)
     if (!direction.observed && !direction.words.empty()) blind << model_text(direction.words);
+  blind.removeDuplicates();  // two directions of the same parameters have the same words
   const PairCounts pairs = count_pairs(output);
   if (output.method == kPairwise)
     figures << tr("%1 pairs: %2 accepted, %3 rejected").arg(pairs.all).arg(pairs.accepted).arg(pairs.rejected);
@@ -360,16 +363,17 @@ void ResultPanel::show_words(const PipelineOutput& output) {
     if (output.method == kPairwise)
       figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
   }
+  if (has_numbers(result.status) && is_any_measured(result)) figures << tr("* with a value measured by hand");
+  if (const std::string words = disagreement_words(result); !words.empty()) figures << model_text(words);
   if (has_numbers(result.status) && std::isfinite(result.time_offset.offset_s))
     figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
                    .arg(std::round(1e4 * result.time_offset.offset_s) / 10.0 + 0.0, 0, 'f', 1)  // no "-0.0"
                    .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 1)
                    .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
-  const bool joint = std::any_of(result.candidates.begin(), result.candidates.end(),
-                                 [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
   if (has_numbers(result.status) && !output.pairs.empty())
-    figures << (joint ? tr("the clouds of all accepted pairs were aligned together as the last step")
-                      : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
+    figures << (is_aligned_together(result)
+                    ? tr("the clouds of all accepted pairs were aligned together as the last step")
+                    : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
   html +=
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   html += nominal_table(output) + sharpness_table(output);

@@ -99,7 +99,7 @@ QToolButton* SceneView::add_button(QHBoxLayout* row, const QString& text, const 
   button->setAccessibleName(text);
   button->setCheckable(checkable);
   button->setEnabled(has_gl());
-  button->setFocusPolicy(Qt::StrongFocus);
+  button->setFocusPolicy(Qt::TabFocus);  // after a click the keys of the review work as before it
   row->addWidget(button);
   return button;
 }

@@ -17,11 +17,11 @@ const RigidTransform& PairTransforms::of(PairAlignment alignment) const {
 PairTransforms pair_transforms(const PipelineOutput& output, int pair, const RigidTransform* candidate_ins_from_lidar) {
   const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
   const RigidTransform& initial = output.initial_ins_from_lidar;
-  const Status status = output.result.status;
-  const bool solved = status == Status::Ok || status == Status::Degenerate || status == Status::Inconsistent;
+  const bool solved = is_usable(output.result) || output.result.status == Status::Inconsistent;
   const RigidTransform& result = solved ? output.result.ins_from_lidar : initial;
   const RigidTransform& current = candidate_ins_from_lidar ? *candidate_ins_from_lidar : result;
   PairTransforms transforms;
+  transforms.current_known = solved || candidate_ins_from_lidar;
   transforms.before_lidar_b_from_lidar_a = initial.inverse() * chosen.ins_b_from_ins_a * initial;
   transforms.current_lidar_b_from_lidar_a = current.inverse() * chosen.ins_b_from_ins_a * current;
   transforms.registered_lidar_b_from_lidar_a =

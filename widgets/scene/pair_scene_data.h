@@ -22,6 +22,7 @@ struct PairTransforms {
   RigidTransform before_lidar_b_from_lidar_a = RigidTransform::Identity();
   RigidTransform registered_lidar_b_from_lidar_a = RigidTransform::Identity();
   RigidTransform current_lidar_b_from_lidar_a = RigidTransform::Identity();
+  bool current_known = true;  ///< there is a result, or a candidate is looked at
   /// Brings lidar b to the axes of the vehicle, so that "top" is above the vehicle however the sensor is turned.
   RigidTransform view_from_lidar_b = RigidTransform::Identity();
 

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/methods/calibration_method.h"
+#include "model/simulator/simulator.h"
 
 namespace remount {
 namespace {
@@ -52,6 +53,23 @@ TEST(calibration_methods, that_do_not_find_the_lidar_in_the_ins_frame_refuse_wha
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("ins_height"), std::string::npos) << error.what();
   }
+}
+
+TEST(calibration_methods, say_that_a_value_without_a_sigma_is_not_used) {
+  SimulationOptions options;
+  options.duration_s = 1.0;
+  options.beams = 16;
+  options.azimuth_steps = 300;
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(simulate_drive(options).session));
+  input.settings.measured.z_m = 0.8;
+  input.settings.measured.yaw_deg = 1.5;
+  input.settings.measured.yaw_sigma_deg = 0.5;
+  Progress progress;
+  std::string said;
+  for (const Finding& finding : calibrate(input, progress).findings)
+    if (finding.code == "measured-unused") said += finding.explanation;
+  EXPECT_EQ(said, "z was given as measured, 0.8 m, without a sigma and is not used: give its sigma, too.");
 }
 
 TEST(calibration_methods, that_are_unknown_are_answered_with_the_known_ones) {

@@ -39,6 +39,13 @@ TEST(measured_drive, ground_below_an_ins_of_known_height_gives_z_on_a_flat_road)
   EXPECT_LE(std::abs(error.z_m), 0.03);
   EXPECT_LE(*output.result.sigma(2), 0.03);
   expect_within_sigma(output.result, drive.ins_from_lidar, 3.5);
+  const auto words_of_z = [](const CalibrationResult& result) {
+    for (const ObservabilityDirection& direction : result.directions)
+      if (direction.words.starts_with("z (height)")) return direction.words;
+    return std::string("nothing");
+  };
+  EXPECT_EQ(words_of_z(output.result), "z (height): known by what was measured") << "the drive does not tell it";
+  EXPECT_EQ(words_of_z(calibrate(drive, {}, {}).result), "z (height): not observable, flat driving");
 }
 
 TEST(measured_drive, map_is_sharper_under_the_result_than_under_a_wrong_nominal) {
