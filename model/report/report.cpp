@@ -59,17 +59,14 @@ class Page {
     const char* style = is_text ? " class=\"text\" align=\"left\">" : " align=\"right\">";
     html_.append("<").append(tag).append(style).append(content).append("</").append(tag).append(">");
   }
-  void row(const std::vector<std::string>& cells, const char* tag = "td", bool last_is_text = false) {
+  void row(const std::vector<std::string>& cells, const char* tag = "td", bool last_is_text = false,
+           bool all_are_text = false) {
     html_ += "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
-      cell(cells[i], tag, i == 0 || (last_is_text && i + 1 == cells.size()));
+      cell(cells[i], tag, all_are_text || i == 0 || (last_is_text && i + 1 == cells.size()));
     html_ += "</tr>\n";
   }
-  void text_row(const std::vector<std::string>& cells) {
-    html_ += "<tr>";
-    for (const std::string& content : cells) cell(content, "td", true);
-    html_ += "</tr>\n";
-  }
+  void text_row(const std::vector<std::string>& cells) { row(cells, "td", true, true); }
   void begin_table() { html_ += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"; }
   void end_table() { html_ += "</table>\n"; }
   void list(const std::vector<std::string>& items) {

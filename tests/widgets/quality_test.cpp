@@ -1,7 +1,6 @@
 // The quality page: what is free around the vehicle, the map's sharpness, sessions against each other.
 #include <gtest/gtest.h>
 
-#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -169,25 +168,6 @@ TEST(clearance_view, names_what_the_result_is_compared_with) {
   EXPECT_EQ(cell(table_of(view), 0, 0), "Start") << "where the LiDAR was before is not known";
   EXPECT_EQ(table_of(view).rowCount(), 2) << "how far a guess is from the result is no figure";
   EXPECT_TRUE(note());
-}
-
-TEST(clearance_view, shows_of_long_names_what_tells_them_apart) {
-  ClearanceView view;
-  const auto& chooser = *view.findChild<QComboBox*>();
-  const auto shown = [&](const QStringList& names) {
-    view.show_choices(names, std::vector<int>(static_cast<std::size_t>(names.size()), 3));
-    QStringList texts;
-    for (int i = 0; i < chooser.count(); ++i) {
-      texts << chooser.itemText(i);
-      EXPECT_EQ(chooser.itemData(i, Qt::ToolTipRole).toString(), names[i]);
-    }
-    return texts;
-  };
-  EXPECT_EQ(shown({"2011_09_30_drive_0000_sync", "2011_09_30_drive_0005_sync"}),
-            (QStringList{"…0000_sync", "…0005_sync"}));
-  EXPECT_EQ(shown({"2011_09_30_drive_0000_sync"}), QStringList{"2011_09_30_drive_0000_sync"});
-  EXPECT_EQ(shown({"yard", "street"}), (QStringList{"yard", "street"}));
-  EXPECT_EQ(shown({"morning drive", "morning drive"}).size(), 2);
 }
 
 TEST(clearance_plot, draws_the_scan_under_both_mountings_and_zooms) {
