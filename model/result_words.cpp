@@ -5,10 +5,6 @@
 
 namespace remount {
 
-bool is_any_measured(const CalibrationResult& result) {
-  return std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();
-}
-
 bool is_aligned_together(const CalibrationResult& result) {
   return std::any_of(result.candidates.begin(), result.candidates.end(),
                      [](const Candidate& candidate) { return candidate.source == "joint clouds"; });

@@ -7,9 +7,6 @@
 
 namespace remount {
 
-/// Whether some parameter was held near a value measured by hand.
-bool is_any_measured(const CalibrationResult& result);
-
 /// Whether aligning the clouds of all accepted pairs together was its last step; a solution from the pairs lacks it.
 bool is_aligned_together(const CalibrationResult& result);
 

@@ -97,7 +97,7 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while "
                         "turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape "
-                        "where it matters: measured.z_m."),
+                        "where it matters."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Yaw and pitch need travel: drive at least a few tens of metres with good INS quality."),
       QT_TRANSLATE_NOOP("remount::model",

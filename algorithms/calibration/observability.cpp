@@ -59,8 +59,7 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
   if (!observed[2])
     result.advice.push_back(
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
-        "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters: "
-        "measured.z_m.");
+        "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.");
   if (!observed[3] || !observed[4])
     result.advice.push_back(missing(3, "Yaw", 4, "Pitch", "Yaw and pitch") +
                             "travel: drive at least a few tens of metres with good INS quality.");
@@ -167,7 +166,7 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
     // The weak prior bounds every sigma; a direction that the pairs leave open stays so unless a measurement closes it.
     direction.sigma = std::isfinite(direction.sigma) || sigma < 1.0 ? sigma : direction.sigma;
     direction.observed = direction.sigma < 1.0;
-    direction.words = direction.observed && !by_drive
+    direction.words = direction.observed && !by_drive && is_any_measured(result)
                           ? direction_names(direction.direction) + ": known by what was measured"
                           : direction_words(direction.direction, direction.observed, motion);
   }
@@ -186,6 +185,10 @@ void claim_nothing(const std::string& reason, CalibrationResult& result) {
     direction.words = direction_names(direction.direction) + ": not known, " + reason;
   }
   sort_directions(result);
+}
+
+bool is_any_measured(const CalibrationResult& result) {
+  return std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();
 }
 
 bool yaw_is_open(const CalibrationResult& result) {

@@ -53,6 +53,9 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
 void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
                CalibrationResult& result);
 
+/// Whether some parameter was held near a value measured by hand.
+bool is_any_measured(const CalibrationResult& result);
+
 /// Whether a judged result does not tell yaw, without which X lies anywhere on an arc.
 bool yaw_is_open(const CalibrationResult& result);
 

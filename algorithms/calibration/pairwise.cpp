@@ -141,9 +141,8 @@ void set_status(const PairwiseInput& input, CalibrationResult& result) {
     result.message = "Solved, but for what is not observed: " + names + ".";
   } else {
     result.status = Status::Ok;
-    const bool any = std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();
-    result.message = any ? "Solved; all six parameters are known, with what was measured."
-                         : "Solved; all six parameters are observed.";
+    result.message = is_any_measured(result) ? "Solved; all six parameters are known, with what was measured."
+                                             : "Solved; all six parameters are observed.";
   }
 }
 

@@ -118,8 +118,8 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   const Measured& measured = evidence.problem.measured;
   const Matrix6d beside = prior + measured.information(result.ins_from_lidar);
   const Matrix6d covariance = widened((information + beside).inverse(), scatter) + unseen(evidence.problem);
-  judge_parameters(covariance, motion, evidence.judged_by, result);
   result.measured = measured.parameters();
+  judge_parameters(covariance, motion, evidence.judged_by, result);
   set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);
   const Matrix6d joint = (apparent + evidence.prior.information.topLeftCorner<6, 6>()).inverse();
   for (const Contradiction& one : contradictions(measured, result.ins_from_lidar, joint, covariance)) {
@@ -275,8 +275,10 @@ void set_status(bool with_ins, TrajectoryAnswer& answer) {
   if (observed == 0)
     result.message = "Nothing is observed: the motion of this drive does not determine any component of X.";
   else if (with_ins)
-    result.message = missing.empty() ? "Solved; all six parameters are observed."
-                                     : "Solved, but for what is not observed: " + missing + ".";
+    result.message = missing.empty()
+                         ? (is_any_measured(result) ? "Solved; all six parameters are known, with what was measured."
+                                                    : "Solved; all six parameters are observed.")
+                         : "Solved, but for what is not observed: " + missing + ".";
   else
     result.message = "Solved for the lever arm of the antenna" +
                      (missing.empty() ? std::string() : ", of which is not observed: " + missing) +

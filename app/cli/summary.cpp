@@ -126,7 +126,7 @@ std::string summary(const ResultFile& file) {
       text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
                      radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
   }
-  if (const std::string words = disagreement_words(result); !words.empty()) text += "sessions: " + words + "\n";
+  if (const std::string words = disagreement_words(result); !words.empty()) text += words + "\n";
   if (is_usable(result)) text += sharpness(file.sharpness);
   text += quantities(file.quantities);
   if (is_from_pairs(file)) text += pairs(file);

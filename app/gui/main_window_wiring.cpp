@@ -259,7 +259,7 @@ void MainWindow::show_state() {
   const OutputPtr output = workbench_.output();
   export_->setEnabled(output && is_usable(output->result));
   make_report_->setEnabled(output != nullptr);
-  copy_->setEnabled(output != nullptr);
+  copy_->setEnabled(output && has_numbers(output->result.status) && !knows_nothing(output->result));
   use_as_nominal_->setEnabled(output && is_usable(output->result));
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
   for (QAction* review : review_actions_) review->setEnabled(output != nullptr);

@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
-#include "model/display_units.h"
 #include "model/io/document.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
@@ -51,26 +50,31 @@ void refuse_measured(const MeasuredOptions& measured, std::string_view method, s
 
 // A value is given by its sigma: 0 is where one begins to fill the form in.
 void report_values_without_sigma(const MeasuredOptions& measured, std::vector<Finding>& findings) {
-  const std::array<std::pair<double, double>, 6> given{{{measured.x_m, measured.x_sigma_m},
-                                                        {measured.y_m, measured.y_sigma_m},
-                                                        {measured.z_m, measured.z_sigma_m},
-                                                        {measured.yaw_deg, measured.yaw_sigma_deg},
-                                                        {measured.pitch_deg, measured.pitch_sigma_deg},
-                                                        {measured.roll_deg, measured.roll_sigma_deg}}};
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const auto& [value, sigma] = given[i];
-    if (value == 0.0 || sigma > 0.0) continue;
-    findings.push_back({Severity::Warning, "measured-unused", "measured",
-                        std::string(kParameterNames[i]) + " was given as measured, " + shortest(value) +
-                            (is_angle(i) ? " deg" : " m") + ", without a sigma and is not used: give its sigma, too."});
-  }
+  struct Given {
+    const char* name;
+    double value, sigma;
+    const char* unit;
+  };
+  for (const Given& given :
+       {Given{"x", measured.x_m, measured.x_sigma_m, "m"}, Given{"y", measured.y_m, measured.y_sigma_m, "m"},
+        Given{"z", measured.z_m, measured.z_sigma_m, "m"},
+        Given{"yaw", measured.yaw_deg, measured.yaw_sigma_deg, "deg"},
+        Given{"pitch", measured.pitch_deg, measured.pitch_sigma_deg, "deg"},
+        Given{"roll", measured.roll_deg, measured.roll_sigma_deg, "deg"},
+        Given{"INS height", measured.ins_height_m, measured.ins_height_sigma_m, "m"}})
+    if (given.value != 0.0 && !(given.sigma > 0.0))
+      findings.push_back({Severity::Warning, "measured-unused", "measured",
+                          std::string(given.name) + " was given as measured, " + shortest(given.value) + " " +
+                              given.unit + ", without a sigma and is not used: give its sigma, too."});
 }
 
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
   const std::string_view id = kMethodIds.at(static_cast<std::size_t>(input.settings.run.method));
   PipelineOutput output = calibration_method(id).run(input, progress);
   if (id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
-  report_values_without_sigma(input.settings.measured, output.findings);
+  // Other methods take no values, with or without a sigma.
+  if (output.result.reference_frame == "ins" && output.result.calibrated == "lidar")
+    report_values_without_sigma(input.settings.measured, output.findings);
   if (!progress.cancelled()) refuse_vanished(input.sessions);
   return output;
 }

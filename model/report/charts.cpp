@@ -66,7 +66,7 @@ Drawing residual_chart(const std::vector<PairRecord>& pairs, ResidualKind kind, 
                                 : phrase("report", "Residual of rotation per pair (degrees)");
   drawing.description = title;
   const double most = highest(pairs, kind, false), kept = highest(pairs, kind, true);
-  // Few wild ones that were rejected would make all others flat; what is higher is cut.
+  // A few wild ones would make all that are used flat; what is higher is cut.
   const double top = round_number(kept > 0.0 ? std::min(most, 2.0 * kept) : most),
                plot_height = drawing.height - kTop - kBottom;
   const double base = kTop + plot_height;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "algorithms/calibration/observability.h"
 #include "model/checks/data_check.h"
 #include "model/display_units.h"
 #include "model/io/base64.h"
@@ -153,8 +154,7 @@ void Page::write_parameters() {
        : of_antenna || result_.reference_frame == "antenna"
            ? phrase("report", "Positions of an antenna give its lever arm, m, and no attitude.")
            : phrase("report", "R = Rz(yaw) Ry(pitch) Rx(roll); X takes points of the LiDAR to the reference frame."));
-  if (std::any_of(result_.measured.begin(), result_.measured.end(), [](bool measured) { return measured; }))
-    html_ += " " + phrase("report", "* with a value measured by hand.");
+  if (is_any_measured(result_)) html_ += " " + phrase("report", "* with a value measured by hand.");
   html_ += "</p>\n";
 }
 

@@ -9488,12 +9488,16 @@ Save under another name, or close it there first.</source>
         <translation>车辆总共只转了 %1 度：仅凭这段数据几乎无法观测激光雷达的位置。请绕 8 字行驶。</translation>
     </message>
     <message>
-        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape where it matters: measured.z_m.</source>
-        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前文件中的 z 为名义值，未给出名义值时为 0；重要时请用卷尺测量：measured.z_m。</translation>
-    </message>
-    <message>
         <source>holds %1 drives; name their folders, several of one vehicle where they belong together:%2</source>
         <translation>含有 %1 段行程；请指明其文件夹，同一辆车的几段可以一起给出：%2</translation>
+    </message>
+    <message>
+        <source>A height measured by tape goes into measured.z_m, its sigma into measured.z_sigma_m.</source>
+        <translation>用卷尺测得的高度填入 measured.z_m，其 sigma 填入 measured.z_sigma_m。</translation>
+    </message>
+    <message>
+        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.</source>
+        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前文件中的 z 为名义值，未给出名义值时为 0；重要时请用卷尺测量。</translation>
     </message>
 </context>
 <context>

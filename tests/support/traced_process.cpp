@@ -310,7 +310,9 @@ TracedRun run_program_traced(const std::filesystem::path& folder, const std::vec
   return trace_child(folder, fault, true, [&](int notes) {
     ::dup2(notes, STDERR_FILENO);
     ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);  // looking for leaks is tracing, too, and two cannot
+    const char* options = ::getenv("ASAN_OPTIONS");
+    // Looking for leaks is tracing, too, and two cannot.
+    ::setenv("ASAN_OPTIONS", (std::string(options ? options : "") + ":detect_leaks=0").c_str(), 1);
     ::execv(arguments[0], arguments.data());
     return 98;
   });

@@ -24,7 +24,7 @@ TEST(clearance_view, shows_of_long_names_what_tells_them_apart) {
             (QStringList{"…0000_sync", "…0005_sync"}));
   EXPECT_EQ(shown({"2011_09_30_drive_0000_sync"}), QStringList{"2011_09_30_drive_0000_sync"});
   EXPECT_EQ(shown({"yard", "street"}), (QStringList{"yard", "street"}));
-  EXPECT_EQ(shown({"morning drive", "morning drive"}).size(), 2);
+  EXPECT_EQ(shown({"morning drive", "morning drive"}), (QStringList{"morning drive", "morning drive"}));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <QRegularExpression>
 
 #include "tests/widgets/support/restored.h"
+#include "widgets/forms/option_mentions.h"
 #include "widgets/model_text.h"
 
 namespace remount {
@@ -14,7 +15,7 @@ namespace {
 
 const QString kRoot = QStringLiteral(REMOUNT_SOURCE_DIR "/");
 
-/// What no window shows.
+/// All but what no window shows.
 bool is_shown(const QString& path) {
   static const QRegularExpression kOthers(
       "model/(batch|simulator|exporters)/|_writer\\.cpp"  // the command line's, and texts of files
@@ -47,7 +48,7 @@ bool is_known(const QString& piece, const QString& literal) {
     return all;
   }();
   return phrases.contains(piece) || phrases.contains(piece.section(QStringLiteral(" of: "), 0, 0) + " of: %") ||
-         model_text(literal) != literal;
+         model_text(literal) != with_option_labels(literal);
 }
 
 /// String literals of C++, those beside each other joined.

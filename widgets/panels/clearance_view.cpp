@@ -37,7 +37,7 @@ QStringList without_common_beginning(const QStringList& names) {
     common = std::min<qsizetype>(
         common, std::mismatch(first.begin(), first.end(), name.begin(), name.end()).first - first.begin());
   while (common > 0 && first[common - 1].isLetterOrNumber()) --common;  // whole words
-  if (common < 4) return names;
+  if (common < 4 || names.count(first) == names.size()) return names;
   QStringList shown;
   for (const QString& name : names) shown << QStringLiteral("…") + name.sliced(common);
   return shown;

@@ -363,7 +363,9 @@ void ResultPanel::show_words(const PipelineOutput& output) {
     if (output.method == kPairwise)
       figures << tr("errors of all accepted pairs, summed: %1").arg(result.frobenius_sum, 0, 'f', 4);
   }
-  if (has_numbers(result.status) && is_any_measured(result)) figures << tr("* with a value measured by hand");
+  bool starred = false;
+  for (std::size_t i = 0; i < 6; ++i) starred = starred || (result.measured[i] && finite_sigma(result, i));
+  if (has_numbers(result.status) && starred) figures << tr("* with a value measured by hand");
   if (const std::string words = disagreement_words(result); !words.empty()) figures << model_text(words);
   if (has_numbers(result.status) && std::isfinite(result.time_offset.offset_s))
     figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
