@@ -5,6 +5,17 @@
 
 namespace remount {
 
+bool has_numbers(Status status) {
+  return status == Status::Ok || status == Status::Degenerate || status == Status::Inconsistent;
+}
+
+bool knows_nothing(const CalibrationResult& result) {
+  return result.status == Status::Degenerate &&
+         std::none_of(result.observed.begin(), result.observed.end(), [](bool observed) { return observed; });
+}
+
+bool has_mounting(const CalibrationResult& result) { return has_numbers(result.status) && !knows_nothing(result); }
+
 bool is_aligned_together(const CalibrationResult& result) {
   return std::any_of(result.candidates.begin(), result.candidates.end(),
                      [](const Candidate& candidate) { return candidate.source == "joint clouds"; });

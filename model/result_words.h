@@ -7,6 +7,16 @@
 
 namespace remount {
 
+/// Whether the six numbers of a result mean anything: it was solved, in part at least, or its pairs contradict each
+/// other.
+bool has_numbers(Status status);
+
+/// True for a solution that observes none of the six.
+bool knows_nothing(const CalibrationResult& result);
+
+/// Whether there is an X to show: numbers, and something of them observed, or worth a look as they contradict.
+bool has_mounting(const CalibrationResult& result);
+
 /// Whether aligning the clouds of all accepted pairs together was its last step; a solution from the pairs lacks it.
 bool is_aligned_together(const CalibrationResult& result);
 

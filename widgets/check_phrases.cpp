@@ -54,6 +54,8 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP(
           "remount::model",
           "Synchronise the host with GPS (PTP, NTP, chrony); stamp scans by GPS time (PPS) where the LiDAR can."),
+      QT_TRANSLATE_NOOP("remount::model", "The result does not contain the value that was measured by hand."),
+      QT_TRANSLATE_NOOP("remount::model", "Give its sigma, use a method that takes measured values, or leave it out."),
       QT_TRANSLATE_NOOP("remount::model", "The host's clock cannot be judged."),
       QT_TRANSLATE_NOOP("remount::model", "Export the log again with all digits."),
       QT_TRANSLATE_NOOP("remount::model", "Poses and INS may belong to different instants."),

@@ -44,7 +44,8 @@ Matrix6d weak_prior(bool nominal_known);
 
 /// Fills `observed` and `covariance` from the covariance of X under `perturbed`: a parameter counts as observed where
 /// its sigma is below the options' limit. The directions' sigmas and words follow: what was not observed before is
-/// known by what was measured. Adds advice for those that are not.
+/// known by what was measured where `measured`, filled before, says that anything was. Adds advice for those that are
+/// not.
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,
                       CalibrationResult& result);
 

@@ -62,8 +62,7 @@ void MainWindow::ask_for_report() {
   QString path = QFileDialog::getSaveFileName(this, tr("Save the report (HTML, and PDF beside it)"), suggested,
                                               tr("Web pages (*.html)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
-  if (path.endsWith(QLatin1String(".pdf"))) path.chop(4);
-  if (!path.endsWith(QLatin1String(".html"))) path += QStringLiteral(".html");
+  path = html_beside(path);
   if (may_replace({path, pdf_beside(path)})) report_->make(path);
 }
 

@@ -17,6 +17,7 @@
 #include "app/gui/steps.h"
 #include "app/gui/turn_queue.h"
 #include "app/gui/wording.h"
+#include "model/result_words.h"
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_table_model.h"
 #include "widgets/itemmodels/session_list_model.h"
@@ -259,7 +260,7 @@ void MainWindow::show_state() {
   const OutputPtr output = workbench_.output();
   export_->setEnabled(output && is_usable(output->result));
   make_report_->setEnabled(output != nullptr);
-  copy_->setEnabled(output && has_numbers(output->result.status) && !knows_nothing(output->result));
+  copy_->setEnabled(output && has_mounting(output->result));
   use_as_nominal_->setEnabled(output && is_usable(output->result));
   obstacles_->setEnabled(output && is_usable(output->result) && shown_clouds_);
   for (QAction* review : review_actions_) review->setEnabled(output != nullptr);

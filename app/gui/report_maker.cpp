@@ -6,7 +6,9 @@
 #include <QLocale>
 #include <QThread>
 #include <QTimer>
+#include <cstring>
 #include <exception>
+#include <initializer_list>
 
 #include "algorithms/core/error.h"
 #include "model/io/atomic_save.h"
@@ -47,10 +49,22 @@ QByteArray on_qt_thread(const std::function<QByteArray()>& make) {
   return made;
 }
 
+QString without_suffix(const QString& path, std::initializer_list<const char*> suffixes) {
+  for (const char* suffix : suffixes)
+    if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive))
+      return path.chopped(static_cast<int>(std::strlen(suffix)));
+  return path;
+}
+
 }  // namespace
 
+QString html_beside(const QString& typed_path) {
+  if (without_suffix(typed_path, {".html", ".htm"}) != typed_path) return typed_path;
+  return without_suffix(typed_path, {".pdf"}) + QStringLiteral(".html");
+}
+
 QString pdf_beside(const QString& html_path) {
-  return (html_path.endsWith(QLatin1String(".html")) ? html_path.chopped(5) : html_path) + QStringLiteral(".pdf");
+  return without_suffix(html_path, {".html", ".htm"}) + QStringLiteral(".pdf");
 }
 
 ReportStyle report_style() {

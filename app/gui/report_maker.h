@@ -62,6 +62,9 @@ class ReportMaker : public QObject {
   JobRunner jobs_;
 };
 
+/// Where the page goes for a name as typed, which may be that of the PDF or have no suffix.
+QString html_beside(const QString& typed_path);
+
 /// Where the PDF of a page goes.
 QString pdf_beside(const QString& html_path);
 

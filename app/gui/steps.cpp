@@ -7,6 +7,7 @@
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/stages.h"
 #include "model/preliminary.h"
+#include "model/result_words.h"
 #include "widgets/model_text.h"
 #include "widgets/pair_counts.h"
 #include "widgets/panels/result_panel.h"

@@ -9,6 +9,8 @@ DataCheck calibration_check() {
                "Look at the vehicle; check axes, signs, order of angles and direction of the nominal."},
               {"map-less-sharp", "The accumulated scans contradict the result, whatever its residuals say.",
                "Look at the pairs that were accepted and at the clock offset; do not use the result before that."},
+              {"measured-unused", "The result does not contain the value that was measured by hand.",
+               "Give its sigma, use a method that takes measured values, or leave it out."},
           }};
 }
 

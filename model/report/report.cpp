@@ -50,24 +50,23 @@ class Page {
   }
   std::string parameter(std::size_t i) const { return sentence(std::string(kParameterNames[i])); }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
+  enum class Texts { First, FirstAndLast, All };  // which cells are words, set to the left
   /// Repeated on each page of paper.
-  void header(const std::vector<std::string>& cells, bool last_is_text = false) {
+  void header(const std::vector<std::string>& cells, Texts texts = Texts::First) {
     html_ += "<thead>";
-    row(cells, "th", last_is_text);
+    row(cells, texts, "th");
     html_ += "</thead>\n";
   }
   void cell(const std::string& content, const std::string& tag, bool is_text) {
     const char* style = is_text ? " class=\"text\" align=\"left\">" : " align=\"right\">";
     html_.append("<").append(tag).append(style).append(content).append("</").append(tag).append(">");
   }
-  void row(const std::vector<std::string>& cells, const char* tag = "td", bool last_is_text = false,
-           bool all_are_text = false) {
+  void row(const std::vector<std::string>& cells, Texts texts = Texts::First, const char* tag = "td") {
     html_ += "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
-      cell(cells[i], tag, all_are_text || i == 0 || (last_is_text && i + 1 == cells.size()));
+      cell(cells[i], tag, texts == Texts::All || i == 0 || (texts == Texts::FirstAndLast && i + 1 == cells.size()));
     html_ += "</tr>\n";
   }
-  void text_row(const std::vector<std::string>& cells) { row(cells, "td", true, true); }
   void begin_table() { html_ += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"; }
   void end_table() { html_ += "</table>\n"; }
   void list(const std::vector<std::string>& items) {
@@ -83,7 +82,6 @@ class Page {
       return style_.phrase ? style_.phrase(context, english) : std::string(english);
     };
   }
-  bool from_pairs() const { return is_from_pairs(file_); }
   void write_verdict();
   void write_parameters();
   void write_transform();
@@ -97,7 +95,6 @@ class Page {
   void write_findings();
   void write_data();
   void write_settings();
-  bool has_numbers() const { return is_usable(result_) || result_.status == Status::Inconsistent; }
 
   const Report& report_;
   const ResultFile& file_;
@@ -138,9 +135,10 @@ void Page::write_parameters() {
       double moved = values[i] - given;
       if (is_angle(i)) moved = radians_to_degrees(wrap_angle_rad(degrees_to_radians(moved)));
       nominal = number("%.4f", given) + unit;
-      if (has_numbers()) change = number("%+.4f", moved) + unit;
+      if (has_mounting(result_)) change = number("%+.4f", moved) + unit;
     }
-    row({parameter(i) + (result_.measured[i] ? " *" : ""), has_numbers() ? number("%.4f", values[i]) + unit : "–",
+    row({parameter(i) + (result_.measured[i] ? " *" : ""),
+         has_mounting(result_) ? number("%.4f", values[i]) + unit : "–",
          sigma ? "± " + number("%.4f", on_screen(i, *sigma)) + unit : phrase("report", "not observed"),
          sigma && result_.bootstrap_sigma[i] > 0.0
              ? "± " + number("%.4f", on_screen(i, result_.bootstrap_sigma[i])) + unit
@@ -159,7 +157,7 @@ void Page::write_parameters() {
 }
 
 void Page::write_transform() {
-  if (!has_numbers()) return;
+  if (!has_mounting(result_)) return;
   begin_table();
   for (int r = 0; r < 4; ++r) {
     std::vector<std::string> cells;
@@ -269,7 +267,7 @@ void Page::write_pictures() {
 }
 
 void Page::write_charts() {
-  if (from_pairs()) {
+  if (is_from_pairs(file_)) {
     heading(phrase("report", "Residuals of the pairs"));
     chart(residual_chart(file_.pairs, ResidualKind::Translation, words()));
     chart(residual_chart(file_.pairs, ResidualKind::Rotation, words()));
@@ -301,7 +299,7 @@ void Page::write_pairs() {
          number("%.1f cm", 100.0 * pair.residual_translation_m) + " " +
              number("%.2f °", radians_to_degrees(pair.residual_rotation_rad)),
          phrase("report", std::string(to_string(pair.state)).c_str()), sentence(pair.reason)},
-        "td", true);
+        Texts::FirstAndLast);
   }
   end_table();
 }
@@ -312,11 +310,12 @@ void Page::write_findings() {
   begin_table();
   header({phrase("report", "code"), phrase("report", "where"), phrase("report", "what was found"),
           phrase("report", "what it means, and what to do")},
-         true);
+         Texts::FirstAndLast);
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    text_row({html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
-              kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : "–"});
+    row({html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
+         kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : "–"},
+        Texts::All);
   }
   end_table();
 }
@@ -330,8 +329,9 @@ void Page::write_data() {
   begin_table();
   header({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"});
   for (const InputFile& input : file_.inputs)
-    text_row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
-              input.sha256.empty() ? "–" : input.sha256});
+    row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
+         input.sha256.empty() ? "–" : input.sha256},
+        Texts::All);
   end_table();
 }
 
@@ -364,7 +364,7 @@ std::string Page::write() {
   write_correlation();
   write_sharpness();
   write_charts();
-  if (from_pairs()) {
+  if (is_from_pairs(file_)) {
     write_pictures();
     write_pairs();
   }

@@ -9499,6 +9499,14 @@ Save under another name, or close it there first.</source>
         <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.</source>
         <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前文件中的 z 为名义值，未给出名义值时为 0；重要时请用卷尺测量。</translation>
     </message>
+    <message>
+        <source>The result does not contain the value that was measured by hand.</source>
+        <translation>结果中不含该手工测量值。</translation>
+    </message>
+    <message>
+        <source>Give its sigma, use a method that takes measured values, or leave it out.</source>
+        <translation>请给出它的 sigma，改用接受测量值的方法，或去掉它。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

@@ -40,7 +40,7 @@ TEST_F(export_window, the_copied_matrix_is_the_exported_one_to_the_last_digit) {
   EXPECT_TRUE(texts_of(dialog).contains("✕")) << texts_of(dialog).toStdString();
   const int width = dialog.width();
   emit dialog.save_requested("matrix", folder.filePath(QString(250, 'x') + "/matrix.txt"), dialog.current_text());
-  QTest::qWait(20);
+  QCoreApplication::processEvents();  // a layout asked for now is done now
   EXPECT_EQ(dialog.width(), width) << "whatever the path";
   dialog.choose("yaml");
   EXPECT_FALSE(texts_of(dialog).contains("✕"));

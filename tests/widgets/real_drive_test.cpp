@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "app/gui/main_window.h"
+#include "model/result_words.h"
 #include "model/simulator/simulator.h"
 #include "widgets/panels/pair_view.h"
 #include "widgets/panels/result_panel.h"

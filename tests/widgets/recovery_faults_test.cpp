@@ -11,6 +11,7 @@
 #include "app/gui/recovery.h"
 #include "app/gui/workbench.h"
 #include "tests/support/fault_law.h"
+#include "tests/support/sanitized.h"
 
 namespace remount {
 namespace {
@@ -132,6 +133,7 @@ TEST_F(recovery_faults, a_process_killed_at_any_system_call_of_an_autosave_leave
 }
 
 TEST_F(recovery_faults, a_process_killed_at_any_moment_leaves_whole_generations) {
+  constexpr auto kLongestLife_us = static_cast<unsigned>(6000 * kSanitizerSlowdown);
   std::mt19937 dice(20);
   int kept = 0;
   for (int i = 0; i < kKills / 2 && !HasFailure(); ++i) {
@@ -145,7 +147,7 @@ TEST_F(recovery_faults, a_process_killed_at_any_moment_leaves_whole_generations)
           *clock.minute = 2 * number;
           keep(*notes, {}, number);
         },
-        static_cast<int>(dice() % 6000));
+        static_cast<int>(dice() % kLongestLife_us));
     kept += runs;
     const auto offers = find_recoveries(data_);
     EXPECT_TRUE(offers.size() == 1 || runs == 0) << "killed after " << runs;

@@ -38,6 +38,21 @@ QByteArray contents(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
+TEST(report_paths, page_and_pdf_lie_beside_each_other_whatever_was_typed) {
+  const auto both = [](const char* typed) {
+    const QString page = html_beside(typed);
+    return (page + " " + pdf_beside(page)).toStdString();
+  };
+  EXPECT_EQ(both("/a/drive.html"), "/a/drive.html /a/drive.pdf");
+  EXPECT_EQ(both("/a/drive"), "/a/drive.html /a/drive.pdf");
+  EXPECT_EQ(both("/a/drive.pdf"), "/a/drive.html /a/drive.pdf");
+  EXPECT_EQ(both("/a/drive.PDF"), "/a/drive.html /a/drive.pdf");
+  EXPECT_EQ(both("/a/drive.HTML"), "/a/drive.HTML /a/drive.pdf");
+  EXPECT_EQ(both("/a/drive.htm"), "/a/drive.htm /a/drive.pdf");
+  EXPECT_EQ(both("/a/drive.2024-05"), "/a/drive.2024-05.html /a/drive.2024-05.pdf");
+  EXPECT_EQ(both("/a/drive.htmx"), "/a/drive.htmx.html /a/drive.htmx.pdf");
+}
+
 TEST_F(report_window, a_second_one_waits_for_the_first_and_says_so) {
   const QTemporaryDir folder;
   show();

@@ -40,5 +40,21 @@ TEST(pair_transforms, agree_under_the_true_mounting_and_differ_under_a_wrong_one
       << "without an alignment the prediction is shown";
 }
 
+TEST(pair_transforms, name_no_result_where_nothing_of_it_is_observed) {
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(testing::sample_session("drive1"))};
+  PipelineOutput output = testing::sample_output(input, 20);
+  EXPECT_TRUE(pair_transforms(output, 6).current_known);
+  output.result.status = Status::Inconsistent;
+  EXPECT_TRUE(pair_transforms(output, 6).current_known) << "one looks at what contradicts";
+  output.result.status = Status::TooFewPairs;
+  EXPECT_FALSE(pair_transforms(output, 6).current_known);
+  output.result.status = Status::Degenerate;
+  output.result.observed.fill(false);
+  EXPECT_FALSE(pair_transforms(output, 6).current_known);
+  const RigidTransform candidate = rigid_from_six(testing::kTruth);
+  EXPECT_TRUE(pair_transforms(output, 6, &candidate).current_known) << "a candidate is one whatever the result";
+}
+
 }  // namespace
 }  // namespace remount

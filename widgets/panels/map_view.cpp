@@ -12,6 +12,7 @@
 
 #include "widgets/model_text.h"
 #include "widgets/panels/color_bar.h"
+#include "widgets/panels/swatch.h"
 #include "widgets/scene/distance_scale.h"
 
 namespace remount {
@@ -31,13 +32,7 @@ MapView::MapView(QWidget* parent)
   auto* legend = new QHBoxLayout(legend_);
   legend->setContentsMargins(0, 0, 0, 0);
   legend->addWidget(low_);
-  legend->addWidget(new ColorBar(
-                        [](double share) {
-                          const SceneColor color = DistanceScale::at(share);
-                          return QColor(color[0], color[1], color[2]);
-                        },
-                        this),
-                    1);
+  legend->addWidget(new ColorBar([](double share) { return to_qt(DistanceScale::at(share)); }, this), 1);
   legend->addWidget(high_);
   legend->addSpacing(8);
   legend->addWidget(drawn_);

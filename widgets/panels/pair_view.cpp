@@ -115,8 +115,7 @@ void PairView::show_message(const QString& text) {
 
 void PairView::show_pair(const QString& caption, PairSceneDataPtr scene_data, const PairTransforms& transforms) {
   pair_caption_ = caption;
-  update_caption();
-  if (!has_gl()) return;
+  if (!has_gl()) return update_caption();
   clear_marks();
   data_ = std::move(scene_data);
   known_.clear();
@@ -131,8 +130,7 @@ void PairView::show_pair(const QString& caption, PairSceneDataPtr scene_data, co
 void PairView::show_transforms(const QString& caption, const PairTransforms& transforms) {
   if (pair_caption_.isEmpty()) return;
   pair_caption_ = caption;
-  update_caption();
-  if (!shows_scene()) return;
+  if (!shows_scene()) return update_caption();
   clear_marks();
   scene_.set_transforms(transforms);
   offer_current(transforms.current_known);
@@ -148,7 +146,7 @@ void PairView::name_current(const QString& candidate) {
 }
 
 void PairView::show_alignment(PairAlignment alignment) {
-  if (alignment != PairAlignment::Before) after_ = alignment;
+  if (alignment != PairAlignment::Before) after_ = chosen_ = alignment;
   show_share(alignment == PairAlignment::Before ? 0.0 : 1.0);
 }
 
@@ -179,7 +177,7 @@ void PairView::set_side_by_side(bool on) {
 /// What the present result says cannot be shown where there is none: it would be the start under another name.
 void PairView::offer_current(bool known) {
   alignments_[static_cast<std::size_t>(PairAlignment::CurrentX)]->setEnabled(has_gl() && known);
-  if (!known && after_ == PairAlignment::CurrentX) after_ = PairAlignment::Registered;
+  after_ = chosen_ == PairAlignment::CurrentX && !known ? PairAlignment::Registered : chosen_;
 }
 
 void PairView::apply() {

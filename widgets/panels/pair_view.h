@@ -84,6 +84,7 @@ class PairView : public SceneView {
   QString pair_caption_;
   PairSceneDataPtr data_;
   PairAlignment after_ = PairAlignment::Registered;
+  PairAlignment chosen_ = PairAlignment::Registered;  // shown again once there is a result again
   double share_ = 1.0;
   int request_ = 0;
   // Distances of this pair under the transforms seen last: blinking asks once.

@@ -96,11 +96,6 @@ auto status_color(const CalibrationResult& result) -> QColor (*)(const QPalette&
 
 }  // namespace
 
-bool knows_nothing(const CalibrationResult& result) {
-  return result.status == Status::Degenerate &&
-         std::none_of(result.observed.begin(), result.observed.end(), [](bool observed) { return observed; });
-}
-
 QString status_title(const CalibrationResult& result) {
   if (is_preliminary(result)) return ResultPanel::tr("Preliminary: the calibration was cancelled");
   switch (result.status) {
@@ -121,10 +116,6 @@ QString status_title(const CalibrationResult& result) {
       return ResultPanel::tr("Cancelled");
   }
   return {};
-}
-
-bool has_numbers(Status status) {
-  return status == Status::Ok || status == Status::Degenerate || status == Status::Inconsistent;
 }
 
 QString result_as_text(const CalibrationResult& result) {
@@ -287,7 +278,7 @@ void ResultPanel::show_status() {
 void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
                               std::shared_ptr<const PipelineOutput> before, const QString& moved_by) {
   const bool numbers = output && has_numbers(output->result.status);
-  copy_->setEnabled(numbers && !knows_nothing(output->result));
+  copy_->setEnabled(output && has_mounting(output->result));
   export_->setEnabled(output && is_usable(output->result));
   shown_ = output;
   show_status();

@@ -67,10 +67,6 @@ class ResultPanel : public QScrollArea {
 QString moved_text(std::size_t i, double change);
 /// "Solved", "Solved in part", … for a heading.
 QString status_title(const CalibrationResult& result);
-/// True for a solution that knows none of the six.
-bool knows_nothing(const CalibrationResult& result);
-/// Whether the six numbers of a result mean anything.
-bool has_numbers(Status status);
 /// "x = 0.9000 m ± 0.0020 …" line by line, for the clipboard.
 QString result_as_text(const CalibrationResult& result);
 

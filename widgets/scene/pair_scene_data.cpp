@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "model/result_words.h"
 #include "widgets/scene/pair_colors.h"
 #include "widgets/scene/pair_scene_parts.h"
 #include "widgets/scene/scene_polydata.h"
@@ -17,7 +18,7 @@ const RigidTransform& PairTransforms::of(PairAlignment alignment) const {
 PairTransforms pair_transforms(const PipelineOutput& output, int pair, const RigidTransform* candidate_ins_from_lidar) {
   const Pair& chosen = output.pairs.at(static_cast<std::size_t>(pair));
   const RigidTransform& initial = output.initial_ins_from_lidar;
-  const bool solved = is_usable(output.result) || output.result.status == Status::Inconsistent;
+  const bool solved = has_mounting(output.result);
   const RigidTransform& result = solved ? output.result.ins_from_lidar : initial;
   const RigidTransform& current = candidate_ins_from_lidar ? *candidate_ins_from_lidar : result;
   PairTransforms transforms;
