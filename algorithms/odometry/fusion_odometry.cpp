@@ -219,7 +219,7 @@ void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms
   const auto standing =
       options_.ackermann ? reckoning_.standstill_rate_radps(step.from_ns, step.stamp_ns) : std::nullopt;
   if (!standing) return;
-  FusionJacobian rates = FusionJacobian::Zero(3, 16);
+  FusionJacobian rates = FusionJacobian::Zero(3, kFusionUnknowns);
   rates.block<3, 3>(0, kDrift).diagonal().setConstant(1.0 / degrees_to_radians(options_.gyro_sigma_dps));
   FusionVector expected = FusionVector::Zero();
   expected.segment<3>(kDrift) = *standing - drift_.gyro_bias_radps;
