@@ -14,7 +14,9 @@ bool knows_nothing(const CalibrationResult& result) {
          std::none_of(result.observed.begin(), result.observed.end(), [](bool observed) { return observed; });
 }
 
-bool has_mounting(const CalibrationResult& result) { return has_numbers(result.status) && !knows_nothing(result); }
+bool has_mounting(const CalibrationResult& result) {
+  return is_usable(result) || result.status == Status::Inconsistent;
+}
 
 bool is_aligned_together(const CalibrationResult& result) {
   return std::any_of(result.candidates.begin(), result.candidates.end(),

@@ -14,7 +14,7 @@ bool has_numbers(Status status);
 /// True for a solution that observes none of the six.
 bool knows_nothing(const CalibrationResult& result);
 
-/// Whether there is an X to show: numbers, and something of them observed, or worth a look as they contradict.
+/// Whether there is an X to show: it is usable, or its pairs contradict each other and it is worth a look.
 bool has_mounting(const CalibrationResult& result);
 
 /// Whether aligning the clouds of all accepted pairs together was its last step; a solution from the pairs lacks it.

@@ -191,6 +191,20 @@ bool is_any_measured(const CalibrationResult& result) {
   return std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();
 }
 
+std::string unobserved_names(const CalibrationResult& result, std::size_t count) {
+  std::string names;
+  for (std::size_t i = 0; i < count; ++i)
+    if (!result.observed[i]) names += (names.empty() ? "" : ", ") + std::string(kParameterNames[i]);
+  return names;
+}
+
+std::string solved_message(const CalibrationResult& result) {
+  const std::string missing = unobserved_names(result);
+  if (!missing.empty()) return "Solved, but for what is not observed: " + missing + ".";
+  return is_any_measured(result) ? "Solved; all six parameters are known, with what was measured."
+                                 : "Solved; all six parameters are observed.";
+}
+
 bool yaw_is_open(const CalibrationResult& result) {
   constexpr std::size_t kYaw = 3;  // order of kParameterNames
   return !result.observed[kYaw];

@@ -133,16 +133,9 @@ void set_status(const PairwiseInput& input, CalibrationResult& result) {
     result.advice.insert(result.advice.begin(),
                          "Widen the search range where it is too narrow. Where it is right, the data contradict it: "
                          "check axes and units of the INS, and whether the LiDAR is the one that the range is for.");
-  } else if (observed < 6) {
-    result.status = Status::Degenerate;
-    std::string names;
-    for (std::size_t i = 0; i < 6; ++i)
-      if (!result.observed[i]) names += (names.empty() ? "" : ", ") + std::string(kParameterNames[i]);
-    result.message = "Solved, but for what is not observed: " + names + ".";
   } else {
-    result.status = Status::Ok;
-    result.message = is_any_measured(result) ? "Solved; all six parameters are known, with what was measured."
-                                             : "Solved; all six parameters are observed.";
+    result.status = observed < 6 ? Status::Degenerate : Status::Ok;
+    result.message = solved_message(result);
   }
 }
 

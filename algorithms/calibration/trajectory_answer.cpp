@@ -264,25 +264,18 @@ void add_own_unknowns(const Evidence& evidence, TrajectoryAnswer& answer) {
 
 void set_status(bool with_ins, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
-  std::string missing;
-  int observed = 0;
-  for (std::size_t i = 0; i < 6; ++i) {
-    observed += result.observed[i] ? 1 : 0;
-    if (!result.observed[i] && (with_ins || i < 3))
-      missing += (missing.empty() ? "" : ", ") + std::string(kParameterNames[i]);
-  }
+  const auto observed = std::count(result.observed.begin(), result.observed.end(), true);
   result.status = observed == 6 ? Status::Ok : Status::Degenerate;
-  if (observed == 0)
+  if (observed == 0) {
     result.message = "Nothing is observed: the motion of this drive does not determine any component of X.";
-  else if (with_ins)
-    result.message = missing.empty()
-                         ? (is_any_measured(result) ? "Solved; all six parameters are known, with what was measured."
-                                                    : "Solved; all six parameters are observed.")
-                         : "Solved, but for what is not observed: " + missing + ".";
-  else
+  } else if (with_ins) {
+    result.message = solved_message(result);
+  } else {
+    const std::string missing = unobserved_names(result, 3);
     result.message = "Solved for the lever arm of the antenna" +
                      (missing.empty() ? std::string() : ", of which is not observed: " + missing) +
                      "; positions alone do not show the LiDAR's attitude.";
+  }
 }
 
 void set_residuals(const Evidence& evidence, CalibrationResult& result) {

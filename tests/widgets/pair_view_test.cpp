@@ -182,6 +182,8 @@ TEST_F(pair_view, what_no_result_says_is_not_offered) {
   EXPECT_NEAR(view_.scene().lidar_b_from_lidar_a(0).translation().y(), 0.0, 1e-9);
   view_.show_transforms("Pair 0", known_transforms());
   EXPECT_TRUE(button("With result").isEnabled());
+  EXPECT_EQ(view_.alignment(), PairAlignment::CurrentX) << "as it was chosen";
+  EXPECT_NEAR(view_.scene().lidar_b_from_lidar_a(0).translation().y(), 0.05, 1e-9);
 }
 
 TEST_F(pair_view, buttons_leave_the_keys_to_the_review) {

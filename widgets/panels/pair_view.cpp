@@ -146,11 +146,11 @@ void PairView::name_current(const QString& candidate) {
 }
 
 void PairView::show_alignment(PairAlignment alignment) {
-  if (alignment != PairAlignment::Before) after_ = chosen_ = alignment;
+  if (alignment != PairAlignment::Before) chosen_ = alignment;
   show_share(alignment == PairAlignment::Before ? 0.0 : 1.0);
 }
 
-PairAlignment PairView::alignment() const { return share_ > 0.0 ? after_ : PairAlignment::Before; }
+PairAlignment PairView::alignment() const { return share_ > 0.0 ? after() : PairAlignment::Before; }
 
 void PairView::show_share(double share) {
   share_ = std::clamp(share, 0.0, 1.0);
@@ -177,17 +177,22 @@ void PairView::set_side_by_side(bool on) {
 /// What the present result says cannot be shown where there is none: it would be the start under another name.
 void PairView::offer_current(bool known) {
   alignments_[static_cast<std::size_t>(PairAlignment::CurrentX)]->setEnabled(has_gl() && known);
-  after_ = chosen_ == PairAlignment::CurrentX && !known ? PairAlignment::Registered : chosen_;
+  current_known_ = known;
+}
+
+/// The alignment that was chosen, which comes back with a result to show.
+PairAlignment PairView::after() const {
+  return chosen_ == PairAlignment::CurrentX && !current_known_ ? PairAlignment::Registered : chosen_;
 }
 
 void PairView::apply() {
   const bool side_by_side = side_by_side_->isChecked();
   for (std::size_t i = 0; i < alignments_.size(); ++i) {
     const auto alignment = static_cast<PairAlignment>(i);
-    const bool is_shown = alignment == PairAlignment::Before ? share_ == 0.0 : alignment == after_ && share_ == 1.0;
+    const bool is_shown = alignment == PairAlignment::Before ? share_ == 0.0 : alignment == after() && share_ == 1.0;
     alignments_[i]->setChecked(is_shown);
   }
-  scene_.show(after_, share_, side_by_side);
+  scene_.show(after(), share_, side_by_side);
   color_by_distance();
   update_caption();
   render();
@@ -301,7 +306,7 @@ void PairView::update_caption() {
   if (objects_->isChecked() && scene_.has_objects(true)) parts << swatch(kMoving, tr("moving"), QStringLiteral("☒"));
   if (side_by_side_->isChecked())
     parts << tr("left: before, right: %1")
-                 .arg(share_ == 1.0 ? alignments_[static_cast<std::size_t>(after_)]->text()
+                 .arg(share_ == 1.0 ? alignments_[static_cast<std::size_t>(after())]->text()
                                     : tr("%1 % of the way").arg(std::lround(100 * share_)));
   caption_->setText(parts.join(QStringLiteral(" &nbsp; ")));
 }

@@ -68,6 +68,7 @@ class PairView : public SceneView {
   void add_alignment_buttons(QHBoxLayout* row);
   void add_coloring(QHBoxLayout* row);
   void offer_current(bool known);
+  PairAlignment after() const;
   void apply();
   void color_by_distance();
   bool use_known_distances();
@@ -83,8 +84,8 @@ class PairView : public SceneView {
   QTimer* timer_;
   QString pair_caption_;
   PairSceneDataPtr data_;
-  PairAlignment after_ = PairAlignment::Registered;
-  PairAlignment chosen_ = PairAlignment::Registered;  // shown again once there is a result again
+  PairAlignment chosen_ = PairAlignment::Registered;  // what "after" is
+  bool current_known_ = true;
   double share_ = 1.0;
   int request_ = 0;
   // Distances of this pair under the transforms seen last: blinking asks once.
