@@ -14,7 +14,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTemporaryDir>
@@ -31,6 +30,7 @@
 #include "model/methods/calibration_method.h"
 #include "model/project.h"
 #include "model/settings.h"
+#include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/forms/option_access.h"
 #include "widgets/model_text.h"
@@ -96,10 +96,8 @@ TEST(languages, the_translations_know_every_text_of_the_sources) {
   const QTemporaryDir folder;
   for (const char* name : {"remount_zh_CN.ts", "remount_en.ts"})
     ASSERT_TRUE(QFile::copy(kFolder + name, folder.filePath(name)));
-  QProcess update;
-  update.start(QStringLiteral(REMOUNT_SOURCE_DIR "/packaging/translations"), {folder.path()});
-  ASSERT_TRUE(update.waitForFinished(kPatience_ms * 3));
-  ASSERT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();
+  testing::ChildProcess update(REMOUNT_SOURCE_DIR "/packaging/translations", {folder.path().toStdString()});
+  ASSERT_EQ(update.ended(kPatience_ms * 3), 0) << update.said();
   for (const char* name : {"remount_zh_CN.ts", "remount_en.ts"})
     for (const Entry& entry : entries_of(folder.filePath(name)))
       EXPECT_FALSE(entry.unfinished) << "run packaging/translations and translate in " << name << ": "

@@ -5,13 +5,13 @@
 #include <QCoreApplication>
 #include <QDirIterator>
 #include <QLabel>
-#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <fstream>
 
 #include "app/gui/project_keeper.h"
+#include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/panels/message_banner.h"
 #include "widgets/panels/recovery_dialog.h"
@@ -71,25 +71,15 @@ TEST_F(recovery, child_decides_and_waits_to_be_killed) {
 }
 
 void recovery::kill_a_process_that_decides(const QString& project) {
-  QProcess child;
-  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-  environment.insert(kChildFolder, folder_.path());
-  environment.insert("REMOUNT_RECOVERY_PROJECT", project);
-  environment.insert("QT_QPA_PLATFORM", "offscreen");
-  child.setProcessEnvironment(environment);
-  child.start(QCoreApplication::applicationFilePath(),
-              {"--gtest_filter=recovery.child_decides_and_waits_to_be_killed"});
-  ASSERT_TRUE(child.waitForStarted(kPatience_ms));
-  QByteArray said;
-  for (int i = 0; i < 100 && !said.contains("ready"); ++i) {
-    child.waitForReadyRead(300);
-    said += child.readAllStandardOutput();
-  }
-  ASSERT_TRUE(said.contains("ready")) << said.toStdString();
+  testing::ChildProcess child(QCoreApplication::applicationFilePath().toStdString(),
+                              {"--gtest_filter=recovery.child_decides_and_waits_to_be_killed"},
+                              {{kChildFolder, folder_.path().toStdString()},
+                               {"REMOUNT_RECOVERY_PROJECT", project.toStdString()},
+                               {"QT_QPA_PLATFORM", "offscreen"}});
+  ASSERT_TRUE(child.says("ready\n", kPatience_ms)) << child.said();
   EXPECT_TRUE(find_recoveries(folder_.path()).empty()) << "its window is open";
-  ASSERT_EQ(::kill(static_cast<pid_t>(child.processId()), SIGKILL), 0);
-  ASSERT_TRUE(child.waitForFinished(kPatience_ms));
-  EXPECT_EQ(child.exitStatus(), QProcess::CrashExit);
+  child.kill();
+  EXPECT_EQ(child.ended(kPatience_ms), 128 + SIGKILL) << child.said();
 }
 
 TEST_F(recovery, a_killed_process_loses_nothing_that_was_never_saved) {

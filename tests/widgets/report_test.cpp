@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
-#include <QProcess>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QStandardPaths>
@@ -22,6 +21,7 @@
 #include "app/gui/language.h"
 #include "app/gui/report_maker.h"
 #include "app/gui/result_files.h"
+#include "tests/support/child_process.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/paint_drawing.h"
 #include "widgets/gl_support.h"
@@ -193,11 +193,14 @@ QString text_of_pdf(const QByteArray& pdf, const QStringList& options) {
   EXPECT_TRUE(file.open(QIODevice::WriteOnly));
   file.write(pdf);
   file.close();
-  QProcess read;
-  read.start(pdf_reader(), options + QStringList{file.fileName(), "-"});
-  EXPECT_TRUE(read.waitForFinished(kPatience_ms) && read.exitCode() == 0)
-      << pdf.size() << " bytes: " << read.readAllStandardError().toStdString();
-  return QString::fromUtf8(read.readAllStandardOutput());
+  QFile text(folder.filePath("report.txt"));
+  std::vector<std::string> arguments;
+  for (const QString& argument : options + QStringList{file.fileName(), text.fileName()})
+    arguments.push_back(argument.toStdString());
+  testing::ChildProcess reader(pdf_reader().toStdString(), arguments);
+  EXPECT_EQ(reader.ended(kPatience_ms), 0) << pdf.size() << " bytes: " << reader.said();
+  EXPECT_TRUE(text.open(QIODevice::ReadOnly)) << text.errorString().toStdString();
+  return QString::fromUtf8(text.readAll());
 }
 
 TEST(report_pdf, numbers_are_whole_headers_repeated_and_headings_stay_with_what_follows) {
@@ -276,16 +279,11 @@ TEST_F(chinese_report, says_that_a_font_is_missing_instead_of_drawing_boxes) {
     ASSERT_TRUE(fonts.open(QIODevice::WriteOnly));
     fonts.write("<?xml version=\"1.0\"?><fontconfig><dir>/usr/share/fonts/truetype/dejavu</dir></fontconfig>");
     fonts.close();
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("FONTCONFIG_FILE", fonts.fileName());
-    environment.insert("REMOUNT_WITHOUT_CHINESE_FONTS", "1");
-    QProcess child;
-    child.setProcessEnvironment(environment);
-    child.setProcessChannelMode(QProcess::MergedChannels);
-    child.start(QCoreApplication::applicationFilePath(),
-                {"--gtest_filter=chinese_report.says_that_a_font_is_missing_instead_of_drawing_boxes"});
-    ASSERT_TRUE(child.waitForFinished(kPatience_ms));
-    EXPECT_EQ(child.exitCode(), 0) << child.readAll().toStdString();
+    testing::ChildProcess child(
+        QCoreApplication::applicationFilePath().toStdString(),
+        {"--gtest_filter=chinese_report.says_that_a_font_is_missing_instead_of_drawing_boxes"},
+        {{"FONTCONFIG_FILE", fonts.fileName().toStdString()}, {"REMOUNT_WITHOUT_CHINESE_FONTS", "1"}});
+    EXPECT_EQ(child.ended(kPatience_ms), 0) << child.said();
     return;
   }
   try {

@@ -4,7 +4,6 @@
 
 #include <QElapsedTimer>
 #include <QEventLoop>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -13,10 +12,13 @@
 #include <fstream>
 #include <functional>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "app/gui/main_window.h"
 #include "model/simulator/simulator.h"
+#include "tests/support/child_process.h"
 #include "tests/widgets/support/turn_profile.h"
 #include "widgets/forms/option_access.h"
 
@@ -236,23 +238,20 @@ TEST(watchdog, child_loads_and_registers) {
 }
 
 struct ChildRun {
-  int exit_code = -1;
-  QByteArray said;
+  std::optional<int> exit_code;  ///< nothing: not done in time
+  std::string said;
 };
 
 ChildRun run_child() {
-  QProcess child;
-  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-  environment.insert("REMOUNT_WATCHDOG_CHILD", "1");
-  environment.insert("QT_QPA_PLATFORM", "offscreen");
-  child.setProcessEnvironment(environment);
-  child.setProcessChannelMode(QProcess::MergedChannels);
-  child.start(QCoreApplication::applicationFilePath(), {"--gtest_filter=watchdog.child_loads_and_registers"});
-  if (!child.waitForFinished(kPatience_ms)) return {-1, "not done in time"};
-  const ChildRun run{child.exitCode(), child.readAll()};
-  if (qEnvironmentVariableIsSet("REMOUNT_PROFILE")) std::printf("%s\n", run.said.constData());
-  for (const QByteArray& line : run.said.split('\n'))
-    if (line.startsWith("WATCHDOG")) std::printf("%s\n", line.constData());
+  testing::ChildProcess child(QCoreApplication::applicationFilePath().toStdString(),
+                              {"--gtest_filter=watchdog.child_loads_and_registers"},
+                              {{"REMOUNT_WATCHDOG_CHILD", "1"}, {"QT_QPA_PLATFORM", "offscreen"}});
+  const std::optional<int> exit_code = child.ended(kPatience_ms);
+  const ChildRun run{exit_code, child.said()};
+  if (qEnvironmentVariableIsSet("REMOUNT_PROFILE")) std::printf("%s\n", run.said.c_str());
+  std::istringstream lines(run.said);
+  for (std::string line; std::getline(lines, line);)
+    if (line.rfind("WATCHDOG", 0) == 0) std::printf("%s\n", line.c_str());
   return run;
 }
 
@@ -261,8 +260,8 @@ TEST(watchdog, nothing_stalls_while_scans_are_loaded_and_pairs_registered) {
   constexpr int kTries = 3;
   ChildRun run;
   for (int tries = 0; tries < kTries && run.exit_code != 0; ++tries) run = run_child();
-  EXPECT_EQ(run.exit_code, 0) << run.said.toStdString();
-  EXPECT_GE(run.said.indexOf("WATCHDOG"), 0) << run.said.toStdString();
+  EXPECT_EQ(run.exit_code, 0) << run.said;
+  EXPECT_NE(run.said.find("WATCHDOG"), std::string::npos) << run.said;
 }
 
 }  // namespace

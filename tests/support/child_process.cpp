@@ -1,0 +1,116 @@
+#include "tests/support/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+namespace remount::testing {
+namespace {
+
+double now_ms() {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::vector<std::string> environment_with(const ChildProcess::Variables& added) {
+  std::vector<std::string> entries;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text = *entry;
+    if (!added.count(std::string(text.substr(0, text.find('='))))) entries.emplace_back(text);
+  }
+  for (const auto& [name, value] : added) entries.push_back(name + "=" + value);
+  return entries;
+}
+
+/// As exec wants them; valid as long as `words` is.
+std::vector<char*> pointers(std::vector<std::string>& words) {
+  std::vector<char*> all;
+  for (std::string& word : words) all.push_back(word.data());
+  all.push_back(nullptr);
+  return all;
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::string& program, const std::vector<std::string>& arguments,
+                           const Variables& added) {
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> environment = environment_with(added);
+
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  const int error = ::posix_spawnp(&process_, program.c_str(), &actions, nullptr, pointers(words).data(),
+                                   pointers(environment).data());
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  output_ = ends[0];
+  if (error != 0) {
+    ::close(output_);
+    throw std::system_error(error, std::generic_category(), program);
+  }
+}
+
+ChildProcess::~ChildProcess() {
+  if (!exit_code_) {
+    kill();
+    ::waitpid(process_, nullptr, 0);
+  }
+  ::close(output_);
+}
+
+bool ChildProcess::says(const std::string& words, int patience_ms) {
+  const double until_ms = now_ms() + patience_ms;
+  while (said_.find(words) == std::string::npos)
+    if (!read_more(until_ms)) return false;
+  return true;
+}
+
+std::optional<int> ChildProcess::ended(int patience_ms) {
+  const double until_ms = now_ms() + patience_ms;
+  while (read_more(until_ms)) {
+  }
+  int status = 0;
+  while (!exit_code_) {
+    if (::waitpid(process_, &status, WNOHANG) == process_)
+      exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    else if (now_ms() > until_ms)
+      return std::nullopt;
+    else
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return exit_code_;
+}
+
+void ChildProcess::kill() {
+  if (!exit_code_) ::kill(process_, SIGKILL);
+}
+
+bool ChildProcess::read_more(double until_ms) {
+  pollfd waiting{output_, POLLIN, 0};
+  const int ready = ::poll(&waiting, 1, std::max(0, static_cast<int>(until_ms - now_ms())));
+  if (ready < 0 && errno == EINTR) return true;
+  if (ready <= 0) return false;
+  std::array<char, 4096> piece{};
+  const ssize_t size = ::read(output_, piece.data(), piece.size());
+  if (size < 0) return errno == EINTR;
+  said_.append(piece.data(), static_cast<std::size_t>(size));
+  return size > 0;
+}
+
+}  // namespace remount::testing
