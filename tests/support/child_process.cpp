@@ -15,6 +15,8 @@
 #include <system_error>
 #include <thread>
 
+#include "tests/support/exit_code.h"
+
 namespace remount::testing {
 namespace {
 
@@ -88,7 +90,7 @@ std::optional<int> ChildProcess::ended(int patience_ms) {
   int status = 0;
   while (!exit_code_) {
     if (::waitpid(process_, &status, WNOHANG) == process_)
-      exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      exit_code_ = exit_code_of(status);
     else if (now_ms() > until_ms)
       return std::nullopt;
     else

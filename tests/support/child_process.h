@@ -11,7 +11,7 @@
 namespace remount::testing {
 
 /// Killed, if it still runs, when this goes. Not QProcess: that lets the child run in this process's memory until it
-/// has become the program, which the thread sanitizer takes for this process and ends.
+/// has become the program, and the thread sanitizer, which takes it for one of this process's threads, ends the test.
 class ChildProcess {
  public:
   using Variables = std::map<std::string, std::string>;

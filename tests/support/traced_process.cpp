@@ -17,6 +17,7 @@
 #include <cstring>
 #include <map>
 
+#include "tests/support/exit_code.h"
 #include "tests/support/system_calls.h"
 
 #if defined(__aarch64__)
@@ -218,7 +219,7 @@ TracedRun Tracer::follow(pid_t process) {
     if (thread < 0) break;
     if (WIFEXITED(status) || WIFSIGNALED(status)) {
       if (thread != process) continue;
-      run_.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      run_.exit_code = exit_code_of(status);
       break;
     }
     int signal = WSTOPSIG(status);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -14,6 +13,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "tests/support/exit_code.h"
 
 namespace remount {
 
@@ -58,8 +59,7 @@ class ProgramFixture : public ::testing::Test {
     const std::string command = std::string("'") + REMOUNT_CLI + "' " + arguments + " > '" + path("out.txt") +
                                 "' 2> '" + path("err.txt") + "' < /dev/null";
     const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), text_of(path("out.txt")),
-            text_of(path("err.txt"))};
+    return {testing::exit_code_of(status), text_of(path("out.txt")), text_of(path("err.txt"))};
   }
 
   /// The program without waiting for it, in a process group of its own, as a shell starts it.
