@@ -7,10 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -19,10 +17,6 @@
 
 namespace remount::testing {
 namespace {
-
-double now_ms() {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::vector<std::string> environment_with(const ChildProcess::Variables& added) {
   std::vector<std::string> entries;
@@ -71,27 +65,28 @@ ChildProcess::ChildProcess(const std::string& program, const std::vector<std::st
 ChildProcess::~ChildProcess() {
   if (!exit_code_) {
     kill();
-    ::waitpid(process_, nullptr, 0);
+    while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+    }
   }
   ::close(output_);
 }
 
 bool ChildProcess::says(const std::string& words, int patience_ms) {
-  const double until_ms = now_ms() + patience_ms;
+  const auto until = Clock::now() + std::chrono::milliseconds(patience_ms);
   while (said_.find(words) == std::string::npos)
-    if (!read_more(until_ms)) return false;
+    if (!read_more(until)) return false;
   return true;
 }
 
 std::optional<int> ChildProcess::ended(int patience_ms) {
-  const double until_ms = now_ms() + patience_ms;
-  while (read_more(until_ms)) {
+  const auto until = Clock::now() + std::chrono::milliseconds(patience_ms);
+  while (read_more(until)) {
   }
   int status = 0;
   while (!exit_code_) {
     if (::waitpid(process_, &status, WNOHANG) == process_)
       exit_code_ = exit_code_of(status);
-    else if (now_ms() > until_ms)
+    else if (Clock::now() > until)
       return std::nullopt;
     else
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -103,9 +98,11 @@ void ChildProcess::kill() {
   if (!exit_code_) ::kill(process_, SIGKILL);
 }
 
-bool ChildProcess::read_more(double until_ms) {
+bool ChildProcess::read_more(Clock::time_point until) {
+  const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(until - Clock::now());
+  if (left.count() <= 0) return false;
   pollfd waiting{output_, POLLIN, 0};
-  const int ready = ::poll(&waiting, 1, std::max(0, static_cast<int>(until_ms - now_ms())));
+  const int ready = ::poll(&waiting, 1, static_cast<int>(left.count()));
   if (ready < 0 && errno == EINTR) return true;
   if (ready <= 0) return false;
   std::array<char, 4096> piece{};

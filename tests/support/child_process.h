@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,8 +11,8 @@
 
 namespace remount::testing {
 
-/// Killed, if it still runs, when this goes. Not QProcess: that lets the child run in this process's memory until it
-/// has become the program, and the thread sanitizer, which takes it for one of this process's threads, ends the test.
+/// Killed, if it still runs, when this goes. Not QProcess: the thread sanitizer takes its clone() for a fork, whose
+/// child has memory of its own, and ends the test. That of posix_spawn lies within the C library, out of its sight.
 class ChildProcess {
  public:
   using Variables = std::map<std::string, std::string>;
@@ -23,17 +24,20 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Whether it writes `words` before it ends and before `patience_ms` are over.
+  /// Whether it has written `words` since it was started, before it closes its output and `patience_ms` are over.
   bool says(const std::string& words, int patience_ms);
-  /// Its exit code, 128 + signal where one ended it; nothing where `patience_ms` are over before.
+  /// Its exit code, 128 + signal where one ended it; nothing where `patience_ms` are over before. All that it says is
+  /// read first: programs that it leaves behind with its output are waited for, too.
   std::optional<int> ended(int patience_ms);
   void kill();
   /// What it has written so far, as far as it was waited for: standard output and standard error in one.
   const std::string& said() const { return said_; }
 
  private:
-  /// False where it has closed its output or `until_ms` has passed.
-  bool read_more(double until_ms);
+  using Clock = std::chrono::steady_clock;
+
+  /// False where it has closed its output or `until` has passed.
+  bool read_more(Clock::time_point until);
 
   pid_t process_ = -1;
   int output_ = -1;

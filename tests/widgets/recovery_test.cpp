@@ -76,7 +76,7 @@ void recovery::kill_a_process_that_decides(const QString& project) {
                               {{kChildFolder, folder_.path().toStdString()},
                                {"REMOUNT_RECOVERY_PROJECT", project.toStdString()},
                                {"QT_QPA_PLATFORM", "offscreen"}});
-  ASSERT_TRUE(child.says("ready\n", kPatience_ms)) << child.said();
+  ASSERT_TRUE(child.says("ready\n", kPatience_ms * 3)) << child.said();
   EXPECT_TRUE(find_recoveries(folder_.path()).empty()) << "its window is open";
   child.kill();
   EXPECT_EQ(child.ended(kPatience_ms), 128 + SIGKILL) << child.said();

@@ -16,6 +16,8 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "algorithms/core/error.h"
 #include "app/gui/language.h"
@@ -193,6 +195,7 @@ QString text_of_pdf(const QByteArray& pdf, const QStringList& options) {
   EXPECT_TRUE(file.open(QIODevice::WriteOnly));
   file.write(pdf);
   file.close();
+  // Not by its output, where its warnings would stand among the text.
   QFile text(folder.filePath("report.txt"));
   std::vector<std::string> arguments;
   for (const QString& argument : options + QStringList{file.fileName(), text.fileName()})

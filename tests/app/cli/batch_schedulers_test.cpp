@@ -83,7 +83,7 @@ class cli_batch_schedulers : public ProgramFixture<cli_batch_schedulers> {
   static Outcome shell(const std::string& command) {
     std::ofstream(path("command.sh")) << command << "\n";
     const int status = std::system(("cd '" + folder_.string() + "' && sh command.sh > shell.out 2> shell.err").c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(path("shell.out")), text_of(path("shell.err"))};
+    return {testing::exit_code_of(status), text_of(path("shell.out")), text_of(path("shell.err"))};
   }
   static void expect_all_done(const Fleet& fleet) {
     for (std::size_t i = 0; i < 3; ++i)

@@ -14,6 +14,7 @@
 #include "algorithms/core/parallel.h"
 #include "model/io/input_file.h"
 #include "model/io/sha256.h"
+#include "tests/support/exit_code.h"
 
 namespace remount {
 namespace {
@@ -90,12 +91,12 @@ TEST_F(atomic_save, names_path_and_reason) {
 }
 
 /// Runs in a child process, which may give up root and set limits for itself.
-int exit_code_of(const std::function<int()>& body) {
+int exit_code_in_child(const std::function<int()>& body) {
   const pid_t child = ::fork();
   if (child == 0) ::_exit(body());
   int status = 0;
   ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 255;
+  return testing::exit_code_of(status);
 }
 
 TEST_F(atomic_save, a_check_says_what_saving_would_and_leaves_nothing) {
@@ -121,7 +122,7 @@ TEST_F(atomic_save, a_check_says_what_saving_would_and_leaves_nothing) {
 TEST_F(atomic_save, a_full_disk_leaves_the_old_file) {
   const auto path = folder_ / "a.yaml";
   save_atomically(path, "old");
-  const int code = exit_code_of([&] {
+  const int code = exit_code_in_child([&] {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{50000, 50000};
     ::setrlimit(RLIMIT_FSIZE, &limit);
@@ -137,7 +138,7 @@ TEST_F(atomic_save, a_read_only_folder_leaves_the_old_file) {
   const auto path = folder_ / "a.yaml";
   save_atomically(path, "old");
   std::filesystem::permissions(folder_, std::filesystem::perms(0555));
-  const int code = exit_code_of([&] {
+  const int code = exit_code_in_child([&] {
     if (::getuid() == 0 && ::setuid(65534) != 0) return 2;
     const std::string error = error_of(path, "new");
     return error.find("Permission denied") != std::string::npos ? 0 : 1;
