@@ -86,11 +86,4 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   return outlook;
 }
 
-std::string parameter_list(const MotionOutlook& outlook, bool determinable) {
-  std::string list;
-  for (std::size_t i = 0; i < outlook.determinable.size(); ++i)
-    if (outlook.determinable[i] == determinable) list += (list.empty() ? "" : ", ") + std::string(kParameterNames[i]);
-  return list;
-}
-
 }  // namespace remount

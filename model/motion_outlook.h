@@ -24,7 +24,4 @@ struct MotionOutlook {
 /// see. Reads no scan. Not judged where `progress` is cancelled.
 MotionOutlook motion_outlook(const Session& session, const Settings& settings = {}, const Progress& progress = {});
 
-/// "x, y, yaw" of those that are (`determinable`) or are not; empty for none.
-std::string parameter_list(const MotionOutlook& outlook, bool determinable);
-
 }  // namespace remount

@@ -261,13 +261,6 @@ std::string changed_file(const std::vector<InputFile>& then, const std::vector<I
 
 bool is_from_pairs(const ResultFile& file) { return file.method == kPairwise || !file.pairs.empty(); }
 
-std::string parameter_list(const CalibrationResult& result, bool observed) {
-  std::string list;
-  for (std::size_t i = 0; i < 6; ++i)
-    if (result.observed[i] == observed) list += (list.empty() ? "" : ", ") + std::string(kParameterNames[i]);
-  return list;
-}
-
 DocumentNode result_document(const ResultFile& file) {
   const CalibrationResult& result = file.result;
   DocumentNode root = DocumentNode::map();

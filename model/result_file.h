@@ -75,8 +75,6 @@ struct ResultFile {
 
 /// Whether X stands on pairs of keyframes; other methods have neither pairs nor residuals of them.
 bool is_from_pairs(const ResultFile& file);
-/// "x, y, yaw" of the parameters that are (`observed`) or are not observed; empty for none.
-std::string parameter_list(const CalibrationResult& result, bool observed);
 
 DocumentNode result_document(const ResultFile& file);
 /// Throws Error(Format) where the schema is not kept, a number is not finite, the rotation is not orthonormal, or

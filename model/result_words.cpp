@@ -5,10 +5,6 @@
 
 namespace remount {
 
-bool has_numbers(Status status) {
-  return status == Status::Ok || status == Status::Degenerate || status == Status::Inconsistent;
-}
-
 bool knows_nothing(const CalibrationResult& result) {
   return result.status == Status::Degenerate &&
          std::none_of(result.observed.begin(), result.observed.end(), [](bool observed) { return observed; });

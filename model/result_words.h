@@ -7,10 +7,6 @@
 
 namespace remount {
 
-/// Whether the six numbers of a result mean anything: it was solved, in part at least, or its pairs contradict each
-/// other.
-bool has_numbers(Status status);
-
 /// True for a solution that observes none of the six.
 bool knows_nothing(const CalibrationResult& result);
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "algorithms/calibration/calibration_result.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
 #include "model/checks/data_check.h"
@@ -125,7 +126,7 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
   report.usable = !problems && (by_ins ? report.lidar_covered >= 2 : moves_without_ins(report));
   if (!report.usable || !by_ins) return;
   report.outlook = motion_outlook(session, {}, progress);
-  if (report.outlook.judged && parameter_list(report.outlook, true).empty()) {
+  if (report.outlook.judged && parameter_names(report.outlook.determinable, true).empty()) {
     problem("no-motion", "the vehicle hardly moves while the LiDAR records: nothing can be determined");
     report.usable = false;
   }
@@ -135,7 +136,8 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
 std::string usable_lines(const SessionReport& report) {
   if (!report.usable) return "  usable: no\n";
   if (!report.outlook.judged) return "  usable: yes\n";
-  const std::string told = parameter_list(report.outlook, true), untold = parameter_list(report.outlook, false);
+  const std::string told = parameter_names(report.outlook.determinable, true),
+                    untold = parameter_names(report.outlook.determinable, false);
   const bool lacking = report.outlook.needs_nominal;
   std::string text = std::string("  the motion can tell") + (lacking ? ", with a nominal mounting: " : ": ") + told +
                      (untold.empty() ? "" : "; it cannot tell: " + untold) + "\n";

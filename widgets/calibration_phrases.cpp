@@ -119,6 +119,9 @@ const std::vector<const char*>& calibration_phrases() {
                         "The sessions scatter %1 times as much as their errors explain; the sigmas include it."),
       QT_TRANSLATE_NOOP("remount::model",
                         "%1 was given as measured, %2, without a sigma and is not used: give its sigma, too."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 was given as measured, %2, and is not used: this method takes no height of the INS. Leave it out."),
       QT_TRANSLATE_NOOP("remount::model", "the shift along [%1], the shift along [%2]"),
       QT_TRANSLATE_NOOP("remount::model", "the turn about [%1], the turn about [%2]"),
       QT_TRANSLATE_NOOP("remount::model", "the shift along [%1], the turn about [%2], the turn about [%3]"),

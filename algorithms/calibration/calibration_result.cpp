@@ -16,6 +16,13 @@ std::optional<Status> status_from_string(std::string_view text) {
   return std::nullopt;
 }
 
+std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count) {
+  std::string names;
+  for (std::size_t i = 0; i < count; ++i)
+    if (which[i] == value) names += (names.empty() ? "" : ", ") + std::string(kParameterNames[i]);
+  return names;
+}
+
 bool is_usable(const CalibrationResult& result) {
   const bool solved = result.status == Status::Ok || result.status == Status::Degenerate;
   return solved && std::find(result.observed.begin(), result.observed.end(), true) != result.observed.end();

@@ -100,6 +100,9 @@ struct CalibrationResult {
   }
 };
 
+/// "x, y, yaw": names of those of the first `count` parameters that are `value` in `which`; empty for none.
+std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
+
 /// Whether X may be used at all: the status is ok or degenerate and something is observed.
 bool is_usable(const CalibrationResult& result);
 

@@ -191,15 +191,8 @@ bool is_any_measured(const CalibrationResult& result) {
   return std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();
 }
 
-std::string unobserved_names(const CalibrationResult& result, std::size_t count) {
-  std::string names;
-  for (std::size_t i = 0; i < count; ++i)
-    if (!result.observed[i]) names += (names.empty() ? "" : ", ") + std::string(kParameterNames[i]);
-  return names;
-}
-
 std::string solved_message(const CalibrationResult& result) {
-  const std::string missing = unobserved_names(result);
+  const std::string missing = parameter_names(result.observed, false);
   if (!missing.empty()) return "Solved, but for what is not observed: " + missing + ".";
   return is_any_measured(result) ? "Solved; all six parameters are known, with what was measured."
                                  : "Solved; all six parameters are observed.";

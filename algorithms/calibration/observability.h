@@ -57,9 +57,6 @@ void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOpti
 /// Whether some parameter was held near a value measured by hand.
 bool is_any_measured(const CalibrationResult& result);
 
-/// Names of the parameters that a judged result does not tell, among the first `count`: "z, roll"; empty: none.
-std::string unobserved_names(const CalibrationResult& result, std::size_t count = 6);
-
 /// What a judged result that observes something says of itself: solved, and by what, or but for what.
 std::string solved_message(const CalibrationResult& result);
 

@@ -271,7 +271,7 @@ void set_status(bool with_ins, TrajectoryAnswer& answer) {
   } else if (with_ins) {
     result.message = solved_message(result);
   } else {
-    const std::string missing = unobserved_names(result, 3);
+    const std::string missing = parameter_names(result.observed, false, 3);
     result.message = "Solved for the lever arm of the antenna" +
                      (missing.empty() ? std::string() : ", of which is not observed: " + missing) +
                      "; positions alone do not show the LiDAR's attitude.";

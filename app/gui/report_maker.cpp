@@ -6,7 +6,6 @@
 #include <QLocale>
 #include <QThread>
 #include <QTimer>
-#include <cstring>
 #include <exception>
 #include <initializer_list>
 
@@ -49,22 +48,25 @@ QByteArray on_qt_thread(const std::function<QByteArray()>& make) {
   return made;
 }
 
-QString without_suffix(const QString& path, std::initializer_list<const char*> suffixes) {
-  for (const char* suffix : suffixes)
-    if (path.endsWith(QLatin1String(suffix), Qt::CaseInsensitive))
-      return path.chopped(static_cast<int>(std::strlen(suffix)));
+QString without_suffix(const QString& path, std::initializer_list<QLatin1String> suffixes) {
+  for (const QLatin1String suffix : suffixes)
+    if (path.endsWith(suffix, Qt::CaseInsensitive)) return path.chopped(suffix.size());
   return path;
+}
+
+QString without_html(const QString& path) {
+  return without_suffix(path, {QLatin1String(".html"), QLatin1String(".htm")});
 }
 
 }  // namespace
 
 QString html_beside(const QString& typed_path) {
-  if (without_suffix(typed_path, {".html", ".htm"}) != typed_path) return typed_path;
-  return without_suffix(typed_path, {".pdf"}) + QStringLiteral(".html");
+  const QString page = without_suffix(typed_path, {QLatin1String(".pdf")});
+  return without_html(page) == page ? page + QStringLiteral(".html") : page;
 }
 
 QString pdf_beside(const QString& html_path) {
-  return without_suffix(html_path, {".html", ".htm"}) + QStringLiteral(".pdf");
+  return without_html(html_path) + QStringLiteral(".pdf");
 }
 
 ReportStyle report_style() {

@@ -10,7 +10,6 @@
 #include "model/result_words.h"
 #include "widgets/model_text.h"
 #include "widgets/pair_counts.h"
-#include "widgets/panels/result_panel.h"
 
 namespace remount {
 namespace {

@@ -17,5 +17,6 @@ DataCheck scan_check();
 DataCheck handedness_check();
 DataCheck reading_check();
 DataCheck calibration_check();
+DataCheck method_run_check();
 
 }  // namespace remount

@@ -10,7 +10,9 @@ DataCheck calibration_check() {
               {"map-less-sharp", "The accumulated scans contradict the result, whatever its residuals say.",
                "Look at the pairs that were accepted and at the clock offset; do not use the result before that."},
               {"measured-unused", "The result does not contain the value that was measured by hand.",
-               "Give its sigma, use a method that takes measured values, or leave it out."},
+               "Give its sigma, or leave it out."},
+              {"measured-without-ins", "The result does not contain the value that was measured by hand.",
+               "Leave it out, or record an INS with attitude."},
           }};
 }
 

@@ -1,4 +1,4 @@
-// What readers could not use of a recording that is usable as a whole.
+// What could not be used of a recording, and why.
 #include "model/checks/builtin.h"
 
 namespace remount {
@@ -20,6 +20,25 @@ DataCheck reading_check() {
               {"bag-*", "What lies in the damaged part of the bag takes no part.",
                "Copy the bag again, whole; close the recorder before copying. rosbag reindex (.bag) or mcap recover "
                "(.mcap) restore an index, sqlite3's .recover what is whole of a .db3."},
+              {"ins-incomplete", "Messages without a fix or an orientation are no poses of the INS.",
+               "Let the INS get its fix and align before you drive; record position and orientation at one rate."},
+              {"ins-slow", "Where the vehicle turns, an interpolated motion is not the one that was driven.",
+               "Log the INS at 50 Hz or faster, or drive slowly and steadily."},
+              {"no-stamps", "What the recorder is late by is a clock offset: X is off by it where the vehicle turns.",
+               "Have the driver stamp its messages; look at the clock offset of the result."},
+              {"height-missing", "A height that falls to zero is taken for motion.",
+               "Export the track with its heights, or take out the points that have none."},
+              {"nominal-unreadable", "The search begins without the mounting that lies beside the drive.",
+               "Mend the file, or give the mounting with --nominal."},
+              {"rotation-not-orthonormal", "Digits were lost, or the numbers are in another order than was taken.",
+               "Export the poses again with all digits, and check their layout."},
+              {"scan-without-ins", "Scans without a motion of the INS cannot be compared with anything.",
+               "Record the INS from before the first scan until after the last, on one clock."},
+              {"no-readable-scan", "There is nothing that could be registered.", "Copy or export the scans again."},
+              {"too-few-scans", "A motion lies between two scans.",
+               "Record a drive, and see whether the folder holds all of its scans."},
+              {"no-motion", "Only motion tells where the LiDAR sits.",
+               "Drive at least one full turn to each side, a figure of eight for instance."},
               {"bad-*", "Lines that are damaged are left out.", "Export the log again where they are many."}}};
 }
 

@@ -65,7 +65,7 @@ std::vector<std::string> export_warnings(const CalibrationResult& result) {
   if (result.reference_frame != "ins")
     warnings.push_back("the reference frame is the " + result.reference_frame +
                        "'s, not the INS's: what is called ins here is " + result.reference_frame);
-  const std::string missing = parameter_list(result, false);
+  const std::string missing = parameter_names(result.observed, false);
   if (!missing.empty()) warnings.push_back("not observed, and therefore nominal or in doubt, not measured: " + missing);
   return warnings;
 }

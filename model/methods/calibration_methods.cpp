@@ -49,32 +49,32 @@ void refuse_measured(const MeasuredOptions& measured, std::string_view method, s
 }
 
 // A value is given by its sigma: 0 is where one begins to fill the form in.
-void report_values_without_sigma(const MeasuredOptions& measured, std::vector<Finding>& findings) {
-  struct Given {
-    const char* name;
-    double value, sigma;
-    const char* unit;
-  };
-  for (const Given& given :
-       {Given{"x", measured.x_m, measured.x_sigma_m, "m"}, Given{"y", measured.y_m, measured.y_sigma_m, "m"},
-        Given{"z", measured.z_m, measured.z_sigma_m, "m"},
-        Given{"yaw", measured.yaw_deg, measured.yaw_sigma_deg, "deg"},
-        Given{"pitch", measured.pitch_deg, measured.pitch_sigma_deg, "deg"},
-        Given{"roll", measured.roll_deg, measured.roll_sigma_deg, "deg"},
-        Given{"INS height", measured.ins_height_m, measured.ins_height_sigma_m, "m"}})
-    if (given.value != 0.0 && !(given.sigma > 0.0))
+void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins_height,
+                                 std::vector<Finding>& findings) {
+  const auto report = [&findings](const char* name, double value, double sigma, const char* unit, const char* why) {
+    if (value != 0.0 && !(sigma > 0.0))
       findings.push_back({Severity::Warning, "measured-unused", "measured",
-                          std::string(given.name) + " was given as measured, " + shortest(given.value) + " " +
-                              given.unit + ", without a sigma and is not used: give its sigma, too."});
+                          std::string(name) + " was given as measured, " + shortest(value) + " " + unit + why});
+  };
+  const char* const lacks_sigma = ", without a sigma and is not used: give its sigma, too.";
+  report("x", measured.x_m, measured.x_sigma_m, "m", lacks_sigma);
+  report("y", measured.y_m, measured.y_sigma_m, "m", lacks_sigma);
+  report("z", measured.z_m, measured.z_sigma_m, "m", lacks_sigma);
+  report("yaw", measured.yaw_deg, measured.yaw_sigma_deg, "deg", lacks_sigma);
+  report("pitch", measured.pitch_deg, measured.pitch_sigma_deg, "deg", lacks_sigma);
+  report("roll", measured.roll_deg, measured.roll_sigma_deg, "deg", lacks_sigma);
+  report("INS height", measured.ins_height_m, measured.ins_height_sigma_m, "m",
+         takes_ins_height ? lacks_sigma : ", and is not used: this method takes no height of the INS. Leave it out.");
 }
 
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
   const std::string_view id = kMethodIds.at(static_cast<std::size_t>(input.settings.run.method));
-  PipelineOutput output = calibration_method(id).run(input, progress);
+  const CalibrationMethod& method = calibration_method(id);
+  PipelineOutput output = method.run(input, progress);
   if (id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
-  // Other methods take no values, with or without a sigma.
+  // Others take no values: with a sigma they are refused or named by the method.
   if (output.result.reference_frame == "ins" && output.result.calibrated == "lidar")
-    report_values_without_sigma(input.settings.measured, output.findings);
+    report_values_without_sigma(input.settings.measured, method.from_pairs, output.findings);
   if (!progress.cancelled()) refuse_vanished(input.sessions);
   return output;
 }

@@ -50,7 +50,7 @@ void add_coverage_finding(const Session& session, const SessionOdometry& odometr
 void add_measured_finding(const Settings& settings, const CalibrationResult& result, std::vector<Finding>& findings) {
   if (result.reference_frame != "antenna" || !is_measured(settings.measured)) return;
   findings.push_back(
-      {Severity::Warning, "measured-unused", "measured",
+      {Severity::Warning, "measured-without-ins", "measured",
        "The values measured by hand are of the LiDAR in the INS frame; there is no INS, and they are not "
        "used."});
 }

@@ -310,7 +310,7 @@ void Page::write_findings() {
   begin_table();
   header({phrase("report", "code"), phrase("report", "where"), phrase("report", "what was found"),
           phrase("report", "what it means, and what to do")},
-         Texts::FirstAndLast);
+         Texts::All);
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
     row({html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
@@ -327,7 +327,8 @@ void Page::write_data() {
     return;
   }
   begin_table();
-  header({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"});
+  header({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"},
+         Texts::All);
   for (const InputFile& input : file_.inputs)
     row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
          input.sha256.empty() ? "–" : input.sha256},

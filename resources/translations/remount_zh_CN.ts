@@ -9504,8 +9504,160 @@ Save under another name, or close it there first.</source>
         <translation>结果中不含该手工测量值。</translation>
     </message>
     <message>
-        <source>Give its sigma, use a method that takes measured values, or leave it out.</source>
-        <translation>请给出它的 sigma，改用接受测量值的方法，或去掉它。</translation>
+        <source>%1 was given as measured, %2, and is not used: this method takes no height of the INS. Leave it out.</source>
+        <translation>给出了测量值 %1（%2），但未使用：此方法不使用惯导高度。请不要给出该值。</translation>
+    </message>
+    <message>
+        <source>Give its sigma, or leave it out.</source>
+        <translation>请给出其 sigma，或不要给出该值。</translation>
+    </message>
+    <message>
+        <source>Leave it out, or record an INS with attitude.</source>
+        <translation>请不要给出该值，或录制带姿态的惯导数据。</translation>
+    </message>
+    <message>
+        <source>Messages without a fix or an orientation are no poses of the INS.</source>
+        <translation>没有定位解或没有姿态的消息不能作为惯导位姿。</translation>
+    </message>
+    <message>
+        <source>Let the INS get its fix and align before you drive; record position and orientation at one rate.</source>
+        <translation>行驶前请等待惯导定位并完成对准；位置与姿态应以相同频率录制。</translation>
+    </message>
+    <message>
+        <source>Where the vehicle turns, an interpolated motion is not the one that was driven.</source>
+        <translation>车辆转弯时，插值得到的运动并不是实际的运动。</translation>
+    </message>
+    <message>
+        <source>Log the INS at 50 Hz or faster, or drive slowly and steadily.</source>
+        <translation>请以 50 Hz 或更高的频率记录惯导，或缓慢而平稳地行驶。</translation>
+    </message>
+    <message>
+        <source>What the recorder is late by is a clock offset: X is off by it where the vehicle turns.</source>
+        <translation>录制程序的延迟就是时钟偏差：车辆转弯时 X 会因此产生偏差。</translation>
+    </message>
+    <message>
+        <source>Have the driver stamp its messages; look at the clock offset of the result.</source>
+        <translation>请让驱动程序为消息打上时间戳；并查看结果中的时钟偏差。</translation>
+    </message>
+    <message>
+        <source>A height that falls to zero is taken for motion.</source>
+        <translation>高度突变为零会被当作运动。</translation>
+    </message>
+    <message>
+        <source>Export the track with its heights, or take out the points that have none.</source>
+        <translation>请导出带高度的轨迹，或去掉没有高度的点。</translation>
+    </message>
+    <message>
+        <source>The search begins without the mounting that lies beside the drive.</source>
+        <translation>搜索开始时未使用与数据放在一起的安装参数。</translation>
+    </message>
+    <message>
+        <source>Mend the file, or give the mounting with --nominal.</source>
+        <translation>请修正该文件，或用 --nominal 给出安装参数。</translation>
+    </message>
+    <message>
+        <source>Digits were lost, or the numbers are in another order than was taken.</source>
+        <translation>数字的位数有丢失，或数值的顺序与所假定的不同。</translation>
+    </message>
+    <message>
+        <source>Export the poses again with all digits, and check their layout.</source>
+        <translation>请以完整位数重新导出位姿，并检查其排列格式。</translation>
+    </message>
+    <message>
+        <source>Scans without a motion of the INS cannot be compared with anything.</source>
+        <translation>没有惯导运动的扫描无从比较。</translation>
+    </message>
+    <message>
+        <source>Record the INS from before the first scan until after the last, on one clock.</source>
+        <translation>惯导的录制应早于第一帧扫描开始、晚于最后一帧结束，并使用同一时钟。</translation>
+    </message>
+    <message>
+        <source>There is nothing that could be registered.</source>
+        <translation>没有可以配准的数据。</translation>
+    </message>
+    <message>
+        <source>A motion lies between two scans.</source>
+        <translation>两帧扫描之间才有运动。</translation>
+    </message>
+    <message>
+        <source>Record a drive, and see whether the folder holds all of its scans.</source>
+        <translation>请录制一段行驶数据，并检查文件夹中是否包含全部扫描。</translation>
+    </message>
+    <message>
+        <source>Only motion tells where the LiDAR sits.</source>
+        <translation>只有运动才能确定激光雷达的位置。</translation>
+    </message>
+    <message>
+        <source>Poses that are predicted come from no scan: what the LiDAR did there is not known.</source>
+        <translation>预测的位姿不来自任何扫描：该处激光雷达的运动是未知的。</translation>
+    </message>
+    <message>
+        <source>Drive more slowly, or where there is more to see; see whether the scans are whole and in order.</source>
+        <translation>请更慢地行驶，或选择特征更丰富的地方；并检查扫描是否完整、顺序是否正确。</translation>
+    </message>
+    <message>
+        <source>A scan that is not aligned has no pose, and takes no part.</source>
+        <translation>未能配准的扫描没有位姿，不参与计算。</translation>
+    </message>
+    <message>
+        <source>What spans such a place rests on a prediction.</source>
+        <translation>跨越该处的结果依赖于预测。</translation>
+    </message>
+    <message>
+        <source>Look for gaps of the scans there; drive more slowly, or where there is more to see.</source>
+        <translation>请检查该处扫描是否有中断；更慢地行驶，或选择特征更丰富的地方。</translation>
+    </message>
+    <message>
+        <source>Scans that are taken while the vehicle moves stay bent, and align the worse for it.</source>
+        <translation>车辆运动时采集的扫描仍有畸变，配准也因此变差。</translation>
+    </message>
+    <message>
+        <source>Have the driver write the times of points from the stamp of the scan, in one unit.</source>
+        <translation>请让驱动程序以扫描的时间戳为起点、用同一单位写入各点的时间。</translation>
+    </message>
+    <message>
+        <source>There is nothing to compare its odometry with.</source>
+        <translation>其里程计没有可供比较的对象。</translation>
+    </message>
+    <message>
+        <source>Record an INS with attitude, or leave the session out.</source>
+        <translation>请录制带姿态的惯导数据，或去掉该会话。</translation>
+    </message>
+    <message>
+        <source>Either these positions and attitudes are wrong, or their clock is.</source>
+        <translation>要么这些位置和姿态有误，要么其时钟有误。</translation>
+    </message>
+    <message>
+        <source>Look for lost corrections and reflected signals there; where they are many, look at clocks and conventions.</source>
+        <translation>请检查该处是否丢失差分改正或存在信号反射；若数量较多，请检查时钟和坐标约定。</translation>
+    </message>
+    <message>
+        <source>Dead reckoning does not reach across a gap.</source>
+        <translation>航位推算无法跨越数据中断。</translation>
+    </message>
+    <message>
+        <source>The other sessions take no part.</source>
+        <translation>其他会话不参与计算。</translation>
+    </message>
+    <message>
+        <source>Give one session, or poses of a sensor.</source>
+        <translation>请只给出一个会话，或给出某个传感器的位姿。</translation>
+    </message>
+    <message>
+        <source>The machine stood on a slope, or what was taken for the ground is none.</source>
+        <translation>机器停在斜坡上，或被当作地面的并不是地面。</translation>
+    </message>
+    <message>
+        <source>Record the ground where it is level and free around the machine.</source>
+        <translation>请在机器周围平坦而空旷的地方录制地面。</translation>
+    </message>
+    <message>
+        <source>z, pitch and roll rest on the motion of the drive alone.</source>
+        <translation>z、俯仰和横滚仅由行驶中的运动确定。</translation>
+    </message>
+    <message>
+        <source>Drive where the road around the vehicle is free, or measure z by hand.</source>
+        <translation>请在车辆周围路面空旷的地方行驶，或手工测量 z。</translation>
     </message>
 </context>
 <context>

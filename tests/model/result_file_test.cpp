@@ -177,7 +177,7 @@ TEST(result_file, mutated_files_never_crash) {
 TEST(result_file, usable_needs_a_solution_and_something_observed) {
   CalibrationResult result = example().result;
   EXPECT_TRUE(is_usable(result));
-  EXPECT_EQ(parameter_list(result, false), "z");
+  EXPECT_EQ(parameter_names(result.observed, false), "z");
   result.observed.fill(false);
   EXPECT_FALSE(is_usable(result));
   result.observed.fill(true);

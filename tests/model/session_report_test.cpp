@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/calibration_result.h"
 #include "model/io/session_reader.h"
 #include "tests/model/io/temporary_folder.h"
 
@@ -90,8 +91,8 @@ TEST(session_report, while_yaw_is_open_nothing_can_be_told_without_a_nominal) {
   Session session = example(0, Road::Flat);
   for (StampedPose& pose : session.world_from_ins) pose.pose.translation() *= 0.05;  // hardly moves, but turns
   const MotionOutlook outlook = motion_outlook(session);
-  ASSERT_FALSE(outlook.determinable[3]) << parameter_list(outlook, true);
-  ASSERT_TRUE(outlook.determinable[5]) << parameter_list(outlook, true);
+  ASSERT_FALSE(outlook.determinable[3]) << parameter_names(outlook.determinable, true);
+  ASSERT_TRUE(outlook.determinable[5]) << parameter_names(outlook.determinable, true);
   EXPECT_TRUE(outlook.needs_nominal);
   Progress progress;
   EXPECT_NE(describe(session, report_session(session, progress)).find("usable: in part and only with a nominal mounting, for "),
@@ -127,7 +128,7 @@ TEST(session_report, promises_no_more_of_an_arms_poses_than_the_calibration_find
     std::filesystem::copy_file(shared_data() / "ethz" / name, folder.path() / name);
   Progress progress;
   const SessionReport report = report_session(open_session(folder.path(), progress), progress);
-  EXPECT_EQ(parameter_list(report.outlook, true), "y, z, yaw, pitch");
+  EXPECT_EQ(parameter_names(report.outlook.determinable, true), "y, z, yaw, pitch");
   EXPECT_TRUE(contains(describe({}, report), "usable: in part")) << describe({}, report);
 }
 

@@ -63,7 +63,7 @@ ChildProcess::ChildProcess(const std::string& program, const std::vector<std::st
 }
 
 ChildProcess::~ChildProcess() {
-  if (!exit_code_) {
+  if (!exit_code_ && process_ > 0) {
     kill();
     while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
     }
@@ -84,7 +84,13 @@ std::optional<int> ChildProcess::ended(int patience_ms) {
   }
   int status = 0;
   while (!exit_code_) {
-    if (::waitpid(process_, &status, WNOHANG) == process_)
+    const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+    if (ended < 0 && errno != EINTR) {
+      const int error = errno;
+      process_ = -1;  // somebody else took its end; the number may be another's by now
+      throw std::system_error(error, std::generic_category(), "waitpid");
+    }
+    if (ended == process_)
       exit_code_ = exit_code_of(status);
     else if (Clock::now() > until)
       return std::nullopt;
@@ -95,7 +101,7 @@ std::optional<int> ChildProcess::ended(int patience_ms) {
 }
 
 void ChildProcess::kill() {
-  if (!exit_code_) ::kill(process_, SIGKILL);
+  if (!exit_code_ && process_ > 0) ::kill(process_, SIGKILL);
 }
 
 bool ChildProcess::read_more(Clock::time_point until) {

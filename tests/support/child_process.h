@@ -24,9 +24,9 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Whether it has written `words` since it was started, before it closes its output and `patience_ms` are over.
+  /// Whether it has written `words` since it was started, before it closes its output or `patience_ms` are over.
   bool says(const std::string& words, int patience_ms);
-  /// Its exit code, 128 + signal where one ended it; nothing where `patience_ms` are over before. All that it says is
+  /// Its exit code, 128 + signal where one ended it; nothing where it still runs after `patience_ms`. All that it says is
   /// read first: programs that it leaves behind with its output are waited for, too.
   std::optional<int> ended(int patience_ms);
   void kill();

@@ -51,6 +51,7 @@ TEST(report_paths, page_and_pdf_lie_beside_each_other_whatever_was_typed) {
   EXPECT_EQ(both("/a/drive.PDF"), "/a/drive.html /a/drive.pdf");
   EXPECT_EQ(both("/a/drive.HTML"), "/a/drive.HTML /a/drive.pdf");
   EXPECT_EQ(both("/a/drive.htm"), "/a/drive.htm /a/drive.pdf");
+  EXPECT_EQ(both("/a/drive.html.pdf"), "/a/drive.html /a/drive.pdf");  // the suggested name, and what was typed behind it
   EXPECT_EQ(both("/a/drive.2024-05"), "/a/drive.2024-05.html /a/drive.2024-05.pdf");
   EXPECT_EQ(both("/a/drive.htmx"), "/a/drive.htmx.html /a/drive.htmx.pdf");
 }

@@ -52,7 +52,7 @@ QString html_table(const QString& title, const QStringList& heads, const QString
 
 /// What was assumed against what was found.
 QString nominal_table(const PipelineOutput& output) {
-  if (!output.nominal_known || !has_numbers(output.result.status)) return {};
+  if (!output.nominal_known || !has_mounting(output.result)) return {};
   const std::array<double, 6> nominal = six_on_screen(output.initial_ins_from_lidar),
                               found = six_on_screen(output.result.ins_from_lidar);
   QString rows;
@@ -122,7 +122,7 @@ QString result_as_text(const CalibrationResult& result) {
   QStringList lines{status_title(result),
                     ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)")};
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
-  for (std::size_t i = 0; i < values.size() && has_numbers(result.status); ++i) {
+  for (std::size_t i = 0; i < values.size() && has_mounting(result); ++i) {
     const std::optional<double> sigma = finite_sigma(result, i);
     if (!sigma && values[i] == 0.0) {  // nobody gave it, and a number would be taken for one
       lines << QStringLiteral("%1 = – %2").arg(parameter_name(i), ResultPanel::tr("(not observed)"));
@@ -277,7 +277,7 @@ void ResultPanel::show_status() {
 
 void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
                               std::shared_ptr<const PipelineOutput> before, const QString& moved_by) {
-  const bool numbers = output && has_numbers(output->result.status);
+  const bool numbers = output && has_mounting(output->result);
   copy_->setEnabled(output && has_mounting(output->result));
   export_->setEnabled(output && is_usable(output->result));
   shown_ = output;
@@ -285,7 +285,7 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
   correlation_title_->setVisible(numbers);
   correlation_->setVisible(numbers);
   if (numbers) correlation_->show_result(output->result);
-  const bool compared = numbers && before && has_numbers(before->result.status);
+  const bool compared = numbers && before && has_mounting(before->result);
   moved_by_->setVisible(compared);
   moved_by_->setText(moved_by.isEmpty() ? tr("moved: since the calibration before")
                                         : tr("moved: by “%1”").arg(moved_by));
@@ -297,13 +297,13 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
     return;
   }
   show_parameters(output->result, output->nominal_known,
-                  before && has_numbers(before->result.status) ? &before->result : nullptr);
+                  before && has_mounting(before->result) ? &before->result : nullptr);
   show_words(*output);
 }
 
 void ResultPanel::show_parameters(const CalibrationResult& result, bool nominal_known,
                                   const CalibrationResult* before) {
-  const bool numbers = has_numbers(result.status);
+  const bool numbers = has_mounting(result);
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
   const std::array<double, 6> old = before ? six_on_screen(before->ins_from_lidar) : values;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -347,7 +347,7 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   const PairCounts pairs = count_pairs(output);
   if (output.method == kPairwise)
     figures << tr("%1 pairs: %2 accepted, %3 rejected").arg(pairs.all).arg(pairs.accepted).arg(pairs.rejected);
-  if (has_numbers(result.status)) {
+  if (has_mounting(result)) {
     figures << tr("residuals: %1 cm, %2° (rms)")
                    .arg(100.0 * result.translation_rms_m, 0, 'f', 2)
                    .arg(radians_to_degrees(result.rotation_rms_rad), 0, 'f', 3);
@@ -356,21 +356,21 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   }
   bool starred = false;
   for (std::size_t i = 0; i < 6; ++i) starred = starred || (result.measured[i] && finite_sigma(result, i));
-  if (has_numbers(result.status) && starred) figures << tr("* with a value measured by hand");
+  if (has_mounting(result) && starred) figures << tr("* with a value measured by hand");
   if (const std::string words = disagreement_words(result); !words.empty()) figures << model_text(words);
-  if (has_numbers(result.status) && std::isfinite(result.time_offset.offset_s))
+  if (has_mounting(result) && std::isfinite(result.time_offset.offset_s))
     figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
                    .arg(std::round(1e4 * result.time_offset.offset_s) / 10.0 + 0.0, 0, 'f', 1)  // no "-0.0"
                    .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 1)
                    .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
-  if (has_numbers(result.status) && !output.pairs.empty())
+  if (has_mounting(result) && !output.pairs.empty())
     figures << (is_aligned_together(result)
                     ? tr("the clouds of all accepted pairs were aligned together as the last step")
                     : tr("solved from the aligned pairs; calibrate again (F5) to align their clouds together, too"));
   html +=
       html_list(tr("What to do"), advice) + html_list(tr("Not observed"), blind) + html_list(tr("Figures"), figures);
   html += nominal_table(output) + sharpness_table(output);
-  if (output.map_check == MapCheck::Moved && has_numbers(result.status))
+  if (output.map_check == MapCheck::Moved && has_mounting(result))
     html +=
         "<p>" + tr("Map sharpness: the result has moved since it was measured; see Quality.").toHtmlEscaped() + "</p>";
   words_->setText(html);

@@ -72,6 +72,28 @@ TEST(calibration_methods, say_that_a_value_without_a_sigma_is_not_used) {
   EXPECT_EQ(said, "z was given as measured, 0.8 m, without a sigma and is not used: give its sigma, too.");
 }
 
+TEST(calibration_methods, ask_for_no_sigma_of_a_height_that_they_do_not_take) {
+  SimulationOptions options;
+  options.duration_s = 1.0;
+  options.beams = 16;
+  options.azimuth_steps = 300;
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(simulate_drive(options).session));
+  input.settings.measured.ins_height_m = 0.6;
+  for (const MethodChoice method : {MethodChoice::Pairwise, MethodChoice::Trajectory}) {
+    input.settings.run.method = method;
+    Progress progress;
+    std::string said;
+    for (const Finding& finding : calibrate(input, progress).findings)
+      if (finding.code == "measured-unused") said += finding.explanation;
+    EXPECT_EQ(said,
+              method == MethodChoice::Pairwise
+                  ? "INS height was given as measured, 0.6 m, without a sigma and is not used: give its sigma, too."
+                  : "INS height was given as measured, 0.6 m, and is not used: this method takes no height of "
+                    "the INS. Leave it out.");
+  }
+}
+
 TEST(calibration_methods, that_are_unknown_are_answered_with_the_known_ones) {
   try {
     calibration_method("guess");

@@ -1,0 +1,34 @@
+// What methods find out about data while they run.
+#include "model/checks/builtin.h"
+
+namespace remount {
+
+DataCheck method_run_check() {
+  return {
+      .kinds = {
+          {"odometry-lost", "Poses that are predicted come from no scan: what the LiDAR did there is not known.",
+           "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."},
+          {"odometry-scans", "A scan that is not aligned has no pose, and takes no part.",
+           "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."},
+          {"turn-scans", "A scan that is not aligned has no pose, and takes no part.",
+           "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."},
+          {"odometry-restarted", "What spans such a place rests on a prediction.",
+           "Look for gaps of the scans there; drive more slowly, or where there is more to see."},
+          {"odometry-point-times",
+           "Scans that are taken while the vehicle moves stay bent, and align the worse for it.",
+           "Have the driver write the times of points from the stamp of the scan, in one unit."},
+          {"odometry-without-ins", "There is nothing to compare its odometry with.",
+           "Record an INS with attitude, or leave the session out."},
+          {"trajectory-outliers", "Either these positions and attitudes are wrong, or their clock is.",
+           "Look for lost corrections and reflected signals there; where they are many, look at clocks and "
+           "conventions."},
+          {"drive-gap", "Dead reckoning does not reach across a gap.",
+           "Look for messages that the recorder drops (disk, network, buffers); record again where much is missing."},
+          {"first-session-only", "The other sessions take no part.", "Give one session, or poses of a sensor."},
+          {"ground-tilted", "The machine stood on a slope, or what was taken for the ground is none.",
+           "Record the ground where it is level and free around the machine."},
+          {"ground-not-seen", "z, pitch and roll rest on the motion of the drive alone.",
+           "Drive where the road around the vehicle is free, or measure z by hand."}}};
+}
+
+}  // namespace remount
