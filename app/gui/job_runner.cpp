@@ -59,21 +59,35 @@ void JobRunner::run(int job, std::stop_token stop, const Work& work, const Faile
     last_stage = stage;
     since_report.start();
     const qulonglong done = update.done, total = update.total;
-    QMetaObject::invokeMethod(
-        this, [this, job, stage, done, total] { emit progressed(job, stage, done, total); }, Qt::QueuedConnection);
+    post([this, job, stage, done, total] { emit progressed(job, stage, done, total); });
   });
   Deliver deliver = guarded(work, failed, progress);
-  QMetaObject::invokeMethod(
-      this,
-      [this, job, deliver = std::move(deliver)] {
-        // The thread has delivered and ends by itself; on a busy machine that takes its time, and joining it now would
-        // stall this one.
-        ending_.push_back(std::move(jobs_.extract(job).mapped()));
-        QTimer::singleShot(kUntilEnded_ms, this, [this] { ending_.pop_front(); });
-        if (deliver) deliver();
-        emit finished(job);
-      },
-      Qt::QueuedConnection);
+  post([this, job, deliver = std::move(deliver)] {
+    // The thread has delivered and ends by itself; on a busy machine that takes its time, and joining it now would
+    // stall this one.
+    ending_.push_back(std::move(jobs_.extract(job).mapped()));
+    QTimer::singleShot(kUntilEnded_ms, this, [this] { ending_.pop_front(); });
+    if (deliver) deliver();
+    emit finished(job);
+  });
+}
+
+void JobRunner::post(Deliver deliver) {
+  {
+    const std::scoped_lock guard(mutex_);
+    posted_.push_back(std::move(deliver));
+  }
+  QMetaObject::invokeMethod(this, &JobRunner::take_posted, Qt::QueuedConnection);
+}
+
+void JobRunner::take_posted() {
+  Deliver deliver;
+  {
+    const std::scoped_lock guard(mutex_);
+    deliver = std::move(posted_.front());
+    posted_.pop_front();
+  }
+  deliver();
 }
 
 void JobRunner::cancel(int job) {

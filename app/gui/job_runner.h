@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <thread>
 
 #include "algorithms/core/progress.h"
@@ -32,6 +33,8 @@ class JobRunner : public QObject {
   void cancel(int job);  ///< asks; the job ends when it notices
   void cancel_all();
   bool running(int job) const { return jobs_.contains(job); }
+  /// From any thread: what is posted runs on the UI thread, in order, each in a turn of its own.
+  void post(Deliver deliver);
 
  signals:
   void progressed(int job, const QString& stage, qulonglong done, qulonglong total);
@@ -39,9 +42,14 @@ class JobRunner : public QObject {
 
  private:
   void run(int job, std::stop_token stop, const Work& work, const Failed& failed);
+  void take_posted();
   std::map<int, std::jthread> jobs_;
   std::deque<std::jthread> ending_;  // have delivered; not joined yet
   int next_ = 1;
+  // Not left to Qt's own queue: how that locks, a tool that looks for data races does not see, and would have to be
+  // told to overlook all that the UI thread does.
+  std::mutex mutex_;
+  std::deque<Deliver> posted_;
 };
 
 }  // namespace remount

@@ -6,7 +6,7 @@
 #include <QLocale>
 #include <QThread>
 #include <QTimer>
-#include <exception>
+#include <future>
 #include <initializer_list>
 
 #include "algorithms/core/error.h"
@@ -33,19 +33,11 @@ std::string png_of(const RgbImage& picture) {
 
 /// The text engine starts timers, which only a thread of Qt's own has. What is thrown there is thrown here.
 QByteArray on_qt_thread(const std::function<QByteArray()>& make) {
-  QByteArray made;
-  std::exception_ptr failure;
-  const std::unique_ptr<QThread> thread(QThread::create([&] {
-    try {
-      made = make();
-    } catch (...) {
-      failure = std::current_exception();
-    }
-  }));
+  std::packaged_task<QByteArray()> task(make);
+  const std::unique_ptr<QThread> thread(QThread::create([&task] { task(); }));
   thread->start();
   thread->wait();
-  if (failure) std::rethrow_exception(failure);
-  return made;
+  return task.get_future().get();
 }
 
 QString without_suffix(const QString& path, std::initializer_list<QLatin1String> suffixes) {
@@ -65,9 +57,7 @@ QString html_beside(const QString& typed_path) {
   return without_html(page) == page ? page + QStringLiteral(".html") : page;
 }
 
-QString pdf_beside(const QString& html_path) {
-  return without_html(html_path) + QStringLiteral(".pdf");
-}
+QString pdf_beside(const QString& html_path) { return without_html(html_path) + QStringLiteral(".pdf"); }
 
 ReportStyle report_style() {
   ReportStyle style;

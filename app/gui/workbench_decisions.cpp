@@ -201,14 +201,13 @@ void Workbench::start_solve(const QString& step, FirstAnswer first) {
        task = SolveTask{input_of_next_solve(), run_input_, output_, output_solved_,
                         output_solved_ && is_aligned_together(output_solved_->result)}](
           Progress& progress) -> JobRunner::Deliver {
-        const auto at_once = [this](auto deliver) { QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection); };
         if (first == FirstAnswer::Moved)
           if (const auto answer = answer_at_once(task, engine, progress))
-            at_once(if_last([this, answer = *answer] { take_first_answer(answer.now, answer.before); }));
+            jobs_.post(if_last([this, answer = *answer] { take_first_answer(answer.now, answer.before); }));
         if (first == FirstAnswer::Ranking && is_usable(task.output->result)) {
           auto ranked = std::make_shared<PipelineOutput>(*task.output);
           rank_again(task.input, *ranked);
-          at_once(if_last([this, ranked] { take_ranking(ranked); }));
+          jobs_.post(if_last([this, ranked] { take_ranking(ranked); }));
         }
         const auto answer = answer_in_full(task, engine, progress);
         if (!answer) return [] {};
