@@ -8048,10 +8048,6 @@ Save under another name, or close it there first.</source>
         <translation>bag 不含可读取的消息（%1）。%2</translation>
     </message>
     <message>
-        <source>holds no SQLite database when it is unpacked; unpack it with &apos;zstd -d&apos; and open what comes out</source>
-        <translation>解压后不含 SQLite 数据库；请用“zstd -d”解压，再打开所得的文件</translation>
-    </message>
-    <message>
         <source>the database cannot be opened: %1</source>
         <translation>无法打开数据库：%1</translation>
     </message>
@@ -9506,6 +9502,22 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Give its sigma, use a method that takes measured values, or leave it out.</source>
         <translation>请给出它的 sigma，改用接受测量值的方法，或去掉它。</translation>
+    </message>
+    <message>
+        <source>holds neither an MCAP nor an SQLite database when it is unpacked; unpack it with &apos;zstd -d&apos; and open what comes out</source>
+        <translation>解压后既不是 MCAP 也不是 SQLite 数据库；请用“zstd -d”自行解压，再打开所得文件</translation>
+    </message>
+    <message>
+        <source>a compressed message becomes larger than %1 bytes, the most that is taken from a file of this size</source>
+        <translation>压缩的消息解压后大于 %1 字节，对于这样大小的文件最多读取这么多</translation>
+    </message>
+    <message>
+        <source>the compressed message is damaged after %1 bytes</source>
+        <translation>压缩的消息在 %1 字节之后已损坏</translation>
+    </message>
+    <message>
+        <source>the bag was not opened</source>
+        <translation>bag 未打开</translation>
     </message>
 </context>
 <context>

@@ -39,7 +39,10 @@ struct BagChunk {
 /// Thread-safe once all chunks are added. Keeps the chunk that was unpacked last, and of damaged ones the reason.
 class ChunkStore {
  public:
-  explicit ChunkStore(const std::filesystem::path& path) : file_(std::make_shared<RandomAccessFile>(path)) {}
+  explicit ChunkStore(const std::filesystem::path& path) : ChunkStore(path, path) {}
+  /// @param name the file is called in messages
+  ChunkStore(const std::filesystem::path& path, const std::filesystem::path& name)
+      : file_(std::make_shared<RandomAccessFile>(path, name)) {}
 
   const RandomAccessFile& file() const { return *file_; }
   std::size_t size() const { return chunks_.size(); }
