@@ -22,6 +22,10 @@ const std::vector<const char*>& bag_phrases() {
           "remount::model",
           "The times of the points are of another clock than the scan's stamp (more than a second apart): the first "
           "point is taken to be of the stamp. A time offset of up to one turn may remain."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "By the recorder's clock the stamps are %1 s apart from the LiDAR's, more than the delays of a "
+                        "recording: one of the two seems to be stamped by a clock that is off, as a host's is. They "
+                        "are not moved; it shows as time offset."),
       QT_TRANSLATE_NOOP("remount::model", "%1 messages have no fix and are left out."),
       QT_TRANSLATE_NOOP("remount::model", "%1 fixes do not state their covariance; a sigma of 1 m is assumed."),
       QT_TRANSLATE_NOOP("remount::model",

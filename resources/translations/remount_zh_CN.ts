@@ -9519,6 +9519,10 @@ Save under another name, or close it there first.</source>
         <source>the bag was not opened</source>
         <translation>bag 未打开</translation>
     </message>
+    <message>
+        <source>By the recorder&apos;s clock the stamps are %1 s apart from the LiDAR&apos;s, more than the delays of a recording: one of the two seems to be stamped by a clock that is off, as a host&apos;s is. They are not moved; it shows as time offset.</source>
+        <translation>按记录器的时钟，这些时间戳与激光雷达的相差 %1 秒，超出记录的延迟：其中之一的时钟似乎不准，例如主机的时钟。未作移动；表现为时间偏移。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
