@@ -17,9 +17,8 @@ constexpr std::uint64_t kMessageHead = 22;  // channel, sequence, two times
 constexpr std::uint64_t kMaxDescription = std::uint64_t{16} << 20;
 constexpr std::uint64_t kChecksumBytes = 4;
 
-// Reading a bag whole for the sake of its checksums must not take longer than what one waits for anyway: beyond this
-// size, chunks that are not compressed are checked with the first large message that is read of them.
-constexpr std::uint64_t kReadWhole = std::uint64_t{256} << 20;
+// Reading a bag whole for the sake of its checksums must not take longer than what one waits for anyway: beyond the
+// size of a small one, chunks are checked with the first large message that is read of them.
 constexpr std::uint64_t kLargeMessage = std::uint64_t{64} << 10;
 
 MessageEncoding encoding_of(std::string_view name) {
@@ -184,7 +183,7 @@ void McapFile::check_summary(std::uint64_t start, const std::string& footer_cont
 /// Of what is not in chunks, which have their own.
 void McapFile::check_other_sums(Progress& progress) {
   const auto whole = chunks_.source(kNoChunk);
-  if (whole->size() > kReadWhole) return;
+  if (whole->size() > kSmallBag) return;
   std::size_t attachments = 0;
   std::string first;
   try {
@@ -269,7 +268,8 @@ void McapFile::scan_record(const ByteSource& source, const Record& record, std::
 }
 
 void McapFile::scan_chunk(std::uint32_t chunk) {
-  if (chunks_.file().size() <= kReadWhole) chunks_.check_plain(chunk);
+  // All of it is unpacked now, but the points of one that is not compressed are passed over.
+  if (chunks_.file().size() <= kSmallBag || chunks_.is_compressed(chunk)) chunks_.check(chunk);
   const auto source = chunks_.source(chunk);
   for (std::uint64_t offset = 0; offset < source->size();) {
     const Record record = read_record(*source, offset);
@@ -319,7 +319,7 @@ std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const 
     throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
   const std::uint64_t bytes = record.bytes - kMessageHead;
   const bool large = std::min<std::uint64_t>(bytes, at_most) >= kLargeMessage;
-  if (large || chunks_.file().size() <= kReadWhole) chunks_.check_plain(entry.chunk);
+  if (large || chunks_.file().size() <= kSmallBag) chunks_.check(entry.chunk);
   const auto read = [&](std::uint64_t count) { return source->read(record.offset + kMessageHead, count); };
   if (!has_cdr_) return read(std::min<std::uint64_t>(bytes, at_most));
   return message_content({bytes, read, chunks_.file().size(), record.where}, at_most);
