@@ -22,6 +22,10 @@ const std::vector<const char*>& bag_phrases() {
           "remount::model",
           "The times of the points are of another clock than the scan's stamp (more than a second apart): the first "
           "point is taken to be of the stamp. A time offset of up to one turn may remain."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "By the recorder's clock the stamps are %1 s apart from the LiDAR's, more than the delays of a "
+                        "recording: one of the two seems to be stamped by a clock that is off, as a host's is. They "
+                        "are not moved; it shows as time offset."),
       QT_TRANSLATE_NOOP("remount::model", "%1 messages have no fix and are left out."),
       QT_TRANSLATE_NOOP("remount::model", "%1 fixes do not state their covariance; a sigma of 1 m is assumed."),
       QT_TRANSLATE_NOOP("remount::model",
@@ -127,9 +131,14 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "The last %1 bytes are not readable: %2. %3 chunks are damaged. First: %4"),
       QT_TRANSLATE_NOOP("remount::model", "the bag holds no readable message (%1). %2"),
       // bags that are databases, and compressed ones
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "holds no SQLite database when it is unpacked; unpack it with 'zstd -d' and open what comes out"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "holds neither an MCAP nor an SQLite database when it is unpacked; unpack it with 'zstd -d' "
+                        "and open what comes out"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "a compressed message becomes larger than %1 bytes, the most that is taken from a file of this "
+                        "size"),
+      QT_TRANSLATE_NOOP("remount::model", "the compressed message is damaged after %1 bytes"),
+      QT_TRANSLATE_NOOP("remount::model", "the bag was not opened"),
       QT_TRANSLATE_NOOP("remount::model", "the database cannot be opened: %1"),
       QT_TRANSLATE_NOOP("remount::model", "is no bag of ROS 2: expected a table 'topics': %1"),
       QT_TRANSLATE_NOOP("remount::model", "is no bag of ROS 2: expected a table 'messages': %1"),

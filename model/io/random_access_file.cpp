@@ -11,16 +11,16 @@
 
 namespace remount {
 
-RandomAccessFile::RandomAccessFile(std::filesystem::path path)
-    : path_(std::move(path)), file_(open_regular_file(path_)) {
+RandomAccessFile::RandomAccessFile(const std::filesystem::path& path, std::filesystem::path name)
+    : name_(std::move(name)), file_(open_regular_file(path)) {
   struct stat status {};
   if (uninterrupted([&] { return ::fstat(file_.get(), &status); }) != 0)
-    throw Error(ErrorCode::Io, path_.string(), std::string("cannot be examined: ") + std::strerror(errno));
+    throw Error(ErrorCode::Io, name_.string(), std::string("cannot be examined: ") + std::strerror(errno));
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
 std::string RandomAccessFile::place(std::uint64_t offset) const {
-  return path_.string() + ": byte " + std::to_string(offset);
+  return name_.string() + ": byte " + std::to_string(offset);
 }
 
 std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) const {

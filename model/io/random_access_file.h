@@ -14,9 +14,11 @@ namespace remount {
 class RandomAccessFile {
  public:
   /// Throws Error(Io) as open_regular_file does.
-  explicit RandomAccessFile(std::filesystem::path path);
+  explicit RandomAccessFile(const std::filesystem::path& path) : RandomAccessFile(path, path) {}
+  /// @param name the file is called in messages, where it stands for another
+  RandomAccessFile(const std::filesystem::path& path, std::filesystem::path name);
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& name() const { return name_; }
   std::uint64_t size() const { return size_; }
 
   /// `count` bytes from `offset` on. Throws Error(Format) with the place where the file does not hold them, before
@@ -27,7 +29,7 @@ class RandomAccessFile {
   std::string place(std::uint64_t offset) const;
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path name_;
   FileDescriptor file_;
   std::uint64_t size_ = 0;
 };

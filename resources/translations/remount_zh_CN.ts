@@ -8048,10 +8048,6 @@ Save under another name, or close it there first.</source>
         <translation>bag 不含可读取的消息（%1）。%2</translation>
     </message>
     <message>
-        <source>holds no SQLite database when it is unpacked; unpack it with &apos;zstd -d&apos; and open what comes out</source>
-        <translation>解压后不含 SQLite 数据库；请用“zstd -d”解压，再打开所得的文件</translation>
-    </message>
-    <message>
         <source>the database cannot be opened: %1</source>
         <translation>无法打开数据库：%1</translation>
     </message>
@@ -9658,6 +9654,26 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Drive where the road around the vehicle is free, or measure z by hand.</source>
         <translation>请在车辆周围路面空旷的地方行驶，或手工测量 z。</translation>
+    </message>
+    <message>
+        <source>holds neither an MCAP nor an SQLite database when it is unpacked; unpack it with &apos;zstd -d&apos; and open what comes out</source>
+        <translation>解压后既不是 MCAP 也不是 SQLite 数据库；请用“zstd -d”自行解压，再打开所得文件</translation>
+    </message>
+    <message>
+        <source>a compressed message becomes larger than %1 bytes, the most that is taken from a file of this size</source>
+        <translation>压缩的消息解压后大于 %1 字节，对于这样大小的文件最多读取这么多</translation>
+    </message>
+    <message>
+        <source>the compressed message is damaged after %1 bytes</source>
+        <translation>压缩的消息在 %1 字节之后已损坏</translation>
+    </message>
+    <message>
+        <source>the bag was not opened</source>
+        <translation>bag 未打开</translation>
+    </message>
+    <message>
+        <source>By the recorder&apos;s clock the stamps are %1 s apart from the LiDAR&apos;s, more than the delays of a recording: one of the two seems to be stamped by a clock that is off, as a host&apos;s is. They are not moved; it shows as time offset.</source>
+        <translation>按记录器的时钟，这些时间戳与激光雷达的相差 %1 秒，超出记录的延迟：其中之一的时钟似乎不准，例如主机的时钟。未作移动；表现为时间偏移。</translation>
     </message>
 </context>
 <context>

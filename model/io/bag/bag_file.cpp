@@ -9,6 +9,7 @@
 #include "model/io/bag/rosbag1_file.h"
 #include "model/io/bag/split_bag.h"
 #include "model/io/bag/sqlite_bag.h"
+#include "model/io/bag/unpacked_file.h"
 #include "model/io/input_file.h"
 #include "model/io/several_sessions.h"
 #include "model/io/stream_tools.h"
@@ -29,10 +30,33 @@ std::string head_of(const fs::path& path) {
   }
 }
 
-/// SQLite keeps many other things: the name must say that this is a bag.
+/// SQLite keeps many other things, and many things are compressed: the name must say that this is a bag.
 bool is_bag(const fs::path& path) {
-  const std::string head = head_of(path);
-  return is_rosbag1(head) || is_mcap(head) || ((is_sqlite(head) || is_zstd(head)) && is_named_as_database(path));
+  const std::string head = head_of(path), name = lower_case(path.filename().string());
+  if (is_sqlite(head)) return name.ends_with(".db3");
+  if (is_zstd(head)) return name.ends_with(".db3.zstd") || name.ends_with(".mcap.zstd");
+  return is_rosbag1(head) || is_mcap(head);
+}
+
+/// What is there of a bag whose unpacking was cancelled.
+class NothingYet final : public BagFile {
+ public:
+  explicit NothingYet(const fs::path& path) { files_ = {path}; }
+  std::string message(const BagEntry&, std::size_t) const override {
+    throw Error(ErrorCode::Contract, files_[0].string(), "the bag was not opened");
+  }
+};
+
+/// A bag that was compressed as a whole.
+std::shared_ptr<const BagFile> open_packed(const fs::path& path, Progress& progress) {
+  const BagInput input{path, std::make_shared<const UnpackedFile>(path, progress)};
+  if (progress.cancelled()) return std::make_shared<NothingYet>(path);
+  const std::string head = read_file_head(input.path(), kHeadBytes);
+  if (is_mcap(head)) return std::make_shared<McapFile>(input, progress);
+  if (is_sqlite(head)) return std::make_shared<SqliteBag>(input, progress);
+  throw Error(ErrorCode::Format, path.string(),
+              "holds neither an MCAP nor an SQLite database when it is unpacked; unpack it with 'zstd -d' and open "
+              "what comes out");
 }
 
 /// The bags of a folder.
@@ -112,8 +136,9 @@ std::shared_ptr<const BagFile> open_bag(const fs::path& path, Progress& progress
   if (is_folder(path)) return is_rosbag2_folder(path) ? open_parts(path, progress) : open_only_bag(path, progress);
   const std::string head = read_file_head(path, kHeadBytes);
   if (is_rosbag1(head)) return std::make_shared<Rosbag1File>(path, progress);
-  if (is_mcap(head)) return std::make_shared<McapFile>(path, progress);
-  if (is_sqlite(head) || is_zstd(head)) return std::make_shared<SqliteBag>(path, progress);
+  if (is_mcap(head)) return std::make_shared<McapFile>(BagInput{path, nullptr}, progress);
+  if (is_sqlite(head)) return std::make_shared<SqliteBag>(BagInput{path, nullptr}, progress);
+  if (is_zstd(head)) return open_packed(path, progress);
   throw Error(ErrorCode::Format, path.string(),
               "is no bag that is known: expected one of ROS 1, an MCAP or an SQLite database of ROS 2");
 }

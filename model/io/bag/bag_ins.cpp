@@ -4,28 +4,65 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/core/median.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
 namespace {
 
 constexpr double kSameClock_s = 0.5;  // delays of recorders are shorter, clocks that were not set are further apart
+constexpr double kDelay_s = 0.1;      // what messages are late by beside the time that they take to be measured
+constexpr double kNoClock_s = 4e9;    // apart like that are stamps that are no times
+
+struct LidarClock {
+  double behind_s = 0.0;
+  double ends_after_s = 0.0;
+};
+
+LidarClock lidar_clock(const BagStreams& streams) {
+  if (!streams.scans.clock.readings.empty()) return {streams.scans.clock.behind_s(), streams.scans.ends_after_s};
+  // An odometry has a pose when the scan has ended that it is stamped by.
+  return {streams.lidar_poses.clock.behind_s(),
+          std::clamp(median_period_s(streams.lidar_poses.world_from_child), 0.0, 2.0)};
+}
 
 /// By how much a stream is to be moved, 0 where it shares the LiDAR's clock.
-std::int64_t shift_ns(const StreamClock& stream, double lidar_behind_s) {
+std::int64_t shift_ns(const StreamClock& stream, const LidarClock& lidar) {
   if (stream.readings.empty()) return 0;
-  const double apart_s = stream.behind_s() - lidar_behind_s;
-  return std::abs(apart_s) > kSameClock_s && std::abs(apart_s) < 4e9 ? std::llround(apart_s * 1e9) : 0;
+  const double apart_s = stream.behind_s() - lidar.behind_s;
+  const double unexplained_s = apart_s < 0.0 ? std::min(0.0, apart_s + lidar.ends_after_s) : apart_s;
+  return std::abs(unexplained_s) > kSameClock_s && std::abs(apart_s) < kNoClock_s ? std::llround(apart_s * 1e9) : 0;
 }
 
 void report_shift(std::int64_t by_ns, const std::string& where, std::vector<Finding>& findings) {
-  if (by_ns == 0) return;
   char text[320];
   std::snprintf(text, sizeof text,
                 "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %.3f s apart. They "
                 "are moved by that; what is left, the delays of the recording, shows as time offset.",
                 static_cast<double>(by_ns) * 1e-9);
   findings.push_back(make_finding(Severity::Warning, "clock-moved", where, text));
+}
+
+double period_s(const StreamClock& stream) {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < stream.readings.size(); ++i)
+    steps_s.push_back(static_cast<double>(stream.readings[i].log_time_ns - stream.readings[i - 1].log_time_ns) * 1e-9);
+  return steps_s.empty() ? 0.0 : median_of(std::move(steps_s));
+}
+
+/// Too little to be moved, too much for delays.
+void report_offset(const StreamClock& stream, const LidarClock& lidar, const std::string& where,
+                   std::vector<Finding>& findings) {
+  const double apart_s = stream.behind_s() - lidar.behind_s;
+  if (apart_s > -lidar.ends_after_s - kDelay_s && apart_s < period_s(stream) + kDelay_s) return;
+  if (std::abs(apart_s) >= kNoClock_s) return;
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "By the recorder's clock the stamps are %.3f s apart from the LiDAR's, more than the delays of a "
+                "recording: one of the two seems to be stamped by a clock that is off, as a host's is. They are not "
+                "moved; it shows as time offset.",
+                apart_s);
+  findings.push_back(make_finding(Severity::Warning, "host-clock", where, text));
 }
 
 Eigen::Vector3d sigma_of(const Eigen::Vector3d& variance) {
@@ -88,12 +125,11 @@ void add_imu(const ImuStream& stream, const std::string& where, Session& session
 }  // namespace
 
 void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std::vector<Finding>& findings) {
-  const StreamClock& lidar = s.scans.clock.readings.empty() ? s.lidar_poses.clock : s.scans.clock;
-  if (lidar.readings.empty()) return;
-  const double behind_s = lidar.behind_s();
-  const std::int64_t poses = shift_ns(s.ins_poses.clock, behind_s), inspvax = shift_ns(s.inspvax.clock, behind_s),
-                     device = shift_ns(s.attitude.clock, behind_s), gnss = shift_ns(s.gnss.clock, behind_s),
-                     imu = shift_ns(s.imu.clock, behind_s);
+  if (s.scans.clock.readings.empty() && s.lidar_poses.clock.readings.empty()) return;
+  const LidarClock lidar = lidar_clock(s);
+  const std::int64_t poses = shift_ns(s.ins_poses.clock, lidar), inspvax = shift_ns(s.inspvax.clock, lidar),
+                     device = shift_ns(s.attitude.clock, lidar), gnss = shift_ns(s.gnss.clock, lidar),
+                     imu = shift_ns(s.imu.clock, lidar);
   for (StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
   for (InsSample& sample : s.inspvax.messages) sample.stamp_ns += inspvax;
   // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
@@ -101,12 +137,20 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
   for (FixMessage& message : s.position.messages) message.header.stamp_ns += device;
   for (FixMessage& message : s.gnss.messages) message.header.stamp_ns += gnss;
   for (ImuMessage& message : s.imu.messages) message.header.stamp_ns += imu;
-  const auto report = [&](const std::optional<std::size_t>& topic, std::int64_t by_ns) {
-    if (topic) report_shift(by_ns, bag.files().front().string() + ": " + bag.topics()[*topic].name, findings);
+  const auto report = [&](const std::optional<std::size_t>& topic, const StreamClock& stream, std::int64_t by_ns) {
+    if (!topic || stream.readings.empty()) return;
+    const std::string where = bag.files().front().string() + ": " + bag.topics()[*topic].name;
+    if (by_ns != 0)
+      report_shift(by_ns, where, findings);
+    else
+      report_offset(stream, lidar, where, findings);
   };
-  report(roles.ins, poses + inspvax + device);  // one of them at most is there
-  if (roles.gnss != roles.ins_position) report(roles.gnss, gnss);
-  if (roles.imu != roles.ins) report(roles.imu, imu);
+  // One of these at most is there.
+  report(roles.ins, s.ins_poses.clock, poses);
+  report(roles.ins, s.inspvax.clock, inspvax);
+  report(roles.ins, s.attitude.clock, device);
+  if (roles.gnss != roles.ins_position) report(roles.gnss, s.gnss.clock, gnss);
+  if (roles.imu != roles.ins) report(roles.imu, s.imu.clock, imu);
 }
 
 std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& attitude, const std::string& where,

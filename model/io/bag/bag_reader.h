@@ -14,7 +14,8 @@ namespace remount {
 /// stamps of a NavSatFix; or INSPVAX, in NovatelReader's conventions. INS axes are x forward, y left, z up for Odometry
 /// and Imu, and not known for the other poses.
 /// Stamps are those of the messages' headers. Where the INS is of another clock than the LiDAR (more than half a second
-/// apart by the recorder's), it is moved to the LiDAR's: finding "clock-moved".
+/// apart by the recorder's, beside what a scan lasts), it is moved to the LiDAR's: finding "clock-moved"; what is apart
+/// by less, but more than by delays, is finding "host-clock".
 /// Static transforms between the frames of the two give the nominal mounting.
 class BagReader final : public SessionReader {
  public:

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "algorithms/core/median.h"
+#include "model/io/bag/cloud_message.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -175,6 +176,24 @@ void settle_all(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std:
   settle(s.imu.messages, s.imu.clock, header_stamp, name(roles.imu), findings);
 }
 
+/// From the first scan, of three, that can be read.
+double ends_after_s(const BagFile& bag, std::size_t topic_index, const ScanStream& stream) {
+  constexpr double kLongest_s = 2.0;  // a scan that takes longer was thinned out, not taken so long
+  const BagTopic& topic = bag.topics()[topic_index];
+  for (std::size_t i = 0; i < std::min<std::size_t>(stream.scans.size(), 3); ++i) try {
+      const IndexedScan& scan = stream.scans[i];
+      const std::string bytes = bag.message(topic.entries[scan.index]);
+      MessageReader reader(bytes, topic.encoding, place_of(bag, topic.name, scan.index));
+      const PointCloud cloud = read_cloud(reader, message_kind(topic.type), scan.stamp_ns).cloud;
+      const auto last = std::max_element(cloud.time_from_stamp_s.begin(), cloud.time_from_stamp_s.end());
+      if (last != cloud.time_from_stamp_s.end()) return std::clamp<double>(*last, 0.0, kLongest_s);
+      break;
+    } catch (const Error&) {
+      continue;  // becomes known when the scan is used
+    }
+  return std::clamp(median_period_s(stream.scans), 0.0, kLongest_s);
+}
+
 }  // namespace
 
 double StreamClock::behind_s() const {
@@ -201,6 +220,8 @@ BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector
   reader.add_static_transforms();
   visit_all(bag, reader.takers(), findings, progress);
   settle_all(bag, roles, streams, findings);
+  if (!streams.scans.scans.empty() && !progress.cancelled())
+    streams.scans.ends_after_s = ends_after_s(bag, *roles.lidar, streams.scans);
   return streams;
 }
 

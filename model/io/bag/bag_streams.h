@@ -41,6 +41,9 @@ struct ScanStream {
   StreamClock clock;
   std::vector<IndexedScan> scans;
   std::string frame;
+  /// How long after its stamp a scan ends, by the times of its points, or else by its period. No recorder takes it down
+  /// before.
+  double ends_after_s = 0.0;
 };
 
 /// What the chosen topics hold, scans by their stamps only.

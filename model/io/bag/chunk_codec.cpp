@@ -15,73 +15,91 @@ namespace {
 
 constexpr std::size_t kStepBytes = std::size_t{1} << 20;
 
-enum class Step { More, Done, Broken };
-
-/// Gives `step` room for a piece of output at a time until it is done, has nothing more to read, or `size` is reached.
-/// step(packed, room): advances `packed`, says in `room` how much it wrote.
-template <class OneStep>
-Step unpack_in_steps(std::string_view packed, std::uint64_t size, std::string& out, OneStep&& step) {
-  while (out.size() < size) {
-    const std::size_t before = out.size();
-    std::size_t room = static_cast<std::size_t>(std::min<std::uint64_t>(kStepBytes, size - before));
-    const std::size_t left = packed.size();
-    out.resize(before + room);
-    const Step outcome = step(packed, out.data() + before, room);
-    out.resize(before + room);
-    if (outcome != Step::More) return outcome;
-    if (room == 0 && packed.size() == left) return Step::Broken;  // neither read nor written: cut off
+class Bzip2Unpacker final : public Unpacker {
+ public:
+  Bzip2Unpacker() {
+    if (BZ2_bzDecompressInit(&stream_, 0, 0) != BZ_OK) throw std::bad_alloc();
   }
-  return Step::Done;
-}
+  ~Bzip2Unpacker() override { BZ2_bzDecompressEnd(&stream_); }
+  Bzip2Unpacker(const Bzip2Unpacker&) = delete;
+  Bzip2Unpacker& operator=(const Bzip2Unpacker&) = delete;
+  UnpackStep step(std::string_view& packed, char* to, std::size_t& room) override {
+    const auto given =
+        static_cast<unsigned>(std::min<std::size_t>(packed.size(), std::numeric_limits<unsigned>::max()));
+    stream_.next_in = const_cast<char*>(packed.data());
+    stream_.avail_in = given;
+    stream_.next_out = to;
+    stream_.avail_out = static_cast<unsigned>(room);
+    const int code = BZ2_bzDecompress(&stream_);
+    packed.remove_prefix(given - stream_.avail_in);
+    room -= stream_.avail_out;
+    return code == BZ_OK ? UnpackStep::More : code == BZ_STREAM_END ? UnpackStep::Done : UnpackStep::Broken;
+  }
 
-Step unpack_bzip2(std::string_view packed, std::uint64_t size, std::string& out) {
-  bz_stream stream{};
-  if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) throw std::bad_alloc();
-  const std::unique_ptr<bz_stream, int (*)(bz_stream*)> guard(&stream, BZ2_bzDecompressEnd);
-  return unpack_in_steps(packed, size, out, [&](std::string_view& in, char* to, std::size_t& room) {
-    const auto given = static_cast<unsigned>(std::min<std::size_t>(in.size(), std::numeric_limits<unsigned>::max()));
-    stream.next_in = const_cast<char*>(in.data());
-    stream.avail_in = given;
-    stream.next_out = to;
-    stream.avail_out = static_cast<unsigned>(room);
-    const int code = BZ2_bzDecompress(&stream);
-    in.remove_prefix(given - stream.avail_in);
-    room -= stream.avail_out;
-    return code == BZ_OK ? Step::More : code == BZ_STREAM_END ? Step::Done : Step::Broken;
-  });
-}
+ private:
+  bz_stream stream_{};
+};
 
-Step unpack_lz4(std::string_view packed, std::uint64_t size, std::string& out) {
-  LZ4F_dctx* context = nullptr;
-  if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION))) throw std::bad_alloc();
-  const std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> guard(context, LZ4F_freeDecompressionContext);
-  return unpack_in_steps(packed, size, out, [&](std::string_view& in, char* to, std::size_t& room) {
-    std::size_t read = in.size();
-    const std::size_t hint = LZ4F_decompress(context, to, &room, in.data(), &read, nullptr);
+class Lz4Unpacker final : public Unpacker {
+ public:
+  Lz4Unpacker() {
+    LZ4F_dctx* context = nullptr;
+    if (LZ4F_isError(LZ4F_createDecompressionContext(&context, LZ4F_VERSION))) throw std::bad_alloc();
+    context_.reset(context);
+  }
+  UnpackStep step(std::string_view& packed, char* to, std::size_t& room) override {
+    std::size_t read = packed.size();
+    const std::size_t hint = LZ4F_decompress(context_.get(), to, &room, packed.data(), &read, nullptr);
     if (LZ4F_isError(hint)) {
       room = 0;
-      return Step::Broken;
+      return UnpackStep::Broken;
     }
-    in.remove_prefix(read);
-    return hint == 0 ? Step::Done : Step::More;
-  });
+    packed.remove_prefix(read);
+    return hint == 0 ? UnpackStep::Done : UnpackStep::More;
+  }
+
+ private:
+  std::unique_ptr<LZ4F_dctx, LZ4F_errorCode_t (*)(LZ4F_dctx*)> context_{nullptr, LZ4F_freeDecompressionContext};
+};
+
+class ZstdUnpacker final : public Unpacker {
+ public:
+  ZstdUnpacker() : context_(ZSTD_createDCtx(), ZSTD_freeDCtx) {
+    if (!context_) throw std::bad_alloc();
+  }
+  UnpackStep step(std::string_view& packed, char* to, std::size_t& room) override {
+    ZSTD_inBuffer input{packed.data(), packed.size(), 0};
+    ZSTD_outBuffer output{to, room, 0};
+    const std::size_t hint = ZSTD_decompressStream(context_.get(), &output, &input);
+    room = output.pos;
+    packed.remove_prefix(input.pos);
+    if (ZSTD_isError(hint)) return UnpackStep::Broken;
+    return hint == 0 && packed.empty() ? UnpackStep::Done : UnpackStep::More;  // several frames may follow each other
+  }
+
+ private:
+  std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context_;
+};
+
+/// Gives room for a piece of output at a time until the data end, nothing more is there to read, or `size` is reached.
+UnpackStep unpack_in_steps(Unpacker& unpacker, std::string_view packed, std::uint64_t size, std::string& out) {
+  while (out.size() < size) {
+    const std::size_t before = out.size(), left = packed.size();
+    std::size_t room = static_cast<std::size_t>(std::min<std::uint64_t>(kStepBytes, size - before));
+    out.resize(before + room);
+    const UnpackStep outcome = unpacker.step(packed, out.data() + before, room);
+    out.resize(before + room);
+    if (outcome != UnpackStep::More) return outcome;
+    if (room == 0 && packed.size() == left) return UnpackStep::Broken;  // neither read nor written: cut off
+  }
+  return UnpackStep::Done;
 }
 
-Step unpack_zstd(std::string_view packed, std::uint64_t size, std::string& out) {
-  const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context(ZSTD_createDCtx(), ZSTD_freeDCtx);
-  if (!context) throw std::bad_alloc();
+/// What the data say that they become, where they do; 0 otherwise.
+std::uint64_t promised_bytes(ChunkCompression compression, std::string_view packed) {
+  if (compression != ChunkCompression::Zstd) return 0;
   const unsigned long long promised = ZSTD_getFrameContentSize(packed.data(), packed.size());
-  if (promised != ZSTD_CONTENTSIZE_UNKNOWN && promised != ZSTD_CONTENTSIZE_ERROR)
-    out.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(promised, size)));
-  return unpack_in_steps(packed, size, out, [&](std::string_view& in, char* to, std::size_t& room) {
-    ZSTD_inBuffer input{in.data(), in.size(), 0};
-    ZSTD_outBuffer output{to, room, 0};
-    const std::size_t hint = ZSTD_decompressStream(context.get(), &output, &input);
-    room = output.pos;
-    in.remove_prefix(input.pos);
-    if (ZSTD_isError(hint)) return Step::Broken;
-    return hint == 0 && in.empty() ? Step::Done : Step::More;  // several frames may follow each other
-  });
+  return promised == ZSTD_CONTENTSIZE_UNKNOWN || promised == ZSTD_CONTENTSIZE_ERROR ? 0 : promised;
 }
 
 [[noreturn]] void cannot_pack() { throw Error(ErrorCode::Contract, "", "a chunk cannot be compressed"); }
@@ -107,27 +125,36 @@ ChunkCompression chunk_compression(std::string_view name, const std::string& whe
               "a chunk is compressed with '" + std::string(name.substr(0, 40)) + "', expected none, bz2, lz4 or zstd");
 }
 
+std::unique_ptr<Unpacker> make_unpacker(ChunkCompression compression) {
+  switch (compression) {
+    case ChunkCompression::Bzip2:
+      return std::make_unique<Bzip2Unpacker>();
+    case ChunkCompression::Lz4:
+      return std::make_unique<Lz4Unpacker>();
+    case ChunkCompression::Zstd:
+      return std::make_unique<ZstdUnpacker>();
+    case ChunkCompression::None:
+      break;
+  }
+  throw Error(ErrorCode::Contract, "", "a chunk that is not compressed needs no unpacking");
+}
+
 std::string unpack_chunk(ChunkCompression compression, std::string_view packed, std::uint64_t size, ChunkEnd end,
                          const std::string& where) {
   std::string out;
-  // Growing step by step would take it twice.
-  if (end == ChunkEnd::Whole && compression != ChunkCompression::None) out.reserve(static_cast<std::size_t>(size));
-  Step outcome = Step::Done;
-  switch (compression) {
-    case ChunkCompression::None:
-      out = packed.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(packed.size(), size)));
-      break;
-    case ChunkCompression::Bzip2:
-      outcome = unpack_bzip2(packed, size, out);
-      break;
-    case ChunkCompression::Lz4:
-      outcome = unpack_lz4(packed, size, out);
-      break;
-    case ChunkCompression::Zstd:
-      outcome = unpack_zstd(packed, size, out);
-      break;
+  UnpackStep outcome = UnpackStep::Done;
+  if (compression == ChunkCompression::None) {
+    out = packed.substr(0, static_cast<std::size_t>(std::min<std::uint64_t>(packed.size(), size)));
+  } else {
+    // Growing step by step would take it twice.
+    const std::uint64_t promised = promised_bytes(compression, packed);
+    out.reserve(static_cast<std::size_t>(end == ChunkEnd::Whole ? size : std::min(promised, size)));
+    outcome = unpack_in_steps(*make_unpacker(compression), packed, size, out);
   }
-  if (end == ChunkEnd::Whole && (outcome == Step::Broken || out.size() != size))
+  if (end == ChunkEnd::Early && outcome == UnpackStep::Broken)
+    throw Error(ErrorCode::Format, where,
+                "the compressed message is damaged after " + std::to_string(out.size()) + " bytes");
+  if (end == ChunkEnd::Whole && (outcome == UnpackStep::Broken || out.size() != size))
     throw Error(ErrorCode::Format, where,
                 "the compressed chunk is damaged: " + std::to_string(out.size()) + " of " + std::to_string(size) +
                     " bytes can be unpacked");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -15,7 +16,25 @@ ChunkCompression chunk_compression(std::string_view name, const std::string& whe
 enum class ChunkEnd {
   Whole,  ///< anything but `size` bytes is an error
   Cut,    ///< the file ends within the chunk: as much as can be unpacked
+  Early,  ///< fewer than `size` bytes are right where the packed data end, and an error where they are damaged
 };
+
+enum class UnpackStep {
+  More,
+  Done,    ///< the packed data end here
+  Broken,  ///< they are damaged, or cut
+};
+
+/// Unpacks piece by piece.
+class Unpacker {
+ public:
+  virtual ~Unpacker() = default;
+  /// Fills up to `room` bytes from `to` on: takes what it has read off the beginning of `packed`, and says in `room`
+  /// how much it wrote. Where it neither reads nor writes it wants more to read.
+  virtual UnpackStep step(std::string_view& packed, char* to, std::size_t& room) = 0;
+};
+/// Throws Error(Contract) for None.
+std::unique_ptr<Unpacker> make_unpacker(ChunkCompression compression);
 
 /// Unpacks up to `size` bytes, and takes memory for no more than these: it is for the caller to see that they are not
 /// too many. Bytes after the packed data are left alone. Throws Error(Format) at `where`.

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/bag/bag_file.h"
+#include "model/io/bag/growing_chunk.h"
 #include "model/io/crc32.h"
 
 namespace remount {
@@ -96,7 +97,7 @@ std::uint32_t ChunkStore::add(const BagChunk& chunk) {
 
 std::shared_ptr<const ByteSource> ChunkStore::source(std::uint32_t number) const {
   if (number == kNoChunk) return std::make_shared<FileRange>(file_, 0, file_->size());
-  if (number >= chunks_.size()) throw Error(ErrorCode::Contract, file_->path().string(), "there is no such chunk");
+  if (number >= chunks_.size()) throw Error(ErrorCode::Contract, file_->name().string(), "there is no such chunk");
   const BagChunk& chunk = chunks_[number];
   if (chunk.compression == ChunkCompression::None)
     return std::make_shared<FileRange>(file_, chunk.offset, chunk.packed_bytes);
@@ -108,16 +109,26 @@ std::shared_ptr<const ByteSource> ChunkStore::source(std::uint32_t number) const
     kept_source_.reset();  // before the memory for the next one is taken
   }
   try {
-    auto source = unpacked(chunk);
+    std::shared_ptr<const ByteSource> source;
+    if (whole_ || chunk.cut)
+      source = unpacked(chunk);
+    else
+      source = std::make_shared<const GrowingChunk>(file_, chunk,
+                                                    [this, number](const Error& error) { note_damage(number, error); });
     const std::scoped_lock lock(mutex_);
     kept_ = number;
     kept_source_ = source;
     return source;
   } catch (const Error& error) {
-    const std::scoped_lock lock(mutex_);
-    if (error.code() == ErrorCode::Format) damaged_.emplace(number, error);
+    if (error.code() == ErrorCode::Format) note_damage(number, error);
     throw;
   }
+}
+
+void ChunkStore::note_damage(std::uint32_t number, const Error& error) const {
+  const std::scoped_lock lock(mutex_);
+  damaged_.emplace(number, error);
+  if (kept_ == number) kept_ = kNoChunk;
 }
 
 std::shared_ptr<const ByteSource> ChunkStore::unpacked(const BagChunk& chunk) const {
@@ -133,8 +144,13 @@ void ChunkStore::rethrow_if_damaged(std::uint32_t number) const {
   if (const auto found = damaged_.find(number); found != damaged_.end()) throw Error(found->second);
 }
 
-void ChunkStore::check_plain(std::uint32_t number) const {
+void ChunkStore::check(std::uint32_t number) const {
   if (number >= chunks_.size()) return;
+  if (is_compressed(number)) {
+    const auto whole = source(number);
+    whole->read(whole->size(), 0);
+    return;
+  }
   {
     const std::scoped_lock lock(mutex_);
     rethrow_if_damaged(number);

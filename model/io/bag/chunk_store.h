@@ -36,10 +36,18 @@ struct BagChunk {
   std::uint32_t checksum = 0;  ///< CRC-32 of the unpacked bytes; 0: not known
 };
 
+/// Up to this size a bag is small: its chunks are unpacked and checked whole whatever is read of them. Of a larger one
+/// a chunk is unpacked as far as it is read, since opening must not take as long as reading all of its points.
+inline constexpr std::uint64_t kSmallBag = std::uint64_t{256} << 20;
+
 /// Thread-safe once all chunks are added. Keeps the chunk that was unpacked last, and of damaged ones the reason.
 class ChunkStore {
  public:
-  explicit ChunkStore(const std::filesystem::path& path) : file_(std::make_shared<RandomAccessFile>(path)) {}
+  explicit ChunkStore(const std::filesystem::path& path) : ChunkStore(path, path) {}
+  /// @param name the file is called in messages
+  /// @param small_bag up to this size of the file chunks are unpacked whole
+  ChunkStore(const std::filesystem::path& path, const std::filesystem::path& name, std::uint64_t small_bag = kSmallBag)
+      : file_(std::make_shared<RandomAccessFile>(path, name)), whole_(file_->size() <= small_bag) {}
 
   const RandomAccessFile& file() const { return *file_; }
   std::size_t size() const { return chunks_.size(); }
@@ -51,15 +59,22 @@ class ChunkStore {
   /// What a chunk holds unpacked; the whole file for kNoChunk. Throws Error where it cannot be read.
   std::shared_ptr<const ByteSource> source(std::uint32_t chunk) const;
 
-  /// Compares the checksum of a chunk that is not compressed, reading it whole, once; others are checked when they are
-  /// unpacked. Throws Error(Format) where it is wrong.
-  void check_plain(std::uint32_t chunk) const;
+  bool is_compressed(std::uint32_t chunk) const {
+    return chunk < chunks_.size() && chunks_[chunk].compression != ChunkCompression::None;
+  }
+
+  /// Reads a chunk whole and compares its checksum; one that is not compressed, once. Throws Error(Format) where it is
+  /// wrong or the chunk cannot be unpacked.
+  void check(std::uint32_t chunk) const;
 
  private:
   std::shared_ptr<const ByteSource> unpacked(const BagChunk& chunk) const;
   void rethrow_if_damaged(std::uint32_t chunk) const;
 
+  void note_damage(std::uint32_t chunk, const Error& error) const;
+
   std::shared_ptr<const RandomAccessFile> file_;
+  bool whole_;
   std::vector<BagChunk> chunks_;
   mutable std::mutex mutex_;
   mutable std::uint32_t kept_ = 0xffffffffU;

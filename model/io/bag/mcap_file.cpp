@@ -4,6 +4,7 @@
 
 #include "model/io/bag/byte_reader.h"
 #include "model/io/bag/mcap_format.h"
+#include "model/io/bag/packed_message.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -16,9 +17,8 @@ constexpr std::uint64_t kMessageHead = 22;  // channel, sequence, two times
 constexpr std::uint64_t kMaxDescription = std::uint64_t{16} << 20;
 constexpr std::uint64_t kChecksumBytes = 4;
 
-// Reading a bag whole for the sake of its checksums must not take longer than what one waits for anyway: beyond this
-// size, chunks that are not compressed are checked with the first large message that is read of them.
-constexpr std::uint64_t kReadWhole = std::uint64_t{256} << 20;
+// Reading a bag whole for the sake of its checksums must not take longer than what one waits for anyway: beyond the
+// size of a small one, chunks are checked with the first large message that is read of them.
 constexpr std::uint64_t kLargeMessage = std::uint64_t{64} << 10;
 
 MessageEncoding encoding_of(std::string_view name) {
@@ -64,12 +64,12 @@ McapFile::Record McapFile::read_record(const ByteSource& source, std::uint64_t o
   return record;
 }
 
-McapFile::McapFile(const std::filesystem::path& path, Progress& progress) : chunks_(path) {
-  files_ = {path};
+McapFile::McapFile(const BagInput& input, Progress& progress) : input_(input), chunks_(input.path(), input.given) {
+  files_ = {input.given};
   const RandomAccessFile& file = chunks_.file();
   const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), kMagic.size()));
   if (head != kMagic)
-    throw Error(ErrorCode::Unsupported, path.string(),
+    throw Error(ErrorCode::Unsupported, input.given.string(),
                 is_mcap(head) ? "is an MCAP of another version than 0" : "is no MCAP");
   std::string why = "it has no summary";
   try {
@@ -107,6 +107,7 @@ void McapFile::add_channel(std::string_view content, const std::string& where) {
   const auto id = reader.number<std::uint16_t>(), schema = reader.number<std::uint16_t>();
   const std::string name(reader.string());
   const MessageEncoding encoding = encoding_of(reader.string());
+  has_cdr_ |= encoding == MessageEncoding::Cdr;
   const auto type = schemas_.find(schema);
   topic_of_channel_[id] = topic(name, type == schemas_.end() ? std::string() : type->second, encoding);
 }
@@ -182,7 +183,7 @@ void McapFile::check_summary(std::uint64_t start, const std::string& footer_cont
 /// Of what is not in chunks, which have their own.
 void McapFile::check_other_sums(Progress& progress) {
   const auto whole = chunks_.source(kNoChunk);
-  if (whole->size() > kReadWhole) return;
+  if (whole->size() > kSmallBag) return;
   std::size_t attachments = 0;
   std::string first;
   try {
@@ -267,7 +268,8 @@ void McapFile::scan_record(const ByteSource& source, const Record& record, std::
 }
 
 void McapFile::scan_chunk(std::uint32_t chunk) {
-  if (chunks_.file().size() <= kReadWhole) chunks_.check_plain(chunk);
+  // All of it is unpacked now, but the points of one that is not compressed are passed over.
+  if (chunks_.file().size() <= kSmallBag || chunks_.is_compressed(chunk)) chunks_.check(chunk);
   const auto source = chunks_.source(chunk);
   for (std::uint64_t offset = 0; offset < source->size();) {
     const Record record = read_record(*source, offset);
@@ -315,9 +317,12 @@ std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const 
   const Record record = read_record(*source, entry.offset);
   if (record.op != kMessage || record.bytes < kMessageHead)
     throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
-  const std::uint64_t bytes = std::min<std::uint64_t>(record.bytes - kMessageHead, at_most);
-  if (bytes >= kLargeMessage || chunks_.file().size() <= kReadWhole) chunks_.check_plain(entry.chunk);
-  return source->read(record.offset + kMessageHead, bytes);
+  const std::uint64_t bytes = record.bytes - kMessageHead;
+  const bool large = std::min<std::uint64_t>(bytes, at_most) >= kLargeMessage;
+  if (large || chunks_.file().size() <= kSmallBag) chunks_.check(entry.chunk);
+  const auto read = [&](std::uint64_t count) { return source->read(record.offset + kMessageHead, count); };
+  if (!has_cdr_) return read(std::min<std::uint64_t>(bytes, at_most));
+  return message_content({bytes, read, chunks_.file().size(), record.where}, at_most);
 }
 
 }  // namespace remount

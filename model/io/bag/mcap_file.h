@@ -6,6 +6,7 @@
 
 #include "model/io/bag/bag_file.h"
 #include "model/io/bag/chunk_store.h"
+#include "model/io/bag/unpacked_file.h"
 
 namespace remount {
 
@@ -15,11 +16,12 @@ bool is_mcap(std::string_view head);
 /// Reads the summary and the message indexes of the chunks. Where there are none, or they are damaged, or messages lie
 /// outside of chunks, the file is read from the beginning instead; a file that was cut or damaged gives what is
 /// readable and a finding "bag-unindexed" that says how much that is. Checksums are compared where there are any: a
-/// chunk whose own is wrong is not read, the others are.
+/// chunk whose own is wrong is not read, the others are. Messages in CDR that are compressed one by one (Zstandard) are
+/// unpacked.
 class McapFile final : public BagFile {
  public:
   /// Throws Error where the file is no MCAP of this version or holds no readable message at all.
-  McapFile(const std::filesystem::path& path, Progress& progress);
+  McapFile(const BagInput& input, Progress& progress);
   std::string message(const BagEntry& entry, std::size_t at_most) const override;
 
  private:
@@ -40,7 +42,9 @@ class McapFile final : public BagFile {
   std::size_t topic_of(std::uint16_t channel, const std::string& where) const;
   void forget_all();
 
+  BagInput input_;
   ChunkStore chunks_;
+  bool has_cdr_ = false;
   std::map<std::uint16_t, std::string> schemas_;  // names
   std::map<std::uint16_t, std::size_t> topic_of_channel_;
   std::set<std::uint64_t> chunk_starts_;  // of those that the index has named

@@ -190,6 +190,7 @@ void Rosbag1File::read_chunk_index(std::uint64_t chunk_offset) {
 /// Messages and connections of a chunk as they stand in it. Throws Error where one is damaged; those before it stay.
 void Rosbag1File::scan_chunk(const Record& record, bool cut) {
   const std::uint32_t chunk = chunks_.add(chunk_of(record, cut));
+  chunks_.check(chunk);  // all of it is unpacked now
   const auto source = chunks_.source(chunk);
   for (std::uint64_t offset = 0; offset < source->size();) {
     const Record inner = read_record(*source, offset);

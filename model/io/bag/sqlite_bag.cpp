@@ -6,8 +6,7 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
-#include "model/io/bag/chunk_codec.h"
-#include "model/io/input_file.h"
+#include "model/io/bag/packed_message.h"
 #include "model/io/random_access_file.h"
 #include "model/io/stream_tools.h"
 
@@ -16,7 +15,6 @@ namespace {
 
 constexpr std::uint64_t kLongestValue = std::uint64_t{1} << 30;
 constexpr std::uint64_t kPageBytes = 65536;  // the largest that there is
-constexpr std::size_t kMagicBytes = 4;       // of Zstandard
 
 using Statement = std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)>;
 
@@ -63,19 +61,10 @@ bool is_cut(const RandomAccessFile& file) {
 
 bool is_sqlite(std::string_view head) { return head.starts_with(std::string_view("SQLite format 3\0", 16)); }
 
-bool is_named_as_database(const std::filesystem::path& path) {
-  const std::string name = lower_case(path.filename().string());
-  return name.ends_with(".db3") || name.ends_with(".db3.zstd");
-}
-
-SqliteBag::SqliteBag(const std::filesystem::path& path, Progress& progress) : database_(nullptr, sqlite3_close) {
-  files_ = {path};
-  if (is_zstd(read_file_head(path, kMagicBytes))) unpacked_ = std::make_unique<UnpackedFile>(path, progress);
-  if (progress.cancelled()) return;
-  const std::filesystem::path& database = unpacked_ ? unpacked_->path() : path;
+SqliteBag::SqliteBag(const BagInput& input, Progress& progress) : input_(input), database_(nullptr, sqlite3_close) {
+  files_ = {input.given};
+  const std::filesystem::path& database = input.path();
   const RandomAccessFile file(database);  // refuses what is no regular file, which SQLite would wait for
-  if (unpacked_ && !is_sqlite(file.read(0, std::min<std::uint64_t>(file.size(), 16))))
-    fail("holds no SQLite database when it is unpacked; unpack it with 'zstd -d' and open what comes out");
   // Beside a recording that was interrupted lies a log of what is not in the file yet.
   std::error_code none;
   const std::uintmax_t log_bytes = std::filesystem::file_size(database.string() + "-wal", none);
@@ -172,12 +161,7 @@ std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const
       throw Error(ErrorCode::Format, where, sqlite3_errmsg(database_.get()));
     return data;
   };
-  std::string data = read(std::min<std::uint64_t>(bytes, std::max(at_most, kMagicBytes)));
-  if (!is_zstd(data)) return data.substr(0, at_most);
-  // Compressed message by message; CDR begins otherwise.
-  const std::uint64_t most = std::max<std::uint64_t>(std::uint64_t{64} << 20, 3 * file_bytes_);
-  return unpack_chunk(ChunkCompression::Zstd, read(bytes), std::min<std::uint64_t>(at_most, most), ChunkEnd::Cut,
-                      where);
+  return message_content({bytes, read, file_bytes_, where}, at_most);
 }
 
 }  // namespace remount

@@ -13,16 +13,12 @@ namespace remount {
 
 /// True where the file begins as an SQLite database does.
 bool is_sqlite(std::string_view head);
-/// True where the name says that this is such a database, or one that is compressed as a whole.
-bool is_named_as_database(const std::filesystem::path& path);
-
 /// Reads the tables `topics` and `messages`; messages by their rows. Messages that are compressed one by one
-/// (Zstandard) are unpacked; a database that is compressed as a whole is, into a temporary file, when it is opened. A
-/// database that is damaged gives what can be read, with a finding "bag-damaged".
+/// (Zstandard) are unpacked. A database that is damaged gives what can be read, with a finding "bag-damaged".
 class SqliteBag final : public BagFile {
  public:
   /// Throws Error where the file is no such database, or nothing of it can be read.
-  SqliteBag(const std::filesystem::path& path, Progress& progress);
+  SqliteBag(const BagInput& input, Progress& progress);
   ~SqliteBag() override;
   std::string message(const BagEntry& entry, std::size_t at_most) const override;
 
@@ -32,7 +28,7 @@ class SqliteBag final : public BagFile {
   void read_topics();
   void read_rows(bool cut, Progress& progress);
 
-  std::unique_ptr<UnpackedFile> unpacked_;  // null where the file is the database itself
+  BagInput input_;
   std::unique_ptr<sqlite3, int (*)(sqlite3*)> database_;
   mutable std::mutex mutex_;      // one connection, which is not to be used by two at once
   std::uint64_t file_bytes_ = 0;  // with the log beside it

@@ -1,7 +1,8 @@
-// Files that were compressed as a whole (Zstandard), as ROS 2 does with databases.
+// Files that were compressed as a whole (Zstandard), as ROS 2 does with databases and MCAPs.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 #include "algorithms/core/progress.h"
@@ -31,6 +32,13 @@ class UnpackedFile {
 
   FileDescriptor file_;  ///< locked
   std::filesystem::path path_;
+};
+
+/// A bag's file as it was given, and where its bytes are.
+struct BagInput {
+  std::filesystem::path given;                   ///< what messages name
+  std::shared_ptr<const UnpackedFile> unpacked;  ///< what came out of it; null where it is read itself
+  const std::filesystem::path& path() const { return unpacked ? unpacked->path() : given; }
 };
 
 }  // namespace remount

@@ -83,12 +83,15 @@ class Rebagged {
     std::stable_sort(messages_.begin(), messages_.end(),
                      [](const auto& a, const auto& b) { return a.time_ns < b.time_ns; });
   }
+  /// @param packed each message is compressed, as rosbag2 does
   std::string through(std::unique_ptr<BagWriter> (*make)(const fs::path&, ChunkCompression),
-                      ChunkCompression compression) {
+                      ChunkCompression compression, bool packed = false) {
     const fs::path path = folder_.path() / "again";
     const std::unique_ptr<BagWriter> writer = make(path, compression);
     for (const auto& [name, type] : topics_) writer->add_topic(name, message_definition(type, writer->encoding()));
-    for (const bags::TestMessage& message : messages_) writer->write(message.topic, message.time_ns, message.bytes);
+    for (const bags::TestMessage& message : messages_)
+      writer->write(message.topic, message.time_ns,
+                    packed ? pack_chunk(ChunkCompression::Zstd, message.bytes) : message.bytes);
     writer->finish();
     return bags::bytes_of(path);
   }
@@ -161,9 +164,11 @@ void add_bags(Samples& list) {
   list.push_back({"mcap", "lz4", packed});
   list.push_back({"mcap", "zstd", unchecked(ros2.through(mcap, ChunkCompression::Zstd))});
   list.push_back({"mcap", "with-checksums", ros2.through(mcap, ChunkCompression::Zstd)});
+  list.push_back({"mcap", "packed-messages", unchecked(ros2.through(mcap, ChunkCompression::None, true))});
   list.push_back({"rosbag2-database", "plain", ros2.database(false)});
   list.push_back({"rosbag2-database", "packed", ros2.database(true)});
   list.push_back({"rosbag2-packed", "drive", pack_chunk(ChunkCompression::Zstd, ros2.database(false))});
+  list.push_back({"rosbag2-packed", "mcap", pack_chunk(ChunkCompression::Zstd, packed)});
   list.push_back({"rosbag2-folder", "drive", rosbag2_folder(packed, packed)});
 }
 

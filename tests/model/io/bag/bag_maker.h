@@ -32,23 +32,27 @@ class BagMaker {
     writer_->finish();
   }
 
-  void add_scans(const std::string& topic, int count, int points, bool timed = true, std::int64_t clock_ns = 0) {
+  /// Scans that last nine tenths of their period.
+  void add_scans(const std::string& topic, int count, int points, bool timed = true, std::int64_t clock_ns = 0,
+                 std::int64_t period_ns = kStep_ns, std::int64_t delay_ns = 20'000'000) {
     for (int i = 0; i < count; ++i) {
       PointCloud cloud;
       for (int k = 0; k < points; ++k) {
         cloud.points.emplace_back(static_cast<float>(k + 1), static_cast<float>(i), 1.0f);
-        if (timed) cloud.time_from_stamp_s.push_back(0.09f * static_cast<float>(k) / static_cast<float>(points));
+        if (timed)
+          cloud.time_from_stamp_s.push_back(9e-10f * static_cast<float>(period_ns) * static_cast<float>(k) /
+                                            static_cast<float>(points));
       }
-      const std::int64_t stamp_ns = kStart_ns + i * kStep_ns;
-      add(stamp_ns + 20'000'000, topic, "sensor_msgs/PointCloud2",
+      const std::int64_t stamp_ns = kStart_ns + i * period_ns;
+      add(stamp_ns + delay_ns, topic, "sensor_msgs/PointCloud2",
           cloud_message(cloud, stamp_ns + clock_ns, "lidar", kRos1));
     }
   }
   /// A circle driven at 5 m/s; INS axes x forward.
-  void add_ins(const std::string& device, int count, std::int64_t clock_ns = 0) {
+  void add_ins(const std::string& device, int count, std::int64_t clock_ns = 0, std::int64_t delay_ns = 10'000'000) {
     for (int i = 0; i < count; ++i) {
       InsSample sample = on_circle(i);
-      const std::int64_t log_ns = sample.stamp_ns + 10'000'000;
+      const std::int64_t log_ns = sample.stamp_ns + delay_ns;
       sample.stamp_ns += clock_ns;
       add(log_ns, device + "/imu", "sensor_msgs/Imu", attitude_message(sample, 0.001, "ins", kRos1));
       GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m, {}};

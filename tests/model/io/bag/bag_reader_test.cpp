@@ -158,6 +158,55 @@ TEST_F(bag_reader, leaves_both_alone_where_the_recorders_clock_is_off) {
   EXPECT_EQ(session.ins[0].stamp_ns, kStart_ns + 214'300'000'000);
 }
 
+// A LiDAR that publishes once a second stamps its scans by their first points: they are taken down a second later.
+TEST_F(bag_reader, leaves_an_ins_alone_whose_lidar_is_late_by_the_duration_of_its_scans) {
+  for (const bool timed : {true, false}) {
+    BagMaker bag(path());
+    bag.add_ins("/ins", 200);
+    bag.add_scans("/points", 10, 30, timed, 0, 1'000'000'000, timed ? 920'000'000 : 1'020'000'000);
+    bag.finish();
+    const Session session = open(path());
+    EXPECT_FALSE(find(session, "clock-moved")) << find(session, "clock-moved")->explanation;
+    EXPECT_FALSE(find(session, "host-clock")) << find(session, "host-clock")->explanation;
+    EXPECT_EQ(session.ins[0].stamp_ns, kStart_ns);
+  }
+}
+
+TEST_F(bag_reader, names_a_clock_that_is_off_by_less_than_what_is_moved) {
+  for (const std::int64_t clock_ns : {-300'000'000, 300'000'000}) {
+    BagMaker bag(path());
+    bag.add_ins("/ins", 41, clock_ns);
+    bag.add_scans("/points", 20, 30);
+    bag.finish();
+    const Session session = open(path());
+    EXPECT_FALSE(find(session, "clock-moved"));
+    EXPECT_EQ(session.ins[0].stamp_ns, kStart_ns + clock_ns) << "nothing is moved";
+    const Finding* finding = find(session, "host-clock");
+    ASSERT_TRUE(finding);
+    EXPECT_EQ(finding->severity, Severity::Warning);
+    EXPECT_TRUE(contains(finding->where, "/ins/imu")) << finding->where;
+    // Scans are recorded 20 ms after their stamps, the INS 10 ms.
+    EXPECT_TRUE(contains(finding->explanation, clock_ns < 0 ? " 0.290 s apart" : "-0.310 s apart"))
+        << finding->explanation;
+    std::cout << finding->explanation << "\n";
+  }
+}
+
+TEST_F(bag_reader, takes_ordinary_delays_for_no_clocks) {
+  constexpr std::int64_t kMs = 1'000'000;
+  const std::pair<std::int64_t, std::int64_t> delays[] = {
+      {5 * kMs, 5 * kMs}, {5 * kMs, 180 * kMs}, {90 * kMs, 95 * kMs}, {120 * kMs, 20 * kMs}, {1 * kMs, 130 * kMs}};
+  for (const auto& [ins_ns, scan_ns] : delays) {
+    BagMaker bag(path());
+    bag.add_ins("/ins", 41, 0, ins_ns);
+    bag.add_scans("/points", 20, 30, true, 0, kStep_ns, scan_ns);
+    bag.finish();
+    const Session session = open(path());
+    EXPECT_FALSE(find(session, "host-clock")) << ins_ns / kMs << " ms and " << scan_ns / kMs << " ms";
+    EXPECT_FALSE(find(session, "clock-moved"));
+  }
+}
+
 TEST_F(bag_reader, says_that_points_have_no_times) {
   BagMaker bag(path());
   bag.add_ins("/ins", 41);

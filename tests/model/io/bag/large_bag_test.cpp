@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "model/io/bag/bag_streams.h"
 #include "tests/model/io/bag/bag_maker.h"
 #include "tests/support/sanitized.h"
 
@@ -149,6 +150,96 @@ TEST(large_bag, opens_twenty_gigabytes_in_seconds_and_takes_memory_for_one_scan_
             << " MB, with scans by " << peak_mb() - before_mb << " MB\n";
   EXPECT_LT(opened_s, 5.0 * kSanitizerSlowdown);
   EXPECT_LT(peak_mb() - before_mb, 100.0 + kSanitizerKeeps_mb);
+}
+
+// ---- Compressed chunks
+
+/// Bytes that do not pack, the same for every scan: points without times.
+const PointCloud& noise_cloud() {
+  static const PointCloud cloud = [] {
+    PointCloud points;
+    std::uint32_t state = 1;
+    const auto draw = [&] { return 1.0f + static_cast<float>((state = state * 1664525U + 1013904223U) >> 8) * 1e-6f; };
+    for (int i = 0; i < 150'000; ++i) {
+      const float x = draw(), y = draw(), z = draw();
+      points.points.emplace_back(x, y, z);
+    }
+    return points;
+  }();
+  return cloud;
+}
+
+struct SpoiltBag {
+  std::size_t scans = 0, spoilt = 0;
+};
+
+/// A bag of chunks with samples of the INS and a scan each, as recorders make them. Where `spoil`, the last tenth of
+/// each chunk, which holds points, is overwritten.
+SpoiltBag write_packed_bag(const fs::path& path, ChunkCompression compression, std::uint64_t bytes, bool spoil) {
+  const auto writer = make_mcap_writer(path, MessageEncoding::Cdr, compression);
+  const std::uint32_t points = writer->add_topic("/points", definition("sensor_msgs/PointCloud2")),
+                      fixes = writer->add_topic("/ins/fix", definition("sensor_msgs/NavSatFix")),
+                      imu = writer->add_topic("/ins/imu", definition("sensor_msgs/Imu"));
+  SpoiltBag made;
+  for (std::uint64_t written = 0; written < bytes; ++made.scans) {
+    const int i = static_cast<int>(made.scans);
+    for (int k = 0; k < 2; ++k) {
+      const InsSample sample = BagMaker::on_circle(2 * i + k);
+      const GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, 100.0, Eigen::Matrix3d::Identity()};
+      writer->write(imu, sample.stamp_ns, attitude_message(sample, 0.001, "ins", MessageEncoding::Cdr));
+      writer->write(fixes, sample.stamp_ns, fix_message(fix, 2, "ins", MessageEncoding::Cdr));
+    }
+    // Stamps that the recorder's times do not tell.
+    const std::int64_t stamp_ns = kStart_ns + i * kStep_ns + (i * 7919) % 3'000'000;
+    const std::string scan = cloud_message(noise_cloud(), stamp_ns, "lidar", MessageEncoding::Cdr);
+    writer->write(points, kStart_ns + i * kStep_ns + kStep_ns / 2 + 1'000'000, scan);
+    written += scan.size();
+  }
+  writer->finish();
+  if (!spoil) return made;
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  for (std::uint64_t at = 8;;) {
+    std::uint8_t op = 0;
+    std::uint64_t length = 0;
+    file.seekg(static_cast<std::streamoff>(at));
+    file.read(reinterpret_cast<char*>(&op), 1).read(reinterpret_cast<char*>(&length), 8);
+    if (!file || op == 15) break;
+    if (op == 6 && length > 1'000'000) {
+      file.seekp(static_cast<std::streamoff>(at + 9 + length - length / 10));
+      file << std::string(length / 10, '\xff');
+      ++made.spoilt;
+    }
+    at += 9 + length;
+  }
+  return made;
+}
+
+TEST(large_bag, with_compressed_chunks_is_opened_without_unpacking_the_points) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "drive.mcap";
+  for (const ChunkCompression compression : {ChunkCompression::Zstd, ChunkCompression::Lz4}) {
+    const SpoiltBag made = write_packed_bag(path, compression, std::uint64_t{320} << 20, true);
+    ASSERT_GT(fs::file_size(path), std::uint64_t{256} << 20);
+    EXPECT_EQ(made.spoilt, made.scans);
+    const auto started = std::chrono::steady_clock::now();
+    const auto bag = open_quietly(path);
+    std::vector<Finding> findings;
+    Progress progress;
+    const TopicRoles roles = choose_topics(*bag, {}, findings).roles;
+    const BagStreams streams = read_streams(*bag, roles, findings, progress);
+    const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    EXPECT_EQ(streams.attitude.messages.size(), 2 * made.scans);
+    EXPECT_EQ(streams.position.messages.size(), 2 * made.scans);
+    ASSERT_EQ(streams.scans.scans.size(), made.scans);
+    for (std::size_t i = 0; i < made.scans; ++i)
+      EXPECT_EQ(streams.scans.scans[i].stamp_ns,
+                kStart_ns + static_cast<std::int64_t>(i) * kStep_ns + static_cast<std::int64_t>(i * 7919 % 3'000'000));
+    // The points themselves are checked when they are asked for, and the damage is told.
+    const BagTopic& scans = bag->topics()[*roles.lidar];
+    EXPECT_ERROR(bag->message(scans.entries.back()), "the compressed chunk is damaged");
+    std::cout << "compression " << static_cast<int>(compression) << ": "
+              << static_cast<double>(fs::file_size(path)) * 1e-9 << " GB, streams read in " << took_s << " s\n";
+  }
 }
 
 }  // namespace

@@ -169,6 +169,39 @@ TEST(mcap_file, that_promises_more_messages_than_its_index_has_is_read_from_its_
   EXPECT_TRUE(bag->findings().empty());
 }
 
+TEST(mcap_file, with_two_channels_of_one_topic_has_their_messages_in_one) {
+  const TemporaryFolder folder;
+  // Two publishers of one topic; the second has a schema of its own with the same name.
+  std::string other_schema = schema(), other_channel = channel(), other_hello = hello();
+  other_schema.replace(9, 2, raw<std::uint16_t>(5));
+  other_channel.replace(9, 4, raw<std::uint16_t>(3) + raw<std::uint16_t>(5));
+  other_hello.replace(9, 2, raw<std::uint16_t>(3));
+  const std::uint64_t earlier = 1'600'000'000'300'000'000;
+  other_hello.replace(9 + 6, 8, raw(earlier));
+  other_hello.replace(other_hello.size() - 5, 5, "there");
+  const auto bag =
+      open_quietly(folder.write("a.mcap", opening() + schema() + channel() + other_schema + other_channel + hello() +
+                                              other_hello + hello() + record(15, raw<std::uint32_t>(0)) + closing(0)));
+  ASSERT_EQ(bag->topics().size(), 1u);
+  const std::vector<BagEntry>& entries = bag->topics()[0].entries;
+  ASSERT_EQ(entries.size(), 3u);
+  EXPECT_EQ(bag->message(entries[0]), "there") << "in the order of the recorder's times";
+  EXPECT_EQ(bag->message(entries[1]), "hello");
+  EXPECT_TRUE(bag->findings().empty());
+
+  // As the writers make them, with an index for each channel.
+  const auto writer = make_mcap_writer(folder.path() / "b.mcap", MessageEncoding::Cdr, ChunkCompression::Zstd, 300);
+  for (int i = 0; i < 2; ++i) writer->add_topic("/a", definition("test_msgs/Text"));
+  const std::vector<TestMessage> messages = test_messages(60);
+  for (const TestMessage& message : messages) writer->write(message.topic, message.time_ns, message.bytes);
+  writer->finish();
+  const auto indexed = open_quietly(folder.path() / "b.mcap");
+  ASSERT_EQ(indexed->topics().size(), 1u);
+  ASSERT_EQ(indexed->topics()[0].entries.size(), messages.size());
+  for (std::size_t i = 0; i < messages.size(); ++i)
+    EXPECT_EQ(indexed->message(indexed->topics()[0].entries[i]), messages[i].bytes);
+}
+
 // ---- Checksums
 
 /// How many messages of the bag can be read; the others must be refused for their chunk's checksum.
