@@ -74,16 +74,7 @@ class NmeaReader {
   explicit NmeaReader(const fs::path& path) : path_(path) {}
 
   NmeaLog read(std::vector<Finding>& findings) {
-    const std::string text = read_regular_file(path_);
-    LineReader lines(text);
-    for (std::string_view line; lines.next(line);) {
-      NmeaSentence sentence;
-      const NmeaLine kind = parse_nmea(line, sentence);
-      if (kind == NmeaLine::WrongChecksum)
-        bad_.add(at_line(path_, lines.line_number()) + ": the checksum is wrong");
-      else if (kind == NmeaLine::Sentence && !take(sentence))
-        bad_.add(at_line(path_, lines.line_number()) + ": " + std::string(sentence.type) + " without usable values");
-    }
+    take_lines(read_regular_file(path_));
     if (fixes_.empty())
       throw Error(ErrorCode::Format, path_.string(),
                   "holds no GGA sentence with a fix." + (bad_.count() ? " First problem: " + bad_.first() : ""));
@@ -95,6 +86,18 @@ class NmeaReader {
   }
 
  private:
+  void take_lines(const std::string& text) {
+    LineReader lines(text);
+    for (std::string_view line; lines.next(line);) {
+      NmeaSentence sentence;
+      const NmeaLine kind = parse_nmea(line, sentence);
+      if (kind == NmeaLine::WrongChecksum)
+        bad_.add(at_line(path_, lines.line_number()) + ": the checksum is wrong");
+      else if (kind == NmeaLine::Sentence && !take(sentence))
+        bad_.add(at_line(path_, lines.line_number()) + ": " + std::string(sentence.type) + " without usable values");
+    }
+  }
+
   /// False where the sentence is of a kind that is read, and cannot be.
   bool take(const NmeaSentence& sentence) {
     timed_ = false;
@@ -227,6 +230,8 @@ class NmeaReader {
   NmeaLog assembled(std::vector<Finding>& findings) {
     NmeaLog log;
     const std::vector<Attitude> attitudes = this->attitudes(findings);
+    log.fixes.reserve(fixes_.size());
+    if (!attitudes.empty()) log.ins.reserve(fixes_.size());
     for (const Fix& fix : fixes_) {
       const Eigen::Vector3d sigma = sigma_enu_m(fix);
       const std::int64_t stamp_ns = *midnight_ns_ + fix.time_ns;
