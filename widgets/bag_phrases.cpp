@@ -45,6 +45,8 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "a field of the cloud has type %1, expected 1 to 8"),
       QT_TRANSLATE_NOOP("remount::model", "the cloud has %1 fields, at most 512 are read"),
       QT_TRANSLATE_NOOP("remount::model", "field %1 lies at byte %2 of a point of %3 bytes"),
+      QT_TRANSLATE_NOOP("remount::model", "fields %1 and %2 lie on the same bytes of a point"),
+      QT_TRANSLATE_NOOP("remount::model", "the coordinate %1 has one byte, expected two or more"),
       QT_TRANSLATE_NOOP("remount::model", "a row has %1 bytes, expected %2 for %3 points"),
       QT_TRANSLATE_NOOP("remount::model", "the cloud promises %1 rows of %2 bytes, %3 bytes are there"),
       QT_TRANSLATE_NOOP("remount::model", "the orientation is no quaternion of length 1"),

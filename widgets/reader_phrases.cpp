@@ -98,6 +98,12 @@ const std::vector<const char*>& reader_phrases() {
       QT_TRANSLATE_NOOP(
           "remount::model",
           "The log has a heading (HDT) and no roll and pitch: they are taken to be zero, good to some degrees."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The log does not show whether a heading (HDT) stands before or behind the position of its "
+                        "time: it is taken to stand behind. Otherwise headings come one position too early."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 of %2 positions have no attitude near them and are left out of the INS: the log has %3 "
+                        "attitudes, up to %4 s apart, and none is interpolated over more than 0.25 s."),
       QT_TRANSLATE_NOOP("remount::model", "the tag <trkpt does not end"),
       QT_TRANSLATE_NOOP("remount::model", "a track point needs lat, lon and a time like 2026-11-22T10:00:00Z"),
       QT_TRANSLATE_NOOP("remount::model", "the position is not on the Earth"),

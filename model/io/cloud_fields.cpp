@@ -26,12 +26,7 @@ int find_field(const std::vector<CloudField>& fields, std::initializer_list<std:
   return -1;
 }
 
-/// Seconds in one unit of a duration or of a Unix time of this size.
-double seconds_per_unit(double size, double milli_from, double micro_from, double nano_from) {
-  if (size > nano_from) return 1e-9;
-  if (size > micro_from) return 1e-6;
-  return size > milli_from ? 1e-3 : 1.0;
-}
+bool fits_float(ScalarType type) { return size_of(type) <= 2; }
 
 }  // namespace
 
@@ -92,12 +87,25 @@ CloudColumns find_cloud_columns(const std::vector<CloudField>& fields, const std
   throw Error(ErrorCode::Format, where, "fields are '" + names + "', expected x, y and z with one value each");
 }
 
-CloudBuilder::CloudBuilder(const CloudColumns& columns, ScalarType time_type, std::size_t expected_points)
-    : columns_(columns), time_type_(time_type) {
+void refuse_narrow_coordinates(const std::vector<CloudField>& fields, const CloudColumns& columns,
+                               const std::string& where) {
+  for (const int column : {columns.x, columns.y, columns.z}) {
+    const CloudField& field = fields[static_cast<std::size_t>(column)];
+    if (size_of(field.type) < 2)
+      throw Error(ErrorCode::Format, where, "the coordinate " + field.name + " has one byte, expected two or more");
+  }
+}
+
+CloudBuilder::CloudBuilder(const CloudColumns& columns, const TimeColumn& time, std::size_t expected_points)
+    : columns_(columns), time_(time) {
   cloud_.points.reserve(expected_points);
   if (columns_.intensity >= 0) cloud_.intensity.reserve(expected_points);
   if (columns_.ring >= 0) cloud_.ring.reserve(expected_points);
-  if (columns_.time >= 0) times_.reserve(expected_points);
+  if (columns_.time < 0) return;
+  if (fits_float(time_.type))
+    cloud_.time_from_stamp_s.reserve(expected_points);
+  else
+    times_.reserve(expected_points);
 }
 
 void CloudBuilder::add(const RawPoint& point) {
@@ -114,33 +122,50 @@ void CloudBuilder::add(const RawPoint& point) {
     const double ring = std::isfinite(point.ring) ? std::clamp(point.ring, 0.0, 65535.0) : 0.0;
     cloud_.ring.push_back(static_cast<std::uint16_t>(ring));
   }
-  if (columns_.time >= 0) times_.push_back(point.time);
+  if (columns_.time < 0) return;
+  if (fits_float(time_.type))
+    cloud_.time_from_stamp_s.push_back(static_cast<float>(point.time));
+  else
+    times_.push_back(point.time);
 }
 
-PointCloud CloudBuilder::finish(std::int64_t stamp_ns) {
-  if (times_.empty()) return std::move(cloud_);
-  const auto [lowest, highest] = std::minmax_element(times_.begin(), times_.end());
-  const double low = *lowest, high = *highest, span = high - low;
-  const bool absolute = low > 1e6 && span < 1e-3 * low;
-  double unit_s = 1.0, zero = 0.0;
-  if (absolute) {
-    unit_s = seconds_per_unit(low, 1e11, 1e14, 1e17);
-    // In the column's unit and in two parts: a nanosecond stamp does not fit a double.
-    const double scale = 1.0 / unit_s;
-    const double stamp = std::floor(static_cast<double>(stamp_ns / 1'000'000'000)) * scale +
-                         static_cast<double>(stamp_ns % 1'000'000'000) * 1e-9 * scale;
-    // File names are often local time: a whole number of half hours apart is a time zone, not another clock.
-    const double apart_s = (low - stamp) * unit_s, zone_s = std::round(apart_s / 1800.0) * 1800.0;
-    const bool same_clock = stamp_ns != 0 && std::abs(zone_s) <= 14.0 * 3600.0 && std::abs(apart_s - zone_s) < 60.0;
-    zero = same_clock ? stamp + zone_s * scale : low;
-  } else if (time_type_ == ScalarType::U32) {
-    unit_s = 1e-9;
-  } else {
-    unit_s = seconds_per_unit(std::max(std::abs(low), std::abs(high)), 2.0, 2e3, 2e6);
+/// All columns but that of times. @return the place after `to`
+std::size_t CloudBuilder::move_point(std::size_t from, std::size_t to) {
+  cloud_.points[to] = cloud_.points[from];
+  if (columns_.intensity >= 0) cloud_.intensity[to] = cloud_.intensity[from];
+  if (columns_.ring >= 0) cloud_.ring[to] = cloud_.ring[from];
+  return to + 1;
+}
+
+void CloudBuilder::cut_to(std::size_t points) {
+  cloud_.dropped_points += cloud_.points.size() - points;
+  cloud_.points.resize(points);
+  if (columns_.intensity >= 0) cloud_.intensity.resize(points);
+  if (columns_.ring >= 0) cloud_.ring.resize(points);
+  cloud_.time_from_stamp_s.resize(points);
+}
+
+ReadCloud CloudBuilder::finish(std::int64_t stamp_ns) {
+  const std::size_t points = cloud_.points.size();
+  if (columns_.time < 0 || points == 0) return {std::move(cloud_), false};
+  constexpr std::size_t kSample = 4096;
+  std::vector<double> sample;
+  for (std::size_t i = 0; i < points; i += 1 + points / kSample) sample.push_back(time_at(i));
+  const TimeScale scale = find_time_scale(std::move(sample), points, time_, stamp_ns);
+  const auto belongs = [&](double time) { return time >= scale.low && time <= scale.high; };
+  double zero = scale.zero.value_or(scale.high);
+  for (std::size_t i = 0; !scale.zero && i < points; ++i)
+    if (belongs(time_at(i))) zero = std::min(zero, time_at(i));
+  cloud_.time_from_stamp_s.resize(points);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double time = time_at(i);
+    if (!belongs(time)) continue;
+    cloud_.time_from_stamp_s[kept] = static_cast<float>((time - zero) * scale.unit_s);
+    kept = move_point(i, kept);
   }
-  cloud_.time_from_stamp_s.reserve(times_.size());
-  for (const double time : times_) cloud_.time_from_stamp_s.push_back(static_cast<float>((time - zero) * unit_s));
-  return std::move(cloud_);
+  cut_to(kept);
+  return {std::move(cloud_), scale.another_clock};
 }
 
 }  // namespace remount

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "algorithms/cloud/point_cloud.h"
+#include "model/io/cloud_file.h"
+#include "model/io/point_times.h"
 
 namespace remount {
 
-enum class ScalarType { I8, U8, I16, U16, I32, U32, I64, U64, F32, F64 };
 std::size_t size_of(ScalarType type);
 
 /// One scalar at `bytes`, swapped where the file's byte order is not the machine's.
@@ -37,41 +37,45 @@ struct CloudColumns {
 /// values.
 CloudColumns find_cloud_columns(const std::vector<CloudField>& fields, const std::string& where);
 
+/// Of points that are stored as bytes. Throws Error(Format) where x, y or z has one byte alone: no sensor writes that,
+/// and the cloud would take many times the memory of its file.
+void refuse_narrow_coordinates(const std::vector<CloudField>& fields, const CloudColumns& columns,
+                               const std::string& where);
+
 /// One point as the file gives it. Columns that are absent are ignored.
 struct RawPoint {
   double x = 0.0, y = 0.0, z = 0.0;
   double intensity = 0.0, ring = 0.0, time = 0.0;
 };
 
-/// Collects points: leaves out those that are not finite or at zero range and counts them, and turns the time column
-/// into seconds from the scan's stamp when all are there.
+/// Collects points: leaves out those that are not finite, at zero range or of no time of the scan and counts them, and
+/// turns the time column into seconds from the scan's stamp when all are there.
 class CloudBuilder {
  public:
   /// @param expected_points memory is taken for so many; bounded by the caller by what the file can hold
-  CloudBuilder(const CloudColumns& columns, ScalarType time_type, std::size_t expected_points);
+  CloudBuilder(const CloudColumns& columns, const TimeColumn& time, std::size_t expected_points);
   void add(const RawPoint& point);
 
-  /// Time columns hold seconds, milliseconds, microseconds or nanoseconds, absolute or relative; formats do not say
-  /// which. Absolute: all values above 1e6 and close together; the unit follows from their size, and they become
-  /// relative to `stamp_ns`, after taking out a time zone (a whole number of half hours, up to 14 h: file names are
-  /// often local time); to the first point where the stamp is 0 or still differs by more than a minute: another clock.
-  /// Relative: 32-bit unsigned integers are nanoseconds (Ouster `t`, Livox `offset_time`); otherwise the unit
-  /// is the one that makes the scan shorter than two seconds.
-  PointCloud finish(std::int64_t stamp_ns);
+  /// Units and clocks of time columns: see find_time_scale.
+  ReadCloud finish(std::int64_t stamp_ns);
 
  private:
+  double time_at(std::size_t i) const { return times_.empty() ? cloud_.time_from_stamp_s[i] : times_[i]; }
+  std::size_t move_point(std::size_t from, std::size_t to);
+  void cut_to(std::size_t points);
+
   CloudColumns columns_;
-  ScalarType time_type_;
+  TimeColumn time_;
   PointCloud cloud_;
-  std::vector<double> times_;
+  std::vector<double> times_;  ///< as the column has them; those of up to two bytes fit where their result goes
 };
 
 /// Readers of the single formats; `bytes` is the whole file and `path` serves for messages. Errors name path and line
 /// or byte. Memory taken is bounded by a small multiple of the file's size.
-PointCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
-PointCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
+ReadCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
+ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
 /// LAS 1.2 to 1.4 in the frame of the sensor, with intensity and GPS time; classes and returns are not used.
-PointCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
+ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns);
 /// KITTI: x, y, z, reflectance as little-endian 32-bit floats.
 PointCloud parse_kitti_bin(std::string_view bytes, const std::filesystem::path& path);
 /// KITTI extract: x y z reflectance as text, one point a line.

@@ -52,18 +52,20 @@ PointCloud parse_kitti_bin(std::string_view bytes, const std::filesystem::path& 
         "holds " + std::to_string(bytes.size()) + " bytes, expected a multiple of 16 (x, y, z, reflectance as floats)");
   CloudColumns columns;
   columns.intensity = 3;
-  CloudBuilder builder(columns, ScalarType::F32, bytes.size() / kPointBytes);
+  CloudBuilder builder(columns, {}, bytes.size() / kPointBytes);
   for (std::size_t at = 0; at < bytes.size(); at += kPointBytes) {
     const auto value = [&](std::size_t i) { return read_scalar(bytes.data() + at + 4 * i, ScalarType::F32, kSwap); };
     builder.add({value(0), value(1), value(2), value(3)});
   }
-  return builder.finish(0);
+  return builder.finish(0).cloud;
 }
 
 PointCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& path) {
   CloudColumns columns;
   columns.intensity = 3;
-  CloudBuilder builder(columns, ScalarType::F32, 0);
+  // A line has three numbers and three separators at least.
+  const auto lines_at_most = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1;
+  CloudBuilder builder(columns, {}, std::min(lines_at_most, bytes.size() / 6 + 1));
   LineReader lines(bytes);
   std::vector<std::string_view> tokens;
   bool any = false;
@@ -83,10 +85,10 @@ PointCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& 
     any = true;
   }
   if (!any) throw Error(ErrorCode::Format, path.string(), "holds no points");
-  return builder.finish(0);
+  return builder.finish(0).cloud;
 }
 
-PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format) {
+ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format) {
   const std::string bytes = read_regular_file(path);
   switch (format == CloudFormat::Auto ? recognise(bytes, path) : format) {
     case CloudFormat::Ply:
@@ -94,12 +96,16 @@ PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, 
     case CloudFormat::Las:
       return parse_las(bytes, path, stamp_ns);
     case CloudFormat::KittiBin:
-      return parse_kitti_bin(bytes, path);
+      return {parse_kitti_bin(bytes, path), false};
     case CloudFormat::XyziText:
-      return parse_xyzi_text(bytes, path);
+      return {parse_xyzi_text(bytes, path), false};
     default:
       return parse_pcd(bytes, path, stamp_ns);
   }
+}
+
+PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format) {
+  return read_cloud_file(path, stamp_ns, format).cloud;
 }
 
 void write_pcd(const std::filesystem::path& path, const PointCloud& cloud) {

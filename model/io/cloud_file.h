@@ -10,10 +10,21 @@ namespace remount {
 
 enum class CloudFormat { Auto, Pcd, Ply, KittiBin, XyziText, Las };
 
+/// A scan, with what is to be known of its times.
+struct ReadCloud {
+  PointCloud cloud;
+  /// The points' own times are neither from the stamp on nor on its clock. They are taken from the scan's first point
+  /// on then, as if that had been taken at the stamp.
+  bool points_have_another_clock = false;
+};
+
 /// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), LAS, KITTI .bin, or
-/// text `x y z reflectance`. Auto decides by content, then by extension. Points that are not finite or at zero range
-/// are left out and counted. Per-point times are taken relative to `stamp_ns` (Unix time of the scan; 0: not known),
-/// see CloudBuilder::finish. Throws Error naming file and line or byte.
+/// text `x y z reflectance`. Auto decides by content, then by extension. Points that are not finite, at zero range or
+/// of no time of the scan are left out and counted. Per-point times are taken relative to `stamp_ns` (Unix time of the
+/// scan; 0: not known), see find_time_scale. Throws Error naming file and line or byte.
+ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_ns,
+                          CloudFormat format = CloudFormat::Auto);
+/// Its points alone.
 PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format = CloudFormat::Auto);
 
 /// Binary PCD with x y z and those of intensity, ring (16 bits) and time (seconds from the stamp, float) that are

@@ -127,13 +127,13 @@ bool has_times(const LasHeader& header, const char* points) {
 
 }  // namespace
 
-PointCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
+ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
   const LasHeader header = HeaderReader(bytes, path).read();
   const char* points = bytes.data() + header.points_at;
   CloudColumns columns{0, 1, 2, 3, -1, -1};
   const bool timed = has_times(header, points);
   if (timed) columns.time = 4;
-  CloudBuilder builder(columns, ScalarType::F64, header.points);
+  CloudBuilder builder(columns, {ScalarType::F64, 1.0}, header.points);
   const PointClock clock(header.whole_gps_time, stamp_ns);
   double farthest_m = 0.0;
   for (std::size_t i = 0; i < header.points; ++i) {
@@ -147,12 +147,12 @@ PointCloud parse_las(std::string_view bytes, const std::filesystem::path& path, 
     farthest_m = std::max({farthest_m, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     builder.add(point);
   }
-  PointCloud cloud = builder.finish(stamp_ns);
-  if (cloud.points.empty() && farthest_m > kFarthest_m)
+  ReadCloud read = builder.finish(stamp_ns);
+  if (read.cloud.points.empty() && farthest_m > kFarthest_m)
     throw Error(ErrorCode::Unsupported, path.string(),
                 "holds coordinates of a map (up to " + std::to_string(std::llround(farthest_m)) +
                     " m), expected metres in the frame of the sensor, one scan a file");
-  return cloud;
+  return read;
 }
 
 }  // namespace remount

@@ -176,8 +176,10 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
   if (scans.empty()) node.fail("no scan with a stamp is found in " + directory.string());
   keep_ascending(scans, "scan", directory.string(), session.findings);
   for (const ScanFile& scan : scans) session.files.push_back(scan.path);
-  session.scans = std::make_shared<FileScanSource>(std::move(scans), format);
+  const auto files = std::make_shared<const FileScanSource>(std::move(scans), format);
+  session.scans = files;
   read_timing(node, session);
+  if (session.scan_timing == ScanTiming::PerPoint && !source.only_new()) report_point_clock(*files, session.findings);
 }
 
 std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& folder, SessionSource& source,
@@ -200,8 +202,11 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
   if (!node.has("columns") && recognise_nmea(file)) {
     session.files.push_back(file);
     session.ins = read_nmea(file, session.findings).ins;
-    if (session.ins.empty()) node.at("file").fail("has no attitude (PASHR or HDT): declare it as gnss");
-    return;
+    if (!session.ins.empty()) return;
+    for (const Finding& finding : session.findings)
+      if (finding.code == "attitude-sparse" && finding.where == file.string())
+        node.at("file").fail(finding.explanation);
+    node.at("file").fail("has no attitude (PASHR or HDT): declare it as gnss");
   }
   const InsTableLayout layout = read_layout(node.at("columns"));
   if (!layout.quaternion) session.ins_axes = axes_of(layout.attitude);

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <optional>
 
+#include "model/io/heading_times.h"
 #include "model/io/input_file.h"
 #include "model/io/nmea_sentence.h"
 #include "model/io/stream_tools.h"
@@ -72,16 +74,7 @@ class NmeaReader {
   explicit NmeaReader(const fs::path& path) : path_(path) {}
 
   NmeaLog read(std::vector<Finding>& findings) {
-    const std::string text = read_regular_file(path_);
-    LineReader lines(text);
-    for (std::string_view line; lines.next(line);) {
-      NmeaSentence sentence;
-      const NmeaLine kind = parse_nmea(line, sentence);
-      if (kind == NmeaLine::WrongChecksum)
-        bad_.add(at_line(path_, lines.line_number()) + ": the checksum is wrong");
-      else if (kind == NmeaLine::Sentence && !take(sentence))
-        bad_.add(at_line(path_, lines.line_number()) + ": " + std::string(sentence.type) + " without usable values");
-    }
+    take_lines(read_regular_file(path_));
     if (fixes_.empty())
       throw Error(ErrorCode::Format, path_.string(),
                   "holds no GGA sentence with a fix." + (bad_.count() ? " First problem: " + bad_.first() : ""));
@@ -93,8 +86,27 @@ class NmeaReader {
   }
 
  private:
+  void take_lines(const std::string& text) {
+    LineReader lines(text);
+    for (std::string_view line; lines.next(line);) {
+      NmeaSentence sentence;
+      const NmeaLine kind = parse_nmea(line, sentence);
+      if (kind == NmeaLine::WrongChecksum)
+        bad_.add(at_line(path_, lines.line_number()) + ": the checksum is wrong");
+      else if (kind == NmeaLine::Sentence && !take(sentence))
+        bad_.add(at_line(path_, lines.line_number()) + ": " + std::string(sentence.type) + " without usable values");
+    }
+  }
+
   /// False where the sentence is of a kind that is read, and cannot be.
   bool take(const NmeaSentence& sentence) {
+    timed_ = false;
+    const bool taken = take_kind(sentence);
+    if (!timed_ && sentence.type != "HDT") places_.add_other();
+    return taken;
+  }
+
+  bool take_kind(const NmeaSentence& sentence) {
     if (sentence.type == "GGA") return take_fix(sentence);
     if (sentence.type == "RMC") return take_date(sentence.field(0), sentence.field(8));
     if (sentence.type == "ZDA")
@@ -113,10 +125,13 @@ class NmeaReader {
     std::int64_t now = days_ * kDay_ns + *time;
     if (now < last_ns_ - kDay_ns / 2) ++days_, now += kDay_ns;
     last_ns_ = std::max(last_ns_, now);
+    places_.add_time(last_ns_);
+    timed_ = true;
     return now;
   }
 
   bool take_fix(const NmeaSentence& sentence) {
+    places_.add_position();
     const auto time = running(sentence.field(0));
     const auto quality = parse_integer(sentence.field(5));
     if (!time || !quality) return sentence.field(0).empty();  // before the first fix receivers leave all empty
@@ -154,11 +169,8 @@ class NmeaReader {
 
   bool take_heading(const NmeaSentence& sentence) {
     const auto heading = angle_rad(sentence.field(0));
-    if (!heading || last_ns_ < 0) return sentence.field(0).empty();
-    headings_.push_back({last_ns_,
-                         enu_from_ins({*heading, 0.0, 0.0}, AttitudeConvention::Heading),
-                         {kUnknownTilt_rad, kUnknownTilt_rad, degrees_to_radians(0.5)}});
-    return true;
+    if (heading) places_.add_heading(*heading);
+    return heading || sentence.field(0).empty();
   }
 
   bool take_attitude(const NmeaSentence& sentence) {
@@ -195,11 +207,31 @@ class NmeaReader {
     return {usual, usual, 1.5 * usual};
   }
 
-  NmeaLog assembled(std::vector<Finding>& findings) {
-    NmeaLog log;
-    std::vector<Attitude>& attitudes = attitudes_.empty() ? headings_ : attitudes_;
+  /// Of headings alone where the log has nothing better.
+  std::vector<Attitude> attitudes(std::vector<Finding>& findings) const {
+    std::vector<Attitude> attitudes = attitudes_;
     std::stable_sort(attitudes.begin(), attitudes.end(),
                      [](const Attitude& a, const Attitude& b) { return a.time_ns < b.time_ns; });
+    if (!attitudes.empty()) return attitudes;
+    const HeadingTimes times = places_.times();
+    attitudes.reserve(times.headings.size());
+    for (const TimedHeading& one : times.headings)
+      attitudes.push_back({one.time_ns,
+                           enu_from_ins({one.heading_rad, 0.0, 0.0}, AttitudeConvention::Heading),
+                           {kUnknownTilt_rad, kUnknownTilt_rad, degrees_to_radians(0.5)}});
+    if (times.order == HeadingOrder::Unknown)
+      findings.push_back(make_finding(Severity::Warning, "heading-order", path_.string(),
+                                      "The log does not show whether a heading (HDT) stands before or behind the "
+                                      "position of its time: it is taken to stand behind. Otherwise headings "
+                                      "come one position too early."));
+    return attitudes;
+  }
+
+  NmeaLog assembled(std::vector<Finding>& findings) {
+    NmeaLog log;
+    const std::vector<Attitude> attitudes = this->attitudes(findings);
+    log.fixes.reserve(fixes_.size());
+    if (!attitudes.empty()) log.ins.reserve(fixes_.size());
     for (const Fix& fix : fixes_) {
       const Eigen::Vector3d sigma = sigma_enu_m(fix);
       const std::int64_t stamp_ns = *midnight_ns_ + fix.time_ns;
@@ -215,6 +247,7 @@ class NmeaReader {
                            fix.quality == 4 ? InsQuality::Good : InsQuality::Degraded});
     }
     tell(log, findings);
+    tell_missing(log, attitudes, findings);
     keep_ascending(log.fixes, "gnss", path_.string(), findings);
     std::vector<Finding> told_already;
     keep_ascending(log.ins, "ins", path_.string(), told_already);
@@ -235,14 +268,38 @@ class NmeaReader {
                                       "good to some degrees."));
   }
 
+  /// Positions between the first attitude and the last that got none; all where there is no INS.
+  void tell_missing(const NmeaLog& log, const std::vector<Attitude>& attitudes, std::vector<Finding>& findings) const {
+    if (attitudes.empty()) return;
+    const auto missing = static_cast<std::size_t>(std::count_if(fixes_.begin(), fixes_.end(), [&](const Fix& fix) {
+      const bool within = fix.time_ns >= attitudes.front().time_ns && fix.time_ns <= attitudes.back().time_ns;
+      return (within || log.ins.empty()) && !attitude_at(attitudes, fix.time_ns);
+    }));
+    if (missing == 0) return;
+    std::vector<std::int64_t> steps_ns{0};
+    for (std::size_t i = 1; i < attitudes.size(); ++i)
+      steps_ns.push_back(attitudes[i].time_ns - attitudes[i - 1].time_ns);
+    char longest_s[32];
+    std::snprintf(longest_s, sizeof longest_s, "%.2f",
+                  1e-9 * static_cast<double>(*std::max_element(steps_ns.begin(), steps_ns.end())));
+    findings.push_back(
+        make_finding(Severity::Warning, "attitude-sparse", path_.string(),
+                     std::to_string(missing) + " of " + std::to_string(fixes_.size()) +
+                         " positions have no attitude near them and are left out of the INS: the log has " +
+                         std::to_string(attitudes.size()) + " attitudes, up to " + longest_s +
+                         " s apart, and none is interpolated over more than 0.25 s."));
+  }
+
   const fs::path& path_;
   BadItems bad_;
   std::vector<Fix> fixes_;
-  std::vector<Attitude> attitudes_, headings_;
+  std::vector<Attitude> attitudes_;
+  HeadingPlaces places_;  ///< of headings
   std::map<std::int64_t, Stated> errors_;
   std::optional<std::int64_t> midnight_ns_;  ///< of the first day
   std::int64_t days_ = 0, last_ns_ = -1;
   std::size_t without_geoid_ = 0;
+  bool timed_ = false;  ///< the sentence that is taken has a time
 };
 
 }  // namespace

@@ -18,10 +18,10 @@ struct NmeaLog {
 bool recognise_nmea(const std::filesystem::path& path);
 
 /// Heading from true north clockwise, pitch positive nose up, roll positive right side down; INS axes forward-left-up.
-/// Attitudes are interpolated to the times of the positions; nothing is where neither is near. With HDT alone roll and
-/// pitch are taken to be zero, with a warning. Sentences whose checksum is wrong and lines that cannot be read become a
-/// finding. Errors of positions are those of GST; without it what the quality of a fix usually means.
-/// Throws Error(Io), Error(Format) where there is no usable fix or no date.
+/// Attitudes are interpolated to the times of the positions; nothing is where neither is near, with a warning. With HDT
+/// alone, whose times HeadingPlaces finds, roll and pitch are taken to be zero, with a warning. Sentences whose
+/// checksum is wrong and lines that cannot be read become a finding. Errors of positions are those of GST; without it
+/// what the quality of a fix usually means. Throws Error(Io), Error(Format) where there is no usable fix or no date.
 NmeaLog read_nmea(const std::filesystem::path& path, std::vector<Finding>& findings);
 
 }  // namespace remount

@@ -81,8 +81,10 @@ void report_choice(const std::vector<fs::path>& files, const char* code, const c
 void use_scans(Contents& contents, Session& session) {
   keep_ascending(contents.scans, "scan", contents.scan_folder.string(), session.findings);
   for (const ScanFile& scan : contents.scans) session.files.push_back(scan.path);
-  session.scans = std::make_shared<FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
-  session.scan_timing = has_point_times(*session.scans) ? ScanTiming::PerPoint : ScanTiming::Instant;
+  const auto scans = std::make_shared<const FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
+  session.scan_timing = has_point_times(*scans) ? ScanTiming::PerPoint : ScanTiming::Instant;
+  if (session.scan_timing == ScanTiming::PerPoint) report_point_clock(*scans, session.findings);
+  session.scans = scans;
 }
 
 }  // namespace

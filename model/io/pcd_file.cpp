@@ -252,9 +252,10 @@ std::string decompress(const Header& header, std::string_view data, const std::f
 
 }  // namespace
 
-PointCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
+ReadCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
   const Header header = read_header(bytes, path);
   const CloudColumns columns = find_cloud_columns(header.fields, path.string());
+  if (header.encoding != Encoding::Ascii) refuse_narrow_coordinates(header.fields, columns, path.string());
   const ScalarType time_type =
       columns.time >= 0 ? header.fields[static_cast<std::size_t>(columns.time)].type : ScalarType::F32;
   const std::string_view data = bytes.substr(header.data_offset);
@@ -271,7 +272,7 @@ PointCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, 
   if (header.points == 0) return {};
   std::string decoded;
   if (header.encoding == Encoding::Compressed) decoded = decompress(header, data, path);
-  CloudBuilder builder(columns, time_type, header.points);
+  CloudBuilder builder(columns, {time_type, {}}, header.points);
   if (header.encoding == Encoding::Ascii)
     read_ascii(builder, header, columns, data, path);
   else

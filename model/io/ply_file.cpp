@@ -212,13 +212,16 @@ class RowReader {
   std::vector<std::string_view> tokens_;
 };
 
-PointCloud read_vertices(RowReader& rows, const Element& element, const std::filesystem::path& path,
-                         std::int64_t stamp_ns) {
+ReadCloud read_vertices(RowReader& rows, const Element& element, bool as_bytes, const std::filesystem::path& path,
+                        std::int64_t stamp_ns) {
   std::vector<CloudField> fields;
   for (const Property& property : element.properties) fields.push_back(property.field);
   const CloudColumns columns = find_cloud_columns(fields, path.string());
+  if (as_bytes) refuse_narrow_coordinates(fields, columns, path.string());
   const auto at = [](int index) { return static_cast<std::size_t>(index); };
-  CloudBuilder builder(columns, columns.time >= 0 ? fields[at(columns.time)].type : ScalarType::F32, element.count);
+  TimeColumn time;
+  if (columns.time >= 0) time.type = fields[at(columns.time)].type;
+  CloudBuilder builder(columns, time, element.count);
   std::vector<double> values;
   for (std::size_t i = 0; i < element.count; ++i) {
     rows.read(element, values);
@@ -233,7 +236,7 @@ PointCloud read_vertices(RowReader& rows, const Element& element, const std::fil
 
 }  // namespace
 
-PointCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
+ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
   const Header header = read_header(bytes, path);
   RowReader rows(header, bytes.substr(header.data_offset), path);
   std::vector<double> skipped;
@@ -242,7 +245,8 @@ PointCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, 
       throw Error(ErrorCode::Format, rows.place(),
                   "element '" + element.name + "' promises " + std::to_string(element.count) +
                       " rows, the file holds at most " + std::to_string(rows.fitting_rows(element)));
-    if (element.name == "vertex") return read_vertices(rows, element, path, stamp_ns);
+    if (element.name == "vertex")
+      return read_vertices(rows, element, header.encoding != Encoding::Ascii, path, stamp_ns);
     if (element.properties.empty()) continue;
     for (std::size_t i = 0; i < element.count; ++i) rows.read(element, skipped);
   }

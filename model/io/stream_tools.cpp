@@ -122,6 +122,19 @@ bool has_point_times(const ScanSource& scans) {
   return false;
 }
 
+void report_point_clock(const TimedScanSource& scans, std::vector<Finding>& findings) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3); ++i) try {
+      if (scans.read(i).points_have_another_clock)
+        findings.push_back(make_finding(
+            Severity::Warning, "point-clock", scans.name(i),
+            "The times of the points are of another clock than the scan's stamp (more than a second apart): the first "
+            "point is taken to be of the stamp. A time offset of up to one turn may remain."));
+      return;
+    } catch (const Error&) {
+      continue;  // becomes known when the scan is used
+    }
+}
+
 Eigen::Matrix3d checked_rotation(const Eigen::Matrix3d& logged, const std::string& where, double& defect) {
   if (!logged.allFinite()) throw Error(ErrorCode::Format, where, "the rotation holds numbers that are not finite");
   const Eigen::Matrix3d rotation = nearest_rotation(logged);

@@ -58,16 +58,23 @@ struct IndexedScan {
   std::int64_t stamp_ns = 0;
 };
 
+/// Scans that say whether the times of their points are on the clock of their stamps.
+class TimedScanSource : public ScanSource {
+ public:
+  virtual ReadCloud read(std::size_t scan) const = 0;
+  PointCloud load(std::size_t scan) const final { return read(scan).cloud; }
+};
+
 /// Scans that are files, each with its stamp. load() reads the file every time: what is kept in memory is
 /// the pipeline's business (ScanStore).
-class FileScanSource final : public ScanSource {
+class FileScanSource final : public TimedScanSource {
  public:
   explicit FileScanSource(std::vector<ScanFile> files, CloudFormat format = CloudFormat::Auto)
       : files_(std::move(files)), format_(format) {}
   std::size_t size() const override { return files_.size(); }
   std::int64_t stamp_ns(std::size_t scan) const override { return at(scan).stamp_ns; }
   std::string name(std::size_t scan) const override { return at(scan).path.filename().string(); }
-  PointCloud load(std::size_t scan) const override { return load_cloud(at(scan).path, at(scan).stamp_ns, format_); }
+  ReadCloud read(std::size_t scan) const override { return read_cloud_file(at(scan).path, at(scan).stamp_ns, format_); }
 
  private:
   const ScanFile& at(std::size_t scan) const;
@@ -77,6 +84,9 @@ class FileScanSource final : public ScanSource {
 
 /// True where the points of the first readable scan (of at most three) carry times that differ.
 bool has_point_times(const ScanSource& scans);
+
+/// Adds a finding "point-clock" where the times of the points of that scan are on another clock than its stamp.
+void report_point_clock(const TimedScanSource& scans, std::vector<Finding>& findings);
 
 /// Median difference of ascending stamps in seconds; 0 where there are fewer than two.
 template <class Item>

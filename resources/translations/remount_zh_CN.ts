@@ -9675,6 +9675,38 @@ Save under another name, or close it there first.</source>
         <source>By the recorder&apos;s clock the stamps are %1 s apart from the LiDAR&apos;s, more than the delays of a recording: one of the two seems to be stamped by a clock that is off, as a host&apos;s is. They are not moved; it shows as time offset.</source>
         <translation>按记录器的时钟，这些时间戳与激光雷达的相差 %1 秒，超出记录的延迟：其中之一的时钟似乎不准，例如主机的时钟。未作移动；表现为时间偏移。</translation>
     </message>
+    <message>
+        <source>fields %1 and %2 lie on the same bytes of a point</source>
+        <translation>字段 %1 和 %2 占用点的同一些字节</translation>
+    </message>
+    <message>
+        <source>the coordinate %1 has one byte, expected two or more</source>
+        <translation>坐标 %1 只有一个字节，应为两个或更多</translation>
+    </message>
+    <message>
+        <source>Begin the log with a heading (HDT) before its position, or log PASHR, which has a time.</source>
+        <translation>请让日志以位置之前的航向（HDT）开始，或记录带有时间的 PASHR。</translation>
+    </message>
+    <message>
+        <source>Between attitudes that are far apart in time the motion is not known.</source>
+        <translation>时间上相隔很远的姿态之间，运动是未知的。</translation>
+    </message>
+    <message>
+        <source>Log attitude (PASHR or HDT) at the rate of the positions, at 5 Hz or more.</source>
+        <translation>请以位置的频率记录姿态（PASHR 或 HDT），不低于 5 Hz。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 positions have no attitude near them and are left out of the INS: the log has %3 attitudes, up to %4 s apart, and none is interpolated over more than 0.25 s.</source>
+        <translation>%2 个位置中有 %1 个附近没有姿态，不计入 INS：日志有 %3 个姿态，最多相隔 %4 s，而插值的间隔不超过 0.25 s。</translation>
+    </message>
+    <message>
+        <source>In turns, headings may be those of the next position.</source>
+        <translation>转弯时，航向可能属于下一个位置。</translation>
+    </message>
+    <message>
+        <source>The log does not show whether a heading (HDT) stands before or behind the position of its time: it is taken to stand behind. Otherwise headings come one position too early.</source>
+        <translation>日志没有表明航向（HDT）写在同一时刻的位置之前还是之后：按写在之后处理。若不是，航向会早一个位置。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

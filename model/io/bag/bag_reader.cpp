@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Scans that are messages; each is read from the file when it is asked for.
-class BagScanSource final : public ScanSource {
+class BagScanSource final : public TimedScanSource {
  public:
   BagScanSource(std::shared_ptr<const BagFile> bag, std::size_t topic, std::vector<IndexedScan> scans)
       : bag_(std::move(bag)), topic_(bag_->topics()[topic]), scans_(std::move(scans)) {}
@@ -24,9 +24,7 @@ class BagScanSource final : public ScanSource {
   std::string name(std::size_t scan) const override {
     return topic_.name + ", message " + std::to_string(at(scan).index + 1);
   }
-  PointCloud load(std::size_t scan) const override { return read(scan).cloud; }
-
-  CloudMessage read(std::size_t scan) const {
+  ReadCloud read(std::size_t scan) const override {
     const BagEntry& entry = topic_.entries[at(scan).index];
     const std::string bytes = bag_->message(entry);
     MessageReader reader(bytes, topic_.encoding, bag_->files().front().string() + ": " + name(scan));
@@ -55,16 +53,7 @@ void judge_point_times(const BagScanSource& scans, Session& session) {
                      "The points have no times of their own: scans are taken to be compensated for motion already."));
     return;
   }
-  for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3); ++i) try {
-      if (scans.read(i).points_have_another_clock)
-        session.findings.push_back(make_finding(
-            Severity::Warning, "point-clock", scans.name(i),
-            "The times of the points are of another clock than the scan's stamp (more than a second apart): the first "
-            "point is taken to be of the stamp. A time offset of up to one turn may remain."));
-      return;
-    } catch (const Error&) {
-      continue;  // becomes known when the scan is used
-    }
+  report_point_clock(scans, session.findings);
 }
 
 void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& roles, BagStreams& streams,

@@ -56,15 +56,26 @@ Layout read_layout(MessageReader& reader) {
   return layout;
 }
 
-/// Throws where a column that is used lies outside the point, or the rows outside the data.
-void check_layout(Layout& layout, const CloudColumns& columns, std::size_t data_bytes, const MessageReader& reader) {
-  for (const int column : {columns.x, columns.y, columns.z, columns.intensity, columns.ring, columns.time}) {
-    if (column < 0) continue;
-    const CloudField& field = layout.fields[static_cast<std::size_t>(column)];
+/// Throws where columns that are used lie outside the point or on each other: no driver writes that, and the cloud
+/// would take many times the memory of its message.
+void check_columns(const Layout& layout, const CloudColumns& columns, const MessageReader& reader) {
+  refuse_narrow_coordinates(layout.fields, columns, reader.where());
+  std::vector<const CloudField*> used;
+  for (const int column : {columns.x, columns.y, columns.z, columns.intensity, columns.ring, columns.time})
+    if (column >= 0) used.push_back(&layout.fields[static_cast<std::size_t>(column)]);
+  std::sort(used.begin(), used.end(), [](const CloudField* a, const CloudField* b) { return a->offset < b->offset; });
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const CloudField& field = *used[i];
     if (field.offset + size_of(field.type) > layout.point_bytes)
       fail(reader, "field " + field.name + " lies at byte " + std::to_string(field.offset) + " of a point of " +
                        std::to_string(layout.point_bytes) + " bytes");
+    if (i > 0 && used[i - 1]->offset + size_of(used[i - 1]->type) > field.offset)
+      fail(reader, "fields " + used[i - 1]->name + " and " + field.name + " lie on the same bytes of a point");
   }
+}
+
+/// Throws where the rows lie outside the data.
+void check_rows(Layout& layout, std::size_t data_bytes, const MessageReader& reader) {
   // 32 bits times 32 bits fit 64; a single row's length is written wrong by some drivers and not needed.
   const std::uint64_t row = layout.width * layout.point_bytes;
   if (layout.height <= 1) layout.row_bytes = row;
@@ -81,10 +92,12 @@ void check_layout(Layout& layout, const CloudColumns& columns, std::size_t data_
 CloudBuilder read_points(MessageReader& reader, Layout& layout) {
   const CloudColumns columns = find_cloud_columns(layout.fields, reader.where());
   const std::string_view data = reader.byte_sequence();
-  check_layout(layout, columns, data.size(), reader);
+  check_columns(layout, columns, reader);
+  check_rows(layout, data.size(), reader);
   const auto type_of = [&](int column) { return layout.fields[static_cast<std::size_t>(column)].type; };
-  CloudBuilder builder(columns, columns.time >= 0 ? type_of(columns.time) : ScalarType::F32,
-                       layout.height * layout.width);
+  TimeColumn time;
+  if (columns.time >= 0) time.type = type_of(columns.time);
+  CloudBuilder builder(columns, time, layout.height * layout.width);
   const bool swap = layout.big_endian != (std::endian::native == std::endian::big);
   for (std::uint64_t row = 0; row < layout.height; ++row)
     for (std::uint64_t i = 0; i < layout.width; ++i) {
@@ -121,7 +134,7 @@ CloudBuilder read_livox(MessageReader& reader) {
   const std::size_t points = reader.sequence(kLeastBytes);
   CloudColumns columns;
   columns.x = columns.y = columns.z = columns.intensity = columns.ring = columns.time = 0;
-  CloudBuilder builder(columns, ScalarType::U32, points);
+  CloudBuilder builder(columns, {ScalarType::U32, 1e-9}, points);
   for (std::size_t i = 0; i < points; ++i) {
     RawPoint raw;
     raw.time = reader.number<std::uint32_t>();
@@ -136,28 +149,12 @@ CloudBuilder read_livox(MessageReader& reader) {
   return builder;
 }
 
-/// Sensors that are not synchronised count from their start; those on PTP may be the leap seconds off.
-bool move_to_stamp(std::vector<float>& time_from_stamp_s) {
-  if (time_from_stamp_s.empty()) return false;
-  const auto [low, high] = std::minmax_element(time_from_stamp_s.begin(), time_from_stamp_s.end());
-  if (*low < 1.0f && *high > -1.0f) return false;
-  const float first = *low;
-  for (float& time : time_from_stamp_s) time -= first;
-  return true;
-}
-
 }  // namespace
 
-CloudMessage read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns) {
-  CloudMessage message;
-  if (kind == MessageKind::LivoxCustom) {
-    message.cloud = read_livox(reader).finish(stamp_ns);
-    return message;
-  }
+ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns) {
+  if (kind == MessageKind::LivoxCustom) return read_livox(reader).finish(stamp_ns);
   Layout layout = read_layout(reader);
-  message.cloud = read_points(reader, layout).finish(stamp_ns);
-  message.points_have_another_clock = move_to_stamp(message.cloud.time_from_stamp_s);
-  return message;
+  return read_points(reader, layout).finish(stamp_ns);
 }
 
 CloudOutline read_cloud_outline(MessageReader& reader, MessageKind kind) {

@@ -151,6 +151,40 @@ TEST_F(cloud_file, times_become_relative_to_the_stamp) {
   expect(with_times("time", "4", "F", "1 1 1 0\n1 1 1 99000\n"), 0.0f, 0.099f);                       // microseconds
 }
 
+TEST_F(cloud_file, times_since_power_up_keep_their_sweep_in_pcd_and_ply) {
+  constexpr std::int64_t kStamp = 1'635'265'289'468'000'000;
+  std::string seconds, nanoseconds;
+  for (int i = 0; i <= 100; ++i) {
+    seconds += "1 1 1 " + std::to_string(1234.5 + 0.001 * i) + "\n";
+    nanoseconds += "1 1 1 " + std::to_string(200'000'000'000 + 1'000'000 * i) + "\n";
+  }
+  seconds += "1 1 1 0\n", nanoseconds += "1 1 1 0\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 102\nproperty float x\nproperty float y\nproperty float z\nproperty "
+      "double timestamp\nend_header\n";
+  for (const std::string& rows : {seconds, nanoseconds})
+    for (const std::string& bytes :
+         {pcd_header("x y z timestamp", "4 4 4 8", "F F F F", "102", "ascii") + rows, ply + rows}) {
+      const ReadCloud read = read_cloud_file(folder_.write(bytes[0] == 'p' ? "a.ply" : "a.pcd", bytes), kStamp);
+      EXPECT_TRUE(read.points_have_another_clock);
+      ASSERT_EQ(read.cloud.size(), 101u);
+      EXPECT_EQ(read.cloud.dropped_points, 1u) << "the one at time 0";
+      EXPECT_NEAR(read.cloud.time_from_stamp_s.front(), 0.0f, 1e-6f);
+      EXPECT_NEAR(read.cloud.time_from_stamp_s.back(), 0.1f, 1e-6f);
+    }
+}
+
+TEST_F(cloud_file, coordinates_of_one_byte_are_refused_where_points_are_bytes) {
+  EXPECT_ERROR(load("a.pcd", pcd_header("x y z", "1 1 1", "I I I", "2", "binary") + "abcdef"),
+               "the coordinate x has one byte, expected two or more");
+  const auto ply = [](const std::string& format) {
+    return "ply\nformat " + format + " 1.0\nelement vertex 1\nproperty float x\nproperty uchar y\nproperty float " +
+           "z\nend_header\n";
+  };
+  EXPECT_ERROR(load("a.ply", ply("binary_big_endian") + "123456789"), "the coordinate y has one byte");
+  EXPECT_EQ(load("a.ply", ply("ascii") + "1 2 3\n").size(), 1u);
+}
+
 TEST_F(cloud_file, malformed_pcd_is_an_error_that_names_the_place) {
   const std::string good = pcd_header("x y z", "4 4 4", "F F F", "2", "ascii") + "1 2 3\n4 5 6\n";
   EXPECT_EQ(load("good.pcd", good).size(), 2u);

@@ -9,13 +9,11 @@
 #include <chrono>
 #include <iostream>
 
-#include "model/io/session_reader.h"
 #include "tests/fuzz/readers.h"
 #include "tests/model/io/allocation_meter.h"
 #include "tests/model/io/bag/bag_fixtures.h"
-#include "tests/model/io/las_bytes.h"
 #include "tests/model/io/mutator.h"
-#include "tests/model/io/sample_files.h"
+#include "tests/model/io/reader_outcome.h"
 #include "tests/model/io/sample_inputs.h"
 #include "tests/model/io/temporary_folder.h"
 
@@ -23,37 +21,6 @@ namespace remount {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What a reader makes of an input: data, or the message of the Error, with the folder's name taken out of it.
-struct Outcome {
-  bool read = false;
-  std::string text;
-  bool named = true;  ///< the message names the input
-};
-
-Outcome outcome_of(const Reader& reader, const fs::path& input, const fs::path& folder) {
-  Outcome outcome;
-  try {
-    outcome.text = reader.read(input);
-    outcome.read = true;
-  } catch (const Error& error) {
-    outcome.text = error.what();
-    outcome.named = names_input(error, reader, folder);
-  }
-  for (std::size_t at = 0; (at = outcome.text.find(folder.string(), at)) != std::string::npos;)
-    outcome.text.replace(at, folder.string().size(), "FOLDER");
-  return outcome;
-}
-
-/// Without the judgement of a session, which proposes its pairs.
-Outcome only_opened(const Reader& reader, const fs::path& input, const fs::path& folder) {
-  for (const auto& sessions : session_readers()) {
-    if (!sessions->id().starts_with(reader.name)) continue;
-    Progress progress;
-    return {.read = true, .text = open_session(input, progress).name};
-  }
-  return outcome_of(reader, input, folder);
-}
 
 Outcome outcome_of(const Reader& reader, std::string_view bytes) {
   const TemporaryFolder folder;
@@ -144,13 +111,6 @@ TEST_P(every_reader, refuses_at_once_what_is_no_regular_file) {
 
 // ---- Memory
 
-/// Beside four times the input: a chunk of a bag may be so large unpacked, and two hundred thousand pairs are always
-/// read.
-std::size_t constant_bytes(const Reader& reader) {
-  const bool bag = reader.name.starts_with("rosbag") || reader.name == "mcap";
-  return std::size_t{bag ? 80U : reader.name == "motion-pairs" ? 256U : 4U} << 20;
-}
-
 struct Peak {
   std::size_t bytes = 0;  ///< beyond four times the input
   std::string what;
@@ -202,47 +162,6 @@ TEST_P(every_reader, takes_no_memory_for_what_is_only_promised) {
   std::cout << GetParam() << ": " << inputs << " inputs, at most " << (peak.bytes >> 10) << " KiB beyond four times "
             << "the input (" << peak.what << ")\n";
   EXPECT_LT(peak.bytes, constant_bytes(reader())) << peak.what;
-}
-
-TEST(long_inputs, take_at_most_four_times_their_size) {
-  if (!AllocationMeter::works()) GTEST_SKIP() << "the sanitizers count allocations themselves";
-  using namespace samples;
-  const PackedFile lidar{"lidar.txt", poses(" ", 30000)};
-  LasOptions points;
-  points.points.assign(100000, {1.0, 2.0, 3.0});
-  // What is compressed counts as it is unpacked; for hostile promises see above.
-  const std::size_t unpacked_bytes = binary_pcd(200000).size();
-  const std::vector<Sample> inputs{
-      {"poses", "text", pack_files({{"hand.csv", poses(",", 30000)}, lidar})},
-      {"poses", "blank lines",
-       pack_files({{"hand.csv", poses(",", 40) + std::string(2'000'000, '\n')}, {"lidar.txt", poses(" ", 40)}})},
-      {"novatel", "log", pack_files({{"a.log", inspvax_log(20000)}, lidar})},
-      {"novatel", "csv", pack_files({{"ins.csv", inspvax_csv(30000)}, {"aft_mapped.csv", odometry_csv(30000)}})},
-      {"gnss-log", "nmea", pack_files({{"gnss.nmea", nmea(30000)}, lidar})},
-      {"gnss-log", "gpx", pack_files({{"track.gpx", gpx(30000)}, lidar})},
-      {"smartloc", "drive", smartloc(30000)},
-      {"motion-pairs", "pairs", motion_pairs(20000)},
-      {"pcd", "ascii", ascii_pcd(200000)},
-      {"pcd", "binary", binary_pcd(200000)},
-      {"pcd", "compressed", compressed_pcd(200000)},
-      {"ply", "ascii", ply("ascii", 200000)},
-      {"ply", "binary", ply("binary_little_endian", 200000)},
-      {"las", "points", las(points)},
-      {"kitti-bin", "points", kitti_bin(200000)},
-  };
-  for (const Sample& input : inputs) {
-    const TemporaryFolder folder;
-    const Reader& reader = reader_of(input.reader);
-    const fs::path path = write_input(reader, input.bytes, folder.path());
-    const AllocationMeter meter;
-    const Outcome outcome = only_opened(reader, path, folder.path());
-    const double times = static_cast<double>(meter.peak_bytes()) / static_cast<double>(input.bytes.size());
-    std::cout << input.reader << ", " << input.name << ": " << (input.bytes.size() >> 10) << " KiB, memory " << times
-              << " times as much\n";
-    EXPECT_TRUE(outcome.read) << input.reader << ", " << input.name << ": " << outcome.text.substr(0, 400);
-    const std::size_t size = input.name == "compressed" ? unpacked_bytes : input.bytes.size();
-    EXPECT_LT(meter.peak_bytes(), 4 * size + constant_bytes(reader)) << input.reader << ", " << input.name;
-  }
 }
 
 std::vector<std::string> names() {

@@ -90,6 +90,89 @@ TEST_F(nmea_log, pashr_gives_the_attitude_and_hdt_a_heading_with_a_warning) {
   EXPECT_EQ(read(log_of(20, 100.0, true, false, "5")).ins[0].quality, InsQuality::Degraded);
 }
 
+/// A turn at 30 deg/s, positions at 10 Hz from 12:00:00 on, headings in every `headings_each`th epoch.
+std::vector<std::vector<std::string>> turning_epochs(int samples, int headings_each, bool leads,
+                                                     const std::vector<std::string>& more) {
+  std::vector<std::vector<std::string>> epochs;
+  for (int i = 0; i < samples; ++i) {
+    const std::string time = text_of("1200%05.2f", 0.1 * i);
+    const std::string heading = sentence("GNHDT," + text_of("%.2f", 10.0 + 3.0 * i) + ",T");
+    const bool has_heading = i % headings_each == 0;
+    std::vector<std::string> epoch;
+    if (leads && has_heading) epoch.push_back(heading);
+    epoch.push_back(sentence("GNGGA," + time + ",4846.10000,N,00911.50000,E,4,12,0.8,250.0,M,48.0,M,,"));
+    for (const std::string& type : more)
+      epoch.push_back(sentence(type == "GNGST" ? "GNGST," + time + ",,,,,0.011,0.012,0.023" : type + ",1,2,3"));
+    if (!leads && has_heading) epoch.push_back(heading);
+    epochs.push_back(epoch);
+  }
+  return epochs;
+}
+
+std::string joined(const std::vector<std::vector<std::string>>& epochs) {
+  std::string text;
+  for (const auto& epoch : epochs)
+    for (const std::string& line : epoch) text += line;
+  return text;
+}
+
+/// The largest error of a heading, deg.
+double worst_heading_deg(const NmeaLog& log) {
+  double worst_deg = 0.0;
+  const std::int64_t start_ns = *parse_date_ns("2026-11-21 12:00:00");
+  for (const InsSample& sample : log.ins) {
+    const double heading_deg =
+        radians_to_degrees(angles_from(sample.enu_from_ins, AttitudeConvention::Heading).yaw_rad);
+    const double true_deg = 10.0 + 30.0 * 1e-9 * static_cast<double>(sample.stamp_ns - start_ns);
+    worst_deg = std::max(worst_deg, std::abs(std::remainder(heading_deg - true_deg, 360.0)));
+  }
+  return worst_deg;
+}
+
+TEST_F(nmea_log, headings_belong_to_the_epoch_that_they_are_written_with) {
+  const std::string date = sentence("GPRMC,115959.90,A,,,,,,,211126,,,A");
+  for (const bool leads : {false, true})
+    for (const int each : {1, 2, 10})
+      for (const std::vector<std::string>& more :
+           {std::vector<std::string>{}, {"GNGST"}, {"GNVTG"}, {"GNGSA", "GNVTG", "GNGST"}, {"GNGST", "GNGSV"}}) {
+        const NmeaLog log = read(date + joined(turning_epochs(101, each, leads, more)));
+        const double worst_deg = worst_heading_deg(log);
+        EXPECT_LT(worst_deg, 0.01) << (leads ? "before" : "behind") << ", " << more.size() << " more, each " << each;
+        EXPECT_GE(log.ins.size(), each == 10 ? 10u : 99u);
+        EXPECT_FALSE(told("heading-order"));
+        EXPECT_EQ(told("attitude-sparse"), each == 10) << "0.2 s apart are interpolated, 1 s are not";
+        std::printf("heading %s its position, 1 of %d, %zu sentences more: %zu samples, worst error %.4f deg\n",
+                    leads ? "before" : "behind", each, more.size(), log.ins.size(), worst_deg);
+      }
+}
+
+TEST_F(nmea_log, a_log_that_does_not_show_where_its_headings_belong_says_so) {
+  const std::string date = sentence("GPRMC,115959.90,A,,,,,,,211126,,,A");
+  std::vector<std::vector<std::string>> epochs = turning_epochs(50, 1, true, {"GNGST"});
+  epochs.back().resize(1);  // cut behind a heading
+  EXPECT_FALSE(read(date + joined(epochs)).ins.empty());
+  EXPECT_TRUE(told("heading-order"));
+}
+
+TEST_F(nmea_log, attitudes_too_far_apart_say_why_no_ins_comes_out) {
+  std::string text = sentence("GPRMC,115959.90,A,,,,,,,211126,,,A");
+  for (int i = 0; i < 50; ++i) {
+    text +=
+        sentence("GNGGA," + text_of("1200%05.2f", 0.1 * i) + ",4846.10000,N,00911.50000,E,4,12,0.8,250.0,M,48.0,M,,");
+    if (i % 10 == 0)  // between two positions
+      text += sentence("PASHR," + text_of("1200%05.2f", 0.1 * i + 0.05) +
+                       ",010.00,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1");
+  }
+  EXPECT_TRUE(read(text).ins.empty());
+  ASSERT_TRUE(told("attitude-sparse"));
+  for (const Finding& finding : findings_)
+    if (finding.code == "attitude-sparse") {
+      EXPECT_TRUE(contains(finding.explanation, "50 of 50 positions have no attitude near them"))
+          << finding.explanation;
+      EXPECT_TRUE(contains(finding.explanation, "5 attitudes, up to 1.00 s apart")) << finding.explanation;
+    }
+}
+
 TEST_F(nmea_log, damage_is_named_and_the_rest_is_read) {
   std::string text = log_of(20, 100.0, true, false);
   text[text.find("4846.1005") + 5] = '7';

@@ -217,6 +217,35 @@ TEST_F(bag_reader, says_that_points_have_no_times) {
   EXPECT_TRUE(find(session, "no-point-times"));
 }
 
+/// A layout as Hesai's driver has it, its clock counting from the sensor's start.
+std::string hesai_message(std::int64_t stamp_ns, double first_s) {
+  MessageWriter writer(kRos1);
+  writer.header(stamp_ns, "lidar").number<std::uint32_t>(1).number<std::uint32_t>(100).number<std::uint32_t>(4);
+  std::uint32_t offset = 0;
+  for (const char* name : {"x", "y", "z", "timestamp"}) {
+    writer.string(name).number(offset).number<std::uint8_t>(offset < 12 ? 7 : 8).number<std::uint32_t>(1);
+    offset += 4;
+  }
+  writer.number<std::uint8_t>(0).number<std::uint32_t>(20).number<std::uint32_t>(2000);
+  std::string data;
+  for (int i = 0; i < 100; ++i) data += raw(1.0f) + raw(2.0f) + raw(static_cast<float>(i)) + raw(first_s + 0.001 * i);
+  return writer.byte_sequence(data).number<std::uint8_t>(1).bytes();
+}
+
+TEST_F(bag_reader, keeps_the_sweep_of_a_sensor_on_its_own_clock_and_says_so) {
+  BagMaker bag(path());
+  bag.add_ins("/ins", 41);
+  for (int i = 0; i < 20; ++i)
+    bag.add(kStart_ns + i * kStep_ns, "/hesai", "sensor_msgs/PointCloud2",
+            hesai_message(kStart_ns + i * kStep_ns, 1234.5 + 0.1 * i));
+  bag.finish();
+  const Session session = open(path());
+  EXPECT_EQ(session.scan_timing, ScanTiming::PerPoint);
+  EXPECT_TRUE(find(session, "point-clock"));
+  const PointCloud cloud = session.scans->load(7);
+  EXPECT_NEAR(cloud.time_from_stamp_s.back(), 0.099f, 1e-6f);
+}
+
 TEST_F(bag_reader, leaves_out_damaged_messages_and_counts_them) {
   BagMaker bag(path());
   bag.add_ins("/ins", 41);

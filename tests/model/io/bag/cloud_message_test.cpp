@@ -41,8 +41,8 @@ std::string message(const Layout& layout, const std::string& data, MessageEncodi
   return writer.byte_sequence(data).number<std::uint8_t>(1).bytes();
 }
 
-CloudMessage read(const std::string& bytes, MessageEncoding encoding = MessageEncoding::Ros1,
-                  MessageKind kind = MessageKind::PointCloud2) {
+ReadCloud read(const std::string& bytes, MessageEncoding encoding = MessageEncoding::Ros1,
+               MessageKind kind = MessageKind::PointCloud2) {
   MessageReader reader(bytes, encoding, "a.bag: /points, message 1");
   return read_cloud(reader, kind, kStart_ns);
 }
@@ -180,12 +180,75 @@ TEST(cloud_message, with_times_of_another_clock_starts_at_its_stamp) {
   const double stamp_s = static_cast<double>(kStart_ns) * 1e-9;
   const Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20};
   // The leap seconds between UTC and TAI, as a sensor on PTP has them.
-  const CloudMessage apart = read(message(layout, two_points(layout, "timestamp", stamp_s + 37.0, stamp_s + 37.09)));
+  const ReadCloud apart = read(message(layout, two_points(layout, "timestamp", stamp_s + 37.0, stamp_s + 37.09)));
   EXPECT_TRUE(apart.points_have_another_clock);
   EXPECT_NEAR(apart.cloud.time_from_stamp_s[0], 0.0f, 1e-4);
   EXPECT_NEAR(apart.cloud.time_from_stamp_s[1], 0.09f, 1e-4);
   EXPECT_FALSE(
       read(message(layout, two_points(layout, "timestamp", stamp_s, stamp_s + 0.1))).points_have_another_clock);
+}
+
+/// A hundred points from `first` on, one time each.
+template <class Time>
+std::string points_with_times(const Layout& layout, const std::vector<Time>& times) {
+  std::string data;
+  for (const Time time : times)
+    data += Point(layout).set("x", 1.0f).set("y", 2.0f).set("z", 3.0f).set("timestamp", time).bytes();
+  return data;
+}
+
+TEST(cloud_message, with_times_since_power_up_keeps_its_sweep) {
+  struct Sensor {
+    const char* what;
+    double first, sweep, unit_s;
+  };
+  for (const auto& [what, first, sweep, unit_s] :
+       {Sensor{"Hesai and RoboSense, s", 1234.5, 0.1, 1.0}, Sensor{"Livox, ns", 2.0e11, 1e8, 1e-9}})
+    for (const bool backwards : {false, true})
+      for (const bool zero_among_them : {false, true}) {
+        std::vector<double> times;
+        for (int i = 0; i <= 100; ++i) times.push_back(first + sweep * (backwards ? 100 - i : i) / 100.0);
+        if (zero_among_them) times[40] = 0.0;
+        Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20, 1, 101};
+        const ReadCloud cloud = read(message(layout, points_with_times(layout, times)));
+        EXPECT_TRUE(cloud.points_have_another_clock) << what;
+        ASSERT_EQ(cloud.cloud.size(), zero_among_them ? 100u : 101u) << what;
+        EXPECT_EQ(cloud.cloud.dropped_points, zero_among_them ? 1u : 0u) << what;
+        const std::vector<float>& from_stamp_s = cloud.cloud.time_from_stamp_s;
+        EXPECT_NEAR(from_stamp_s.front(), backwards ? 0.1f : 0.0f, 1e-6) << what;
+        EXPECT_NEAR(from_stamp_s.back(), backwards ? 0.0f : 0.1f, 1e-6) << what;
+        std::printf("%s: a sweep of %.6f s\n", what,
+                    static_cast<double>(std::abs(from_stamp_s.back() - from_stamp_s.front())));
+      }
+}
+
+TEST(cloud_message, with_a_zero_among_dates_is_on_the_clock_of_its_stamp) {
+  const auto stamp = static_cast<double>(kStart_ns);
+  std::vector<double> times;
+  for (int i = 0; i < 100; ++i) times.push_back(stamp + 1e6 * i);
+  times[0] = times[50] = 0.0;
+  Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20, 1, 100};
+  const ReadCloud cloud = read(message(layout, points_with_times(layout, times)));
+  EXPECT_FALSE(cloud.points_have_another_clock);
+  ASSERT_EQ(cloud.cloud.size(), 98u);
+  EXPECT_EQ(cloud.cloud.dropped_points, 2u);
+  EXPECT_NEAR(cloud.cloud.time_from_stamp_s.front(), 0.001f, 1e-6);
+  EXPECT_NEAR(cloud.cloud.time_from_stamp_s.back(), 0.099f, 1e-6);
+}
+
+TEST(cloud_message, of_columns_on_the_same_bytes_is_refused) {
+  Layout one{{}, 1};
+  for (const char* name : {"x", "y", "z", "intensity", "ring", "time"}) one.fields.push_back({name, 0, kU8});
+  EXPECT_TRUE(contains(error_of([&] { read(message(one, "ab")); }), "the coordinate x has one byte"));
+  for (Field& field : one.fields) field.type = kU16;
+  one.point_bytes = 2;
+  EXPECT_TRUE(contains(error_of([&] { read(message(one, "abcd")); }), "lie on the same bytes"));
+  const Layout half{{{"x", 0}, {"y", 4}, {"z", 8}, {"time", 10}}, 16};
+  EXPECT_TRUE(contains(error_of([&] { read(message(half, std::string(32, 'a'))); }),
+                       "fields z and time lie on the same bytes of a point"));
+  // What is not used may lie anywhere: colours are often there twice.
+  const Layout colours{xyz_and({{"rgb", 12}, {"rgba", 12, kU32}, {"intensity", 16}}), 20};
+  EXPECT_EQ(read(message(colours, std::string(40, '@'))).cloud.size(), 2u);
 }
 
 TEST(cloud_message, of_lies_is_refused) {
