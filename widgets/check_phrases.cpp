@@ -33,6 +33,10 @@ const std::vector<const char*>& check_phrases() {
                         "east (this looks like a compass heading)"),
       QT_TRANSLATE_NOOP("remount::model",
                         "a heading from north instead of a yaw from east (this looks like a compass heading)"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The INS repeats one attitude for %1 s, while its positions run through a turn."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The INS repeats one position for %1 s, while its attitude changes and the vehicle drives on."),
       // what each code means, and what to do about it
       QT_TRANSLATE_NOOP("remount::model", "Every relative motion of the INS is wrong; no result stands on it."),
       QT_TRANSLATE_NOOP(
@@ -162,6 +166,17 @@ const std::vector<const char*>& check_phrases() {
                         "Yaw of the result is off by as much as the grid turns against true north there."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Give latitude and longitude where you have them, or turn the poses by the grid convergence."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Pairs take the vehicle to have moved without turning; those in turns contradict all others."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "See whether the attitude had aligned and whether its log or driver stalled; leave that part "
+                        "of the drive out, or record it again."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Pairs take the vehicle to have turned in its place, and what is found for its position is wrong."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "See whether GNSS or its driver stalled; leave that part of the drive out, or use a log that "
+                        "was processed afterwards (PPK)."),
   };
   return phrases;
 }

@@ -6,6 +6,7 @@
 namespace remount {
 
 DataCheck ins_solution_check();
+DataCheck frozen_part_check();
 DataCheck ins_jump_check();
 DataCheck rtk_check();
 DataCheck drive_variety_check();

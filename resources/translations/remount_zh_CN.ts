@@ -9507,6 +9507,30 @@ Save under another name, or close it there first.</source>
         <source>Give its sigma, use a method that takes measured values, or leave it out.</source>
         <translation>请给出它的 sigma，改用接受测量值的方法，或去掉它。</translation>
     </message>
+    <message>
+        <source>The INS repeats one attitude for %1 s, while its positions run through a turn.</source>
+        <translation>INS 在 %1 秒内重复同一姿态，而其位置正在转弯。</translation>
+    </message>
+    <message>
+        <source>The INS repeats one position for %1 s, while its attitude changes and the vehicle drives on.</source>
+        <translation>INS 在 %1 秒内重复同一位置，而其姿态在变化，车辆仍在行驶。</translation>
+    </message>
+    <message>
+        <source>Pairs take the vehicle to have moved without turning; those in turns contradict all others.</source>
+        <translation>帧对会认为车辆移动而没有转动；转弯处的帧对与其他所有帧对矛盾。</translation>
+    </message>
+    <message>
+        <source>See whether the attitude had aligned and whether its log or driver stalled; leave that part of the drive out, or record it again.</source>
+        <translation>请查看姿态是否已对准，其记录或驱动是否停顿；略去该段行程，或重新记录。</translation>
+    </message>
+    <message>
+        <source>Pairs take the vehicle to have turned in its place, and what is found for its position is wrong.</source>
+        <translation>帧对会认为车辆在原地转动，求得的位置因而有误。</translation>
+    </message>
+    <message>
+        <source>See whether GNSS or its driver stalled; leave that part of the drive out, or use a log that was processed afterwards (PPK).</source>
+        <translation>请查看 GNSS 或其驱动是否停顿；略去该段行程，或使用事后处理（PPK）的日志。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
