@@ -177,6 +177,21 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "See whether GNSS or its driver stalled; leave that part of the drive out, or use a log that "
                         "was processed afterwards (PPK)."),
+      QT_TRANSLATE_NOOP("remount::model", "Where the INS has no orientation there is no motion to be compared with."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Nothing, where they are at the beginning: the INS was aligning; otherwise see what the driver reports."),
+      QT_TRANSLATE_NOOP("remount::model", "The rates are used, though the driver says that there are none."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Compare them with the turns of the drive; where they mean nothing leave them out: --topic imu=none."),
+      QT_TRANSLATE_NOOP("remount::model", "Methods that need turn rates have none there."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "See whether the driver of the IMU stalled, or say with --topic which topic is the IMU."),
+      QT_TRANSLATE_NOOP("remount::model", "The receiver has no position there."),
+      QT_TRANSLATE_NOOP("remount::model", "Record under open sky; wait for a fix before you drive."),
+      QT_TRANSLATE_NOOP("remount::model", "Good fixes count as little as bad ones."),
+      QT_TRANSLATE_NOOP("remount::model", "Have the driver state the covariance of its fixes."),
   };
   return phrases;
 }

@@ -16,6 +16,7 @@ DataCheck clock_check();
 DataCheck stamp_check();
 DataCheck scan_check();
 DataCheck handedness_check();
+DataCheck bag_stream_check();
 DataCheck reading_check();
 DataCheck calibration_check();
 
