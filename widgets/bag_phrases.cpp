@@ -39,6 +39,9 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "%1 messages have no turn rates and are left out."),
       QT_TRANSLATE_NOOP("remount::model", "no message of this topic has turn rates"),
       QT_TRANSLATE_NOOP("remount::model",
+                        "The status of the position falls from %1 to %2 in %3 stretches, %4 % of the drive: "
+                        "corrections (RTK) were lost."),
+      QT_TRANSLATE_NOOP("remount::model",
                         "The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), "
                         "which no frame of ROS stands for. Give the nominal with --nominal."),
       QT_TRANSLATE_NOOP("remount::model",

@@ -9631,6 +9631,10 @@ Save under another name, or close it there first.</source>
         <source>slow: %1 Hz, where %2 has %3 Hz</source>
         <translation>慢：%1 Hz，而 %2 为 %3 Hz</translation>
     </message>
+    <message>
+        <source>The status of the position falls from %1 to %2 in %3 stretches, %4 % of the drive: corrections (RTK) were lost.</source>
+        <translation>位置的状态从 %1 降到 %2，共 %3 段，占行程的 %4 %：差分改正（RTK）丢失。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

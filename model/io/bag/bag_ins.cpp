@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/io/bag/correction_status.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -118,6 +119,26 @@ void add_imu(const ImuStream& stream, const std::string& where, Session& session
     throw Error(ErrorCode::Format, where, "no message of this topic has turn rates");
 }
 
+/// Of the positions that there are: what has no fix is counted elsewhere.
+void report_lost_corrections(const FixStream& stream, const std::string& where, std::vector<Finding>& findings) {
+  std::vector<CorrectionStatus> positions;
+  for (const FixMessage& message : stream.messages)
+    if (message.status >= 0) positions.push_back(correction_status(message));
+  report_lost_corrections(positions, where, findings);
+}
+
+std::vector<InsSample> ins_from_inspvax(const InspvaxStream& stream, const std::string& where,
+                                        std::vector<Finding>& findings) {
+  std::vector<InsSample> ins;
+  std::vector<CorrectionStatus> positions;
+  for (const InspvaxMessage& message : stream.messages) {
+    ins.push_back(message.sample);
+    positions.push_back(correction_status(message));
+  }
+  report_lost_corrections(positions, where, findings);
+  return ins;
+}
+
 }  // namespace
 
 void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std::vector<Finding>& findings) {
@@ -128,7 +149,7 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
                      device = shift_ns(s.attitude.clock, behind_s), gnss = shift_ns(s.gnss.clock, behind_s),
                      imu = shift_ns(s.imu.clock, behind_s);
   for (StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
-  for (InsSample& sample : s.inspvax.messages) sample.stamp_ns += inspvax;
+  for (InspvaxMessage& message : s.inspvax.messages) message.sample.stamp_ns += inspvax;
   // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
   for (ImuMessage& message : s.attitude.messages) message.header.stamp_ns += device;
   for (FixMessage& message : s.position.messages) message.header.stamp_ns += device;
@@ -239,7 +260,7 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
   } else if (roles.ins) {
     const bool inspvax = message_kind(bag.topics()[*roles.ins].type) == MessageKind::Inspvax;
     if (inspvax) session.ins_axes = InsAxes::RightForwardUp;
-    session.ins = inspvax ? std::move(s.inspvax.messages)
+    session.ins = inspvax ? ins_from_inspvax(s.inspvax, place(*roles.ins), session.findings)
                           : ins_from_fixes(s.position, s.attitude, place(*roles.ins), session.findings);
     if (!session.ins.empty()) {
       keep_near(session.ins, place(*roles.ins), session.findings);
@@ -250,6 +271,9 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
   if (roles.ins && session.ins.empty() && session.world_from_ins.empty())
     throw Error(ErrorCode::Format, place(*roles.ins),
                 "no usable INS is in this topic" + what_is_missing(roles, s) + what_was_bad(session.findings));
+  if (roles.ins_position) report_lost_corrections(s.position, place(*roles.ins_position), session.findings);
+  if (roles.gnss && roles.gnss != roles.ins_position)
+    report_lost_corrections(s.gnss, place(*roles.gnss), session.findings);
   if (roles.gnss) add_gnss(s.gnss, place(*roles.gnss), session);
   if (roles.imu) add_imu(s.imu, place(*roles.imu), session);
 }

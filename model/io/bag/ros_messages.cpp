@@ -226,17 +226,17 @@ InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type
   if (type.starts_with("novatel_msgs/")) {
     time = read_span_header(reader);
     status = std::to_string(reader.number<std::uint32_t>());
-    reader.number<std::uint32_t>();  // kind of position
+    message.position_type = std::to_string(reader.number<std::uint32_t>());
   } else {
     message.frame = read_header(reader).frame;
     if (type.starts_with("novatel_gps_msgs/")) {
       time = read_gps_driver_header(reader);
       status = reader.string();
-      reader.string();
+      message.position_type = reader.string();
     } else {
       time = read_oem7_header(reader);
       status = std::to_string(reader.number<std::uint32_t>());
-      reader.number<std::uint32_t>();
+      message.position_type = std::to_string(reader.number<std::uint32_t>());
     }
   }
   InspvaxValues values = read_values(reader);

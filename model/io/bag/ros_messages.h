@@ -72,6 +72,7 @@ std::vector<PoseMessage> read_transforms(MessageReader& reader);
 /// INSPVAX as three drivers write it, told apart by the type's package: novatel_msgs (the log's own binary layout),
 /// novatel_gps_msgs, novatel_oem7_msgs.
 struct InspvaxMessage {
+  std::string position_type;  ///< by number or by name, as the driver has it
   InsSample sample;           ///< stamped with GPS time as UTC; INS axes x right, y forward, z up
   std::string frame;          ///< empty in novatel_msgs
 };
