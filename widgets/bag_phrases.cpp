@@ -29,13 +29,44 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "%1 messages have no fix and are left out."),
       QT_TRANSLATE_NOOP("remount::model", "%1 fixes do not state their covariance; a sigma of 1 m is assumed."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "The INS has a position every %1 s only; between them the motion is interpolated."),
+                        "The INS has a position every %1 s only; between them the motion is interpolated. No other "
+                        "topic has it more often: set its output to 10 Hz or more."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The INS has a position every %1 s only; between them the motion is interpolated. %2 has %3 "
+                        "Hz: --topic %4=%5 takes it, where it is of the same INS."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 messages have no orientation, %2 of them before the first that has one; they are left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 messages say that turn rates or accelerations are not measured (covariance -1), and have "
+                        "some; they are taken."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 messages have no turn rates and are left out."),
+      QT_TRANSLATE_NOOP("remount::model", "no message of this topic has turn rates"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The status of the position falls from %1 to %2 in %3 stretches, %4 % of the drive: "
+                        "corrections (RTK) were lost."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), "
+                        "which no frame of ROS stands for. Give the nominal with --nominal."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The static transforms are not used: the messages of the INS name no frame of their own."),
+      QT_TRANSLATE_NOOP("remount::model", "The static transforms are not used: the scans name no frame."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The static transforms are not used: LiDAR and INS name one and the same frame, %1."),
       QT_TRANSLATE_NOOP("remount::model", "no usable INS is in this topic"),
       QT_TRANSLATE_NOOP("remount::model", "no usable INS is in this topic%1"),
       QT_TRANSLATE_NOOP("remount::model",
                         "no usable INS is in this topic: its orientations have no NavSatFix with them"),
       QT_TRANSLATE_NOOP("remount::model",
                         "no usable INS is in this topic: its orientations have no NavSatFix with them%1"),
+      QT_TRANSLATE_NOOP("remount::model", "no usable INS is in this topic: none of its messages has an orientation"),
+      QT_TRANSLATE_NOOP("remount::model", "no usable INS is in this topic: none of its messages has an orientation%1"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "no usable INS is in this topic: its orientation is never filled in, it is the identity throughout"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "no usable INS is in this topic: its orientation is never filled in, it is the identity throughout%1"),
       // messages
       QT_TRANSLATE_NOOP("remount::model", "messages of this topic are neither of ROS 1 nor in CDR"),
       QT_TRANSLATE_NOOP("remount::model",

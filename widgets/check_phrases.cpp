@@ -33,6 +33,10 @@ const std::vector<const char*>& check_phrases() {
                         "east (this looks like a compass heading)"),
       QT_TRANSLATE_NOOP("remount::model",
                         "a heading from north instead of a yaw from east (this looks like a compass heading)"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The INS repeats one attitude for %1 s, while its positions run through a turn."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The INS repeats one position for %1 s, while its attitude changes and the vehicle drives on."),
       // what each code means, and what to do about it
       QT_TRANSLATE_NOOP("remount::model", "Every relative motion of the INS is wrong; no result stands on it."),
       QT_TRANSLATE_NOOP(
@@ -218,6 +222,32 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Record the ground where it is level and free around the machine."),
       QT_TRANSLATE_NOOP("remount::model", "z, pitch and roll rest on the motion of the drive alone."),
       QT_TRANSLATE_NOOP("remount::model", "Drive where the road around the vehicle is free, or measure z by hand."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Pairs take the vehicle to have moved without turning; those in turns contradict all others."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "See whether the attitude had aligned and whether its log or driver stalled; leave that part "
+                        "of the drive out, or record it again."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Pairs take the vehicle to have turned in its place, and what is found for its position is wrong."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "See whether GNSS or its driver stalled; leave that part of the drive out, or use a log that "
+                        "was processed afterwards (PPK)."),
+      QT_TRANSLATE_NOOP("remount::model", "Where the INS has no orientation there is no motion to be compared with."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Nothing, where they are at the beginning: the INS was aligning; otherwise see what the driver reports."),
+      QT_TRANSLATE_NOOP("remount::model", "The rates are used, though the driver says that there are none."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Compare them with the turns of the drive; where they mean nothing leave them out: --topic imu=none."),
+      QT_TRANSLATE_NOOP("remount::model", "Methods that need turn rates have none there."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "See whether the driver of the IMU stalled, or say with --topic which topic is the IMU."),
+      QT_TRANSLATE_NOOP("remount::model", "The receiver has no position there."),
+      QT_TRANSLATE_NOOP("remount::model", "Record under open sky; wait for a fix before you drive."),
+      QT_TRANSLATE_NOOP("remount::model", "Good fixes count as little as bad ones."),
+      QT_TRANSLATE_NOOP("remount::model", "Have the driver state the covariance of its fixes."),
   };
   return phrases;
 }

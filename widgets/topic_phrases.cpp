@@ -17,6 +17,8 @@ const std::vector<const char*>& topic_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "its name speaks of another sensor than an INS"),
       QT_TRANSLATE_NOOP("remount::model", "it stands for the LiDAR"),
       QT_TRANSLATE_NOOP("remount::model", "an orientation, to which fixes give the position"),
+      QT_TRANSLATE_NOOP("remount::model", "an orientation without its error, to which fixes give the position"),
+      QT_TRANSLATE_NOOP("remount::model", "slow: %1 Hz, where %2 has %3 Hz"),
       QT_TRANSLATE_NOOP("remount::model", "an orientation, but no fixes are there to give the position"),
       QT_TRANSLATE_NOOP("remount::model", "fixes; by its name of the device of the orientation"),
       QT_TRANSLATE_NOOP("remount::model", "fixes of a receiver"),

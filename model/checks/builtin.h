@@ -6,6 +6,7 @@
 namespace remount {
 
 DataCheck ins_solution_check();
+DataCheck frozen_part_check();
 DataCheck ins_jump_check();
 DataCheck rtk_check();
 DataCheck drive_variety_check();
@@ -15,6 +16,7 @@ DataCheck clock_check();
 DataCheck stamp_check();
 DataCheck scan_check();
 DataCheck handedness_check();
+DataCheck bag_stream_check();
 DataCheck reading_check();
 DataCheck calibration_check();
 DataCheck method_run_check();

@@ -7732,10 +7732,6 @@ Save under another name, or close it there first.</source>
         <translation>%1 个定位未说明协方差；假定标准差为 1 m。</translation>
     </message>
     <message>
-        <source>The INS has a position every %1 s only; between them the motion is interpolated.</source>
-        <translation>INS 每 %1 秒才有一个位置；其间的运动由插值得到。</translation>
-    </message>
-    <message>
         <source>no usable INS is in this topic</source>
         <translation>此话题中没有可用的 INS</translation>
     </message>
@@ -9706,6 +9702,138 @@ Save under another name, or close it there first.</source>
     <message>
         <source>The log does not show whether a heading (HDT) stands before or behind the position of its time: it is taken to stand behind. Otherwise headings come one position too early.</source>
         <translation>日志没有表明航向（HDT）写在同一时刻的位置之前还是之后：按写在之后处理。若不是，航向会早一个位置。</translation>
+    </message>
+    <message>
+        <source>The INS repeats one attitude for %1 s, while its positions run through a turn.</source>
+        <translation>INS 在 %1 秒内重复同一姿态，而其位置正在转弯。</translation>
+    </message>
+    <message>
+        <source>The INS repeats one position for %1 s, while its attitude changes and the vehicle drives on.</source>
+        <translation>INS 在 %1 秒内重复同一位置，而其姿态在变化，车辆仍在行驶。</translation>
+    </message>
+    <message>
+        <source>Pairs take the vehicle to have moved without turning; those in turns contradict all others.</source>
+        <translation>帧对会认为车辆移动而没有转动；转弯处的帧对与其他所有帧对矛盾。</translation>
+    </message>
+    <message>
+        <source>See whether the attitude had aligned and whether its log or driver stalled; leave that part of the drive out, or record it again.</source>
+        <translation>请查看姿态是否已对准，其记录或驱动是否停顿；略去该段行程，或重新记录。</translation>
+    </message>
+    <message>
+        <source>Pairs take the vehicle to have turned in its place, and what is found for its position is wrong.</source>
+        <translation>帧对会认为车辆在原地转动，求得的位置因而有误。</translation>
+    </message>
+    <message>
+        <source>See whether GNSS or its driver stalled; leave that part of the drive out, or use a log that was processed afterwards (PPK).</source>
+        <translation>请查看 GNSS 或其驱动是否停顿；略去该段行程，或使用事后处理（PPK）的日志。</translation>
+    </message>
+    <message>
+        <source>The INS has a position every %1 s only; between them the motion is interpolated. No other topic has it more often: set its output to 10 Hz or more.</source>
+        <translation>INS 每 %1 秒才有一个位置；其间的运动为内插所得。没有其他话题更频繁：请把其输出设为 10 Hz 或更高。</translation>
+    </message>
+    <message>
+        <source>The INS has a position every %1 s only; between them the motion is interpolated. %2 has %3 Hz: --topic %4=%5 takes it, where it is of the same INS.</source>
+        <translation>INS 每 %1 秒才有一个位置；其间的运动为内插所得。%2 为 %3 Hz：如属同一 INS，用 --topic %4=%5 选用。</translation>
+    </message>
+    <message>
+        <source>%1 messages have no orientation, %2 of them before the first that has one; they are left out.</source>
+        <translation>%1 条消息没有姿态，其中 %2 条在首条有姿态的消息之前；已略去。</translation>
+    </message>
+    <message>
+        <source>%1 messages say that turn rates or accelerations are not measured (covariance -1), and have some; they are taken.</source>
+        <translation>%1 条消息声明未测量角速度或加速度（协方差为 -1），却含有其值；已采用。</translation>
+    </message>
+    <message>
+        <source>%1 messages have no turn rates and are left out.</source>
+        <translation>%1 条消息没有角速度，已略去。</translation>
+    </message>
+    <message>
+        <source>no message of this topic has turn rates</source>
+        <translation>此话题没有任何消息含有角速度</translation>
+    </message>
+    <message>
+        <source>The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), which no frame of ROS stands for. Give the nominal with --nominal.</source>
+        <translation>未使用静态变换：INSPVAX 有自己的坐标轴（x 向右、y 向前、z 向上），ROS 中没有与之对应的坐标系。请用 --nominal 给出名义安装。</translation>
+    </message>
+    <message>
+        <source>The static transforms are not used: the messages of the INS name no frame of their own.</source>
+        <translation>未使用静态变换：INS 的消息没有指明自己的坐标系。</translation>
+    </message>
+    <message>
+        <source>The static transforms are not used: the scans name no frame.</source>
+        <translation>未使用静态变换：扫描没有指明坐标系。</translation>
+    </message>
+    <message>
+        <source>The static transforms are not used: LiDAR and INS name one and the same frame, %1.</source>
+        <translation>未使用静态变换：激光雷达和 INS 指明的是同一坐标系 %1。</translation>
+    </message>
+    <message>
+        <source>no usable INS is in this topic: none of its messages has an orientation</source>
+        <translation>此话题中没有可用的 INS：其消息都没有姿态</translation>
+    </message>
+    <message>
+        <source>no usable INS is in this topic: none of its messages has an orientation%1</source>
+        <translation>此话题中没有可用的 INS：其消息都没有姿态%1</translation>
+    </message>
+    <message>
+        <source>no usable INS is in this topic: its orientation is never filled in, it is the identity throughout</source>
+        <translation>此话题中没有可用的 INS：其姿态从未填写，始终是单位四元数</translation>
+    </message>
+    <message>
+        <source>no usable INS is in this topic: its orientation is never filled in, it is the identity throughout%1</source>
+        <translation>此话题中没有可用的 INS：其姿态从未填写，始终是单位四元数%1</translation>
+    </message>
+    <message>
+        <source>Where the INS has no orientation there is no motion to be compared with.</source>
+        <translation>INS 没有姿态之处，没有可供比较的运动。</translation>
+    </message>
+    <message>
+        <source>Nothing, where they are at the beginning: the INS was aligning; otherwise see what the driver reports.</source>
+        <translation>若在开头则无需处理：INS 正在对准；否则请查看驱动报告的内容。</translation>
+    </message>
+    <message>
+        <source>The rates are used, though the driver says that there are none.</source>
+        <translation>驱动声明没有角速度，仍予使用。</translation>
+    </message>
+    <message>
+        <source>Compare them with the turns of the drive; where they mean nothing leave them out: --topic imu=none.</source>
+        <translation>请与行程中的转弯比较；若无意义，用 --topic imu=none 略去。</translation>
+    </message>
+    <message>
+        <source>Methods that need turn rates have none there.</source>
+        <translation>需要角速度的方法在该处没有数据。</translation>
+    </message>
+    <message>
+        <source>See whether the driver of the IMU stalled, or say with --topic which topic is the IMU.</source>
+        <translation>请查看 IMU 的驱动是否停顿，或用 --topic 指明哪个话题是 IMU。</translation>
+    </message>
+    <message>
+        <source>The receiver has no position there.</source>
+        <translation>接收机在该处没有位置。</translation>
+    </message>
+    <message>
+        <source>Record under open sky; wait for a fix before you drive.</source>
+        <translation>请在开阔天空下记录；有定位后再行驶。</translation>
+    </message>
+    <message>
+        <source>Good fixes count as little as bad ones.</source>
+        <translation>好的定位与差的定位权重同样低。</translation>
+    </message>
+    <message>
+        <source>Have the driver state the covariance of its fixes.</source>
+        <translation>请让驱动给出其定位的协方差。</translation>
+    </message>
+    <message>
+        <source>an orientation without its error, to which fixes give the position</source>
+        <translation>未标明误差的姿态，由定位消息给出位置</translation>
+    </message>
+    <message>
+        <source>slow: %1 Hz, where %2 has %3 Hz</source>
+        <translation>慢：%1 Hz，而 %2 为 %3 Hz</translation>
+    </message>
+    <message>
+        <source>The status of the position falls from %1 to %2 in %3 stretches, %4 % of the drive: corrections (RTK) were lost.</source>
+        <translation>位置的状态从 %1 降到 %2，共 %3 段，占行程的 %4 %：差分改正（RTK）丢失。</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/core/median.h"
+#include "model/io/bag/correction_status.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -76,14 +77,31 @@ struct Attitude {
   Eigen::Vector3d sigma_rad = Eigen::Vector3d::Zero();
 };
 
-std::vector<Attitude> attitudes_of(const ImuStream& stream) {
+/// Nothing but the identity is a field that nobody fills in.
+bool all_are_default(const ImuStream& stream) {
+  return std::none_of(stream.messages.begin(), stream.messages.end(),
+                      [](const ImuMessage& message) { return message.orientation && !message.orientation_is_default; });
+}
+
+std::vector<Attitude> attitudes_of(const ImuStream& stream, const std::string& where, std::vector<Finding>& findings) {
   std::vector<Attitude> attitudes;
+  if (all_are_default(stream)) return attitudes;
+  std::size_t without = 0, before = 0;
   for (const ImuMessage& message : stream.messages) {
-    if (!message.orientation) continue;
+    if (!message.orientation) {
+      ++without;
+      before += attitudes.empty();
+      continue;
+    }
     // Glitches of the clock would make neighbours of what is far apart.
     if (!attitudes.empty() && message.header.stamp_ns <= attitudes.back().stamp_ns) continue;
     attitudes.push_back({message.header.stamp_ns, *message.orientation, sigma_of(message.orientation_variance_rad2)});
   }
+  if (without > 0)  // a driver that publishes before the INS has aligned is as it should be
+    findings.push_back(make_finding(without == before ? Severity::Note : Severity::Warning, "no-orientation", where,
+                                    std::to_string(without) + " messages have no orientation, " +
+                                        std::to_string(before) +
+                                        " of them before the first that has one; they are left out."));
   return attitudes;
 }
 
@@ -115,11 +133,47 @@ void add_gnss(const FixStream& stream, const std::string& where, Session& sessio
 
 void add_imu(const ImuStream& stream, const std::string& where, Session& session) {
   const Eigen::Vector3d unknown = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  for (const ImuMessage& message : stream.messages)
-    if (message.angular_rate_radps)
-      session.imu.push_back(
-          {message.header.stamp_ns, *message.angular_rate_radps, message.acceleration_mps2.value_or(unknown)});
-  if (!session.imu.empty()) keep_ascending(session.imu, "imu", where, session.findings);
+  std::size_t denied = 0, without = 0;
+  for (const ImuMessage& message : stream.messages) {
+    if (!message.angular_rate_radps) {
+      ++without;
+      continue;
+    }
+    denied += message.denied;
+    session.imu.push_back(
+        {message.header.stamp_ns, *message.angular_rate_radps, message.acceleration_mps2.value_or(unknown)});
+  }
+  if (denied > 0)
+    session.findings.push_back(make_finding(Severity::Note, "rates-denied", where,
+                                            std::to_string(denied) +
+                                                " messages say that turn rates or accelerations are not measured "
+                                                "(covariance -1), and have some; they are taken."));
+  if (without > 0)
+    session.findings.push_back(make_finding(
+        Severity::Note, "no-rates", where, std::to_string(without) + " messages have no turn rates and are left out."));
+  if (!session.imu.empty()) return keep_ascending(session.imu, "imu", where, session.findings);
+  if (session.topic_choice.contains("imu") && !stream.messages.empty())
+    throw Error(ErrorCode::Format, where, "no message of this topic has turn rates");
+}
+
+/// Of the positions that there are: what has no fix is counted elsewhere.
+void report_lost_corrections(const FixStream& stream, const std::string& where, std::vector<Finding>& findings) {
+  std::vector<CorrectionStatus> positions;
+  for (const FixMessage& message : stream.messages)
+    if (message.status >= 0) positions.push_back(correction_status(message));
+  report_lost_corrections(positions, where, findings);
+}
+
+std::vector<InsSample> ins_from_inspvax(const InspvaxStream& stream, const std::string& where,
+                                        std::vector<Finding>& findings) {
+  std::vector<InsSample> ins;
+  std::vector<CorrectionStatus> positions;
+  for (const InspvaxMessage& message : stream.messages) {
+    ins.push_back(message.sample);
+    positions.push_back(correction_status(message));
+  }
+  report_lost_corrections(positions, where, findings);
+  return ins;
 }
 
 }  // namespace
@@ -131,7 +185,7 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
                      device = shift_ns(s.attitude.clock, lidar), gnss = shift_ns(s.gnss.clock, lidar),
                      imu = shift_ns(s.imu.clock, lidar);
   for (StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
-  for (InsSample& sample : s.inspvax.messages) sample.stamp_ns += inspvax;
+  for (InspvaxMessage& message : s.inspvax.messages) message.sample.stamp_ns += inspvax;
   // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
   for (ImuMessage& message : s.attitude.messages) message.header.stamp_ns += device;
   for (FixMessage& message : s.position.messages) message.header.stamp_ns += device;
@@ -153,9 +207,11 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
   if (roles.imu != roles.ins) report(roles.imu, s.imu.clock, imu);
 }
 
+namespace {
+
 std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& attitude, const std::string& where,
                                       std::vector<Finding>& findings) {
-  const std::vector<Attitude> attitudes = attitudes_of(attitude);
+  const std::vector<Attitude> attitudes = attitudes_of(attitude, where, findings);
   const double longest_gap_s = std::max(0.05, 3.0 * median_period_s(attitudes));
   const bool tells_augmentation =
       std::any_of(fixes.messages.begin(), fixes.messages.end(), [](const FixMessage& fix) { return fix.status == 2; });
@@ -197,8 +253,6 @@ std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& a
   return ins;
 }
 
-namespace {
-
 /// Why messages were left out, each stream on a line; empty where none were.
 std::string what_was_bad(const std::vector<Finding>& findings) {
   std::string why;
@@ -207,9 +261,37 @@ std::string what_was_bad(const std::vector<Finding>& findings) {
   return why;
 }
 
+void report_slow(double period_s, const std::optional<FasterTopic>& faster, const std::string& where,
+                 std::vector<Finding>& findings) {
+  if (!(period_s > 0.21)) return;
+  char period[32], rate[32];
+  std::snprintf(period, sizeof period, "%.2f", period_s);
+  std::string text =
+      std::string("The INS has a position every ") + period + " s only; between them the motion is interpolated. ";
+  if (faster) {
+    std::snprintf(rate, sizeof rate, "%.1f", faster->rate_hz);
+    text += faster->name + " has " + rate + " Hz: --topic " + std::string(faster->role) + "=" + faster->name +
+            " takes it, where it is of the same INS.";
+  } else {
+    text += "No other topic has it more often: set its output to 10 Hz or more.";
+  }
+  findings.push_back(make_finding(Severity::Warning, "ins-slow", where, text));
+}
+
+/// What a topic that gives no INS lacks.
+std::string what_is_missing(const TopicRoles& roles, const BagStreams& s) {
+  const std::vector<ImuMessage>& messages = s.attitude.messages;
+  if (messages.empty()) return "";
+  if (!std::any_of(messages.begin(), messages.end(), [](const ImuMessage& m) { return m.orientation.has_value(); }))
+    return ": none of its messages has an orientation";
+  if (all_are_default(s.attitude)) return ": its orientation is never filled in, it is the identity throughout";
+  return roles.ins_position ? "" : ": its orientations have no NavSatFix with them";
+}
+
 }  // namespace
 
-void add_ins(const BagFile& bag, const TopicRoles& roles, BagStreams& s, Session& session) {
+void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Session& session) {
+  const TopicRoles& roles = chosen.roles;
   const std::string file = bag.files().front().string();
   const auto place = [&](std::size_t topic) { return file + ": " + bag.topics()[topic].name; };
   share_lidar_clock(bag, roles, s, session.findings);
@@ -218,28 +300,24 @@ void add_ins(const BagFile& bag, const TopicRoles& roles, BagStreams& s, Session
     if (message_kind(bag.topics()[*roles.ins].type) != MessageKind::Odometry) session.ins_axes.reset();
     if (!session.world_from_ins.empty())
       keep_ascending(session.world_from_ins, "ins", place(*roles.ins), session.findings);
+    report_slow(median_period_s(session.world_from_ins), chosen.faster, place(*roles.ins), session.findings);
   } else if (roles.ins) {
     const bool inspvax = message_kind(bag.topics()[*roles.ins].type) == MessageKind::Inspvax;
     if (inspvax) session.ins_axes = InsAxes::RightForwardUp;
-    session.ins = inspvax ? std::move(s.inspvax.messages)
+    session.ins = inspvax ? ins_from_inspvax(s.inspvax, place(*roles.ins), session.findings)
                           : ins_from_fixes(s.position, s.attitude, place(*roles.ins), session.findings);
     if (!session.ins.empty()) {
       keep_near(session.ins, place(*roles.ins), session.findings);
       keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
     }
-    const double period_s = median_period_s(session.ins);
-    if (period_s > 0.21)
-      session.findings.push_back(make_finding(Severity::Warning, "ins-slow", place(*roles.ins),
-                                              "The INS has a position every " + std::to_string(period_s) +
-                                                  " s only; between them the motion is interpolated."));
+    report_slow(median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
   }
   if (roles.ins && session.ins.empty() && session.world_from_ins.empty())
     throw Error(ErrorCode::Format, place(*roles.ins),
-                "no usable INS is in this topic" +
-                    std::string(roles.ins_position || !s.attitude.messages.size()
-                                    ? ""
-                                    : ": its orientations have no NavSatFix with them") +
-                    what_was_bad(session.findings));
+                "no usable INS is in this topic" + what_is_missing(roles, s) + what_was_bad(session.findings));
+  if (roles.ins_position) report_lost_corrections(s.position, place(*roles.ins_position), session.findings);
+  if (roles.gnss && roles.gnss != roles.ins_position)
+    report_lost_corrections(s.gnss, place(*roles.gnss), session.findings);
   if (roles.gnss) add_gnss(s.gnss, place(*roles.gnss), session);
   if (roles.imu) add_imu(s.imu, place(*roles.imu), session);
 }

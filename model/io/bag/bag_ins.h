@@ -12,13 +12,9 @@ namespace remount {
 void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& streams,
                        std::vector<Finding>& findings);
 
-/// Samples at the stamps of the fixes, attitude interpolated between the IMU's. Fixes without attitude beside them are
-/// left out, with a finding.
-std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& attitude, const std::string& where,
-                                      std::vector<Finding>& findings);
-
-/// Fills `ins` or `world_from_ins`, `ins_axes`, `gnss` and `imu` of the session. Throws Error where a stream that was
-/// chosen holds nothing usable.
-void add_ins(const BagFile& bag, const TopicRoles& roles, BagStreams& streams, Session& session);
+/// Fills `ins` or `world_from_ins`, `ins_axes`, `gnss` and `imu` of the session. An orientation with fixes gives
+/// samples at the stamps of the fixes; what has no orientation or no fix beside it is left out, with a finding. Throws
+/// Error where a stream that was chosen holds nothing usable.
+void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& streams, Session& session);
 
 }  // namespace remount

@@ -81,10 +81,28 @@ std::string ins_frame(const BagFile& bag, const TopicRoles& roles, const BagStre
   return streams.ins_poses.child_frame;
 }
 
-/// The mounting as the static transforms have it. INSPVAX has axes of its own, which no frame of ROS means.
-void add_nominal(const BagFile& bag, const BagStreams& streams, const std::string& ins, Session& session) {
+/// Why static transforms cannot lead from the LiDAR to the INS; empty where they may.
+std::string why_no_nominal(const BagFile& bag, const TopicRoles& roles, const std::string& ins,
+                           const std::string& lidar) {
+  if (message_kind(bag.topics()[*roles.ins].type) == MessageKind::Inspvax)
+    return "The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), which no frame "
+           "of ROS stands for. Give the nominal with --nominal.";
+  if (ins.empty()) return "The static transforms are not used: the messages of the INS name no frame of their own.";
+  if (lidar.empty()) return "The static transforms are not used: the scans name no frame.";
+  if (ins == lidar)
+    return "The static transforms are not used: LiDAR and INS name one and the same frame, " + lidar + ".";
+  return {};
+}
+
+/// The mounting as the static transforms have it. Poses of an odometry are not looked for in them.
+void add_nominal(const BagFile& bag, const TopicRoles& roles, const BagStreams& streams, const std::string& ins,
+                 Session& session) {
+  if (streams.static_transforms.empty() || !roles.ins || streams.scans.scans.empty()) return;
   const std::string& lidar = streams.scans.frame;
-  if (streams.static_transforms.empty() || ins.empty() || lidar.empty() || ins == lidar) return;
+  if (const std::string why = why_no_nominal(bag, roles, ins, lidar); !why.empty()) {
+    session.findings.push_back(make_finding(Severity::Note, "nominal-not-found", bag.files().front().string(), why));
+    return;
+  }
   const auto ins_from_lidar = find_transform(streams.static_transforms, ins, lidar);
   const std::string frames = "from " + lidar + " to " + ins;
   if (ins_from_lidar) {
@@ -110,13 +128,14 @@ Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& pa
   session.findings = bag->findings();
   session.topic_choice = choice;
   if (progress.cancelled()) return session;
-  const auto [roles, topics] = choose_topics(*bag, choice, session.findings);
-  for (const OfferedTopic& offered : topics) session.topics.push_back(offered.topic);
+  const ChosenTopics chosen = choose_topics(*bag, choice, session.findings);
+  const TopicRoles& roles = chosen.roles;
+  for (const OfferedTopic& offered : chosen.topics) session.topics.push_back(offered.topic);
   BagStreams streams = read_streams(*bag, roles, session.findings, progress);
   if (progress.cancelled()) return session;
   const std::string frame = ins_frame(*bag, roles, streams);
-  add_ins(*bag, roles, streams, session);
-  add_nominal(*bag, streams, frame, session);
+  add_ins(*bag, chosen, streams, session);
+  add_nominal(*bag, roles, streams, frame, session);
   add_lidar(bag, roles, streams, session);
   return session;
 }

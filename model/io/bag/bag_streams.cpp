@@ -134,9 +134,8 @@ class StreamReader {
   void add_inspvax(std::size_t topic) {
     const std::string& type = bag_.topics()[topic].type;
     add(topic, kAll, [&s = streams_.inspvax, &type](const BagEntry& entry, std::size_t, MessageReader& reader) {
-      const InspvaxMessage message = read_inspvax_message(reader, type);
-      s.messages.push_back(message.sample);
-      note(s.clock, message.sample.stamp_ns, entry);
+      s.messages.push_back(read_inspvax_message(reader, type));
+      note(s.clock, s.messages.back().sample.stamp_ns, entry);
     });
   }
   void add_static_transforms() {
@@ -169,7 +168,8 @@ void settle_all(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std:
   settle(s.scans.scans, s.scans.clock, own_stamp, name(roles.lidar), findings);
   settle(s.lidar_poses.world_from_child, s.lidar_poses.clock, own_stamp, name(roles.lidar), findings);
   settle(s.ins_poses.world_from_child, s.ins_poses.clock, own_stamp, name(roles.ins), findings);
-  settle(s.inspvax.messages, s.inspvax.clock, own_stamp, name(roles.ins), findings);
+  const auto sample_stamp = [](InspvaxMessage& message) -> std::int64_t& { return message.sample.stamp_ns; };
+  settle(s.inspvax.messages, s.inspvax.clock, sample_stamp, name(roles.ins), findings);
   settle(s.attitude.messages, s.attitude.clock, header_stamp, name(roles.ins), findings);
   settle(s.position.messages, s.position.clock, header_stamp, name(roles.ins_position), findings);
   settle(s.gnss.messages, s.gnss.clock, header_stamp, name(roles.gnss), findings);

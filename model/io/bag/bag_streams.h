@@ -35,7 +35,7 @@ struct MessageStream {
 };
 using ImuStream = MessageStream<ImuMessage>;
 using FixStream = MessageStream<FixMessage>;
-using InspvaxStream = MessageStream<InsSample>;
+using InspvaxStream = MessageStream<InspvaxMessage>;
 /// The scans' stamps; `index` counts the entries of the topic.
 struct ScanStream {
   StreamClock clock;

@@ -39,6 +39,17 @@ Eigen::Matrix3d read_covariance(MessageReader& reader) {
   return covariance;
 }
 
+/// A vector with its covariance. Minus one says "not measured"; a driver that says so of a vector that is filled in
+/// (novatel_oem7_driver does) means that it does not know the covariance.
+/// @param denied becomes true where that is the case
+std::optional<Eigen::Vector3d> read_measured(MessageReader& reader, bool& denied) {
+  const Eigen::Vector3d value = read_vector(reader);
+  const bool declared = read_covariance(reader)(0, 0) != -1.0;
+  const bool there = value.allFinite() && (declared || !value.isZero(0.0));
+  denied = denied || (there && !declared);
+  return there ? std::optional(value) : std::nullopt;
+}
+
 RigidTransform read_rigid(MessageReader& reader) {
   const Eigen::Vector3d translation = read_vector(reader);
   const Eigen::Quaterniond rotation = checked(read_quaternion(reader), reader);
@@ -166,11 +177,11 @@ ImuMessage read_imu(MessageReader& reader) {
     message.orientation = checked(orientation, reader);
     const Eigen::Vector3d variance = orientation_covariance.diagonal();
     if (variance.allFinite() && variance.minCoeff() > 0.0) message.orientation_variance_rad2 = variance;
+    message.orientation_is_default = orientation.coeffs() == Eigen::Quaterniond::Identity().coeffs() &&
+                                     orientation_covariance == Eigen::Matrix3d::Zero();
   }
-  const Eigen::Vector3d rate = read_vector(reader);
-  if (read_covariance(reader)(0, 0) != -1.0 && rate.allFinite()) message.angular_rate_radps = rate;
-  const Eigen::Vector3d acceleration = read_vector(reader);
-  if (read_covariance(reader)(0, 0) != -1.0 && acceleration.allFinite()) message.acceleration_mps2 = acceleration;
+  message.angular_rate_radps = read_measured(reader, message.denied);
+  message.acceleration_mps2 = read_measured(reader, message.denied);
   return message;
 }
 
@@ -215,17 +226,17 @@ InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type
   if (type.starts_with("novatel_msgs/")) {
     time = read_span_header(reader);
     status = std::to_string(reader.number<std::uint32_t>());
-    reader.number<std::uint32_t>();  // kind of position
+    message.position_type = std::to_string(reader.number<std::uint32_t>());
   } else {
     message.frame = read_header(reader).frame;
     if (type.starts_with("novatel_gps_msgs/")) {
       time = read_gps_driver_header(reader);
       status = reader.string();
-      reader.string();
+      message.position_type = reader.string();
     } else {
       time = read_oem7_header(reader);
       status = std::to_string(reader.number<std::uint32_t>());
-      reader.number<std::uint32_t>();
+      message.position_type = std::to_string(reader.number<std::uint32_t>());
     }
   }
   InspvaxValues values = read_values(reader);

@@ -37,9 +37,14 @@ bool is_cloud(MessageKind kind);
 struct ImuMessage {
   MessageHeader header;
   std::optional<Eigen::Quaterniond> orientation;  ///< world_from_imu; nothing where the driver says it has none
+  /// Exactly the identity, without a covariance: what the message holds in ROS 2 where nobody has filled it in. An INS
+  /// may pass through it, a topic that has nothing else has no orientation.
+  bool orientation_is_default = false;
   Eigen::Vector3d orientation_variance_rad2 = Eigen::Vector3d::Zero();  ///< zero: not known
+  /// Nothing where the driver says it has none and it is zero.
   std::optional<Eigen::Vector3d> angular_rate_radps;
-  std::optional<Eigen::Vector3d> acceleration_mps2;  ///< with gravity: +9.8 upwards at rest
+  std::optional<Eigen::Vector3d> acceleration_mps2;  ///< likewise; with gravity: +9.8 upwards at rest
+  bool denied = false;                               ///< one of them is there, though the driver says it has none
 };
 ImuMessage read_imu(MessageReader& reader);
 
@@ -67,8 +72,9 @@ std::vector<PoseMessage> read_transforms(MessageReader& reader);
 /// INSPVAX as three drivers write it, told apart by the type's package: novatel_msgs (the log's own binary layout),
 /// novatel_gps_msgs, novatel_oem7_msgs.
 struct InspvaxMessage {
-  InsSample sample;   ///< stamped with GPS time as UTC; INS axes x right, y forward, z up
-  std::string frame;  ///< empty in novatel_msgs
+  std::string position_type;  ///< by number or by name, as the driver has it
+  InsSample sample;           ///< stamped with GPS time as UTC; INS axes x right, y forward, z up
+  std::string frame;          ///< empty in novatel_msgs
 };
 InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type);
 

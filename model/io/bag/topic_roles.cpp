@@ -1,88 +1,21 @@
 #include "model/io/bag/topic_roles.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "algorithms/core/median.h"
-#include "model/io/bag/cloud_message.h"
+#include "model/io/bag/topic_candidates.h"
 #include "model/io/pose_session_reader.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
 namespace {
 
-/// A topic that can serve as something, and what tells it from others of its kind.
-struct Candidate {
-  std::size_t topic = 0;
-  MessageKind kind = MessageKind::Other;
-  bool damaged = false;      ///< its first message cannot be read, perhaps others can
-  bool oriented = true;      ///< IMU: its orientation is measured
-  bool inertial = true;      ///< IMU: its rates are measured
-  bool timed = false;        ///< cloud: its points have times or rings
-  std::uint64_t points = 0;  ///< cloud
-  std::size_t messages = 0;
-};
-
 /// How well a topic serves as something: higher is better; 0: not without being asked.
 struct Fitness {
   double points = 0.0;
   std::string why;
 };
-
-/// Looks at the first message.
-void examine(const BagFile& bag, Candidate& candidate) {
-  constexpr std::size_t kHeadBytes = 16 * 1024;
-  const BagTopic& topic = bag.topics()[candidate.topic];
-  const std::string where = bag.files().front().string() + ": " + topic.name;
-  if (candidate.kind == MessageKind::Imu) {
-    const std::string bytes = bag.message(topic.entries.front());
-    MessageReader reader(bytes, topic.encoding, where);
-    const ImuMessage imu = read_imu(reader);
-    candidate.oriented = imu.orientation.has_value();
-    candidate.inertial = imu.angular_rate_radps.has_value();
-  } else if (is_cloud(candidate.kind)) {
-    const std::string bytes = bag.message(topic.entries.front(), kHeadBytes);
-    MessageReader reader(bytes, topic.encoding, where);
-    const CloudOutline outline = read_cloud_outline(reader, candidate.kind);
-    candidate.timed = outline.timed || outline.ringed;
-    candidate.points = outline.points;
-  }
-}
-
-bool can_be(const Candidate& candidate, std::string_view role) {
-  switch (candidate.kind) {
-    case MessageKind::PointCloud2:
-    case MessageKind::LivoxCustom:
-      return role == "lidar";
-    case MessageKind::Imu:
-      return (role == "ins" && candidate.oriented) || (role == "imu" && candidate.inertial);
-    case MessageKind::NavSatFix:
-      return role == "ins-position" || role == "gnss";
-    case MessageKind::Inspvax:
-      return role == "ins";
-    default:
-      return is_pose(candidate.kind) && (role == "ins" || role == "lidar");
-  }
-}
-
-std::vector<Candidate> candidates_of(const BagFile& bag) {
-  std::vector<Candidate> candidates;
-  for (std::size_t i = 0; i < bag.topics().size(); ++i) {
-    const BagTopic& topic = bag.topics()[i];
-    Candidate candidate;
-    candidate.topic = i;
-    candidate.kind = message_kind(topic.type);
-    candidate.messages = topic.entries.size();
-    if (topic.entries.empty() || topic.encoding == MessageEncoding::Other) continue;
-    try {
-      examine(bag, candidate);
-    } catch (const Error& error) {
-      if (error.code() == ErrorCode::Io) throw;  // a disk that fails for a moment must not choose another topic
-      candidate.damaged = true;                  // it can still be what its type says
-    }
-    candidates.push_back(candidate);
-  }
-  return candidates;
-}
 
 /// Why a topic that no role can have has none.
 std::string unusable_reason(const BagTopic& topic) {
@@ -106,17 +39,40 @@ Fitness fit_lidar(const Candidate& candidate, std::size_t most_messages) {
   return {points, "scans of " + size + (candidate.timed ? " that have times" : " without times")};
 }
 
-Fitness fit_pose(std::string topic, MessageKind kind) {
-  const std::initializer_list<std::string_view> ins_words{"ins",  "gnss",       "gps",      "novatel", "span",
-                                                          "oxts", "septentrio", "applanix", "pos",     "nav"};
-  const std::initializer_list<std::string_view> other_words{"lidar",  "laser", "loam",   "lio", "visual",
-                                                            "camera", "wheel", "wheels", "icp", "mapped"};
+/// Of these words of a topic's name, parted by '/' and '_'.
+bool name_speaks_of(std::string topic, std::initializer_list<std::string_view> words) {
   std::replace(topic.begin(), topic.end(), '/', '_');
-  if (name_has_word(topic, other_words)) return {0.0, "its name speaks of another sensor than an INS"};
+  return name_has_word(topic, words);
+}
+
+bool name_speaks_of_ins(const std::string& topic) {
+  return name_speaks_of(topic,
+                        {"ins", "gnss", "gps", "novatel", "span", "oxts", "septentrio", "applanix", "pos", "nav"});
+}
+
+Fitness fit_pose(const std::string& topic, MessageKind kind) {
+  if (name_speaks_of(topic, {"lidar", "laser", "loam", "lio", "visual", "camera", "wheel", "wheels", "icp", "mapped"}))
+    return {0.0, "its name speaks of another sensor than an INS"};
   const double score = kind == MessageKind::Odometry ? 30.0 : kind == MessageKind::TransformStamped ? 10.0 : 20.0;
-  if (name_has_word(topic, ins_words)) return {score + 100.0, "poses; the name speaks of an INS"};
+  if (name_speaks_of_ins(topic)) return {score + 100.0, "poses; the name speaks of an INS"};
   return {score, "poses; the name does not say of what"};
 }
+
+/// Between poses at a lower rate the motion of a vehicle is guessed rather than interpolated.
+constexpr double kLeastInsRate_hz = 5.0;
+constexpr double kMuchFaster = 3.0;
+
+bool is_much_faster(double rate_hz, double than_hz) {
+  return rate_hz >= kLeastInsRate_hz && than_hz < kLeastInsRate_hz && rate_hz >= kMuchFaster * than_hz;
+}
+
+/// What can be the INS, and how often it has positions.
+struct InsOffer {
+  const Candidate* candidate = nullptr;
+  Fitness alone;  ///< without regard to that
+  double rate_hz = 0.0;
+  bool certain = false;  ///< it is of an INS by its type or its name
+};
 
 class Chooser {
  public:
@@ -131,7 +87,8 @@ class Chooser {
       fixes_ = fixes_ || (candidate.kind == MessageKind::NavSatFix && !left_out("ins-position"));
     }
     roles.lidar = take("lidar", [&](const Candidate& c) { return fit_lidar(c, most_clouds); });
-    roles.ins = take("ins", [&](const Candidate& c) { return fit_ins(c, roles.lidar); });
+    find_ins_offers(roles.lidar);
+    roles.ins = take("ins", [&](const Candidate& c) { return fit_ins(c); });
     if (roles.lidar && roles.lidar == roles.ins)
       throw Error(ErrorCode::Contract, bag_.topics()[*roles.ins].name,
                   "was chosen for lidar and for ins: a motion that is compared with itself tells nothing");
@@ -146,22 +103,94 @@ class Chooser {
         "gnss", [&](const Candidate& c) { return fit_gnss(c, roles.ins_position); }, false);
     roles.imu = take(
         "imu", [&](const Candidate& c) { return fit_imu(c); }, false);
-    return {roles, list(roles)};
+    return {roles, list(roles), faster_than(roles)};
   }
 
  private:
+  const std::string& name(const Candidate& candidate) const { return bag_.topics()[candidate.topic].name; }
   MessageKind kind(std::size_t topic) const { return message_kind(bag_.topics()[topic].type); }
   bool left_out(std::string_view role) const {
     const auto chosen = choice_.find(role);
     return chosen != choice_.end() && chosen->second == kNoTopic;
   }
 
-  Fitness fit_ins(const Candidate& candidate, const std::optional<std::size_t>& lidar) const {
+  /// Without regard to how often it comes.
+  Fitness fit_ins_alone(const Candidate& candidate, const std::optional<std::size_t>& lidar) const {
     if (lidar == candidate.topic) return {0.0, "it stands for the LiDAR"};
     if (candidate.kind == MessageKind::Inspvax) return {1000.0, "position and attitude of the INS itself"};
-    if (candidate.kind != MessageKind::Imu) return fit_pose(bag_.topics()[candidate.topic].name, candidate.kind);
-    return fixes_ ? Fitness{50.0, "an orientation, to which fixes give the position"}
-                  : Fitness{0.0, "an orientation, but no fixes are there to give the position"};
+    if (candidate.kind != MessageKind::Imu) return fit_pose(name(candidate), candidate.kind);
+    if (!fixes_) return {0.0, "an orientation, but no fixes are there to give the position"};
+    // A driver that states an error has an orientation; one that does not may have left the field as it was.
+    return candidate.orientation_sigma ? Fitness{50.0, "an orientation, to which fixes give the position"}
+                                       : Fitness{45.0,
+                                                 "an orientation without its error, to which fixes give the "
+                                                 "position"};
+  }
+
+  /// Once for each of them: a hostile bag has thousands.
+  void find_ins_offers(const std::optional<std::size_t>& lidar) {
+    for (const Candidate& candidate : candidates_) {
+      if (!can_be(candidate, "ins")) continue;
+      const bool certain = candidate.kind == MessageKind::Inspvax || name_speaks_of_ins(name(candidate));
+      ins_offers_.push_back({&candidate, fit_ins_alone(candidate, lidar), ins_rate_hz(candidate), certain});
+    }
+  }
+
+  /// What comes too rarely stands behind whatever else is of an INS for certain.
+  Fitness fit_ins(const Candidate& candidate) const {
+    const auto offer = std::find_if(ins_offers_.begin(), ins_offers_.end(),
+                                    [&](const InsOffer& one) { return one.candidate == &candidate; });
+    if (offer == ins_offers_.end()) return {};
+    const InsOffer* faster = offer->alone.points > 0.0 ? faster_ins(offer->rate_hz, true) : nullptr;
+    if (faster == nullptr) return offer->alone;
+    char rates[2][32];
+    std::snprintf(rates[0], sizeof rates[0], "%.1f", offer->rate_hz);
+    std::snprintf(rates[1], sizeof rates[1], "%.1f", faster->rate_hz);
+    return {1e-3 * offer->alone.points,
+            std::string("slow: ") + rates[0] + " Hz, where " + name(*faster->candidate) + " has " + rates[1] + " Hz"};
+  }
+
+  /// Of those that give the INS much more often the one that fits best; null where there is none.
+  /// @param certain only what is of an INS by its type or its name
+  const InsOffer* faster_ins(double than_hz, bool certain) const {
+    const InsOffer* best = nullptr;
+    for (const InsOffer& offer : ins_offers_)
+      if (is_much_faster(offer.rate_hz, than_hz) && (offer.certain || !certain) &&
+          offer.alone.points > (best ? best->alone.points : 0.0))
+        best = &offer;
+    return best;
+  }
+
+  /// Of positions: an orientation has those of its fixes.
+  double ins_rate_hz(const Candidate& candidate) const {
+    if (candidate.kind != MessageKind::Imu) return candidate.rate_hz;
+    const Candidate* position = nullptr;
+    const auto asked = choice_.find("ins-position");
+    for (const Candidate& other : candidates_) {
+      if (!can_be(other, "ins-position")) continue;
+      const bool better = position == nullptr ||
+                          fit_position(other, candidate.topic).points > fit_position(*position, candidate.topic).points;
+      if (asked != choice_.end() ? asked->second == name(other) : better) position = &other;
+    }
+    return position ? std::min(candidate.rate_hz, position->rate_hz) : 0.0;
+  }
+
+  const Candidate* candidate_of(const std::optional<std::size_t>& topic) const {
+    for (const Candidate& candidate : candidates_)
+      if (topic == candidate.topic) return &candidate;
+    return nullptr;
+  }
+
+  std::optional<FasterTopic> faster_than(const TopicRoles& roles) const {
+    const Candidate* ins = candidate_of(roles.ins);
+    if (ins == nullptr) return std::nullopt;
+    if (const Candidate* position = candidate_of(roles.ins_position))
+      for (const Candidate& other : candidates_)
+        if (can_be(other, "ins-position") && is_much_faster(other.rate_hz, position->rate_hz) &&
+            ins->rate_hz >= kLeastInsRate_hz)
+          return FasterTopic{"ins-position", name(other), other.rate_hz};
+    const InsOffer* other = faster_ins(ins_rate_hz(*ins), false);
+    return other ? std::optional(FasterTopic{"ins", name(*other->candidate), other->rate_hz}) : std::nullopt;
   }
 
   /// Devices publish under one name: "/ins/imu" and "/ins/fix". As long a common beginning as can be.
@@ -195,7 +224,7 @@ class Chooser {
       throw Error(ErrorCode::Contract, name, "is no topic of this bag. It has:" + names);
     }
     for (const Candidate& candidate : candidates_)
-      if (bag_.topics()[candidate.topic].name == name && can_be(candidate, role)) return candidate.topic;
+      if (bag_.topics()[candidate.topic].name == name && may_be_asked_for(candidate, role)) return candidate.topic;
     throw Error(ErrorCode::Contract, name, "cannot serve as " + std::string(role) + ": see what inspect says of it");
   }
 
@@ -259,6 +288,7 @@ class Chooser {
   const TopicChoice& choice_;
   std::vector<Finding>& findings_;
   std::vector<Candidate> candidates_;
+  std::vector<InsOffer> ins_offers_;
   std::vector<std::vector<TopicUse>> uses_;  ///< of each topic of the bag
   bool fixes_ = false;                       ///< there are some that may give positions
 };

@@ -16,15 +16,23 @@ struct TopicRoles {
   std::array<std::optional<std::size_t>, 5> all() const { return {lidar, ins, ins_position, gnss, imu}; }
 };
 
+/// A topic that would give the INS far more often than the one that was taken.
+struct FasterTopic {
+  std::string_view role;  ///< of kTopicRoles: "ins" or "ins-position"
+  std::string name;
+  double rate_hz = 0.0;
+};
+
 /// Which topic has which role, and what each topic of the bag can be and is used as.
 struct ChosenTopics {
   TopicRoles roles;
   std::vector<OfferedTopic> topics;
+  std::optional<FasterTopic> faster;  ///< where the INS has too few messages for its motion
 };
 
 /// Takes what `choice` says and suggests the rest; what of several was taken without being asked is a finding. Reads
-/// one message of each topic that comes into question. Throws Error(Contract) for a topic that the bag does not have,
-/// that cannot serve as what it was chosen for, or that was chosen for LiDAR and INS at once.
+/// up to three messages of each topic that comes into question. Throws Error(Contract) for a topic that the bag does
+/// not have, that cannot serve as what it was chosen for, or that was chosen for LiDAR and INS at once.
 ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings);
 
 /// Whether all transforms of a topic are read for the nominal mounting.

@@ -60,17 +60,65 @@ class BagMaker {
       add(log_ns, device + "/fix", "sensor_msgs/NavSatFix", fix_message(fix, 2, "ins", kRos1));
     }
   }
-  void add_odometry(const std::string& topic, int count) {
+  /// @param stamped false: the headers have no stamps
+  void add_odometry(const std::string& topic, int count, bool stamped = true) {
     for (int i = 0; i < count; ++i) {
       MessageWriter writer(kRos1);
       const double yaw = 0.05 * i;
-      writer.header(kStart_ns + i * kStep_ns / 2, "map").string("base");
+      writer.header(stamped ? kStart_ns + i * kStep_ns / 2 : 0, "map").string("base");
       for (const double value :
            {10.0 * std::cos(yaw), 10.0 * std::sin(yaw), 0.0, 0.0, 0.0, std::sin(yaw / 2.0), std::cos(yaw / 2.0)})
         writer.number(value);
       for (int k = 0; k < 36 + 6 + 36; ++k) writer.number(0.0);
       add(kStart_ns + i * kStep_ns / 2, topic, "nav_msgs/Odometry", writer.bytes());
     }
+  }
+  /// INSPVAX of novatel_oem7_driver on the circle. @param every of its places, which are 50 ms apart
+  void add_inspvax(const std::string& topic, int count, int every, std::uint32_t position_type = 56, int first = 0) {
+    constexpr std::int64_t kWeek = 2123, kStartOfDrive_ms = 44'818'000;  // kStart_ns
+    for (int i = first; i < first + count; ++i) {
+      const InsSample sample = on_circle(i * every);
+      const std::int64_t since_ns = sample.stamp_ns - kStart_ns;
+      MessageWriter writer(kRos1);
+      writer.header(sample.stamp_ns, "gps").string("INSPVAX").number<std::uint16_t>(1465).number<std::uint8_t>(0);
+      writer.number<std::uint32_t>(0).number<std::uint8_t>(180).number(static_cast<std::uint16_t>(kWeek));
+      writer.number(static_cast<std::uint32_t>(kStartOfDrive_ms + since_ns / 1'000'000));
+      writer.number<std::uint32_t>(3).number(position_type);
+      writer.number(radians_to_degrees(sample.latitude_rad)).number(radians_to_degrees(sample.longitude_rad));
+      writer.number(sample.height_m).number(0.0f);
+      for (int k = 0; k < 3 + 2; ++k) writer.number(0.0);  // velocity, roll, pitch
+      writer.number(360.0 - radians_to_degrees(std::fmod(0.05 * i * every, 2.0 * kPi)));
+      for (int k = 0; k < 9; ++k) writer.number(0.02f);
+      add(sample.stamp_ns + 10'000'000, topic, "novatel_oem7_msgs/INSPVAX", writer.bytes());
+    }
+  }
+  /// What an Imu says: variances of -1 stand for "not measured".
+  struct ImuContent {
+    Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+    double orientation_variance = 0.0;
+    Eigen::Vector3d rate = Eigen::Vector3d::Zero();
+    double rate_variance = 0.0;
+  };
+  void add_imu(const std::string& topic, int i, const ImuContent& content) {
+    MessageWriter writer(kRos1);
+    writer.header(kStart_ns + i * kStep_ns / 2, "imu");
+    for (const double value : content.orientation.coeffs()) writer.number(value);
+    const auto covariance = [&](double variance) {
+      for (int k = 0; k < 9; ++k) writer.number(k % 4 == 0 && (variance > 0.0 || k == 0) ? variance : 0.0);
+    };
+    covariance(content.orientation_variance);
+    for (const double value : content.rate) writer.number(value);
+    covariance(content.rate_variance);
+    for (const double value : {0.0, 0.0, 9.8}) writer.number(value);
+    covariance(content.rate_variance);
+    add(kStart_ns + i * kStep_ns / 2 + 10'000'000, topic, "sensor_msgs/Imu", writer.bytes());
+  }
+  /// One fix of the circle. @param stated whether it states its covariance
+  void add_fix(const std::string& topic, int i, int status, bool stated = true) {
+    const InsSample sample = on_circle(i);
+    GnssFix fix{sample.stamp_ns, sample.latitude_rad, sample.longitude_rad, sample.height_m, {}};
+    fix.covariance_enu_m2 = Eigen::Matrix3d::Identity() * (stated ? 0.0004 : std::nan(""));
+    add(sample.stamp_ns + 10'000'000, topic, "sensor_msgs/NavSatFix", fix_message(fix, status, "gps", kRos1));
   }
   void add_static_transform(const std::string& parent, const std::string& child, double x_m) {
     MessageWriter writer(kRos1);

@@ -1,0 +1,83 @@
+#include "model/io/bag/correction_status.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "model/io/stream_tools.h"
+
+namespace remount {
+namespace {
+
+constexpr int kNone = 0, kPosition = 1, kFloat = 2, kFixed = 3;
+
+/// OEM6 and OEM7 manuals, "Position or Velocity Type". Those that do not stand here are positions of less.
+struct PositionType {
+  std::string_view number, name;
+  int level = kPosition;
+};
+constexpr PositionType kPositionTypes[] = {
+    {"0", "NONE", kNone},
+    {"16", "SINGLE", kPosition},
+    {"17", "PSRDIFF", kPosition},
+    {"18", "WAAS", kPosition},
+    {"32", "L1_FLOAT", kFloat},
+    {"33", "IONOFREE_FLOAT", kFloat},
+    {"34", "NARROW_FLOAT", kFloat},
+    {"48", "L1_INT", kFixed},
+    {"49", "WIDE_INT", kFixed},
+    {"50", "NARROW_INT", kFixed},
+    {"51", "RTK_DIRECT_INS", kFixed},
+    {"52", "INS_SBAS", kPosition},
+    {"53", "INS_PSRSP", kPosition},
+    {"54", "INS_PSRDIFF", kPosition},
+    {"55", "INS_RTKFLOAT", kFloat},
+    {"56", "INS_RTKFIXED", kFixed},
+    {"69", "PPP", kFloat},
+    {"73", "INS_PPP_CONVERGING", kPosition},
+    {"74", "INS_PPP", kFloat},
+};
+
+}  // namespace
+
+CorrectionStatus correction_status(const FixMessage& fix) {
+  return {fix.status < 0 ? kNone : fix.status == 2 ? kFixed : kPosition, std::to_string(fix.status)};
+}
+
+CorrectionStatus correction_status(const InspvaxMessage& message) {
+  for (const PositionType& type : kPositionTypes)
+    if (type.number == message.position_type || type.name == message.position_type)
+      return {type.level, std::string(type.name)};
+  return {kPosition, message.position_type};
+}
+
+void report_lost_corrections(const std::vector<CorrectionStatus>& positions, const std::string& where,
+                             std::vector<Finding>& findings) {
+  if (positions.size() < 10) return;
+  std::array<std::size_t, 4> count{};
+  for (const CorrectionStatus& position : positions) ++count[static_cast<std::size_t>(position.level)];
+  int usual = kFixed;
+  while (usual >= kFloat && count[static_cast<std::size_t>(usual)] * 10 < positions.size()) --usual;
+  if (usual < kFloat) return;
+  const CorrectionStatus *best = nullptr, *worst = nullptr;
+  std::size_t lost = 0, stretches = 0;
+  bool within = false;
+  for (const CorrectionStatus& position : positions) {
+    const bool bad = position.level < usual;
+    stretches += bad && !within;
+    lost += bad;
+    within = bad;
+    if (!bad && best == nullptr) best = &position;
+    if (bad && (worst == nullptr || position.level < worst->level)) worst = &position;
+  }
+  if (worst == nullptr || best == nullptr) return;
+  char text[320];
+  std::snprintf(text, sizeof text,
+                "The status of the position falls from %.40s to %.40s in %zu stretches, %.0f %% of the drive: "
+                "corrections (RTK) were lost.",
+                best->name.c_str(), worst->name.c_str(), stretches,
+                100.0 * static_cast<double>(lost) / static_cast<double>(positions.size()));
+  findings.push_back(make_finding(Severity::Warning, "rtk-lost", where, text));
+}
+
+}  // namespace remount
