@@ -9507,6 +9507,10 @@ Save under another name, or close it there first.</source>
         <source>Give its sigma, use a method that takes measured values, or leave it out.</source>
         <translation>请给出它的 sigma，改用接受测量值的方法，或去掉它。</translation>
     </message>
+    <message>
+        <source>is empty, expected a topic of a bag, or &quot;none&quot; to leave the role out</source>
+        <translation>为空，应为 bag 中的一个话题，或以“none”表示不使用该角色</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
