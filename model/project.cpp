@@ -294,6 +294,7 @@ ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& ou
   file.version = kVersion;
   file.settings = input.settings;
   file.inputs = std::move(inputs);
+  file.topics = used_topics(input.sessions);
   return file;
 }
 

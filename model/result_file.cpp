@@ -14,6 +14,7 @@
 #include "model/io/sha256.h"
 #include "model/io/transform_document.h"
 #include "model/settings_file.h"
+#include "model/topic_offer.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -128,6 +129,18 @@ DocumentNode pairs_document(const std::vector<PairRecord>& pairs) {
   return list;
 }
 
+DocumentNode topics_document(const std::vector<UsedTopics>& used) {
+  DocumentNode list = DocumentNode::sequence();
+  for (const UsedTopics& one : used) {
+    DocumentNode& node = list.add(DocumentNode::map());
+    node.add("session", DocumentNode::string(one.session));
+    DocumentNode& topics = node.add("topics", DocumentNode::map());
+    topics.on_one_line = true;
+    for (const auto& [role, topic] : one.topics) topics.add(role, DocumentNode::string(topic));
+  }
+  return list;
+}
+
 DocumentNode provenance_document(const ResultFile& file) {
   DocumentNode node = DocumentNode::map();
   node.add("version", DocumentNode::string(file.version.empty() ? kVersion : file.version));
@@ -141,6 +154,7 @@ DocumentNode provenance_document(const ResultFile& file) {
     entry.add("bytes", DocumentNode::integer(static_cast<std::int64_t>(input.bytes)));
     entry.add("sha256", input.sha256.empty() ? DocumentNode::null() : DocumentNode::string(input.sha256));
   }
+  if (!file.topics.empty()) node.add("topics", topics_document(file.topics));
   return node;
 }
 
@@ -235,6 +249,13 @@ std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Sessi
     progress.report("hashing inputs", ++done, files.size());
   });
   return inputs;
+}
+
+std::vector<UsedTopics> used_topics(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  std::vector<UsedTopics> used;
+  for (const auto& session : sessions)
+    if (!session->topics.empty()) used.push_back({session->name, choice_in_use(session->topics)});
+  return used;
 }
 
 std::vector<InputFile> list_inputs(const std::vector<std::shared_ptr<const Session>>& sessions) {

@@ -15,6 +15,7 @@
 #include "model/io/document.h"
 #include "model/session.h"
 #include "model/settings.h"
+#include "model/topic_choice.h"
 
 namespace remount {
 
@@ -58,6 +59,14 @@ std::string changed_file(const std::vector<InputFile>& then, const std::vector<I
 /// One plain file as an input.
 InputFile hash_input(const std::filesystem::path& path);
 
+/// Which topics of a bag a session was made of: by role, "none" where the bag has some for a role and none served.
+struct UsedTopics {
+  std::string session;
+  TopicChoice topics;
+};
+/// Of those of the sessions that are bags, in their order.
+std::vector<UsedTopics> used_topics(const std::vector<std::shared_ptr<const Session>>& sessions);
+
 struct ResultFile {
   std::string method{kPairwise};  ///< id of the CalibrationMethod
   CalibrationResult result;
@@ -71,6 +80,7 @@ struct ResultFile {
   std::string version;                    ///< of the program that wrote it
   Settings settings;
   std::vector<InputFile> inputs;
+  std::vector<UsedTopics> topics;  ///< of bags; empty as well where a former version wrote the file
 };
 
 /// Whether X stands on pairs of keyframes; other methods have neither pairs nor residuals of them.

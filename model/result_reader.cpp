@@ -8,6 +8,7 @@
 #include "model/io/transform_document.h"
 #include "model/result_file.h"
 #include "model/settings_file.h"
+#include "model/topic_document.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -142,6 +143,9 @@ void read_provenance(const DocumentView& view, ResultFile& file) {
     if (!item.at("sha256").is_null()) input.sha256 = item.at("sha256").string();
     file.inputs.push_back(input);
   }
+  if (view.has("topics"))
+    for (const DocumentView& item : view.at("topics").items())
+      file.topics.push_back({item.at("session").string(), topic_choice_from_document(item.at("topics"))});
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ const std::vector<const char*>& document_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "is not JSON here (byte %1)"),
       QT_TRANSLATE_NOOP("remount::model", "is %1 bytes long, at most %2 are expected here"),
       QT_TRANSLATE_NOOP("remount::model", "is empty, expected keys and values"),
+      QT_TRANSLATE_NOOP("remount::model", "is empty, expected a topic of a bag, or \"none\" to leave the role out"),
       QT_TRANSLATE_NOOP("remount::model", "a second YAML document begins, only one is expected"),
       QT_TRANSLATE_NOOP("remount::model", "is not YAML here: %1"),
       QT_TRANSLATE_NOOP("remount::model", "illegal map value"),

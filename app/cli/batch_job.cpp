@@ -50,7 +50,7 @@ PipelineInput input_of(const FleetVehicle& vehicle, const FleetJob& job, Console
   SolveArguments arguments;
   arguments.nominal = vehicle.nominal;
   const std::optional<ReadMounting> nominal = arguments.nominal_mounting(console);
-  input.sessions = open_sessions(job.sessions, {}, console);
+  input.sessions = open_sessions(job.sessions, std::vector(job.sessions.size(), vehicle.topics), console);
   if (nominal)
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, vehicle.nominal, input.sessions, console);
   else if (vehicle.nominal.empty())
@@ -113,12 +113,12 @@ std::optional<RigidTransform> asked_nominal(const FleetVehicle& vehicle, const R
 std::string why_out_of_date(const Fleet& fleet, const FleetJob& job, const ResultFile& stored, Console& console) {
   const FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
   try {
-    const std::string other = why_other_job(stored, vehicle.settings, asked_nominal(vehicle, stored));
+    const std::string other = why_other_job(stored, vehicle.settings, asked_nominal(vehicle, stored), vehicle.topics);
     if (!other.empty()) return other;
-    // The fleet's file may have had a nominal then.
-    const bool other_nominal =
-        vehicle.nominal.empty() && stored.nominal_ins_from_lidar && written_since_result(fleet.path, job);
-    if (!other_nominal && !may_have_changed(job, stored)) return {};
+    // The fleet's file may have had a nominal then, or topics that are left to be suggested now.
+    const bool left_open = (vehicle.nominal.empty() && stored.nominal_ins_from_lidar) || !stored.topics.empty();
+    const bool other_wish = left_open && written_since_result(fleet.path, job);
+    if (!other_wish && !may_have_changed(job, stored)) return {};
     return why_not_done(job, input_of(vehicle, job, console), console.progress());
   } catch (const Error& error) {
     return error.what();

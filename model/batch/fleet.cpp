@@ -9,6 +9,7 @@
 #include "model/io/parse_document.h"
 #include "model/io/sha256.h"
 #include "model/settings_file.h"
+#include "model/topic_document.h"
 
 namespace remount {
 namespace {
@@ -123,14 +124,21 @@ class JobReader {
   std::map<std::string, int> seen_;
 };
 
-void add_vehicle(const DocumentView& view, const Settings& settings, const std::filesystem::path& folder,
+/// What the fleet says for all of its vehicles.
+struct FleetDefaults {
+  Settings settings;
+  TopicChoice topics;
+};
+
+void add_vehicle(const DocumentView& view, const FleetDefaults& all, const std::filesystem::path& folder,
                  Fleet& fleet) {
-  view.allow_only({"name", "sessions", "settings", "nominal", "last", "reference"});
+  view.allow_only({"name", "sessions", "settings", "topics", "nominal", "last", "reference"});
   FleetVehicle vehicle;
   vehicle.name = vehicle_name(view.at("name"));
   for (const FleetVehicle& other : fleet.vehicles)
     if (other.name == vehicle.name) view.at("name").fail("\"" + vehicle.name + "\" names a vehicle before it already");
-  vehicle.settings = view.has("settings") ? settings_from_document(view.at("settings"), settings) : settings;
+  vehicle.settings = view.has("settings") ? settings_from_document(view.at("settings"), all.settings) : all.settings;
+  vehicle.topics = view.has("topics") ? topic_choice_from_document(view.at("topics"), all.topics) : all.topics;
   if (view.has("nominal")) vehicle.nominal = nominal_from(view.at("nominal"), folder);
   if (view.has("last")) vehicle.last = resolved(view.at("last"), folder);
   if (view.has("reference")) vehicle.reference = resolved(view.at("reference"), folder);
@@ -150,17 +158,19 @@ Fleet load_fleet(const std::filesystem::path& path) {
   const std::string format = root.at("format").string();
   if (format != kFormat)
     root.at("format").fail("is \"" + format.substr(0, 60) + "\", expected \"" + std::string(kFormat) + "\"");
-  root.allow_only({"format", "results", "drift", "settings", "vehicles"});
+  root.allow_only({"format", "results", "drift", "settings", "topics", "vehicles"});
   Fleet fleet;
   fleet.path = std::filesystem::absolute(path).lexically_normal();
   const std::filesystem::path folder = fleet.path.parent_path();
   fleet.results =
       root.has("results") ? resolved(root.at("results"), folder) : folder / (path.stem().string() + ".results");
   if (root.has("drift")) fleet.drift = drift_from(root.at("drift"));
-  const Settings settings = root.has("settings") ? settings_from_document(root.at("settings")) : Settings{};
+  FleetDefaults all;
+  if (root.has("settings")) all.settings = settings_from_document(root.at("settings"));
+  if (root.has("topics")) all.topics = topic_choice_from_document(root.at("topics"));
   const std::vector<DocumentView> vehicles = root.at("vehicles").items();
   if (vehicles.empty()) root.at("vehicles").fail("is empty, expected at least one vehicle with its sessions");
-  for (const DocumentView& vehicle : vehicles) add_vehicle(vehicle, settings, folder, fleet);
+  for (const DocumentView& vehicle : vehicles) add_vehicle(vehicle, all, folder, fleet);
   return fleet;
 }
 

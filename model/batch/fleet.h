@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/settings.h"
+#include "model/topic_choice.h"
 
 namespace remount {
 
@@ -32,6 +33,7 @@ struct FleetJob {
 struct FleetVehicle {
   std::string name;
   Settings settings;           ///< of the fleet, changed by those of the vehicle
+  TopicChoice topics;          ///< of bags: those of the fleet, changed by those of the vehicle
   std::string nominal;         ///< as --nominal takes it; empty: as the sessions declare it
   std::filesystem::path last;  ///< a calibration from before the first job; empty: none is known
   /// The calibration that the mounting is judged by, whatever came since; empty: the oldest that is known.

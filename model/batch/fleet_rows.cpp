@@ -83,7 +83,8 @@ std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, cons
     }
     if (!is_file(job.result)) return std::nullopt;
     ResultFile file = load_result(job.result);
-    row.message = why_other_job(file, fleet.vehicles[job.vehicle].settings, file.nominal_ins_from_lidar);
+    const FleetVehicle& vehicle = fleet.vehicles[job.vehicle];
+    row.message = why_other_job(file, vehicle.settings, file.nominal_ins_from_lidar, vehicle.topics);
     if (row.message.empty() && why_out_of_date) row.message = why_out_of_date(job, file);
     row.state = row.message.empty() ? JobState::Done : JobState::OutOfDate;
     if (row.message.empty()) row.message = file.result.message;

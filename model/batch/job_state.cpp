@@ -69,6 +69,31 @@ bool unchanged_since(const std::filesystem::path& session, std::int64_t since_ns
   return !error;
 }
 
+constexpr const char* kTopicsUnknown = "the result does not say which topics it is of";
+
+/// "lidar is /a, it was /b" of the first role that another topic served than is wanted for it; empty where none did.
+/// Roles that nobody asks for do not count.
+std::string other_topic(const TopicChoice& used, const TopicChoice& wanted) {
+  for (const auto& [role, topic] : wanted) {
+    const auto found = used.find(role);
+    const std::string before = found == used.end() ? std::string(kNoTopic) : found->second;
+    if (before != topic) return role + " is " + topic + ", it was " + before;
+  }
+  return {};
+}
+
+/// Those of the opened bags, suggested ones as well.
+std::string other_topics(const std::vector<UsedTopics>& then, const std::vector<UsedTopics>& now) {
+  if (then.empty() && !now.empty()) return kTopicsUnknown;
+  for (std::size_t i = 0; i < std::min(then.size(), now.size()); ++i) {
+    TopicChoice all_roles = now[i].topics;
+    for (const auto& [role, topic] : then[i].topics) all_roles.emplace(role, kNoTopic);
+    if (const std::string other = other_topic(then[i].topics, all_roles); !other.empty())
+      return "topics of " + now[i].session + ": " + other;
+  }
+  return {};
+}
+
 std::string changed_input(const ResultFile& stored, std::int64_t stored_ns, const PipelineInput& input,
                           Progress& progress) {
   const std::string other = other_file(stored.inputs, list_inputs(input.sessions));
@@ -80,12 +105,16 @@ std::string changed_input(const ResultFile& stored, std::int64_t stored_ns, cons
 }  // namespace
 
 std::string why_other_job(const ResultFile& stored, const Settings& settings,
-                          const std::optional<RigidTransform>& nominal_ins_from_lidar) {
+                          const std::optional<RigidTransform>& nominal_ins_from_lidar, const TopicChoice& topics) {
   if (stored.result.status == Status::Cancelled) return "it was cancelled";
   if (stored.version != kVersion) return "version " + stored.version + " made it, now " + std::string(kVersion);
   const std::vector<std::string> changes =
       changes_since({0, stored.settings, stored.nominal_ins_from_lidar}, {0, settings, nominal_ins_from_lidar});
-  return changes.empty() ? "" : changes.front();
+  if (!changes.empty()) return changes.front();
+  if (stored.topics.empty() && !topics.empty()) return kTopicsUnknown;
+  for (const UsedTopics& used : stored.topics)
+    if (const std::string other = other_topic(used.topics, topics); !other.empty()) return "topics: " + other;
+  return {};
 }
 
 std::string why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress) {
@@ -93,7 +122,8 @@ std::string why_not_done(const FleetJob& job, const PipelineInput& input, Progre
   if (!is_file(job.result) || !made) return "there is no result yet";
   try {
     const ResultFile stored = load_result(job.result);
-    const std::string other = why_other_job(stored, input.settings, input.nominal_ins_from_lidar);
+    std::string other = why_other_job(stored, input.settings, input.nominal_ins_from_lidar, {});
+    if (other.empty()) other = other_topics(stored.topics, used_topics(input.sessions));
     if (!other.empty()) return other;
     const std::string changed = changed_input(stored, *made, input, progress);
     return changed.empty() ? "" : changed + " has changed";

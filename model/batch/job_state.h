@@ -10,10 +10,11 @@
 
 namespace remount {
 
-/// Why what made `stored` is not what `settings` and `nominal_ins_from_lidar` ask for now: another version of the
-/// program, settings or a nominal that have changed, a run that was cancelled. Empty where nothing is.
+/// Why what made `stored` is not what `settings`, `nominal_ins_from_lidar` and `topics` ask for now: another version
+/// of the program, settings, a nominal or topics that have changed, a run that was cancelled. Empty where nothing is.
+/// @param topics that somebody asked for; which others would be suggested now is known only to the opened bag
 std::string why_other_job(const ResultFile& stored, const Settings& settings,
-                          const std::optional<RigidTransform>& nominal_ins_from_lidar);
+                          const std::optional<RigidTransform>& nominal_ins_from_lidar, const TopicChoice& topics);
 
 /// Why the job must run (again); empty where its result answers `input` as it is now. Files that have not been written
 /// since the result was are taken to be unchanged; others are compared by their hashes.

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "algorithms/core/median.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/crc32.h"
 #include "model/io/csv_table.h"
@@ -123,13 +124,13 @@ void read_ascii(const std::string& text, const fs::path& path, InspvaxLog& log, 
 }
 
 /// The column of the time of week is called seconds and holds milliseconds in some drivers: its steps tell. At 4 units
-/// a step, seconds would mean a sample every four seconds, which no INS log has.
+/// a step, seconds would mean a sample every four seconds, which no INS log has. No week has more than 604800 seconds.
 std::int64_t time_unit_ns(const std::string& text, std::size_t column) {
   LineReader lines(text);
   std::string_view line;
   lines.next(line);
   std::vector<std::string_view> fields;
-  std::vector<double> steps;
+  std::vector<double> steps, values;
   double before = std::nan("");
   while (steps.size() < 200 && lines.next(line)) {
     split_csv(line, fields);
@@ -137,10 +138,11 @@ std::int64_t time_unit_ns(const std::string& text, std::size_t column) {
     if (!value) continue;
     if (*value > before) steps.push_back(*value - before);
     before = *value;
+    if (values.size() < 200) values.push_back(*value);
   }
-  if (steps.empty()) return before > 604'800.0 ? 1'000'000 : 1'000'000'000;
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2] >= 4.0 ? 1'000'000 : 1'000'000'000;
+  const bool beyond_a_week = !values.empty() && median_of(std::move(values)) > 604'800.0;
+  const bool long_steps = !steps.empty() && median_of(std::move(steps)) >= 4.0;
+  return beyond_a_week || long_steps ? 1'000'000 : 1'000'000'000;
 }
 
 /// What the host's clock is off against GPS time, for the engineer; nothing is computed from it.

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::int64_t kDay_ns = 86'400'000'000'000;
+constexpr std::int64_t kLate_ns = 60'000'000'000;  ///< more than any sentence comes behind those of a later time
 constexpr std::int64_t kNearAttitude_ns = 250'000'000;
 constexpr double kUnknownTilt_rad = 3.0 * kPi / 180.0;
 
@@ -118,12 +119,16 @@ class NmeaReader {
     return true;
   }
 
-  /// Time of day to time since the first midnight: a step back by most of a day is a new one.
+  /// Time of day to time since the first midnight: a step back by most of a day is a new one, and a step ahead by
+  /// nearly all of one a sentence from before midnight that comes late.
   std::optional<std::int64_t> running(std::string_view text) {
     const auto time = nmea_time_ns(text);
     if (!time) return std::nullopt;
     std::int64_t now = days_ * kDay_ns + *time;
-    if (now < last_ns_ - kDay_ns / 2) ++days_, now += kDay_ns;
+    if (now < last_ns_ - kDay_ns / 2)
+      ++days_, now += kDay_ns;
+    else if (last_ns_ >= 0 && now > last_ns_ + kDay_ns - kLate_ns)
+      now -= kDay_ns;
     last_ns_ = std::max(last_ns_, now);
     places_.add_time(last_ns_);
     timed_ = true;
@@ -156,7 +161,8 @@ class NmeaReader {
     const auto midnight =
         parse_date_ns(year + "-" + std::string(date.substr(2, 2)) + "-" + std::string(date.substr(0, 2)) + " 00:00:00");
     if (!midnight) return false;
-    midnight_ns_ = *midnight - days_ * kDay_ns;
+    const std::int64_t day = *time < 0 ? -1 : *time / kDay_ns;  // a late sentence has the date of the day before
+    midnight_ns_ = *midnight - day * kDay_ns;
     return true;
   }
 

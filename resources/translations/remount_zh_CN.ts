@@ -9835,6 +9835,10 @@ Save under another name, or close it there first.</source>
         <source>The status of the position falls from %1 to %2 in %3 stretches, %4 % of the drive: corrections (RTK) were lost.</source>
         <translation>位置的状态从 %1 降到 %2，共 %3 段，占行程的 %4 %：差分改正（RTK）丢失。</translation>
     </message>
+    <message>
+        <source>is empty, expected a topic of a bag, or &quot;none&quot; to leave the role out</source>
+        <translation>为空，应为 bag 中的一个话题，或以“none”表示不使用该角色</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

@@ -174,6 +174,23 @@ TEST(result_file, mutated_files_never_crash) {
   EXPECT_GT(refused, 30);
 }
 
+TEST(result_file, says_which_topics_of_bags_it_was_made_of) {
+  ResultFile file = example();
+  file.topics = {{"drive", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}, {"gnss", "none"}}}, {"other", {}}};
+  const ResultFile back = read_back(to_yaml(result_document(file)), false);
+  ASSERT_EQ(back.topics.size(), 2U);
+  EXPECT_EQ(back.topics[0].session, "drive");
+  EXPECT_EQ(back.topics[0].topics, file.topics[0].topics);
+  EXPECT_TRUE(read_back(to_yaml(result_document(example())), false).topics.empty()) << "a former version wrote it";
+  DocumentNode node = result_document(file);
+  DocumentNode& topics = at(at(at(node, "provenance"), "topics").items[0], "topics");
+  topics.keys[0] = "camera";
+  EXPECT_NE(error_of(node).find("known are lidar, ins"), std::string::npos) << error_of(node);
+  node = result_document(file);
+  at(at(node, "provenance"), "topics").items[0].keys[0] = "name";
+  EXPECT_NE(error_of(node).find("session"), std::string::npos) << error_of(node);
+}
+
 TEST(result_file, usable_needs_a_solution_and_something_observed) {
   CalibrationResult result = example().result;
   EXPECT_TRUE(is_usable(result));

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/geometry/rotation.h"
+#include "model/batch/fleet.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
 #include "model/project.h"
@@ -40,6 +41,41 @@ TEST_F(cli_bags, are_calibrated_to_the_truth) {
   EXPECT_LT(apart_m, 0.15);
   EXPECT_LT(apart_deg, 0.5);
   EXPECT_EQ(load_project(project).topics_of(0), (TopicChoice{{"ins", "/ins/imu"}}));
+  ASSERT_EQ(file.topics.size(), 1U) << "the result says of which topics it is, suggested ones as well";
+  EXPECT_EQ(file.topics[0].topics, (TopicChoice{{"lidar", "/lidar/points"},
+                                                {"ins", "/ins/imu"},
+                                                {"ins-position", "/ins/fix"},
+                                                {"imu", "/imu/data"},
+                                                {"gnss", "/gnss/fix"}}));
+}
+
+TEST_F(cli_bags, a_fleet_chooses_their_topics_and_notices_when_it_chooses_others) {
+  const auto fleet = [](const std::string& vehicle) {
+    std::ofstream(path("bags.yaml")) << "format: remount-fleet/1\nsettings: {run: {map_check: false}}\n"
+                                     << "topics: {ins: /ins/imu, ins-position: /ins/fix}\nvehicles:\n"
+                                     << "  - {name: v, " << vehicle << "sessions: [drive]}\n";
+    return load_fleet(path("bags.yaml"));
+  };
+  const std::string job = "batch " + path("bags.yaml") + " --job 1", table = "batch " + path("bags.yaml") + " --table";
+  const auto says = [](const Outcome& outcome, int code, const std::string& words) {
+    EXPECT_EQ(outcome.code, code) << outcome.out << outcome.err;
+    EXPECT_NE((outcome.out + outcome.err).find(words), std::string::npos) << words << " in\n"
+                                                                          << outcome.out << outcome.err;
+  };
+  const Fleet all = fleet("");
+  says(run(job), 0, "there is no result yet");
+  EXPECT_EQ(load_result(all.jobs[0].result).topics.at(0).topics.at("gnss"), "/gnss/fix") << "suggested";
+  says(run(job), 0, "done already");
+  says(run(table), 0, "1 solved");
+  fleet("topics: {gnss: /ins/fix}, ");
+  says(run(table), 3, "out of date, topics: gnss is /ins/fix, it was /gnss/fix");
+  says(run(job), 0, "gnss is /ins/fix, it was /gnss/fix");
+  says(run(table), 0, "1 solved");
+  fleet("");
+  says(run(table), 3, "gnss is /gnss/fix, it was /ins/fix");
+  says(run(job), 0, "gnss is /gnss/fix, it was /ins/fix");
+  fleet("topics: {lidar: /rear/points}, ");
+  says(run(job), 1, "is no topic of this bag");
 }
 
 TEST_F(cli_bags, that_do_not_have_a_topic_say_which_they_have) {

@@ -67,6 +67,25 @@ TEST_F(fleet_rows_of, a_change_is_drift_where_it_exceeds_both_the_combined_sigma
   std::printf("drift: %s\n", rows[2].last.drift.c_str());
 }
 
+TEST_F(fleet_rows_of, a_result_of_other_topics_is_out_of_date) {
+  ResultFile front = result(1.0, 10.0, 0.001);
+  front.topics = {{"mon", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}}}};
+  make(0, front);
+  make(1, result(1.0, 10.0, 0.001));
+  const auto message = [&](std::size_t job, const TopicChoice& topics) {
+    fleet_.vehicles[0].topics = topics;
+    const FleetRow row = fleet_rows(fleet_)[job];
+    EXPECT_EQ(row.state == JobState::Done, row.message.empty()) << row.message;
+    return row.message;
+  };
+  EXPECT_EQ(message(0, {}), "") << "suggested ones are known to the bag alone";
+  EXPECT_EQ(message(0, {{"lidar", "/front/points"}, {"gnss", "none"}}), "");
+  EXPECT_EQ(message(0, {{"lidar", "/rear/points"}}), "topics: lidar is /rear/points, it was /front/points");
+  EXPECT_EQ(message(0, {{"gnss", "/fix"}}), "topics: gnss is /fix, it was none");
+  EXPECT_EQ(message(0, {{"ins", "none"}}), "topics: ins is none, it was /ins/imu");
+  EXPECT_EQ(message(1, {{"ins", "/ins/imu"}}), "the result does not say which topics it is of");
+}
+
 TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
   make(0, result(1.0, 10.0, 0.001));
   ResultFile failed = result(9.0, 90.0, 0.001), flat = result(1.001, 70.0, 0.001);
