@@ -1,6 +1,9 @@
 // The program itself while the system calls fail by which it saves, and while a window has the project.
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <random>
+
 #include "model/exporters/exporter.h"
 #include "model/io/holder_lock.h"
 #include "tests/app/cli/program_fixture.h"
@@ -24,26 +27,32 @@ class cli_save_faults : public ProgramFixture<cli_save_faults> {
       save_result(file, path(x_m < 1.5 ? "old.yaml" : "new.yaml"));
     }
   }
+  static std::vector<std::string> export_of(const std::string& result) {
+    return {REMOUNT_CLI, "export", path(result), "--to", "autoware", "-o", path("out/kit.yaml")};
+  }
+  /// What the two results are exported as.
+  static testing::SavedFile exported_file() {
+    std::filesystem::create_directories(folder_ / "out");
+    testing::SavedFile file{folder_ / "out" / "kit.yaml", {}, {}, {}};
+    std::filesystem::remove(file.path);
+    for (const char* result : {"new.yaml", "old.yaml"}) {
+      EXPECT_EQ(testing::run_program_traced(folder_ / "out", export_of(result)).exit_code, 0);
+      (result == std::string("new.yaml") ? file.new_bytes : file.old_bytes) = testing::bytes_of(file.path);
+    }
+    EXPECT_NE(file.old_bytes, file.new_bytes);
+    return file;
+  }
 };
 
 TEST_F(cli_save_faults, of_an_export_leave_the_old_or_the_new_file_and_the_exit_code_says_which) {
   if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
-  std::filesystem::create_directories(folder_ / "out");
-  testing::SavedFile file{folder_ / "out" / "kit.yaml", {}, {}, {}};
-  const auto export_as = [&](const std::string& result) {
-    return std::vector<std::string>{REMOUNT_CLI, "export", path(result), "--to", "autoware", "-o", file.path.string()};
-  };
-  EXPECT_EQ(testing::run_program_traced(folder_ / "out", export_as("new.yaml")).exit_code, 0);
-  file.new_bytes = testing::bytes_of(file.path);
-  EXPECT_EQ(testing::run_program_traced(folder_ / "out", export_as("old.yaml")).exit_code, 0);
-  file.old_bytes = testing::bytes_of(file.path);
-  ASSERT_NE(file.old_bytes, file.new_bytes);
+  const testing::SavedFile file = exported_file();
   for (const int error : testing::kErrors) {
     const std::size_t calls = testing::for_every_call(
         {0, testing::Fault::Kind::Error, error},
         [&](const testing::Fault& fault) {
           file.put_old();
-          return testing::run_program_traced(folder_ / "out", export_as("new.yaml"), fault);
+          return testing::run_program_traced(folder_ / "out", export_of("new.yaml"), fault);
         },
         [&](const testing::TracedRun& run, const testing::Fault& fault) {
           check_saved(file, run, fault);
@@ -51,6 +60,33 @@ TEST_F(cli_save_faults, of_an_export_leave_the_old_or_the_new_file_and_the_exit_
         });
     EXPECT_GT(calls, 10U);
   }
+}
+
+TEST_F(cli_save_faults, an_export_that_is_killed_leaves_the_old_or_the_new_file) {
+  if (const std::string why = testing::why_tracing_is_impossible(); !why.empty()) GTEST_SKIP() << why;
+  constexpr int kKills = 200;
+  const testing::SavedFile file = exported_file();
+  const std::vector<std::string> words = export_of("new.yaml");
+  file.put_old();
+  const std::size_t calls = testing::run_program_traced(folder_ / "out", words).calls.size();
+  ASSERT_GT(calls, 0U);
+  std::mt19937 dice(20);
+  int old_files = 0;
+  for (int i = 0; i < kKills && !HasFailure(); ++i) {
+    file.put_old();
+    const testing::Fault fault{1 + dice() % calls,
+                               i % 2 == 0 ? testing::Fault::Kind::KillBefore : testing::Fault::Kind::KillAfter, 0};
+    const testing::TracedRun run = testing::run_program_traced(folder_ / "out", words, fault);
+    EXPECT_EQ(run.exit_code, 128 + SIGKILL) << told(run, fault);
+    old_files += file.is_old() ? 1 : 0;
+    EXPECT_TRUE(file.is_old() || file.is_new()) << told(run, fault);
+    // What it left beside the file does not stop the next one.
+    if (i % 20 == 0) {
+      EXPECT_EQ(testing::run_program_traced(folder_ / "out", words).exit_code, 0) << told(run, fault);
+    }
+  }
+  EXPECT_TRUE(old_files > 0 && old_files < kKills) << old_files << " of " << kKills << " were old";
+  std::printf("killed %d times at %zu calls: %d old files, the others new\n", kKills, calls, old_files);
 }
 
 TEST_F(cli_save_faults, a_project_that_is_open_is_not_saved_over) {
