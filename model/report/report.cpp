@@ -50,24 +50,27 @@ class Page {
   }
   std::string parameter(std::size_t i) const { return sentence(std::string(kParameterNames[i])); }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
-  enum class Texts { First, FirstAndLast, All };  // which cells are words, set to the left
+  enum class Texts { First, FirstAndLast, All };  // which columns are words, set to the left
   /// Repeated on each page of paper.
-  void header(const std::vector<std::string>& cells, Texts texts = Texts::First) {
+  void header(const std::vector<std::string>& cells) {
     html_ += "<thead>";
-    row(cells, texts, "th");
+    row(cells, "th");
     html_ += "</thead>\n";
   }
   void cell(const std::string& content, const std::string& tag, bool is_text) {
     const char* style = is_text ? " class=\"text\" align=\"left\">" : " align=\"right\">";
     html_.append("<").append(tag).append(style).append(content).append("</").append(tag).append(">");
   }
-  void row(const std::vector<std::string>& cells, Texts texts = Texts::First, const char* tag = "td") {
+  void row(const std::vector<std::string>& cells, const char* tag = "td") {
     html_ += "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
-      cell(cells[i], tag, texts == Texts::All || i == 0 || (texts == Texts::FirstAndLast && i + 1 == cells.size()));
+      cell(cells[i], tag, texts_ == Texts::All || i == 0 || (texts_ == Texts::FirstAndLast && i + 1 == cells.size()));
     html_ += "</tr>\n";
   }
-  void begin_table() { html_ += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"; }
+  void begin_table(Texts texts = Texts::First) {
+    texts_ = texts;
+    html_ += "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n";
+  }
   void end_table() { html_ += "</table>\n"; }
   void list(const std::vector<std::string>& items) {
     html_ += items.empty() ? "" : "<ul>";
@@ -100,6 +103,7 @@ class Page {
   const ResultFile& file_;
   const CalibrationResult& result_;
   const ReportStyle& style_;
+  Texts texts_ = Texts::First;  // of the table that is being written
   std::string html_;
 };
 
@@ -285,7 +289,7 @@ void Page::write_pairs() {
            phrase("report", "rejected") + ": " + std::to_string(result_.pairs_rejected) + "; " +
            phrase("report", "rms of residuals") + ": " + number("%.2f cm", 100.0 * result_.translation_rms_m) + ", " +
            number("%.3f °", radians_to_degrees(result_.rotation_rms_rad)) + "</p>\n";
-  begin_table();
+  begin_table(Texts::FirstAndLast);
   header({phrase("report", "pair"), phrase("report", "session"), phrase("report", "scan a (UTC)"),
           phrase("report", "gap"), phrase("report", "baseline"), phrase("report", "turn"), phrase("report", "RMSE"),
           phrase("report", "overlap"), phrase("report", "screw test"), phrase("report", "residual"),
@@ -298,8 +302,7 @@ void Page::write_pairs() {
          number("%.1f cm", 100.0 * pair.rmse_m), number("%.2f", pair.overlap), number("%.1f σ", pair.screw_score),
          number("%.1f cm", 100.0 * pair.residual_translation_m) + " " +
              number("%.2f °", radians_to_degrees(pair.residual_rotation_rad)),
-         phrase("report", std::string(to_string(pair.state)).c_str()), sentence(pair.reason)},
-        Texts::FirstAndLast);
+         phrase("report", std::string(to_string(pair.state)).c_str()), sentence(pair.reason)});
   }
   end_table();
 }
@@ -307,15 +310,13 @@ void Page::write_pairs() {
 void Page::write_findings() {
   if (file_.findings.empty()) return;
   heading(phrase("report", "Warnings"));
-  begin_table();
+  begin_table(Texts::All);
   header({phrase("report", "code"), phrase("report", "where"), phrase("report", "what was found"),
-          phrase("report", "what it means, and what to do")},
-         Texts::All);
+          phrase("report", "what it means, and what to do")});
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
     row({html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
-         kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : "–"},
-        Texts::All);
+         kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : "–"});
   }
   end_table();
 }
@@ -326,13 +327,11 @@ void Page::write_data() {
     html_ += "<p class=\"weak\">" + phrase("report", "The files' hashes are not known.") + "</p>\n";
     return;
   }
-  begin_table();
-  header({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"},
-         Texts::All);
+  begin_table(Texts::All);
+  header({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"});
   for (const InputFile& input : file_.inputs)
     row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
-         input.sha256.empty() ? "–" : input.sha256},
-        Texts::All);
+         input.sha256.empty() ? "–" : input.sha256});
   end_table();
 }
 
