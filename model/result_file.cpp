@@ -134,9 +134,13 @@ DocumentNode topics_document(const std::vector<UsedTopics>& used) {
   for (const UsedTopics& one : used) {
     DocumentNode& node = list.add(DocumentNode::map());
     node.add("session", DocumentNode::string(one.session));
-    DocumentNode& topics = node.add("topics", DocumentNode::map());
-    topics.on_one_line = true;
-    for (const auto& [role, topic] : one.topics) topics.add(role, DocumentNode::string(topic));
+    const auto add = [&node](const char* key, const TopicChoice& choice) {
+      DocumentNode& topics = node.add(key, DocumentNode::map());
+      topics.on_one_line = true;
+      for (const auto& [role, topic] : choice) topics.add(role, DocumentNode::string(topic));
+    };
+    add("topics", one.topics);
+    if (!one.asked.empty()) add("asked", one.asked);
   }
   return list;
 }
@@ -254,7 +258,8 @@ std::vector<InputFile> hash_inputs(const std::vector<std::shared_ptr<const Sessi
 std::vector<UsedTopics> used_topics(const std::vector<std::shared_ptr<const Session>>& sessions) {
   std::vector<UsedTopics> used;
   for (const auto& session : sessions)
-    if (!session->topics.empty()) used.push_back({session->name, choice_in_use(session->topics)});
+    if (!session->topics.empty())
+      used.push_back({session->name, choice_in_use(session->topics), session->topic_choice});
   return used;
 }
 

@@ -63,6 +63,7 @@ InputFile hash_input(const std::filesystem::path& path);
 struct UsedTopics {
   std::string session;
   TopicChoice topics;
+  TopicChoice asked;  ///< those of them that were asked for; the others were suggested
 };
 /// Of those of the sessions that are bags, in their order.
 std::vector<UsedTopics> used_topics(const std::vector<std::shared_ptr<const Session>>& sessions);

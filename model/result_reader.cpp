@@ -145,7 +145,8 @@ void read_provenance(const DocumentView& view, ResultFile& file) {
   }
   if (view.has("topics"))
     for (const DocumentView& item : view.at("topics").items())
-      file.topics.push_back({item.at("session").string(), topic_choice_from_document(item.at("topics"))});
+      file.topics.push_back({item.at("session").string(), topic_choice_from_document(item.at("topics")),
+                             item.has("asked") ? topic_choice_from_document(item.at("asked")) : TopicChoice{}});
 }
 
 }  // namespace

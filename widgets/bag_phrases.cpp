@@ -30,7 +30,7 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "%1 fixes do not state their covariance; a sigma of 1 m is assumed."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The INS has a position every %1 s only; between them the motion is interpolated. No other "
-                        "topic has it more often: set its output to 10 Hz or more."),
+                        "topic has it much more often: set its output to 10 Hz or more."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The INS has a position every %1 s only; between them the motion is interpolated. %2 has %3 "
                         "Hz: --topic %4=%5 takes it, where it is of the same INS."),

@@ -164,8 +164,9 @@ const std::vector<const char*>& check_phrases() {
                         "Roll and pitch are guesses: of the mounting only yaw, and x and y, can be relied on."),
       QT_TRANSLATE_NOOP("remount::model", "Log PASHR as well, or use an INS."),
       QT_TRANSLATE_NOOP("remount::model", "In turns, headings may be those of the next position."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Begin the log with a heading (HDT) before its position, or log PASHR, which has a time."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Begin the log with a heading (HDT) and end it with a position, or log PASHR, which has a time."),
       QT_TRANSLATE_NOOP("remount::model", "Between attitudes that are far apart in time the motion is not known."),
       QT_TRANSLATE_NOOP("remount::model", "Log attitude (PASHR or HDT) at the rate of the positions, at 5 Hz or more."),
       QT_TRANSLATE_NOOP("remount::model",

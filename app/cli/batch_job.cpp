@@ -1,5 +1,6 @@
 #include "app/cli/batch_job.h"
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <optional>
@@ -116,7 +117,9 @@ std::string why_out_of_date(const Fleet& fleet, const FleetJob& job, const Resul
     const std::string other = why_other_job(stored, vehicle.settings, asked_nominal(vehicle, stored), vehicle.topics);
     if (!other.empty()) return other;
     // The fleet's file may have had a nominal then, or topics that are left to be suggested now.
-    const bool left_open = (vehicle.nominal.empty() && stored.nominal_ins_from_lidar) || !stored.topics.empty();
+    const bool left_open = (vehicle.nominal.empty() && stored.nominal_ins_from_lidar) ||
+                           std::any_of(stored.topics.begin(), stored.topics.end(),
+                                       [](const UsedTopics& used) { return !used.asked.empty(); });
     const bool other_wish = left_open && written_since_result(fleet.path, job);
     if (!other_wish && !may_have_changed(job, stored)) return {};
     return why_not_done(job, input_of(vehicle, job, console), console.progress());

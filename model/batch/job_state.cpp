@@ -84,7 +84,8 @@ std::string other_topic(const TopicChoice& used, const TopicChoice& wanted) {
 
 /// Those of the opened bags, suggested ones as well.
 std::string other_topics(const std::vector<UsedTopics>& then, const std::vector<UsedTopics>& now) {
-  if (then.empty() && !now.empty()) return kTopicsUnknown;
+  const auto was_asked = [](const UsedTopics& used) { return !used.asked.empty(); };
+  if (then.empty() && std::any_of(now.begin(), now.end(), was_asked)) return kTopicsUnknown;
   for (std::size_t i = 0; i < std::min(then.size(), now.size()); ++i) {
     TopicChoice all_roles = now[i].topics;
     for (const auto& [role, topic] : then[i].topics) all_roles.emplace(role, kNoTopic);

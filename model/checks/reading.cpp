@@ -16,7 +16,7 @@ DataCheck reading_check() {
               {"heading-alone", "Roll and pitch are guesses: of the mounting only yaw, and x and y, can be relied on.",
                "Log PASHR as well, or use an INS."},
               {"heading-order", "In turns, headings may be those of the next position.",
-               "Begin the log with a heading (HDT) before its position, or log PASHR, which has a time."},
+               "Begin the log with a heading (HDT) and end it with a position, or log PASHR, which has a time."},
               {"attitude-sparse", "Between attitudes that are far apart in time the motion is not known.",
                "Log attitude (PASHR or HDT) at the rate of the positions, at 5 Hz or more."},
               {"utm-poses", "Yaw of the result is off by as much as the grid turns against true north there.",

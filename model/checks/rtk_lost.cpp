@@ -43,6 +43,9 @@ void report(std::vector<StatedError> stated, const char* where, std::vector<Find
 }
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+  // Where positions say how they were found, their reader has told it.
+  const std::vector<Finding>& told = checked.session.findings;
+  if (std::any_of(told.begin(), told.end(), [](const Finding& finding) { return finding.code == "rtk-lost"; })) return;
   std::vector<StatedError> ins, gnss;
   for (const InsSample& sample : checked.session.ins)
     if (const double sigma_m = sample.sigma.position_enu_m.head<2>().norm(); std::isfinite(sigma_m) && sigma_m > 0.0)

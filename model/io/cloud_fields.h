@@ -19,7 +19,7 @@ std::size_t size_of(ScalarType type);
 /// One scalar at `bytes`, swapped where the file's byte order is not the machine's.
 double read_scalar(const char* bytes, ScalarType type, bool swap_bytes);
 
-/// A named column of a cloud file with its unsigned-integer-ness, which decides the unit of a time column.
+/// A named column of a cloud.
 struct CloudField {
   std::string name;  ///< lower case
   ScalarType type = ScalarType::F32;

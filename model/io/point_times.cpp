@@ -9,8 +9,10 @@ namespace {
 constexpr double kUnits_s[] = {1.0, 1e-3, 1e-6, 1e-9};
 constexpr double kLongestSweep_s = 2.0;
 constexpr double kUsualSweep_s[] = {0.02, 0.5};
-/// Shorter than any sweep: the few points of a column or two, which say nothing about the unit.
+/// Shorter than any sweep: a column or two. Their span says nothing about the unit, and where they lie in the sweep
+/// does.
 constexpr double kColumn_s = 2e-3;
+constexpr std::size_t kMany = 256;  ///< points: more than columns of most sensors have
 /// From 1998 to 2099. Sensors without GNSS often begin at 2000.
 constexpr double kDates_s[] = {9e8, 4.1e9};
 /// Of times that are dates: beyond it, they are a thousandth of what they seem, since the sensor was switched on.
@@ -86,13 +88,15 @@ double unit_of(const Sweep& sweep, std::size_t points, const TimeColumn& column,
   if (column.unit_s) return *column.unit_s;
   if (const auto unit_s = unit_of_dates(sweep, column.type, stamp_ns)) return *unit_s;
   const double of_span_s = unit_of_duration(sweep.span(), column.type);
+  const double of_size_s = unit_of_duration(sweep.size(), column.type);
   const double sweep_s = sweep.span() * of_span_s;
   if (column.type == ScalarType::U32) {
-    constexpr std::size_t kMany = 256;
     const bool usual = sweep_s >= kUsualSweep_s[0] && sweep_s <= kUsualSweep_s[1];
     return points >= kMany && usual ? of_span_s : 1e-9;
   }
-  return sweep_s >= kColumn_s ? of_span_s : unit_of_duration(sweep.size(), column.type);
+  const bool column_of_sweep =
+      points < kMany && sweep.span() * of_size_s < kColumn_s && sweep.size() * of_size_s <= kUsualSweep_s[1];
+  return sweep_s >= kColumn_s && !column_of_sweep ? of_span_s : of_size_s;
 }
 
 }  // namespace

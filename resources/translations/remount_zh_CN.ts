@@ -9680,8 +9680,8 @@ Save under another name, or close it there first.</source>
         <translation>坐标 %1 只有一个字节，应为两个或更多</translation>
     </message>
     <message>
-        <source>Begin the log with a heading (HDT) before its position, or log PASHR, which has a time.</source>
-        <translation>请让日志以位置之前的航向（HDT）开始，或记录带有时间的 PASHR。</translation>
+        <source>Begin the log with a heading (HDT) and end it with a position, or log PASHR, which has a time.</source>
+        <translation>请让日志以航向（HDT）开始并以位置结束，或记录带有时间的 PASHR。</translation>
     </message>
     <message>
         <source>Between attitudes that are far apart in time the motion is not known.</source>
@@ -9728,8 +9728,8 @@ Save under another name, or close it there first.</source>
         <translation>请查看 GNSS 或其驱动是否停顿；略去该段行程，或使用事后处理（PPK）的日志。</translation>
     </message>
     <message>
-        <source>The INS has a position every %1 s only; between them the motion is interpolated. No other topic has it more often: set its output to 10 Hz or more.</source>
-        <translation>INS 每 %1 秒才有一个位置；其间的运动为内插所得。没有其他话题更频繁：请把其输出设为 10 Hz 或更高。</translation>
+        <source>The INS has a position every %1 s only; between them the motion is interpolated. No other topic has it much more often: set its output to 10 Hz or more.</source>
+        <translation>INS 每 %1 秒才有一个位置；其间的运动为内插所得。没有其他话题比它频繁得多：请把其输出设为 10 Hz 或更高。</translation>
     </message>
     <message>
         <source>The INS has a position every %1 s only; between them the motion is interpolated. %2 has %3 Hz: --topic %4=%5 takes it, where it is of the same INS.</source>

@@ -176,11 +176,14 @@ TEST(result_file, mutated_files_never_crash) {
 
 TEST(result_file, says_which_topics_of_bags_it_was_made_of) {
   ResultFile file = example();
-  file.topics = {{"drive", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}, {"gnss", "none"}}}, {"other", {}}};
+  file.topics = {{"drive", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}, {"gnss", "none"}}, {{"gnss", "none"}}},
+                 {"other", {}, {}}};
   const ResultFile back = read_back(to_yaml(result_document(file)), false);
   ASSERT_EQ(back.topics.size(), 2U);
   EXPECT_EQ(back.topics[0].session, "drive");
   EXPECT_EQ(back.topics[0].topics, file.topics[0].topics);
+  EXPECT_EQ(back.topics[0].asked, file.topics[0].asked);
+  EXPECT_TRUE(back.topics[1].asked.empty());
   EXPECT_TRUE(read_back(to_yaml(result_document(example())), false).topics.empty()) << "a former version wrote it";
   DocumentNode node = result_document(file);
   DocumentNode& topics = at(at(at(node, "provenance"), "topics").items[0], "topics");

@@ -273,7 +273,7 @@ void report_slow(double period_s, const std::optional<FasterTopic>& faster, cons
     text += faster->name + " has " + rate + " Hz: --topic " + std::string(faster->role) + "=" + faster->name +
             " takes it, where it is of the same INS.";
   } else {
-    text += "No other topic has it more often: set its output to 10 Hz or more.";
+    text += "No other topic has it much more often: set its output to 10 Hz or more.";
   }
   findings.push_back(make_finding(Severity::Warning, "ins-slow", where, text));
 }

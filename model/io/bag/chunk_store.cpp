@@ -145,10 +145,13 @@ void ChunkStore::rethrow_if_damaged(std::uint32_t number) const {
 }
 
 void ChunkStore::check(std::uint32_t number) const {
+  if (number < chunks_.size()) check(number, *source(number));
+}
+
+void ChunkStore::check(std::uint32_t number, const ByteSource& source) const {
   if (number >= chunks_.size()) return;
   if (is_compressed(number)) {
-    const auto whole = source(number);
-    whole->read(whole->size(), 0);
+    source.read(source.size(), 0);
     return;
   }
   {

@@ -66,6 +66,8 @@ class ChunkStore {
   /// Reads a chunk whole and compares its checksum; one that is not compressed, once. Throws Error(Format) where it is
   /// wrong or the chunk cannot be unpacked.
   void check(std::uint32_t chunk) const;
+  /// The same where its source is at hand: another thread may have had another chunk unpacked meanwhile.
+  void check(std::uint32_t chunk, const ByteSource& source) const;
 
  private:
   std::shared_ptr<const ByteSource> unpacked(const BagChunk& chunk) const;

@@ -41,7 +41,16 @@ constexpr PositionType kPositionTypes[] = {
 }  // namespace
 
 CorrectionStatus correction_status(const FixMessage& fix) {
-  return {fix.status < 0 ? kNone : fix.status == 2 ? kFixed : kPosition, std::to_string(fix.status)};
+  switch (fix.status) {
+    case 0:
+      return {kPosition, "STATUS_FIX"};
+    case 1:
+      return {kPosition, "STATUS_SBAS_FIX"};
+    case 2:
+      return {kFixed, "STATUS_GBAS_FIX"};
+    default:
+      return {fix.status < 0 ? kNone : kPosition, std::to_string(fix.status)};
+  }
 }
 
 CorrectionStatus correction_status(const InspvaxMessage& message) {
@@ -51,26 +60,29 @@ CorrectionStatus correction_status(const InspvaxMessage& message) {
   return {kPosition, message.position_type};
 }
 
-void report_lost_corrections(const std::vector<CorrectionStatus>& positions, const std::string& where,
+void report_lost_corrections(std::vector<CorrectionStatus> positions, const std::string& where,
                              std::vector<Finding>& findings) {
+  std::erase_if(positions, [](const CorrectionStatus& position) { return position.level == kNone; });
   if (positions.size() < 10) return;
   std::array<std::size_t, 4> count{};
   for (const CorrectionStatus& position : positions) ++count[static_cast<std::size_t>(position.level)];
   int usual = kFixed;
   while (usual >= kFloat && count[static_cast<std::size_t>(usual)] * 10 < positions.size()) --usual;
   if (usual < kFloat) return;
-  const CorrectionStatus *best = nullptr, *worst = nullptr;
+  // What comes before the first that is as good was never lost.
+  const auto best = std::find_if(positions.begin(), positions.end(),
+                                 [usual](const CorrectionStatus& position) { return position.level >= usual; });
+  auto worst = best;
   std::size_t lost = 0, stretches = 0;
   bool within = false;
-  for (const CorrectionStatus& position : positions) {
-    const bool bad = position.level < usual;
+  for (auto position = best; position != positions.end(); ++position) {
+    const bool bad = position->level < usual;
     stretches += bad && !within;
     lost += bad;
     within = bad;
-    if (!bad && best == nullptr) best = &position;
-    if (bad && (worst == nullptr || position.level < worst->level)) worst = &position;
+    if (position->level < worst->level) worst = position;
   }
-  if (worst == nullptr || best == nullptr) return;
+  if (lost == 0) return;
   char text[320];
   std::snprintf(text, sizeof text,
                 "The status of the position falls from %.40s to %.40s in %zu stretches, %.0f %% of the drive: "

@@ -319,7 +319,7 @@ std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const 
     throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
   const std::uint64_t bytes = record.bytes - kMessageHead;
   const bool large = std::min<std::uint64_t>(bytes, at_most) >= kLargeMessage;
-  if (large || chunks_.file().size() <= kSmallBag) chunks_.check(entry.chunk);
+  if (large || chunks_.file().size() <= kSmallBag) chunks_.check(entry.chunk, *source);
   const auto read = [&](std::uint64_t count) { return source->read(record.offset + kMessageHead, count); };
   if (!has_cdr_) return read(std::min<std::uint64_t>(bytes, at_most));
   return message_content({bytes, read, chunks_.file().size(), record.where}, at_most);

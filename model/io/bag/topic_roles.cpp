@@ -62,9 +62,17 @@ Fitness fit_pose(const std::string& topic, MessageKind kind) {
 constexpr double kLeastInsRate_hz = 5.0;
 constexpr double kMuchFaster = 3.0;
 
+constexpr std::size_t kNoOffer = static_cast<std::size_t>(-1);
+/// Of that many candidates fixes are looked for that go with an orientation: no recording has as many topics, and a bag
+/// that is made to take for ever may have thousands of both.
+constexpr std::size_t kMostPairings = 500;
+
 bool is_much_faster(double rate_hz, double than_hz) {
   return rate_hz >= kLeastInsRate_hz && than_hz < kLeastInsRate_hz && rate_hz >= kMuchFaster * than_hz;
 }
+
+/// A name within a sentence: whoever wrote the bag may have made it as long as the bag.
+std::string shown(const std::string& name) { return name.size() <= 200 ? name : name.substr(0, 200) + "..."; }
 
 /// What can be the INS, and how often it has positions.
 struct InsOffer {
@@ -129,25 +137,25 @@ class Chooser {
 
   /// Once for each of them: a hostile bag has thousands.
   void find_ins_offers(const std::optional<std::size_t>& lidar) {
+    offer_of_topic_.assign(bag_.topics().size(), kNoOffer);
     for (const Candidate& candidate : candidates_) {
       if (!can_be(candidate, "ins")) continue;
       const bool certain = candidate.kind == MessageKind::Inspvax || name_speaks_of_ins(name(candidate));
+      offer_of_topic_[candidate.topic] = ins_offers_.size();
       ins_offers_.push_back({&candidate, fit_ins_alone(candidate, lidar), ins_rate_hz(candidate), certain});
     }
   }
 
   /// What comes too rarely stands behind whatever else is of an INS for certain.
   Fitness fit_ins(const Candidate& candidate) const {
-    const auto offer = std::find_if(ins_offers_.begin(), ins_offers_.end(),
-                                    [&](const InsOffer& one) { return one.candidate == &candidate; });
-    if (offer == ins_offers_.end()) return {};
-    const InsOffer* faster = offer->alone.points > 0.0 ? faster_ins(offer->rate_hz, true) : nullptr;
-    if (faster == nullptr) return offer->alone;
+    const InsOffer& offer = ins_offers_.at(offer_of_topic_[candidate.topic]);
+    const InsOffer* faster = offer.alone.points > 0.0 ? faster_ins(offer.rate_hz, true) : nullptr;
+    if (faster == nullptr) return offer.alone;
     char rates[2][32];
-    std::snprintf(rates[0], sizeof rates[0], "%.1f", offer->rate_hz);
+    std::snprintf(rates[0], sizeof rates[0], "%.1f", offer.rate_hz);
     std::snprintf(rates[1], sizeof rates[1], "%.1f", faster->rate_hz);
-    return {1e-3 * offer->alone.points,
-            std::string("slow: ") + rates[0] + " Hz, where " + name(*faster->candidate) + " has " + rates[1] + " Hz"};
+    return {1e-3 * offer.alone.points, std::string("slow: ") + rates[0] + " Hz, where " +
+                                           shown(name(*faster->candidate)) + " has " + rates[1] + " Hz"};
   }
 
   /// Of those that give the INS much more often the one that fits best; null where there is none.
@@ -165,12 +173,14 @@ class Chooser {
   double ins_rate_hz(const Candidate& candidate) const {
     if (candidate.kind != MessageKind::Imu) return candidate.rate_hz;
     const Candidate* position = nullptr;
+    double best_points = 0.0;
     const auto asked = choice_.find("ins-position");
-    for (const Candidate& other : candidates_) {
+    for (std::size_t i = 0; i < std::min(candidates_.size(), kMostPairings); ++i) {
+      const Candidate& other = candidates_[i];
       if (!can_be(other, "ins-position")) continue;
-      const bool better = position == nullptr ||
-                          fit_position(other, candidate.topic).points > fit_position(*position, candidate.topic).points;
-      if (asked != choice_.end() ? asked->second == name(other) : better) position = &other;
+      const double points = asked != choice_.end() ? (asked->second == name(other) ? 1.0 : 0.0)
+                                                   : fit_position(other, candidate.topic).points;
+      if (points > best_points) position = &other, best_points = points;
     }
     return position ? std::min(candidate.rate_hz, position->rate_hz) : 0.0;
   }
@@ -188,9 +198,9 @@ class Chooser {
       for (const Candidate& other : candidates_)
         if (can_be(other, "ins-position") && is_much_faster(other.rate_hz, position->rate_hz) &&
             ins->rate_hz >= kLeastInsRate_hz)
-          return FasterTopic{"ins-position", name(other), other.rate_hz};
+          return FasterTopic{"ins-position", shown(name(other)), other.rate_hz};
     const InsOffer* other = faster_ins(ins_rate_hz(*ins), false);
-    return other ? std::optional(FasterTopic{"ins", name(*other->candidate), other->rate_hz}) : std::nullopt;
+    return other ? std::optional(FasterTopic{"ins", shown(name(*other->candidate)), other->rate_hz}) : std::nullopt;
   }
 
   /// Devices publish under one name: "/ins/imu" and "/ins/fix". As long a common beginning as can be.
@@ -289,6 +299,7 @@ class Chooser {
   std::vector<Finding>& findings_;
   std::vector<Candidate> candidates_;
   std::vector<InsOffer> ins_offers_;
+  std::vector<std::size_t> offer_of_topic_;  ///< index of ins_offers_, or kNoOffer
   std::vector<std::vector<TopicUse>> uses_;  ///< of each topic of the bag
   bool fixes_ = false;                       ///< there are some that may give positions
 };

@@ -78,6 +78,20 @@ TEST_F(cli_bags, a_fleet_chooses_their_topics_and_notices_when_it_chooses_others
   says(run(job), 1, "is no topic of this bag");
 }
 
+TEST_F(cli_bags, a_result_that_knows_no_topics_is_done_where_nobody_asks_for_any) {
+  std::ofstream(path("plain.yaml")) << "format: remount-fleet/1\nsettings: {run: {map_check: false}}\n"
+                                    << "vehicles: [{name: v, sessions: [drive]}]\n";
+  const std::string job = "batch " + path("plain.yaml") + " --job 1";
+  ASSERT_EQ(run(job).code, 0);
+  const std::filesystem::path result = load_fleet(path("plain.yaml")).jobs[0].result;
+  ResultFile former = load_result(result);
+  EXPECT_TRUE(former.topics.at(0).asked.empty());
+  former.topics.clear();
+  save_result(former, result);
+  const Outcome again = run(job);
+  EXPECT_NE(again.out.find("done already"), std::string::npos) << again.out << again.err;
+}
+
 TEST_F(cli_bags, that_do_not_have_a_topic_say_which_they_have) {
   const Outcome wrong = run("inspect " + path("drive") + " --topic lidar=/velodyne_points");
   EXPECT_EQ(wrong.code, 2);

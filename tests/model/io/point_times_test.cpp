@@ -119,6 +119,25 @@ TEST(point_times, of_the_first_columns_of_ouster_are_nanoseconds) {
     EXPECT_EQ(find_time_scale({0.0, second}, 2, {ScalarType::U32, {}}, kStamp_ns).unit_s, 1e-9);
 }
 
+// A scan of which little is left must not be smeared over the sweep, nor seem to have another clock.
+TEST(point_times, of_a_column_or_two_are_in_the_unit_of_a_whole_sweep) {
+  struct Columns {
+    ScalarType type;
+    double first, step, unit_s;
+  };
+  for (const Columns& columns : {Columns{ScalarType::F32, 50'000.0, 55.0, 1e-6},
+                                 {ScalarType::F64, 5.0e7, 55'000.0, 1e-9},
+                                 {ScalarType::F32, 50.0, 0.055, 1e-3},
+                                 {ScalarType::F32, 0.05, 55e-6, 1.0}}) {
+    const TimeScale scale =
+        find_time_scale({columns.first, columns.first + columns.step}, 64, {columns.type, {}}, kStamp_ns);
+    EXPECT_EQ(scale.unit_s, columns.unit_s) << columns.first;
+    EXPECT_FALSE(scale.another_clock) << columns.first;
+    ASSERT_TRUE(scale.zero) << columns.first;
+    EXPECT_NEAR((columns.first - *scale.zero) * scale.unit_s, 0.05, 1e-9);
+  }
+}
+
 TEST(point_times, on_the_clock_of_a_stamp_since_power_up_are_from_it) {
   const TimeScale scale = find_time_scale(sweep_of(1234.5, 0.1, 500), 500, {ScalarType::F64, {}}, 1'234'500'000'000);
   EXPECT_FALSE(scale.another_clock);

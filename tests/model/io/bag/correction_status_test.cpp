@@ -36,7 +36,8 @@ Session drive_with(const fs::path& path, bool orientation, int usual, int status
 TEST(correction_status, a_status_that_falls_is_named_without_a_covariance) {
   const TemporaryFolder folder;
   const std::string expected =
-      "The status of the position falls from 2 to 0 in 1 stretches, 10 % of the drive: corrections (RTK) were lost.";
+      "The status of the position falls from STATUS_GBAS_FIX to STATUS_FIX in 1 stretches, 10 % of the drive: "
+      "corrections (RTK) were lost.";
   EXPECT_EQ(said_of(drive_with(folder.path() / "gnss.bag", false, 2, 0), "/fix"), expected);
   const Session session = drive_with(folder.path() / "ins.bag", true, 2, 0);
   EXPECT_EQ(said_of(session, "/fix"), expected);
@@ -70,6 +71,21 @@ TEST(correction_status, a_position_type_of_inspvax_that_falls_is_named) {
     EXPECT_EQ(said.empty(), expected.empty()) << said;
     EXPECT_TRUE(contains(said, expected)) << said;
   }
+}
+
+TEST(correction_status, what_comes_before_rtk_and_what_has_no_position_is_no_loss) {
+  std::vector<CorrectionStatus> positions(20, {1, "SINGLE"});
+  positions.insert(positions.end(), 80, {3, "INS_RTKFIXED"});
+  std::vector<Finding> findings;
+  report_lost_corrections(positions, "/inspvax", findings);
+  positions.insert(positions.begin() + 50, 10, {0, "NONE"});
+  report_lost_corrections(positions, "/inspvax", findings);
+  EXPECT_TRUE(findings.empty()) << findings.front().explanation;
+  positions.insert(positions.begin() + 70, 5, {2, "INS_RTKFLOAT"});
+  report_lost_corrections(positions, "/inspvax", findings);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_TRUE(contains(findings.front().explanation, "from INS_RTKFIXED to INS_RTKFLOAT in 1 stretches"))
+      << findings.front().explanation;
 }
 
 TEST(correction_status, of_inspvax_is_read_by_number_and_by_name) {

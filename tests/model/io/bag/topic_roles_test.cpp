@@ -88,7 +88,7 @@ TEST_F(topic_roles, a_slow_ins_that_is_the_only_one_is_told_to_be_set_faster) {
   bag.add_scans("/points", 90, 30);
   bag.add_inspvax("/inspvax", 11, 20);
   bag.finish();
-  EXPECT_TRUE(contains(said(open_with(), "ins-slow"), "No other topic has it more often"));
+  EXPECT_TRUE(contains(said(open_with(), "ins-slow"), "No other topic has it much more often"));
 }
 
 TEST_F(topic_roles, fixes_that_are_rare_make_the_ins_slow_and_the_faster_ones_are_named) {
