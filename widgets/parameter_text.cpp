@@ -9,7 +9,7 @@ namespace remount {
 
 QString parameter_name(std::size_t i) { return model_text(kParameterNames.at(i)); }
 
-QString parameter_names(const std::array<bool, 6>& given, bool wanted) {
+QString shown_parameter_names(const std::array<bool, 6>& given, bool wanted) {
   QStringList names;
   for (std::size_t i = 0; i < given.size(); ++i)
     if (given[i] == wanted) names << parameter_name(i);

@@ -11,7 +11,7 @@ namespace remount {
 /// "x", "yaw", in the language of the window: of parameter i in the order of kParameterNames.
 QString parameter_name(std::size_t i);
 /// "x, yaw": of those that are, or are not; empty for none.
-QString parameter_names(const std::array<bool, 6>& given, bool wanted);
+QString shown_parameter_names(const std::array<bool, 6>& given, bool wanted);
 /// " m" or "°", to follow a number.
 QString unit_suffix(std::size_t i);
 

@@ -29,8 +29,8 @@ QString drive_figures(const DriveOverview& drive) {
   QStringList lines{
       stream_figures(DrivePanel::tr("LiDAR"), drive.lidar), stream_figures(DrivePanel::tr("INS"), drive.ins),
       DrivePanel::tr("%1 s, %2 m travelled").arg(drive.duration_s, 0, 'f', 1).arg(drive.travelled_m, 0, 'f', 0)};
-  const QString told = parameter_names(drive.outlook.determinable, true),
-                untold = parameter_names(drive.outlook.determinable, false);
+  const QString told = shown_parameter_names(drive.outlook.determinable, true),
+                untold = shown_parameter_names(drive.outlook.determinable, false);
   if (drive.outlook.judged && untold.isEmpty()) lines << DrivePanel::tr("Its motion can tell all of X");
   if (drive.outlook.judged && !untold.isEmpty())
     lines << (told.isEmpty() ? DrivePanel::tr("Its motion can tell nothing of X")
