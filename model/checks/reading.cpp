@@ -38,7 +38,7 @@ DataCheck reading_check() {
                "Export the poses again with all digits, and check their layout."},
               {"scan-without-ins", "Scans without a motion of the INS cannot be compared with anything.",
                "Record the INS from before the first scan until after the last, on one clock."},
-              {"no-readable-scan", "There is nothing that could be registered.", "Copy or export the scans again."},
+              {"no-readable-scan", "There is nothing that could be registered.", "Copy the recording again, whole."},
               {"too-few-scans", "A motion lies between two scans.",
                "Record a drive, and see whether the folder holds all of its scans."},
               {"no-motion", "Only motion tells where the LiDAR sits.",

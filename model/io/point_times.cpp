@@ -11,7 +11,7 @@ constexpr double kLongestSweep_s = 2.0;
 constexpr double kUsualSweep_s[] = {0.02, 0.5};
 /// Shorter than any sweep: a column or two. Their span says nothing about the unit, and where they lie in the sweep
 /// does.
-constexpr double kColumn_s = 2e-3;
+constexpr double kColumn_s = 2e-3, kLeastColumn_s = 1e-6;
 constexpr std::size_t kMany = 256;  ///< points: more than columns of most sensors have
 /// From 1998 to 2099. Sensors without GNSS often begin at 2000.
 constexpr double kDates_s[] = {9e8, 4.1e9};
@@ -94,8 +94,9 @@ double unit_of(const Sweep& sweep, std::size_t points, const TimeColumn& column,
     const bool usual = sweep_s >= kUsualSweep_s[0] && sweep_s <= kUsualSweep_s[1];
     return points >= kMany && usual ? of_span_s : 1e-9;
   }
-  const bool column_of_sweep =
-      points < kMany && sweep.span() * of_size_s < kColumn_s && sweep.size() * of_size_s <= kUsualSweep_s[1];
+  const double column_s = sweep.span() * of_size_s;
+  const bool column_of_sweep = points < kMany && column_s >= kLeastColumn_s && column_s < kColumn_s &&
+                               sweep.size() * of_size_s <= kUsualSweep_s[1];
   return sweep_s >= kColumn_s && !column_of_sweep ? of_span_s : of_size_s;
 }
 

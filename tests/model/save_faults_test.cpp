@@ -16,7 +16,6 @@
 #include "model/report/report.h"
 #include "tests/model/io/temporary_folder.h"
 #include "tests/support/fault_law.h"
-#include "tests/support/sanitized.h"
 
 namespace remount {
 namespace {
@@ -153,13 +152,13 @@ TEST_P(save_faults, a_process_killed_at_any_system_call_leaves_the_old_or_the_ne
 }
 
 TEST_P(save_faults, a_process_killed_at_any_moment_leaves_the_old_or_the_new_file) {
-  constexpr auto kLongestLife_us = static_cast<unsigned>(3000 * kSanitizerSlowdown);
+  const auto save = [&](int run) { GetParam().save(file_.path, run % 2 == 0); };
+  const auto longest_life_us = static_cast<unsigned>(testing::life_of_two_runs_us(save, 3000));
   std::mt19937 dice(20);
   int saves = 0;
   for (int i = 0; i < kKills / 2 && !HasFailure(); ++i) {
     file_.put_old();
-    saves += testing::run_and_kill([&](int run) { GetParam().save(file_.path, run % 2 == 0); },
-                                   static_cast<int>(dice() % kLongestLife_us));
+    saves += testing::run_and_kill(save, static_cast<int>(dice() % longest_life_us));
     expect_whole_and_savable("killed after " + std::to_string(saves) + " saves in all");
   }
   EXPECT_GT(saves, 0) << "no process came as far as to save anything";

@@ -333,4 +333,10 @@ int run_and_kill(const std::function<void(int)>& body, int after_us) {
   return static_cast<int>(notes.text().size());
 }
 
+int life_of_two_runs_us(const std::function<void(int)>& body, int least_us) {
+  int life_us = least_us;
+  while (life_us < 1'000'000 && run_and_kill(body, life_us) < 2) life_us *= 2;
+  return life_us;
+}
+
 }  // namespace remount::testing

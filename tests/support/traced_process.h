@@ -44,5 +44,8 @@ TracedRun run_program_traced(const std::filesystem::path& folder, const std::vec
 
 /// A child that runs `body` again and again and is killed after so many microseconds. Returns how often it had run.
 int run_and_kill(const std::function<void(int)>& body, int after_us);
+/// How long such a child must live to run `body` twice, at least `least_us`: whoever is killed at random within it is
+/// killed before and after, on a slow machine as on a fast one. A second at most.
+int life_of_two_runs_us(const std::function<void(int)>& body, int least_us);
 
 }  // namespace remount::testing

@@ -33,6 +33,7 @@ bool is_no_message(const QString& literal) {
                                  "was not written so far yet",
                                  "there is no such chunk",
                                  "a chunk cannot be compressed",
+                                 "a chunk that is not compressed needs no unpacking",
                                  "a column of the cloud is not as long as its points",
                                  "messages are taken to need no swapping",
                                  "Settings of Remount. What is left out keeps its default."};
