@@ -11,7 +11,6 @@
 #include "app/gui/recovery.h"
 #include "app/gui/workbench.h"
 #include "tests/support/fault_law.h"
-#include "tests/support/sanitized.h"
 
 namespace remount {
 namespace {
@@ -133,21 +132,20 @@ TEST_F(recovery_faults, a_process_killed_at_any_system_call_of_an_autosave_leave
 }
 
 TEST_F(recovery_faults, a_process_killed_at_any_moment_leaves_whole_generations) {
-  constexpr auto kLongestLife_us = static_cast<unsigned>(6000 * kSanitizerSlowdown);
+  const Minutes clock;
+  std::shared_ptr<RecoveryNotes> notes;  // of the child
+  const auto work = [&](int number) {
+    if (!notes) notes = std::make_shared<RecoveryNotes>(data_, clock);
+    *clock.minute = 2 * number;
+    keep(*notes, {}, number);
+  };
+  const auto longest_life_us = 2 * static_cast<unsigned>(testing::life_of_two_runs_us(work, 3000));
   std::mt19937 dice(20);
   int kept = 0;
   for (int i = 0; i < kKills / 2 && !HasFailure(); ++i) {
     jobs_.removeRecursively();
     QDir().mkpath(data_);
-    const Minutes clock;
-    std::shared_ptr<RecoveryNotes> notes;
-    const int runs = testing::run_and_kill(
-        [&](int number) {
-          if (!notes) notes = std::make_shared<RecoveryNotes>(data_, clock);
-          *clock.minute = 2 * number;
-          keep(*notes, {}, number);
-        },
-        static_cast<int>(dice() % kLongestLife_us));
+    const int runs = testing::run_and_kill(work, static_cast<int>(dice() % longest_life_us));
     kept += runs;
     const auto offers = find_recoveries(data_);
     EXPECT_TRUE(offers.size() == 1 || runs == 0) << "killed after " << runs;
