@@ -249,6 +249,15 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Record under open sky; wait for a fix before you drive."),
       QT_TRANSLATE_NOOP("remount::model", "Good fixes count as little as bad ones."),
       QT_TRANSLATE_NOOP("remount::model", "Have the driver state the covariance of its fixes."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The positions are of another device than the orientation by its topic: they may be those of an antenna."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "X is of the antenna then, turned as the IMU is: off by the lever arm between the two, and no "
+                        "sigma says so."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Take the positions of the INS itself (--topic ins-position=TOPIC), or let the driver subtract "
+                        "the lever arm."),
   };
   return phrases;
 }

@@ -9839,6 +9839,18 @@ Save under another name, or close it there first.</source>
         <source>is empty, expected a topic of a bag, or &quot;none&quot; to leave the role out</source>
         <translation>为空，应为 bag 中的一个话题，或以“none”表示不使用该角色</translation>
     </message>
+    <message>
+        <source>The positions are of another device than the orientation by its topic: they may be those of an antenna.</source>
+        <translation>按话题看，位置与姿态来自不同的设备：这些位置可能是天线的位置。</translation>
+    </message>
+    <message>
+        <source>X is of the antenna then, turned as the IMU is: off by the lever arm between the two, and no sigma says so.</source>
+        <translation>此时 X 是相对于天线的，而朝向与 IMU 一致：偏差为两者之间的杆臂，任何 sigma 都不会反映这一点。</translation>
+    </message>
+    <message>
+        <source>Take the positions of the INS itself (--topic ins-position=TOPIC), or let the driver subtract the lever arm.</source>
+        <translation>请采用 INS 自身的位置（--topic ins-position=TOPIC），或让驱动程序扣除杆臂。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

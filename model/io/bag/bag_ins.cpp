@@ -278,6 +278,17 @@ void report_slow(double period_s, const std::optional<FasterTopic>& faster, cons
   findings.push_back(make_finding(Severity::Warning, "ins-slow", where, text));
 }
 
+/// An INS gives the positions of its own origin; a receiver those of its antenna, and how far that is from the origin
+/// shows in no residual.
+void report_antenna(const BagFile& bag, const TopicRoles& roles, const std::string& where,
+                    std::vector<Finding>& findings) {
+  if (!roles.ins_position || of_one_device(bag.topics()[*roles.ins_position].name, bag.topics()[*roles.ins].name))
+    return;
+  findings.push_back(make_finding(Severity::Warning, "antenna-position", where,
+                                  "The positions are of another device than the orientation by its topic: they may be "
+                                  "those of an antenna."));
+}
+
 /// What a topic that gives no INS lacks.
 std::string what_is_missing(const TopicRoles& roles, const BagStreams& s) {
   const std::vector<ImuMessage>& messages = s.attitude.messages;
@@ -311,6 +322,7 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
       keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
     }
     report_slow(median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
+    if (!inspvax) report_antenna(bag, roles, place(*roles.ins_position), session.findings);
   }
   if (roles.ins && session.ins.empty() && session.world_from_ins.empty())
     throw Error(ErrorCode::Format, place(*roles.ins),

@@ -208,10 +208,8 @@ class Chooser {
     const std::string& own = bag_.topics()[candidate.topic].name;
     const std::string other = ins ? bag_.topics()[*ins].name : std::string();
     const auto alike = std::mismatch(own.begin(), own.end(), other.begin(), other.end()).first - own.begin();
-    const std::string device = own.substr(0, own.rfind('/') + 1);
-    const bool same = device.size() > 1 && static_cast<std::ptrdiff_t>(device.size()) <= alike;
     return {1.0 + static_cast<double>(alike) + 1e-9 * few_messages(candidate),
-            same ? "fixes; by its name of the device of the orientation" : "fixes of a receiver"};
+            of_one_device(own, other) ? "fixes; by its name of the device of the orientation" : "fixes of a receiver"};
   }
 
   static Fitness fit_gnss(const Candidate& candidate, const std::optional<std::size_t>& ins_position) {
@@ -308,6 +306,11 @@ class Chooser {
 
 ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings) {
   return Chooser(bag, choice, findings).choose();
+}
+
+bool of_one_device(std::string_view topic, std::string_view other) {
+  const std::string_view device = topic.substr(0, topic.rfind('/') + 1);
+  return device.size() > 1 && other.starts_with(device);
 }
 
 bool is_static_transforms(const BagTopic& topic) {

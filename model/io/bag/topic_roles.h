@@ -35,6 +35,9 @@ struct ChosenTopics {
 /// not have, that cannot serve as what it was chosen for, or that was chosen for LiDAR and INS at once.
 ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::vector<Finding>& findings);
 
+/// Whether two topics are published under the name of one device, as "/ins/imu" and "/ins/fix".
+bool of_one_device(std::string_view topic, std::string_view other);
+
 /// Whether all transforms of a topic are read for the nominal mounting.
 bool is_static_transforms(const BagTopic& topic);
 

@@ -105,6 +105,21 @@ TEST_F(topic_roles, fixes_that_are_rare_make_the_ins_slow_and_the_faster_ones_ar
   EXPECT_TRUE(contains(said(session, "ins-slow"), "--topic ins-position=/receiver/fix"));
 }
 
+TEST_F(topic_roles, positions_of_another_device_than_the_orientation_may_be_of_an_antenna) {
+  BagMaker bag(path());
+  bag.add_scans("/points", 90, 30);
+  for (int i = 0; i < 201; ++i) {
+    bag.add_imu("/ins/imu", i, turning(0.05 * i, 1e-6, 1e-6));
+    bag.add_fix("/ins/fix", i, 2);
+    bag.add_fix("/receiver/fix", i, 2);
+  }
+  bag.finish();
+  EXPECT_EQ(said(open_with(), "antenna-position"), "");
+  const Session session = open_with({{"ins-position", "/receiver/fix"}});
+  EXPECT_TRUE(contains(said(session, "antenna-position"), "may be those of an antenna"));
+  EXPECT_FALSE(session.ins.empty()) << "it is used all the same";
+}
+
 TEST_F(topic_roles, an_orientation_that_nobody_fills_in_is_no_ins) {
   BagMaker bag(path());
   bag.add_scans("/points", 20, 30);
