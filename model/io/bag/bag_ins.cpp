@@ -282,8 +282,7 @@ void report_slow(double period_s, const std::optional<FasterTopic>& faster, cons
 /// shows in no residual.
 void report_antenna(const BagFile& bag, const TopicRoles& roles, const std::string& where,
                     std::vector<Finding>& findings) {
-  if (!roles.ins_position || of_one_device(bag.topics()[*roles.ins_position].name, bag.topics()[*roles.ins].name))
-    return;
+  if (of_one_device(bag.topics()[*roles.ins_position].name, bag.topics()[*roles.ins].name)) return;
   findings.push_back(make_finding(Severity::Warning, "antenna-position", where,
                                   "The positions are of another device than the orientation by its topic: they may be "
                                   "those of an antenna."));
@@ -322,7 +321,7 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
       keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
     }
     report_slow(median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
-    if (!inspvax) report_antenna(bag, roles, place(*roles.ins_position), session.findings);
+    if (!inspvax && roles.ins_position) report_antenna(bag, roles, place(*roles.ins_position), session.findings);
   }
   if (roles.ins && session.ins.empty() && session.world_from_ins.empty())
     throw Error(ErrorCode::Format, place(*roles.ins),
