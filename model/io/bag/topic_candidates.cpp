@@ -9,11 +9,11 @@
 namespace remount {
 namespace {
 
-void examine_imu(const BagFile& bag, const std::string& where, Candidate& candidate) {
+void examine_imu(const BagFile& bag, const std::string& where, TopicCandidate& candidate) {
   const BagTopic& topic = bag.topics()[candidate.topic];
   const std::size_t last = topic.entries.size() - 1;
   std::size_t read = 0;
-  Candidate found = candidate;
+  TopicCandidate found = candidate;
   found.oriented = found.inertial = false;
   for (const std::size_t index : std::array{std::size_t{0}, last / 2, last}) try {
       const std::string bytes = bag.message(topic.entries[index]);
@@ -30,7 +30,7 @@ void examine_imu(const BagFile& bag, const std::string& where, Candidate& candid
   candidate.damaged = read == 0;
 }
 
-void examine(const BagFile& bag, Candidate& candidate) {
+void examine(const BagFile& bag, TopicCandidate& candidate) {
   constexpr std::size_t kHeadBytes = 16 * 1024;
   const BagTopic& topic = bag.topics()[candidate.topic];
   const std::string where = bag.files().front().string() + ": " + topic.name;
@@ -52,12 +52,12 @@ double mean_rate_hz(const std::vector<BagEntry>& entries) {
 
 }  // namespace
 
-std::vector<Candidate> candidates_of(const BagFile& bag) {
-  std::vector<Candidate> candidates;
+std::vector<TopicCandidate> candidates_of(const BagFile& bag) {
+  std::vector<TopicCandidate> candidates;
   for (std::size_t i = 0; i < bag.topics().size(); ++i) {
     const BagTopic& topic = bag.topics()[i];
     if (topic.entries.empty() || topic.encoding == MessageEncoding::Other) continue;
-    Candidate candidate;
+    TopicCandidate candidate;
     candidate.topic = i;
     candidate.kind = message_kind(topic.type);
     candidate.messages = topic.entries.size();
@@ -73,7 +73,7 @@ std::vector<Candidate> candidates_of(const BagFile& bag) {
   return candidates;
 }
 
-bool can_be(const Candidate& candidate, std::string_view role) {
+bool can_be(const TopicCandidate& candidate, std::string_view role) {
   switch (candidate.kind) {
     case MessageKind::PointCloud2:
     case MessageKind::LivoxCustom:
@@ -89,7 +89,7 @@ bool can_be(const Candidate& candidate, std::string_view role) {
   }
 }
 
-bool may_be_asked_for(const Candidate& candidate, std::string_view role) {
+bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role) {
   return can_be(candidate, role) || (candidate.kind == MessageKind::Imu && (role == "ins" || role == "imu"));
 }
 

@@ -10,7 +10,7 @@
 namespace remount {
 
 /// A topic that can serve as something, and what tells it from others of its kind.
-struct Candidate {
+struct TopicCandidate {
   std::size_t topic = 0;  ///< by its index in BagFile::topics()
   MessageKind kind = MessageKind::Other;
   bool damaged = false;            ///< none of the messages that were looked at can be read, perhaps others can
@@ -25,12 +25,12 @@ struct Candidate {
 
 /// All topics whose messages can be read. Of an IMU the first message, the middle and the last are looked at: drivers
 /// publish before the INS has aligned. Throws Error(Io) where the disk fails.
-std::vector<Candidate> candidates_of(const BagFile& bag);
+std::vector<TopicCandidate> candidates_of(const BagFile& bag);
 
 /// Whether it comes into question for a role, as far as its type and the messages that were looked at tell.
-bool can_be(const Candidate& candidate, std::string_view role);
+bool can_be(const TopicCandidate& candidate, std::string_view role);
 
 /// Whether a topic may be asked for as a role: messages that were not looked at may hold what those lack.
-bool may_be_asked_for(const Candidate& candidate, std::string_view role);
+bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role);
 
 }  // namespace remount

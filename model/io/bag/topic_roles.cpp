@@ -27,7 +27,7 @@ std::string unusable_reason(const BagTopic& topic) {
   return "messages of this type are not read";
 }
 
-Fitness fit_lidar(const Candidate& candidate, std::size_t most_messages) {
+Fitness fit_lidar(const TopicCandidate& candidate, std::size_t most_messages) {
   if (!is_cloud(candidate.kind)) return {0.0, "poses: they stand for the LiDAR where they are asked for"};
   const std::string size = std::to_string(candidate.points) + " points";
   // A map that is published now and then is a cloud, too.
@@ -76,7 +76,7 @@ std::string shown(const std::string& name) { return name.size() <= 200 ? name : 
 
 /// What can be the INS, and how often it has positions.
 struct InsOffer {
-  const Candidate* candidate = nullptr;
+  const TopicCandidate* candidate = nullptr;
   Fitness alone;  ///< without regard to that
   double rate_hz = 0.0;
   bool certain = false;  ///< it is of an INS by its type or its name
@@ -90,13 +90,13 @@ class Chooser {
   ChosenTopics choose() {
     TopicRoles roles;
     std::size_t most_clouds = 0;
-    for (const Candidate& candidate : candidates_) {
+    for (const TopicCandidate& candidate : candidates_) {
       if (is_cloud(candidate.kind)) most_clouds = std::max(most_clouds, candidate.messages);
       fixes_ = fixes_ || (candidate.kind == MessageKind::NavSatFix && !left_out("ins-position"));
     }
-    roles.lidar = take("lidar", [&](const Candidate& c) { return fit_lidar(c, most_clouds); });
+    roles.lidar = take("lidar", [&](const TopicCandidate& c) { return fit_lidar(c, most_clouds); });
     find_ins_offers(roles.lidar);
-    roles.ins = take("ins", [&](const Candidate& c) { return fit_ins(c); });
+    roles.ins = take("ins", [&](const TopicCandidate& c) { return fit_ins(c); });
     if (roles.lidar && roles.lidar == roles.ins)
       throw Error(ErrorCode::Contract, bag_.topics()[*roles.ins].name,
                   "was chosen for lidar and for ins: a motion that is compared with itself tells nothing");
@@ -105,17 +105,17 @@ class Chooser {
       throw Error(ErrorCode::Contract, "ins-position",
                   "goes with an IMU whose orientation serves as ins; give --topic ins=TOPIC of that IMU");
     const auto position = take(
-        "ins-position", [&](const Candidate& c) { return fit_position(c, roles.ins); }, completes);
+        "ins-position", [&](const TopicCandidate& c) { return fit_position(c, roles.ins); }, completes);
     if (completes) roles.ins_position = position;
     roles.gnss = take(
-        "gnss", [&](const Candidate& c) { return fit_gnss(c, roles.ins_position); }, false);
+        "gnss", [&](const TopicCandidate& c) { return fit_gnss(c, roles.ins_position); }, false);
     roles.imu = take(
-        "imu", [&](const Candidate& c) { return fit_imu(c); }, false);
+        "imu", [&](const TopicCandidate& c) { return fit_imu(c); }, false);
     return {roles, list(roles), faster_than(roles)};
   }
 
  private:
-  const std::string& name(const Candidate& candidate) const { return bag_.topics()[candidate.topic].name; }
+  const std::string& name(const TopicCandidate& candidate) const { return bag_.topics()[candidate.topic].name; }
   MessageKind kind(std::size_t topic) const { return message_kind(bag_.topics()[topic].type); }
   bool left_out(std::string_view role) const {
     const auto chosen = choice_.find(role);
@@ -123,7 +123,7 @@ class Chooser {
   }
 
   /// Without regard to how often it comes.
-  Fitness fit_ins_alone(const Candidate& candidate, const std::optional<std::size_t>& lidar) const {
+  Fitness fit_ins_alone(const TopicCandidate& candidate, const std::optional<std::size_t>& lidar) const {
     if (lidar == candidate.topic) return {0.0, "it stands for the LiDAR"};
     if (candidate.kind == MessageKind::Inspvax) return {1000.0, "position and attitude of the INS itself"};
     if (candidate.kind != MessageKind::Imu) return fit_pose(name(candidate), candidate.kind);
@@ -138,7 +138,7 @@ class Chooser {
   /// Once for each of them: a hostile bag has thousands.
   void find_ins_offers(const std::optional<std::size_t>& lidar) {
     offer_of_topic_.assign(bag_.topics().size(), kNoOffer);
-    for (const Candidate& candidate : candidates_) {
+    for (const TopicCandidate& candidate : candidates_) {
       if (!can_be(candidate, "ins")) continue;
       const bool certain = candidate.kind == MessageKind::Inspvax || name_speaks_of_ins(name(candidate));
       offer_of_topic_[candidate.topic] = ins_offers_.size();
@@ -147,7 +147,7 @@ class Chooser {
   }
 
   /// What comes too rarely stands behind whatever else is of an INS for certain.
-  Fitness fit_ins(const Candidate& candidate) const {
+  Fitness fit_ins(const TopicCandidate& candidate) const {
     const InsOffer& offer = ins_offers_.at(offer_of_topic_[candidate.topic]);
     const InsOffer* faster = offer.alone.points > 0.0 ? faster_ins(offer.rate_hz, true) : nullptr;
     if (faster == nullptr) return offer.alone;
@@ -170,13 +170,13 @@ class Chooser {
   }
 
   /// Of positions: an orientation has those of its fixes.
-  double ins_rate_hz(const Candidate& candidate) const {
+  double ins_rate_hz(const TopicCandidate& candidate) const {
     if (candidate.kind != MessageKind::Imu) return candidate.rate_hz;
-    const Candidate* position = nullptr;
+    const TopicCandidate* position = nullptr;
     double best_points = 0.0;
     const auto asked = choice_.find("ins-position");
     for (std::size_t i = 0; i < std::min(candidates_.size(), kMostPairings); ++i) {
-      const Candidate& other = candidates_[i];
+      const TopicCandidate& other = candidates_[i];
       if (!can_be(other, "ins-position")) continue;
       const double points = asked != choice_.end() ? (asked->second == name(other) ? 1.0 : 0.0)
                                                    : fit_position(other, candidate.topic).points;
@@ -185,17 +185,17 @@ class Chooser {
     return position ? std::min(candidate.rate_hz, position->rate_hz) : 0.0;
   }
 
-  const Candidate* candidate_of(const std::optional<std::size_t>& topic) const {
-    for (const Candidate& candidate : candidates_)
+  const TopicCandidate* candidate_of(const std::optional<std::size_t>& topic) const {
+    for (const TopicCandidate& candidate : candidates_)
       if (topic == candidate.topic) return &candidate;
     return nullptr;
   }
 
   std::optional<FasterTopic> faster_than(const TopicRoles& roles) const {
-    const Candidate* ins = candidate_of(roles.ins);
+    const TopicCandidate* ins = candidate_of(roles.ins);
     if (ins == nullptr) return std::nullopt;
-    if (const Candidate* position = candidate_of(roles.ins_position))
-      for (const Candidate& other : candidates_)
+    if (const TopicCandidate* position = candidate_of(roles.ins_position))
+      for (const TopicCandidate& other : candidates_)
         if (can_be(other, "ins-position") && is_much_faster(other.rate_hz, position->rate_hz) &&
             ins->rate_hz >= kLeastInsRate_hz)
           return FasterTopic{"ins-position", shown(name(other)), other.rate_hz};
@@ -204,7 +204,7 @@ class Chooser {
   }
 
   /// Devices publish under one name: "/ins/imu" and "/ins/fix". As long a common beginning as can be.
-  Fitness fit_position(const Candidate& candidate, const std::optional<std::size_t>& ins) const {
+  Fitness fit_position(const TopicCandidate& candidate, const std::optional<std::size_t>& ins) const {
     const std::string& own = bag_.topics()[candidate.topic].name;
     const std::string other = ins ? bag_.topics()[*ins].name : std::string();
     const auto alike = std::mismatch(own.begin(), own.end(), other.begin(), other.end()).first - own.begin();
@@ -212,14 +212,14 @@ class Chooser {
             of_one_device(own, other) ? "fixes; by its name of the device of the orientation" : "fixes of a receiver"};
   }
 
-  static Fitness fit_gnss(const Candidate& candidate, const std::optional<std::size_t>& ins_position) {
+  static Fitness fit_gnss(const TopicCandidate& candidate, const std::optional<std::size_t>& ins_position) {
     return ins_position == candidate.topic ? Fitness{1.0, "fixes that place the INS already"}
                                            : Fitness{2.0, "fixes of a receiver"};
   }
-  static Fitness fit_imu(const Candidate& candidate) {
+  static Fitness fit_imu(const TopicCandidate& candidate) {
     return {1.0 + few_messages(candidate), "turn rates and accelerations"};
   }
-  static double few_messages(const Candidate& candidate) {
+  static double few_messages(const TopicCandidate& candidate) {
     return static_cast<double>(std::min<std::size_t>(candidate.messages, 100'000'000));
   }
 
@@ -231,7 +231,7 @@ class Chooser {
       for (const BagTopic& topic : bag_.topics()) names += "\n  " + topic.name + " (" + topic.type + ")";
       throw Error(ErrorCode::Contract, name, "is no topic of this bag. It has:" + names);
     }
-    for (const Candidate& candidate : candidates_)
+    for (const TopicCandidate& candidate : candidates_)
       if (bag_.topics()[candidate.topic].name == name && may_be_asked_for(candidate, role)) return candidate.topic;
     throw Error(ErrorCode::Contract, name, "cannot serve as " + std::string(role) + ": see what inspect says of it");
   }
@@ -242,7 +242,7 @@ class Chooser {
     std::optional<std::size_t> best;
     double best_points = 0.0;
     std::vector<std::string> in_question;
-    for (const Candidate& candidate : candidates_) {
+    for (const TopicCandidate& candidate : candidates_) {
       if (!can_be(candidate, role)) continue;
       Fitness fitness = fit(candidate);
       const bool unasked = fitness.points > 0.0;
@@ -295,7 +295,7 @@ class Chooser {
   const BagFile& bag_;
   const TopicChoice& choice_;
   std::vector<Finding>& findings_;
-  std::vector<Candidate> candidates_;
+  std::vector<TopicCandidate> candidates_;
   std::vector<InsOffer> ins_offers_;
   std::vector<std::size_t> offer_of_topic_;  ///< index of ins_offers_, or kNoOffer
   std::vector<std::vector<TopicUse>> uses_;  ///< of each topic of the bag

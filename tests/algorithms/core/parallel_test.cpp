@@ -19,15 +19,16 @@ TEST(parallel, each_index_is_visited_once_for_any_number_of_threads) {
 }
 
 TEST(parallel, an_exception_reaches_the_caller_and_ends_the_loop) {
+  constexpr int kCount = 100'000'000;  // far more than are visited while an exception is thrown
   for (const int threads : {1, 2, 8}) {
     std::atomic<int> after{0};
-    EXPECT_THROW(parallel_for(100'000, threads,
+    EXPECT_THROW(parallel_for(kCount, threads,
                               [&](std::size_t i) {
                                 if (i == 3) throw std::runtime_error("broken");
                                 if (i > 3) ++after;
                               }),
                  std::runtime_error);
-    EXPECT_LT(after.load(), 100'000 - 4) << "no further indices are handed out";
+    EXPECT_LT(after.load(), kCount - 4) << "no further indices are handed out";
   }
 }
 
