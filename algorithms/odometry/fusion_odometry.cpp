@@ -215,7 +215,7 @@ void FusionOdometry::match_and_solve(Step& step, FusedScan& result) const {
 
 void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms) const {
   terms.push_back(
-      {std::make_unique<LinearTerm>(errors_.prior_root(step.duration_s), FusionVector::Zero().eval()), false});
+      {std::make_unique<LinearFusionTerm>(errors_.prior_root(step.duration_s), FusionVector::Zero().eval()), false});
   const auto standing =
       options_.ackermann ? reckoning_.standstill_rate_radps(step.from_ns, step.stamp_ns) : std::nullopt;
   if (!standing) return;
@@ -223,7 +223,7 @@ void FusionOdometry::add_prior(const Step& step, std::vector<WeighedTerm>& terms
   rates.block<3, 3>(0, kDrift).diagonal().setConstant(1.0 / degrees_to_radians(options_.gyro_sigma_dps));
   FusionVector expected = FusionVector::Zero();
   expected.segment<3>(kDrift) = *standing - drift_.gyro_bias_radps;
-  terms.push_back({std::make_unique<LinearTerm>(std::move(rates), expected), false});
+  terms.push_back({std::make_unique<LinearFusionTerm>(std::move(rates), expected), false});
 }
 
 MotionSigma FusionOdometry::sigma_of(const Step& step) const {

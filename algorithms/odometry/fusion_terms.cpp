@@ -147,8 +147,8 @@ void HeightTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> res
   jacobian->row(0).leftCols<12>() = fused_pose_jacobian(anchor_, x).row(2).leftCols<12>() / sigma_m_;
 }
 
-void LinearTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals,
-                          FusionJacobian* jacobian) const {
+void LinearFusionTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals,
+                                FusionJacobian* jacobian) const {
   residuals = root_ * (x - expected_);
   if (jacobian) *jacobian = root_;
 }

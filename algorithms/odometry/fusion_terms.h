@@ -138,9 +138,9 @@ class HeightTerm : public FusionTerm {
 };
 
 /// A linear term A (x - x0) over all of x: what is known beforehand, or measured directly.
-class LinearTerm : public FusionTerm {
+class LinearFusionTerm : public FusionTerm {
  public:
-  LinearTerm(FusionJacobian root_information, const FusionVector& expected)
+  LinearFusionTerm(FusionJacobian root_information, const FusionVector& expected)
       : root_(std::move(root_information)), expected_(expected) {}
   int rows() const override { return static_cast<int>(root_.rows()); }
   void evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals, FusionJacobian* jacobian) const override;
