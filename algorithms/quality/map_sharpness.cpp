@@ -137,7 +137,10 @@ std::vector<MapSharpness> compare_sharpness(const std::vector<MapScans>& maps,
   for (const MapScans& map : maps) {
     if (map.points_in_lidar.empty()) continue;
     std::vector<std::vector<Neighbourhood>> under;
-    for (const RigidTransform& x : ins_from_lidar) under.push_back(describe_map(map, x, options, threads, progress));
+    for (const RigidTransform& x : ins_from_lidar) {
+      if (progress.cancelled()) return std::vector<MapSharpness>(ins_from_lidar.size());
+      under.push_back(describe_map(map, x, options, threads, progress));
+    }
     for (std::size_t i = 0; !under.empty() && i < under.front().size(); ++i) {
       const auto all = [&](bool Neighbourhood::*property) {
         return std::all_of(under.begin(), under.end(), [&](const auto& one) { return one[i].*property; });
