@@ -1,10 +1,10 @@
 #include "model/attitude_check.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <string>
 
+#include "algorithms/core/symmetric_eigen.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -59,7 +59,7 @@ double agreement(const std::vector<Step>& steps, Convention&& world_from_ins) {
     const Eigen::Vector3d direction = world_from_ins(step.world_from_ins).transpose() * step.direction;
     scatter += direction * direction.transpose();
   }
-  const double share = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues()[2] / scatter.trace();
+  const double share = symmetric_eigen(scatter).eigenvalues()[2] / scatter.trace();
   return 2.0 * share - 1.0;
 }
 

@@ -8,6 +8,7 @@
 
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/lasting_errors.h"
+#include "algorithms/geometry/shortest_rotation.h"
 
 namespace remount {
 namespace {
@@ -229,8 +230,7 @@ VehicleTilt vehicle_tilt(const WheelImuSignals& sensed, const std::vector<Stampe
   tilt.known = true;
   for (std::size_t i = 0; i < leans.size(); ++i) tilt.up_in_vehicle[i] = leans[i].up;
   for (const Own& own : solution.own)
-    tilt.level_from_window_start.push_back(
-        Eigen::Quaterniond::FromTwoVectors(Vector3d(own[1], own[2], 1.0), Vector3d::UnitZ()).toRotationMatrix());
+    tilt.level_from_window_start.push_back(shortest_rotation(Vector3d(own[1], own[2], 1.0), Vector3d::UnitZ()));
   tilt.rate_bias_radps = solution.common.head<2>();
   tilt.common_covariance = covariance;
   return tilt;

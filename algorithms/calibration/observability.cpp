@@ -1,10 +1,11 @@
 #include "algorithms/calibration/observability.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -84,7 +85,7 @@ MotionSummary summarise_motion(const std::vector<Pair>& pairs) {
     summary.largest_rotation_rad = std::max(summary.largest_rotation_rad, phi.norm());
     scatter += phi * phi.transpose();
   }
-  const Eigen::Vector3d main_axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvectors().col(2);
+  const Eigen::Vector3d main_axis = symmetric_eigen(scatter).eigenvectors().col(2);
   for (const Pair& pair : pairs) {
     if (pair.state != PairState::Accepted) continue;
     const Eigen::Vector3d phi = so3_log(pair.ins_b_from_ins_a.linear());
@@ -104,7 +105,7 @@ std::vector<ObservabilityDirection> observed_directions(const Matrix6d& informat
                                                         const MotionSummary& motion, const SolveOptions& options) {
   const Vector6d limits = observation_limits(options);
   const Matrix6d scaled = limits.asDiagonal() * information * limits.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(0.5 * (scaled + scaled.transpose()));
+  const auto eigen = symmetric_eigen(Matrix6d(0.5 * (scaled + scaled.transpose())));
   std::vector<ObservabilityDirection> directions;
   for (int i = 0; i < 6; ++i) {
     ObservabilityDirection direction;

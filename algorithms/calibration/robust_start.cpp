@@ -1,12 +1,12 @@
 #include "algorithms/calibration/robust_start.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pair_judgement.h"
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -41,7 +41,7 @@ std::vector<MotionPair> weighted_pairs(const std::vector<NoisyPair>& pairs, cons
 RigidTransform settled(const RigidTransform& x, const QuadraticForm& form, const RotationReference& reference,
                        const Eigen::Vector3d& near_m) {
   constexpr double kUndetermined = 1e-3;  // of the largest curvature: noise of attitude is a thousand times below turns
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(form.reduced(x.linear()).curvature);
+  const auto eigen = symmetric_eigen(Eigen::Matrix3d(form.reduced(x.linear()).curvature));
   if (eigen.eigenvalues()[0] > kUndetermined * eigen.eigenvalues()[2]) return x;
   const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
   // The best turn about an axis maximises the trace of reference' Exp(angle axis) R: a sine and a cosine term.
@@ -74,7 +74,7 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
   constexpr double kUndetermined = 3e-4;
   Vector6d scale;
   scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(0.1);
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scale.asDiagonal() * hessian * scale.asDiagonal());
+  const auto eigen = symmetric_eigen(Matrix6d(scale.asDiagonal() * hessian * scale.asDiagonal()));
   Vector6d step = Vector6d::Zero();
   for (int i = 0; i < 6; ++i) {
     const double value = eigen.eigenvalues()[i];

@@ -1,11 +1,12 @@
 #include "algorithms/calibration/rotation_equation.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -58,7 +59,7 @@ void describe(const std::vector<TurnPair>& turns, const std::vector<double>& wei
     information += weights[i] * (phi.squaredNorm() * Matrix3d::Identity() - phi * phi.transpose());
     total += weights[i];
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(scatter / total);
+  const auto eigen = symmetric_eigen(Matrix3d(scatter / total));
   result.main_axis_in_a = eigen.eigenvectors().col(2);
   if (result.main_axis_in_a.z() < 0.0) result.main_axis_in_a = -result.main_axis_in_a;
   result.main_axis_turn_rad = std::sqrt(std::max(0.0, eigen.eigenvalues()[2]));
@@ -67,7 +68,7 @@ void describe(const std::vector<TurnPair>& turns, const std::vector<double>& wei
   result.solved = result.main_axis_turn_rad > 3.0 * noise;
   // Noise alone shows as turns about the other axes of its own size: more than that must be there.
   result.rotation_about_main_axis_observed = result.solved && result.other_axes_turn_rad > 3.0 * noise;
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> observed(information);
+  const auto observed = symmetric_eigen(information);
   for (int i = 0; i < 3; ++i) {
     const Vector3d v = observed.eigenvectors().col(i);
     const bool along_main = std::abs(v.dot(result.main_axis_in_a)) > 0.7;

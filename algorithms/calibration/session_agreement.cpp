@@ -1,13 +1,13 @@
 #include "algorithms/calibration/session_agreement.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/robust_start.h"
 #include "algorithms/calibration/uncertainty.h"
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -18,7 +18,7 @@ Eigen::MatrixXd well_determined(const Matrix6d& information, const SolveOptions&
   constexpr double kLeast = 4.0;
   const Vector6d limits = observation_limits(options);
   const Matrix6d scaled = limits.asDiagonal() * information * limits.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(0.5 * (scaled + scaled.transpose()));
+  const auto eigen = symmetric_eigen(Matrix6d(0.5 * (scaled + scaled.transpose())));
   const auto count = (eigen.eigenvalues().array() >= kLeast).count();
   Eigen::MatrixXd columns = limits.cwiseInverse().asDiagonal() * eigen.eigenvectors().rightCols(count);
   for (Eigen::Index i = 0; i < count; ++i) columns.col(i) *= std::sqrt(eigen.eigenvalues()[6 - count + i]);

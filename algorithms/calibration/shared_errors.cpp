@@ -1,10 +1,10 @@
 #include "algorithms/calibration/shared_errors.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "algorithms/calibration/joint_equations.h"
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -52,7 +52,7 @@ Part build_part(const std::vector<LinearTerm>& terms, const NoiseModel& noise, c
 // Restricted maximum likelihood of the size, from the errors' information once everything else has moved along, and
 // their gradient.
 double likely_size(const Matrix12d& information, const Vector12d& gradient) {
-  const Eigen::SelfAdjointEigenSolver<Matrix12d> eigen(information);
+  const auto eigen = symmetric_eigen(Eigen::MatrixXd(information));
   const Vector12d pulls = eigen.eigenvectors().transpose() * gradient;
   const auto cost = [&](double log_size) {
     double sum = log_size * log_size / (kLogSpread * kLogSpread);

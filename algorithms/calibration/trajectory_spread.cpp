@@ -1,7 +1,8 @@
 #include "algorithms/calibration/trajectory_spread.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -25,7 +26,7 @@ void for_each_pull(const TrajectoryProblem& problem, const TrajectorySolution& s
 }
 
 SharedMatrix positive_part(const SharedMatrix& matrix) {
-  const Eigen::SelfAdjointEigenSolver<SharedMatrix> eigen(0.5 * (matrix + matrix.transpose()));
+  const auto eigen = symmetric_eigen(Eigen::MatrixXd(0.5 * (matrix + matrix.transpose())));
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
 }
 

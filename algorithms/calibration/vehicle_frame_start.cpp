@@ -1,8 +1,10 @@
 #include "algorithms/calibration/vehicle_frame_start.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "algorithms/core/symmetric_eigen.h"
+#include "algorithms/geometry/shortest_rotation.h"
 
 namespace remount {
 namespace {
@@ -15,7 +17,7 @@ constexpr double kTrustedMounting_deg = 10.0;  // stated better than this the IM
 
 // The attitude nearest to `a_from_b` that takes one direction to another.
 Matrix3d turned_onto(const Matrix3d& a_from_b, const Vector3d& direction_in_b, const Vector3d& direction_in_a) {
-  return Eigen::Quaterniond::FromTwoVectors(a_from_b * direction_in_b, direction_in_a).toRotationMatrix() * a_from_b;
+  return shortest_rotation(Vector3d(a_from_b * direction_in_b), direction_in_a) * a_from_b;
 }
 
 struct Turns {
@@ -31,7 +33,7 @@ Turns turns_of(const std::vector<VehicleInterval>& intervals) {
     const Vector3d& turn = turns.imu.back().turn_in_imu_rad;
     scatter += turn * turn.transpose();
   }
-  turns.main_axis_in_imu = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter).eigenvectors().col(2);
+  turns.main_axis_in_imu = symmetric_eigen(scatter).eigenvectors().col(2);
   return turns;
 }
 
@@ -105,8 +107,8 @@ Matrix3d stated_imu_mounting(const VehicleFrameOptions& options) {
 
 VehicleFrameStreams streams_of(const std::vector<VehicleDrive>& drives, const std::vector<VehicleInterval>& intervals) {
   VehicleFrameStreams streams;
-  streams.wheels_differ = std::all_of(drives.begin(), drives.end(),
-                                      [](const VehicleDrive& drive) { return drive.sensed.wheels_differ(); });
+  streams.wheels_differ =
+      std::all_of(drives.begin(), drives.end(), [](const VehicleDrive& drive) { return drive.sensed.wheels_differ(); });
   streams.one_axis = std::all_of(drives.begin(), drives.end(),
                                  [](const VehicleDrive& drive) { return drive.sensed.rates_about_one_axis(); });
   streams.reference = std::any_of(intervals.begin(), intervals.end(), [](const VehicleInterval& interval) {

@@ -1,12 +1,12 @@
 #include "algorithms/geometry/circle_fit.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/lasting_errors.h"
 
 namespace remount {
@@ -37,7 +37,7 @@ Plane plane_of(const std::vector<Vector3d>& points, const std::vector<bool>& use
   Matrix3d scatter = Matrix3d::Zero();
   for (std::size_t i = 0; i < points.size(); ++i)
     if (used[i]) scatter += (points[i] - plane.centre) * (points[i] - plane.centre).transpose();
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(scatter / count);
+  const auto eigen = symmetric_eigen(Matrix3d(scatter / count));
   plane.axes << eigen.eigenvectors().col(2), eigen.eigenvectors().col(1), eigen.eigenvectors().col(0);
   if (plane.axes.determinant() < 0.0) plane.axes.col(2) = -plane.axes.col(2);
   plane.spread2 << eigen.eigenvalues()[2], eigen.eigenvalues()[1], eigen.eigenvalues()[0];

@@ -1,10 +1,10 @@
 #include "algorithms/odometry/lidar_odometry.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 
@@ -35,7 +35,7 @@ Matrix6d covariance_of(const Matrix6d& information, const Eigen::Matrix3d& lidar
   turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = lidar_from_map;
   units.bottomRightCorner<3, 3>() /= kLever_m;
   const Matrix6d scaled = units * turned * information * turned.transpose() * units;
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(0.5 * (scaled + scaled.transpose()));
+  const auto eigen = symmetric_eigen(Matrix6d(0.5 * (scaled + scaled.transpose())));
   Vector6d variances;
   for (int i = 0; i < 6; ++i)
     variances[i] = 1.0 / std::max(eigen.eigenvalues()[i] / (kScale * kScale), 1.0 / (kMost_m * kMost_m));

@@ -1,10 +1,10 @@
 // The residuals between two scans at a given transform: how well they fit, and how well that determines the transform.
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
 
+#include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/registration/matcher.h"
 #include "algorithms/registration/registration.h"
 #include "algorithms/registration/robust_scale.h"
@@ -124,7 +124,7 @@ double agreement_of(const PreparedCloud& source, const RigidTransform& target_fr
     const Eigen::Vector3d normal = term.row.head<3>();
     for (int i = 0; i < 3; ++i) met.col(i) += weight * normal[i] * normal;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(all);
+  const auto eigen = symmetric_eigen(all);
   double sum = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d direction = eigen.eigenvectors().col(axis);

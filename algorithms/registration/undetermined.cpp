@@ -1,11 +1,12 @@
 #include "algorithms/registration/undetermined.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -44,7 +45,7 @@ Matrix6d scaled_information(const std::vector<SurfaceElement>& elements, double 
 // covariance's block. The block of the information itself would take the open directions for known exactly.
 Eigen::MatrixXd marginal(const Matrix6d& information, const Eigen::MatrixXd& open, const Eigen::MatrixXd& rest) {
   constexpr double kNothing = 1e-13;  // of the largest: what is smaller is rounding, and so is its coupling
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(open.transpose() * information * open);
+  const auto eigen = symmetric_eigen(Eigen::MatrixXd(open.transpose() * information * open));
   const double least = kNothing * information.trace();
   const Eigen::VectorXd inverse =
       eigen.eigenvalues().unaryExpr([least](double value) { return value > least ? 1.0 / value : 0.0; });
@@ -63,7 +64,7 @@ std::string axes_of(const Eigen::Matrix3d& projector, const std::array<const cha
       list = join(list, names[static_cast<std::size_t>(axis)]);
       ++named;
     }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(projector);
+  const auto eigen = symmetric_eigen(projector);
   const auto dimensions = static_cast<int>((eigen.eigenvalues().array() > 0.5).count());
   if (named == dimensions) return list;
   list.clear();
@@ -112,7 +113,7 @@ UndeterminedDirections undetermined_directions(const std::vector<SurfaceElement>
   }
   if (weights > 0.0) out.lever_m = std::clamp(std::sqrt(squares / weights), 1.0, 100.0);
   const double needed = std::max(kLeastElements, kLeastShare * weights);
-  const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(scaled_information(elements, out.lever_m));
+  const auto eigen = symmetric_eigen(Matrix6d(scaled_information(elements, out.lever_m)));
   for (int i = 0; i < 6; ++i) {
     const Vector6d direction = eigen.eigenvectors().col(i);
     if (resisted(direction, out.lever_m, elements, needed)) continue;

@@ -1,9 +1,10 @@
 #include "algorithms/search/boxed_form.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -91,7 +92,7 @@ Vector3d newton_step(const Matrix3d& curvature, const Vector3d& gradient, const 
     matrix(i, i) = size;
     side[i] = 0.0;
   }
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(matrix);
+  const auto eigen = symmetric_eigen(matrix);
   const double lift = std::max(0.0, -1.5 * eigen.eigenvalues()[0]) + damping * size;
   const Vector3d step = -(eigen.eigenvectors() * (eigen.eigenvalues().array() + lift).inverse().matrix().asDiagonal() *
                           eigen.eigenvectors().transpose() * side);
@@ -137,7 +138,7 @@ BoxedForm::BoxedForm(const QuadraticForm& form, const SearchRange& range, const 
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         if ((free_axes >> i & 1) && (free_axes >> j & 1)) part(i, j) = block(i, j);
-    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(part);
+    const auto eigen = symmetric_eigen(part);
     Vector3d inverse = Vector3d::Zero();
     for (int i = 0; i < 3; ++i)
       if (eigen.eigenvalues()[i] > kRounding * block.trace()) inverse[i] = 1.0 / eigen.eigenvalues()[i];

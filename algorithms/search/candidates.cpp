@@ -1,13 +1,14 @@
 #include "algorithms/search/candidates.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
 
+#include "algorithms/core/symmetric_eigen.h"
+#include "algorithms/geometry/shortest_rotation.h"
 #include "algorithms/search/certified_search.h"
 
 namespace remount {
@@ -15,11 +16,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-// The smallest rotation that takes direction `from` to direction `to` (unit vectors).
-Matrix3d rotation_between(const Vector3d& from, const Vector3d& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
-}
 
 // Least change of `near_m` that satisfies the stacked equations (R_P - I) t = R t_Q - t_P where they determine t.
 Vector3d translation_near(const std::vector<MotionPair>& pairs, const Matrix3d& rotation, const Vector3d& near_m,
@@ -70,13 +66,14 @@ RigidTransform single_pair_candidate(const MotionPair& pair, const RigidTransfor
   const Vector3d phi_p = so3_log(pair.ins_b_from_ins_a.linear()), phi_q = so3_log(pair.lidar_b_from_lidar_a.linear());
   if (std::min(phi_p.norm(), phi_q.norm()) > min_rotation_rad) {
     const Matrix3d rotation =
-        rotation_between(nominal.linear() * phi_q.normalized(), phi_p.normalized()) * nominal.linear();
+        shortest_rotation(Vector3d(nominal.linear() * phi_q.normalized()), phi_p.normalized()) * nominal.linear();
     return make_rigid(rotation, translation_near({pair}, rotation, nominal.translation(), 1e-6));
   }
   const Vector3d t_p = pair.ins_b_from_ins_a.translation(), t_q = pair.lidar_b_from_lidar_a.translation();
   if (t_p.norm() < 1e-9 || t_q.norm() < 1e-9) return nominal;
-  return make_rigid(rotation_between(nominal.linear() * t_q.normalized(), t_p.normalized()) * nominal.linear(),
-                    nominal.translation());
+  return make_rigid(
+      shortest_rotation(Vector3d(nominal.linear() * t_q.normalized()), t_p.normalized()) * nominal.linear(),
+      nominal.translation());
 }
 
 std::optional<RigidTransform> two_pair_candidate(const MotionPair& first, const MotionPair& second,
@@ -127,7 +124,7 @@ std::optional<RigidTransform> dual_quaternion(const std::vector<MotionPair>& pai
     rows.block<3, 3>(3, 5) = skew(a + b);
     gram.noalias() += rows.transpose() * rows;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 8, 8>> eigen(gram);
+  const auto eigen = symmetric_eigen(Eigen::MatrixXd(gram));
   const auto& values = eigen.eigenvalues();
   // Parallel axes leave four dimensions: on exact data the third value then is nothing but rounding.
   constexpr double kRounding = 1e-12;

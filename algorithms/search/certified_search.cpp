@@ -1,12 +1,12 @@
 #include "algorithms/search/certified_search.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <queue>
 
+#include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/search/boxed_form.h"
 #include "algorithms/search/relaxation.h"
 
@@ -226,7 +226,7 @@ class Search {
   bool unique() const {
     constexpr double kApart = 0.01;  // m, rad
     const double tie = value_ + allowed_gap();
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> eigen(boxed_.curvature(best_));
+    const auto eigen = symmetric_eigen(Matrix6d(boxed_.curvature(best_)));
     for (int i = 0; i < 6; ++i)
       for (const double step : {kApart, -kApart}) {
         const RigidTransform other = perturbed(best_, step * eigen.eigenvectors().col(i));

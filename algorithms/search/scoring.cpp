@@ -1,11 +1,11 @@
 #include "algorithms/search/scoring.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -15,7 +15,7 @@ using Vector9d = Eigen::Matrix<double, 9, 1>;
 Vector9d entries(const Eigen::Matrix3d& rotation) { return Eigen::Map<const Vector9d>(rotation.data()); }
 
 Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& symmetric, double relative_floor) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(symmetric);
+  const auto eigen = symmetric_eigen(symmetric);
   Eigen::Vector3d inverse = Eigen::Vector3d::Zero();
   for (int i = 0; i < 3; ++i)
     if (eigen.eigenvalues()[i] > relative_floor * eigen.eigenvalues()[2] && eigen.eigenvalues()[i] > 0.0)

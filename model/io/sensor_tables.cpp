@@ -1,11 +1,11 @@
 #include "model/io/sensor_tables.h"
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
@@ -110,7 +110,7 @@ Eigen::Matrix3d covariance(const Row& row) {
     covariance(0, 2) = covariance(2, 0) = beside[1];
     covariance(1, 2) = covariance(2, 1) = beside[2];
   }
-  const Eigen::Vector3d variances = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
+  const Eigen::Vector3d variances = symmetric_eigen(covariance).eigenvalues();
   if (!(variances.minCoeff() > 0.0)) row.fail("the covariance is not positive definite; state the receiver's own");
   return covariance;
 }

@@ -6,6 +6,7 @@
 #include "algorithms/cloud/ground_fit.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/geometry/shortest_rotation.h"
 
 namespace remount {
 namespace {
@@ -52,8 +53,7 @@ std::optional<ObservedGround> observe_ground(const StageContext& context, const 
     }
   });
   std::vector<double> heights, first, second;
-  const Eigen::Matrix3d level =
-      Eigen::Quaterniond::FromTwoVectors(up.cast<double>(), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d level = shortest_rotation(Eigen::Vector3d(up.cast<double>()), Eigen::Vector3d::UnitZ());
   for (const auto& fit : fits) {
     if (!fit) continue;
     const Eigen::Vector3d normal = level * fit->up_in_lidar;
