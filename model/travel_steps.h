@@ -15,7 +15,8 @@ struct TravelStep {
   Eigen::Matrix3d world_from_ins;
 };
 
-/// Between the mean positions of successive half seconds, for single samples are noisy; those at 2 to 100 m/s.
+/// Between the mean positions of successive half seconds, for single samples are noisy; those at 2 to 100 m/s. From 1
+/// m/s on of whole seconds, where their halves lead the same way.
 std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_ins);
 
 }  // namespace remount

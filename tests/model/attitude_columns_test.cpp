@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "model/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/io/temporary_folder.h"
+#include "tests/support/recorded_drives.h"
 
 namespace remount {
 namespace {
@@ -163,6 +165,22 @@ TEST(attitude_columns, inspect_names_columns_that_are_exchanged) {
     const Session session = open_session(folder.path() / "drive", progress);
     const std::string inspected = describe(session, report_session(session, progress));
     EXPECT_NE(inspected.find(code), std::string::npos) << inspected;
+  }
+}
+
+TEST(attitude_columns, recorded_drives_are_silent_until_their_columns_are_mixed_up) {
+  if (!std::filesystem::exists(kData / "zxl19")) GTEST_SKIP() << "no recorded drives beside the checkout";
+  for (const char* bag : {"bag1", "bag2", "bag4"}) {
+    Progress progress;
+    const Session session = open_session(kData / "zxl19" / bag, progress);
+    EXPECT_EQ(said(session), "") << bag;
+    for (const Columns& columns : {Columns(pitch_negated), Columns(roll_negated), Columns(exchanged)})
+      EXPECT_NE(said(mixed(session, columns, AttitudeConvention::NovAtel)).find("contradict the turns of the LiDAR"),
+                std::string::npos)
+          << bag;
+    EXPECT_NE(said(mixed(session, yaw_with_pitch, AttitudeConvention::NovAtel)).find("with yaw and pitch exchanged"),
+              std::string::npos)
+        << bag;
   }
 }
 
