@@ -2,60 +2,30 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "algorithms/core/symmetric_eigen.h"
+#include "model/attitude_columns.h"
+#include "model/io/attitude_convention.h"
 #include "model/session_frames.h"
+#include "model/travel_steps.h"
 
 namespace remount {
 namespace {
 
 constexpr const char* kAttitudeConvention = "attitude-convention";
-
-/// A stretch of travel in the world, and the attitude in its middle.
-struct Step {
-  Eigen::Vector3d direction;
-  Eigen::Matrix3d world_from_ins;
-};
-
-/// Between the mean positions of successive half seconds: single samples are noisy.
-std::vector<Step> steps_of(const std::vector<StampedPose>& poses) {
-  constexpr std::int64_t kBlock_ns = 500'000'000;
-  constexpr double kSlowest_mps = 2.0, kFastest_mps = 100.0;
-  struct Block {
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    double count = 0.0, time_s = 0.0;
-    std::size_t last = 0;
-  };
-  std::vector<Block> blocks;
-  std::int64_t number = 0;
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::int64_t here = (poses[i].stamp_ns - poses.front().stamp_ns) / kBlock_ns;
-    if (i == 0 || here != number) blocks.emplace_back();
-    number = here;
-    Block& block = blocks.back();
-    block.position += poses[i].pose.translation();
-    block.time_s += static_cast<double>(poses[i].stamp_ns - poses.front().stamp_ns) * 1e-9;
-    block.count += 1.0;
-    block.last = i;
-  }
-  std::vector<Step> steps;
-  for (std::size_t k = 1; k < blocks.size(); ++k) {
-    const Block &from = blocks[k - 1], &to = blocks[k];
-    const Eigen::Vector3d step = to.position / to.count - from.position / from.count;
-    const double speed_mps = step.norm() / (to.time_s / to.count - from.time_s / from.count);
-    if (speed_mps > kSlowest_mps && speed_mps < kFastest_mps)
-      steps.push_back({step.normalized(), poses[from.last].pose.linear()});
-  }
-  return steps;
-}
+constexpr const char* kAttitudeUnit = "attitude-unit";
+constexpr const char* kPositionColumns = "position-columns";
+constexpr double kFarBetter = 0.1;  ///< of what is left of the disagreement
 
 /// How well the direction of travel, seen from the INS, keeps to one axis, forwards or backwards: 1 where it does, 0
 /// where it spreads over a whole plane.
 template <class Convention>
-double agreement(const std::vector<Step>& steps, Convention&& world_from_ins) {
+double agreement(const std::vector<TravelStep>& steps, Convention&& world_from_ins) {
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-  for (const Step& step : steps) {
+  for (const TravelStep& step : steps) {
     const Eigen::Vector3d direction = world_from_ins(step.world_from_ins).transpose() * step.direction;
     scatter += direction * direction.transpose();
   }
@@ -88,6 +58,34 @@ Eigen::Matrix3d scalar_was_first(const Eigen::Matrix3d& rotation) {
   return Eigen::Quaterniond(q.x(), q.y(), q.z(), q.w()).toRotationMatrix();
 }
 
+/// Of columns that were taken for each other the one that was taken for the yaw is small: pitch or roll.
+AttitudeAngles with_small_yaw(const Eigen::Matrix3d& rotation, AttitudeConvention convention) {
+  const AttitudeAngles angles = angles_from(Eigen::Quaterniond(rotation), convention);
+  if (std::abs(wrap_angle_rad(angles.yaw_rad)) <= 0.5 * kPi) return angles;
+  return {wrap_angle_rad(angles.yaw_rad + kPi), wrap_angle_rad(kPi - angles.pitch_rad),
+          wrap_angle_rad(angles.roll_rad + kPi)};
+}
+
+template <AttitudeConvention convention>
+Eigen::Matrix3d yaw_was_pitch(const Eigen::Matrix3d& rotation) {
+  const AttitudeAngles taken = with_small_yaw(rotation, convention);
+  return enu_from_ins({taken.pitch_rad, taken.yaw_rad, taken.roll_rad}, convention).toRotationMatrix();
+}
+template <AttitudeConvention convention>
+Eigen::Matrix3d yaw_was_roll(const Eigen::Matrix3d& rotation) {
+  const AttitudeAngles taken = with_small_yaw(rotation, convention);
+  return enu_from_ins({taken.roll_rad, taken.pitch_rad, taken.yaw_rad}, convention).toRotationMatrix();
+}
+
+/// Radians that were taken for degrees: what is left is nearly the same attitude all the time.
+template <AttitudeConvention convention>
+Eigen::Matrix3d degrees_were_radians(const Eigen::Matrix3d& rotation) {
+  const AttitudeAngles taken = angles_from(Eigen::Quaterniond(rotation), convention);
+  const auto grown = [](double angle_rad) { return radians_to_degrees(wrap_angle_rad(angle_rad)); };
+  return enu_from_ins({grown(taken.yaw_rad), grown(taken.pitch_rad), grown(taken.roll_rad)}, convention)
+      .toRotationMatrix();
+}
+
 struct Alternative {
   Eigen::Matrix3d (*convention)(const Eigen::Matrix3d&);
   const char* words;
@@ -101,29 +99,104 @@ constexpr std::array<Alternative, 5> kAlternatives{{
     {scalar_was_last, "a quaternion whose scalar part stands at the other end"},
     {scalar_was_first, "a quaternion whose scalar part stands at the other end"},
 }};
+constexpr const char *kYawWasPitch = "yaw and pitch exchanged", *kYawWasRoll = "yaw and roll exchanged";
+/// Of angles in columns only; axes forward, left, up.
+constexpr std::array<Alternative, 4> kColumnAlternatives{{
+    {yaw_was_pitch<AttitudeConvention::EnuYaw>, kYawWasPitch},
+    {yaw_was_pitch<AttitudeConvention::Heading>, kYawWasPitch},
+    {yaw_was_roll<AttitudeConvention::EnuYaw>, kYawWasRoll},
+    {yaw_was_roll<AttitudeConvention::Heading>, kYawWasRoll},
+}};
+constexpr std::array<Alternative, 2> kUnitAlternatives{{
+    {degrees_were_radians<AttitudeConvention::EnuYaw>, ""},
+    {degrees_were_radians<AttitudeConvention::Heading>, ""},
+}};
 
-void judge_heading(const std::vector<Step>& steps, const std::string& where, std::vector<Finding>& findings) {
+/// What would make the heading follow the direction of travel.
+struct Explanation {
+  double follows = 0.0;
+  const char* code = nullptr;
+  std::string text;
+};
+
+std::string follows_as(const char* words) {
+  return std::string("The heading of the INS does not follow the direction of travel, but it would as ") + words +
+         ": correct the convention of the attitude. No mounting can be right with this one.";
+}
+std::string follows_with(const char* words) {
+  return std::string("The heading of the INS does not follow the direction of travel, but it would with ") + words +
+         ": correct the columns of the attitude. No mounting can be right with these.";
+}
+
+/// Poses of the INS with latitude and longitude exchanged; none where they cannot be.
+std::vector<StampedPose> poses_with_places_exchanged(const Session& session) {
+  Session exchanged;
+  for (const InsSample& sample : session.ins) {
+    if (std::abs(sample.longitude_rad) > 0.5 * kPi) return {};
+    exchanged.ins.push_back(sample);
+    std::swap(exchanged.ins.back().latitude_rad, exchanged.ins.back().longitude_rad);
+  }
+  return exchanged.ins.empty() ? std::vector<StampedPose>{} : metric_poses(exchanged);
+}
+
+/// On level ground several fit; tilts, and the shape of the path, tell them apart.
+Explanation best_explanation(const Session& session, const std::vector<TravelStep>& steps) {
+  Explanation best;
+  const auto offer = [&](double follows, const char* code, auto&& text) {
+    if (follows > best.follows) best = {follows, code, text()};
+  };
+  for (const Alternative& one : kAlternatives)
+    offer(agreement(steps, one.convention), kAttitudeConvention, [&] { return follows_as(one.words); });
+  if (session.ins.empty()) return best;
+  const Eigen::Matrix3d axes_from_level = forward_left_up_from(session.ins_axes).linear().transpose();
+  const auto level = [&](auto* convention) {
+    return [convention, axes_from_level](const Eigen::Matrix3d& rotation) -> Eigen::Matrix3d {
+      return convention(rotation * axes_from_level);
+    };
+  };
+  // Where the road is straight, no rotation at all follows it, too; so does what passes for yaw and hardly changes.
+  const double unmoved =
+      agreement(steps, [](const Eigen::Matrix3d&) { return Eigen::Matrix3d(Eigen::Matrix3d::Identity()); });
+  const auto offer_moving = [&](const Alternative& one, const char* code, auto&& text) {
+    const double follows = agreement(steps, level(one.convention));
+    if (1.0 - follows < kFarBetter * (1.0 - unmoved)) offer(follows, code, text);
+  };
+  for (const Alternative& one : kColumnAlternatives)
+    offer_moving(one, kAttitudeColumns, [&] { return follows_with(one.words); });
+  for (const Alternative& one : kUnitAlternatives)
+    offer_moving(one, kAttitudeUnit, [] {
+      return "The heading of the INS does not follow the direction of travel, but it would if its angles were 57.3 "
+             "times larger: these are radians that were taken for degrees.";
+    });
+  const std::vector<TravelStep> exchanged = travel_steps(poses_with_places_exchanged(session));
+  if (2 * exchanged.size() > steps.size())
+    offer(agreement(exchanged, [](const Eigen::Matrix3d& same) { return same; }), kPositionColumns, [] {
+      return "The direction of travel does not follow the heading of the INS, but it would with latitude and longitude "
+             "exchanged.";
+    });
+  return best;
+}
+
+void judge_heading(const Session& session, const std::vector<TravelStep>& steps, std::vector<Finding>& findings) {
   constexpr std::size_t kFewSteps = 10, kManySteps = 30;
   constexpr double kFollows = 0.95, kAgainst = 0.6, kAtRandom = 0.2;
   if (steps.size() < kFewSteps) return;
   const double declared = agreement(steps, [](const Eigen::Matrix3d& same) { return same; });
-  if (declared > kAgainst) return;
-  // On level ground several fit; tilts tell them apart.
-  const Alternative* best = nullptr;
-  double highest = kFollows;
-  for (const Alternative& one : kAlternatives) {
-    const double follows = agreement(steps, one.convention);
-    if (follows > highest) best = &one, highest = follows;
-  }
-  if (best != nullptr)
-    findings.push_back(
-        {Severity::Problem, kAttitudeConvention, where,
-         std::string("The heading of the INS does not follow the direction of travel, but it would as ") + best->words +
-             ": correct the convention of the attitude. No mounting can be right with this one."});
+  if (declared > kFollows) return;
+  const Explanation best = best_explanation(session, steps);
+  // Side slip of a vehicle that turns on the spot is no better explained by any other attitude.
+  if (best.follows > kFollows && (declared < kAgainst || 1.0 - best.follows < kFarBetter * (1.0 - declared)))
+    findings.push_back({Severity::Problem, best.code, session.name, best.text});
   else if (steps.size() >= kManySteps && declared < kAtRandom)
-    findings.push_back({Severity::Warning, "heading-against-travel", where,
+    findings.push_back({Severity::Warning, "heading-against-travel", session.name,
                         "The heading of the INS does not follow the direction of travel: check the convention of the "
                         "attitude, and which column is yaw. A vehicle that moves sideways at will may look so too."});
+}
+
+/// The reader has compared the units of the angles with the direction of travel: that is the cause, then.
+bool unit_is_to_blame(const Session& session) {
+  return std::any_of(session.findings.begin(), session.findings.end(),
+                     [](const Finding& finding) { return finding.code == "angle-unit"; });
 }
 
 }  // namespace
@@ -132,28 +205,40 @@ std::vector<Finding> attitude_findings(const Session& session) {
   constexpr double kDown = -0.5;
   std::vector<Finding> findings;
   const std::vector<StampedPose> poses = metric_poses(session);
-  judge_heading(steps_of(poses), session.name, findings);
+  if (unit_is_to_blame(session)) return findings;
+  judge_heading(session, travel_steps(poses), findings);
   double up = 0.0;
   for (const StampedPose& pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
   if (!session.ins.empty() && up < kDown)
     findings.push_back({Severity::Warning, "attitude-upside-down", session.name,
                         "The z axis of the INS points down, where its axes are declared with z up: is it mounted so? "
                         "Otherwise check the convention of the attitude (ENU or NED, roll by 180 degrees)."});
+  // Where yaw is something else, slopes and forces prove nothing.
+  if (findings.empty())
+    if (std::optional<Finding> finding = attitude_column_finding(session)) findings.push_back(std::move(*finding));
   return findings;
 }
 
 void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& result) {
-  const bool found = std::any_of(findings.begin(), findings.end(),
-                                 [](const Finding& finding) { return finding.code == kAttitudeConvention; });
-  if (!found || result.status == Status::Cancelled) return;
+  const auto found = [&](std::string_view code) {
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
+  };
+  const bool convention = found(kAttitudeConvention);
+  const bool columns = found(kAttitudeColumns) || found(kAttitudeUnit) || found(kPositionColumns);
+  if ((!convention && !columns) || result.status == Status::Cancelled) return;
   if (result.status == Status::Ok || result.status == Status::Degenerate) {
     result.status = Status::Inconsistent;
-    result.message = "The INS contradicts itself: its heading follows its travel only under another convention.";
+    result.message = convention
+                         ? "The INS contradicts itself: its heading follows its travel only under another convention."
+                         : "The INS contradicts itself: a column of its log is not what it is taken for.";
     result.advice.clear();
   }
   result.advice.insert(result.advice.begin(),
-                       "Before anything else correct the convention of the INS attitude: its heading does not follow "
-                       "the direction of travel, and would under another one (see the findings).");
+                       convention
+                           ? "Before anything else correct the convention of the INS attitude: its heading does "
+                             "not follow the direction of travel, and would under another one (see the findings)."
+                           : "Before anything else correct columns, signs and units of the INS log (see the "
+                             "findings).");
 }
 
 }  // namespace remount

@@ -41,6 +41,40 @@ std::string likely_cause(double difference_s, double slack_s) {
 
 }  // namespace
 
+std::string leap_second_hint(double difference_s, double slack_s) {
+  struct Scales {
+    double apart_s;
+    const char* words;
+  };
+  constexpr Scales kScales[] = {
+      {18.0, "GPS time is 18 s ahead of UTC since 2017: likely leap seconds; declare the time scale."},
+      {37.0, "TAI is 37 s ahead of UTC since 2017: likely a clock that PTP sets to TAI; declare the time scale."},
+      {19.0, "TAI is 19 s ahead of GPS time: likely a clock that PTP sets to TAI; declare the time scale."}};
+  const Scales* nearest = nullptr;
+  for (const Scales& scales : kScales) {
+    const double off_s = std::abs(std::abs(difference_s) - scales.apart_s);
+    if (off_s <= slack_s && (nearest == nullptr || off_s < std::abs(std::abs(difference_s) - nearest->apart_s)))
+      nearest = &scales;
+  }
+  return nearest == nullptr ? "" : nearest->words;
+}
+
+std::string shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins) {
+  // Streams of one recorder begin and end together, or within a second: one that covers the other is no suspect.
+  constexpr double kTogether_s = 1.5;
+  const double begins_s = 1e-9 * static_cast<double>(lidar.first_ns - ins.first_ns);
+  const double ends_s = 1e-9 * static_cast<double>(lidar.last_ns - ins.last_ns);
+  if (std::abs(begins_s - ends_s) > 2.0 * kTogether_s || begins_s * ends_s <= 0.0) return {};
+  const double mean_s = 0.5 * (begins_s + ends_s);
+  const std::string hint = leap_second_hint(mean_s, kTogether_s);
+  if (hint.empty()) return {};
+  char text[200];
+  std::snprintf(text, sizeof text, "The LiDAR's times begin %.3f s %s those of the INS, and end %.3f s %s them. ",
+                std::abs(begins_s), begins_s > 0.0 ? "after" : "before", std::abs(ends_s),
+                ends_s > 0.0 ? "after" : "before");
+  return text + hint;
+}
+
 std::string clock_difference(const TimeSpan& stream, const TimeSpan& reference) {
   // Recordings usually begin together: the difference of their beginnings is nearest to that of the clocks.
   const double difference_s = 1e-9 * (static_cast<double>(stream.first_ns) - static_cast<double>(reference.first_ns));

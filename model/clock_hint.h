@@ -15,6 +15,14 @@ struct TimeSpan {
 /// ahead of UTC ...": for spans without a common instant. `lidar` and `ins` are on clocks that should be one.
 std::string time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins);
 
+/// "GPS time is 18 s ahead of UTC ...": where a difference of clocks is that of two time scales to within `slack_s`;
+/// empty where it is not.
+std::string leap_second_hint(double difference_s, double slack_s);
+
+/// Where a stream begins and ends by the same leap seconds before or after the other, which it should share its clock
+/// with: what to suspect, and by how much; empty where the ends differ otherwise.
+std::string shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins);
+
 /// "the beginnings are 18.000 s apart. GPS time is 18 s ahead of UTC ...": the same of any two streams.
 std::string clock_difference(const TimeSpan& stream, const TimeSpan& reference);
 

@@ -258,6 +258,112 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "Take the positions of the INS itself (--topic ins-position=TOPIC), or let the driver subtract "
                         "the lever arm."),
+      // parts that stand still, columns and clocks that are others than declared
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The attitude stands still for %1 s at a time (%2 samples) and then jumps, by %3 degrees where "
+                        "the vehicle turns: it is logged more often than it is computed."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The position stands still for %1 s at a time (%2 samples) and then jumps, by %3 m where the "
+                        "vehicle drives: it is logged more often than it is computed."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Pitch and roll of the INS contradict %1; with %2 they would agree: look which columns they "
+                        "are, and which way they count."),
+      QT_TRANSLATE_NOOP("remount::model", "the slope of its path"),
+      QT_TRANSLATE_NOOP("remount::model", "the forces that the IMU feels"),
+      QT_TRANSLATE_NOOP("remount::model", "the turns of the LiDAR"),
+      QT_TRANSLATE_NOOP("remount::model", "pitch counted the other way"),
+      QT_TRANSLATE_NOOP("remount::model", "roll counted the other way"),
+      QT_TRANSLATE_NOOP("remount::model", "one of them counted the other way, or both exchanged"),
+      QT_TRANSLATE_NOOP("remount::model", "pitch and roll exchanged"),
+      QT_TRANSLATE_NOOP("remount::model", "pitch and roll both counted the other way"),
+      QT_TRANSLATE_NOOP("remount::model", "pitch and roll exchanged, and one of them counted the other way"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The heading of the INS does not follow the direction of travel, but it would with %1: correct "
+                        "the columns of the attitude. No mounting can be right with these."),
+      QT_TRANSLATE_NOOP("remount::model", "yaw and pitch exchanged"),
+      QT_TRANSLATE_NOOP("remount::model", "yaw and roll exchanged"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The heading of the INS does not follow the direction of travel, but it would if its angles "
+                        "were 57.3 times larger: these are radians that were taken for degrees."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The direction of travel does not follow the heading of the INS, but it would with latitude "
+                        "and longitude exchanged."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The scans turn as the INS did about %1 s later (correlation %2): the LiDAR's stamps are "
+                        "early by as much."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The scans turn as the INS did about %1 s later (correlation %2): the LiDAR's stamps are "
+                        "early by as much. %3"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The scans turn as the INS did about %1 s earlier (correlation %2): the LiDAR's stamps "
+                        "are late by as much."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The scans turn as the INS did about %1 s earlier (correlation %2): the LiDAR's stamps "
+                        "are late by as much. %3"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The LiDAR's times begin %1 s after those of the INS, and end %2 s after them. %3"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The LiDAR's times begin %1 s before those of the INS, and end %2 s before them. %3"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "GPS time is 18 s ahead of UTC since 2017: likely leap seconds; declare the time scale."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "TAI is 37 s ahead of UTC since 2017: likely a clock that PTP sets to TAI; declare the time scale."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "TAI is 19 s ahead of GPS time: likely a clock that PTP sets to TAI; declare the time scale."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Attitudes are late by half such a step on average, and jump: X is off by as much where the "
+                        "vehicle turns, and no sigma says so."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Log the attitude as it is computed, with all digits; or keep only the first sample of each "
+                        "that repeats: between those the motion is interpolated."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Positions are late by half such a step on average, and jump: X is off by the way that is "
+                        "driven meanwhile, and no sigma says so."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Log the position as it is computed, with all digits; or keep only the first sample of each "
+                        "that repeats: between those the motion is interpolated."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Relative motions of the INS turn about the wrong axes; no result stands on them."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Correct the columns or the signs that the finding names; of the path's slope only pitch can "
+                        "be told, look at the sign of roll as well."),
+      QT_TRANSLATE_NOOP("remount::model", "To the calibration the vehicle hardly turns; no result stands on that."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Give the unit of the angles as the log has it, or have the driver convert them to radians once."),
+      QT_TRANSLATE_NOOP("remount::model", "The path is mirrored, and goes its own way; no result stands on it."),
+      QT_TRANSLATE_NOOP("remount::model", "Exchange the columns of latitude and longitude."),
+      QT_TRANSLATE_NOOP("remount::model", "Scans are compared with the motion of another instant: no pair fits."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Declare the time scale (UTC, GPS, TAI) of each log, or subtract the difference from the stamps of one."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Scans are compared with the motion of another instant: no pair fits, or X is off."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Move the stamps of the LiDAR by that much, and see why the clocks differ: one that is not "
+          "synchronised, another time scale, stamps of arrival. The next calibration estimates what is left."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Before anything else bring the clocks of LiDAR and INS together: their rates of rotation meet "
+                        "at another offset (see the findings)."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Before anything else correct columns, signs and units of the INS log (see the findings)."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The INS contradicts itself: a column of its log is not what it is taken for."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "the angles are declared as unit: %1, but the heading then goes against the direction of "
+                        "travel; it follows it where they are %2 times larger: they were converted once too often. "
+                        "Write them in the unit that is declared"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "the angles are declared as unit: %1, but the heading then goes against the direction of "
+                        "travel; it follows it where they are %2 times smaller: they were converted once too often. "
+                        "Write them in the unit that is declared"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "a latitude beyond 90 degrees is not possible: are latitude and longitude exchanged?"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant."),
   };
   return phrases;
 }

@@ -132,9 +132,14 @@ struct Peak {
   double correlation = -1.0, runner_up = -1.0;
 };
 
-Peak coarse_peak(const RateGrid& reference, const RateGrid& other, std::size_t min_overlap) {
-  const auto first = -static_cast<std::int64_t>(other.rate_rad_s.size()),
-             last = static_cast<std::int64_t>(reference.rate_rad_s.size());
+Peak coarse_peak(const RateGrid& reference, const RateGrid& other, std::size_t min_overlap, double max_offset_s) {
+  auto first = -static_cast<std::int64_t>(other.rate_rad_s.size()),
+       last = static_cast<std::int64_t>(reference.rate_rad_s.size());
+  if (std::isfinite(max_offset_s)) {
+    const double unshifted_s = seconds(reference.start_ns - other.start_ns);
+    first = std::max(first, static_cast<std::int64_t>(std::ceil((-max_offset_s - unshifted_s) / reference.step_s)));
+    last = std::min(last, static_cast<std::int64_t>(std::floor((max_offset_s - unshifted_s) / reference.step_s)));
+  }
   std::vector<double> correlations;
   Peak peak;
   for (std::int64_t shift = first; shift <= last; ++shift) {
@@ -197,7 +202,8 @@ ClockAlignment align_clocks(const std::vector<StampedPose>& reference, const std
     result.why = "a stream hardly turns, so its rate of rotation says nothing about time";
     return result;
   }
-  const Peak peak = coarse_peak(coarse_reference, coarse_other, static_cast<std::size_t>(overlap_s / kCoarseStep_s));
+  const Peak peak = coarse_peak(coarse_reference, coarse_other, static_cast<std::size_t>(overlap_s / kCoarseStep_s),
+                                options.max_offset_s);
   if (peak.correlation <= 0.0) {
     result.why = "the rates of rotation do not resemble each other under any offset";
     return result;

@@ -1,6 +1,7 @@
 // The constant offset between the clocks of two sensors on one rigid body, from their rotation alone.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct ClockAlignmentOptions {
   double max_gap_s = 1.0;         ///< no rate is taken across a longer gap
   double min_overlap_s = 5.0;     ///< of the streams under an offset, and at least half of the shorter stream
   double max_template_s = 300.0;  ///< at most so much of the second stream is used: where it turns most
+  double max_offset_s = std::numeric_limits<double>::infinity();  ///< farther ones are neither answers nor rivals
 };
 
 struct ClockAlignment {

@@ -16,6 +16,13 @@ DataCheck attitude_data_check() {
       .kinds =
           {{"attitude-convention", "Every relative motion of the INS is wrong; no result stands on it.",
             "Declare the convention that the finding names; in session.yaml it is ins.columns.attitude.convention."},
+           {"attitude-columns", "Relative motions of the INS turn about the wrong axes; no result stands on them.",
+            "Correct the columns or the signs that the finding names; of the path's slope only pitch can be told, look "
+            "at the sign of roll as well."},
+           {"attitude-unit", "To the calibration the vehicle hardly turns; no result stands on that.",
+            "Give the unit of the angles as the log has it, or have the driver convert them to radians once."},
+           {"position-columns", "The path is mirrored, and goes its own way; no result stands on it.",
+            "Exchange the columns of latitude and longitude."},
            {"heading-against-travel", "Heading and direction of travel have nothing to do with each other.",
             "Look which column is the heading, and how it counts; set the mounting of the INS in the INS itself."},
            {"attitude-upside-down", "Roll of the INS is off by half a turn, and that of the result with it.",

@@ -7,6 +7,7 @@ namespace remount {
 
 DataCheck ins_solution_check();
 DataCheck frozen_part_check();
+DataCheck held_part_check();
 DataCheck ins_jump_check();
 DataCheck rtk_check();
 DataCheck drive_variety_check();

@@ -28,6 +28,9 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
   if (apart(lidar, ins))
     findings.push_back({Severity::Problem, "clocks-apart", session.name,
                         "the INS data do not cover the scans' times: " + time_spans_apart(lidar, ins)});
+  else if (const std::string shifted = is_empty(lidar) || is_empty(ins) ? "" : shifted_by_leap_seconds(lidar, ins);
+           !shifted.empty())
+    findings.push_back({Severity::Warning, "clock-leap-seconds", session.name, shifted});
   const TimeSpan& reference = is_empty(ins) ? lidar : ins;
   const std::pair<const char*, TimeSpan> others[] = {{"IMU", span_of(session.imu)},
                                                      {"GNSS", span_of(session.gnss)},
@@ -42,23 +45,29 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 }  // namespace
 
 DataCheck clock_check() {
-  return {.kinds =
-              {{"clocks-apart", "Scans and INS have no instant in common: there is nothing to compare.",
-                "Give data of the same drive, on one clock; declare the time scale (UTC, GPS) of each."},
-               {"sensor-clock", "The stream cannot be used: no sample of it belongs to the drive.",
-                "Declare its time scale (UTC, GPS) and unit, or leave it out."},
-               {"host-clock", "Whatever else is stamped by the host's clock is off by as much against the INS.",
-                "Synchronise the host with GPS (PTP, NTP, chrony); stamp scans by GPS time (PPS) where the LiDAR can."},
-               {"host-stamps-rounded", "The host's clock cannot be judged.", "Export the log again with all digits."},
-               {"clock-ambiguous", "Poses and INS may belong to different instants.",
-                "Record a drive with several turns, on one clock."},
-               {"clock-moved", "The clocks were brought together by the recorder's, as well as it took messages down.",
-                "Synchronise the clocks before the next drive; look at the clock offset of the result."},
-               {"point-clock", "Within a scan, points may be compensated for the motion of another instant.",
-                "Have the driver stamp scans and points by one clock."},
-               {"clock-aligned", "The clocks were brought together by the turns of the drive, to some milliseconds.",
-                "Synchronise the clocks before the next drive."}},
-          .look = look};
+  return {
+      .kinds =
+          {{"clocks-apart", "Scans and INS have no instant in common: there is nothing to compare.",
+            "Give data of the same drive, on one clock; declare the time scale (UTC, GPS) of each."},
+           {"clock-leap-seconds", "Scans are compared with the motion of another instant: no pair fits.",
+            "Declare the time scale (UTC, GPS, TAI) of each log, or subtract the difference from the stamps of one."},
+           {"clock-far", "Scans are compared with the motion of another instant: no pair fits, or X is off.",
+            "Move the stamps of the LiDAR by that much, and see why the clocks differ: one that is not synchronised, "
+            "another time scale, stamps of arrival. The next calibration estimates what is left."},
+           {"sensor-clock", "The stream cannot be used: no sample of it belongs to the drive.",
+            "Declare its time scale (UTC, GPS) and unit, or leave it out."},
+           {"host-clock", "Whatever else is stamped by the host's clock is off by as much against the INS.",
+            "Synchronise the host with GPS (PTP, NTP, chrony); stamp scans by GPS time (PPS) where the LiDAR can."},
+           {"host-stamps-rounded", "The host's clock cannot be judged.", "Export the log again with all digits."},
+           {"clock-ambiguous", "Poses and INS may belong to different instants.",
+            "Record a drive with several turns, on one clock."},
+           {"clock-moved", "The clocks were brought together by the recorder's, as well as it took messages down.",
+            "Synchronise the clocks before the next drive; look at the clock offset of the result."},
+           {"point-clock", "Within a scan, points may be compensated for the motion of another instant.",
+            "Have the driver stamp scans and points by one clock."},
+           {"clock-aligned", "The clocks were brought together by the turns of the drive, to some milliseconds.",
+            "Synchronise the clocks before the next drive."}},
+      .look = look};
 }
 
 }  // namespace remount

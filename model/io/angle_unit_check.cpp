@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kEarthRadius_m = 6371000.0;
 constexpr double kStep_m = 2.0;        ///< apart enough that noise of positions does not turn the direction
+constexpr double kFollows = 0.98;      ///< concentration of a heading that is right
+constexpr double kFarBetter = 0.1;     ///< of what is left of the disagreement
 constexpr std::size_t kFewSteps = 10;  ///< below this many nothing is said of the direction of travel
 
 /// A stretch of travel: its direction, from east counter-clockwise, and the sample in its middle.
@@ -96,11 +98,23 @@ void check_angle_unit(const std::vector<InsSample>& samples, const std::vector<A
   if (steps.size() < kFewSteps) return;
   const Agreement declared = agreement(steps, logged, unit_rad, convention);
   const Agreement other = agreement(steps, logged, radians ? kPi / 180.0 : 1.0, convention);
-  if (declared.concentration < 0.8 && other.concentration > 0.95)
-    throw Error(ErrorCode::Format, path.string(),
-                std::string("the angles are declared as unit: ") + declared_name +
-                    ", but the heading then goes against the direction of travel; it follows it as " + other_name +
-                    ". " + advice);
+  // What is left of the heading in too small a unit follows a straight road: it must do better than none at all.
+  const double none = agreement(steps, logged, 0.0, convention).concentration;
+  const auto far_better = [&](const Agreement& one) {
+    const double apart = 1.0 - one.concentration;
+    return declared.concentration < kFollows && apart < kFarBetter * (1.0 - declared.concentration) &&
+           apart < kFarBetter * (1.0 - none);
+  };
+  const std::string against = std::string("the angles are declared as unit: ") + declared_name +
+                              ", but the heading then goes against the direction of travel; it follows it ";
+  if ((declared.concentration < 0.8 && other.concentration > 0.95) || far_better(other))
+    throw Error(ErrorCode::Format, path.string(), against + "as " + other_name + ". " + advice);
+  for (const double times : {kPi / 180.0, 180.0 / kPi, kPi / 180.0 * kPi / 180.0, 180.0 / kPi * 180.0 / kPi})
+    if (far_better(agreement(steps, logged, unit_rad * times, convention)))
+      throw Error(ErrorCode::Format, path.string(),
+                  against + text_of("where they are %.4g times %s: they were converted once too often. Write them in "
+                                    "the unit that is declared",
+                                    std::max(times, 1.0 / times), times > 1.0 ? "larger" : "smaller"));
   // On a straight road both are constant, but only one of them is small, and radians stay within a turn.
   const double declared_deg = radians_to_degrees(declared.offset_rad), other_deg = radians_to_degrees(other.offset_rad);
   const bool beyond_a_turn = std::any_of(logged.begin(), logged.end(), [](const AttitudeAngles& angles) {

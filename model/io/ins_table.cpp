@@ -46,7 +46,10 @@ class RowParser {
     sample.longitude_rad = number(layout_.longitude) * layout_.position_unit_rad;
     sample.height_m = number(layout_.height);
     if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
-      throw Error(ErrorCode::Format, at_line(path_, line_), "latitude, longitude or height is not possible");
+      throw Error(ErrorCode::Format, at_line(path_, line_),
+                  plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
+                      ? "a latitude beyond 90 degrees is not possible: are latitude and longitude exchanged?"
+                      : "latitude, longitude or height is not possible");
     sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
     if (layout_.position_sigma_enu)
       for (int axis = 0; axis < 3; ++axis)

@@ -10,6 +10,7 @@
 #include "algorithms/registration/registration.h"
 #include "algorithms/trajectory/pairing.h"
 #include "model/pipeline/stages.h"
+#include "model/pipeline/suspect_stage.h"
 
 namespace remount {
 namespace {
@@ -125,6 +126,18 @@ std::vector<Pair> pairs_of_chain(const DriveMotion& motion, const Chain& chain, 
   return pairs;
 }
 
+// The rotation of the longest chain tells the clock of a session.
+void judge_clock(const DriveMotion& motion, int session, const std::vector<Chain>& chains, CoarseStart& out) {
+  const auto longest = std::max_element(chains.begin(), chains.end(), [](const Chain& a, const Chain& b) {
+    return a.keyframes.size() < b.keyframes.size();
+  });
+  if (longest == chains.end()) return;
+  std::vector<StampedPose> poses;
+  for (std::size_t i = 0; i < longest->keyframes.size(); ++i)
+    poses.push_back({longest->keyframes[i].stamp_ns, longest->first_from_lidar[i]});
+  report_far_clock(motion, session, poses, out.findings);
+}
+
 // Away from the ground in the lidar frame, from the first readable scan: settles roll on a drive without turns.
 std::optional<Eigen::Vector3d> up_of_first_scans(const DriveMotion& motion) {
   for (int session = 0; session < motion.session_count(); ++session) {
@@ -156,7 +169,9 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   int key = -1'000'000;  // apart from the keyframes' keys
   for (int session = 0; session < motion.session_count() && !progress.cancelled(); ++session) {
     if (!motion.session(session).scans) continue;
-    for (const Chain& chain : chain_session(motion, scans, session, options, key, out, threads, progress)) {
+    const std::vector<Chain> chains = chain_session(motion, scans, session, options, key, out, threads, progress);
+    judge_clock(motion, session, chains, out);
+    for (const Chain& chain : chains) {
       const std::vector<Pair> more = pairs_of_chain(motion, chain, pairing);
       pairs.insert(pairs.end(), more.begin(), more.end());
     }

@@ -17,7 +17,8 @@ struct CoarseStart {
   int failures = 0;
   std::size_t readable = 0, unreadable = 0;  ///< scans that were tried
   std::string first_unreadable;
-  std::string problem;  ///< why there is none, in words
+  std::string problem;            ///< why there is none, in words
+  std::vector<Finding> findings;  ///< clocks that are far apart
 };
 
 /// Registers neighbouring scans, which lie so close that no start value is needed, chains them to a lidar trajectory

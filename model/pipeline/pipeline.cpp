@@ -8,7 +8,6 @@
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/core/error.h"
 #include "algorithms/search/candidates.h"
-#include "model/attitude_check.h"
 #include "model/nominal_check.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/coarse_start.h"
@@ -19,6 +18,7 @@
 #include "model/pipeline/sharpness_stage.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/pipeline/stages.h"
+#include "model/pipeline/suspect_stage.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -305,8 +305,10 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   if (any_scans(input)) {
     if (!input.nominal_ins_from_lidar) {
       const CoarseStart coarse = find_coarse_start(motion, input.settings, input.threads, progress);
+      output.findings.insert(output.findings.end(), coarse.findings.begin(), coarse.findings.end());
       if (!coarse.ins_from_lidar) {
         output.result = progress.cancelled() ? cancelled_result(output.pairs) : without_start(coarse);
+        blame_recording(output.findings, output.result);
         return output;
       }
       output.initial_ins_from_lidar = *coarse.ins_from_lidar;
@@ -325,7 +327,8 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
     output.result = solve_with_clock(input, motion, output, details, progress);
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
-  blame_attitude(output.findings, output.result);
+  report_columns(motion, output);
+  blame_recording(output.findings, output.result);
   drop_clock_of_failed(output);
   report_clock(output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
@@ -352,7 +355,7 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
     solved.result = solve_with_clock(input, motion, solved, unused, progress);
   }
   if (progress.cancelled() || solved.result.status == Status::Cancelled) return false;
-  blame_attitude(solved.findings, solved.result);
+  blame_recording(solved.findings, solved.result);
   drop_clock_of_failed(solved);
   forget_sharpness(solved);
   std::erase_if(solved.findings, [](const Finding& finding) { return finding.code == kClockOffset; });

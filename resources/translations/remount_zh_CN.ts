@@ -9851,6 +9851,194 @@ Save under another name, or close it there first.</source>
         <source>Take the positions of the INS itself (--topic ins-position=TOPIC), or let the driver subtract the lever arm.</source>
         <translation>请采用 INS 自身的位置（--topic ins-position=TOPIC），或让驱动程序扣除杆臂。</translation>
     </message>
+    <message>
+        <source>The attitude stands still for %1 s at a time (%2 samples) and then jumps, by %3 degrees where the vehicle turns: it is logged more often than it is computed.</source>
+        <translation>姿态每次静止 %1 s（%2 个样本）后突然跳变，车辆转弯时跳变 %3 度：它的记录频率高于计算频率。</translation>
+    </message>
+    <message>
+        <source>The position stands still for %1 s at a time (%2 samples) and then jumps, by %3 m where the vehicle drives: it is logged more often than it is computed.</source>
+        <translation>位置每次静止 %1 s（%2 个样本）后突然跳变，车辆行驶时跳变 %3 m：它的记录频率高于计算频率。</translation>
+    </message>
+    <message>
+        <source>Pitch and roll of the INS contradict %1; with %2 they would agree: look which columns they are, and which way they count.</source>
+        <translation>INS 的俯仰和横滚与%1矛盾；若%2则一致：请检查它们是哪些列，以及正方向如何规定。</translation>
+    </message>
+    <message>
+        <source>the slope of its path</source>
+        <translation>其路径的坡度</translation>
+    </message>
+    <message>
+        <source>the forces that the IMU feels</source>
+        <translation>IMU 感受到的力</translation>
+    </message>
+    <message>
+        <source>the turns of the LiDAR</source>
+        <translation>激光雷达的转动</translation>
+    </message>
+    <message>
+        <source>pitch counted the other way</source>
+        <translation>俯仰的正方向相反</translation>
+    </message>
+    <message>
+        <source>roll counted the other way</source>
+        <translation>横滚的正方向相反</translation>
+    </message>
+    <message>
+        <source>one of them counted the other way, or both exchanged</source>
+        <translation>其中之一的正方向相反，或二者互换</translation>
+    </message>
+    <message>
+        <source>pitch and roll exchanged</source>
+        <translation>俯仰与横滚互换</translation>
+    </message>
+    <message>
+        <source>pitch and roll both counted the other way</source>
+        <translation>俯仰和横滚的正方向都相反</translation>
+    </message>
+    <message>
+        <source>pitch and roll exchanged, and one of them counted the other way</source>
+        <translation>俯仰与横滚互换且其中之一的正方向相反</translation>
+    </message>
+    <message>
+        <source>The heading of the INS does not follow the direction of travel, but it would with %1: correct the columns of the attitude. No mounting can be right with these.</source>
+        <translation>INS 的航向与行驶方向不符，但若%1则相符：请更正姿态的列。按现有的列，任何安装位姿都不可能正确。</translation>
+    </message>
+    <message>
+        <source>yaw and pitch exchanged</source>
+        <translation>偏航与俯仰互换</translation>
+    </message>
+    <message>
+        <source>yaw and roll exchanged</source>
+        <translation>偏航与横滚互换</translation>
+    </message>
+    <message>
+        <source>The heading of the INS does not follow the direction of travel, but it would if its angles were 57.3 times larger: these are radians that were taken for degrees.</source>
+        <translation>INS 的航向与行驶方向不符，但若其角度放大 57.3 倍则相符：这些是被当作度的弧度。</translation>
+    </message>
+    <message>
+        <source>The direction of travel does not follow the heading of the INS, but it would with latitude and longitude exchanged.</source>
+        <translation>行驶方向与 INS 的航向不符，但若纬度与经度互换则相符。</translation>
+    </message>
+    <message>
+        <source>The scans turn as the INS did about %1 s later (correlation %2): the LiDAR&apos;s stamps are early by as much.</source>
+        <translation>扫描的转动与 INS 在约晚 %1 s 时的转动一致（相关系数 %2）：激光雷达的时间戳偏早同样多。</translation>
+    </message>
+    <message>
+        <source>The scans turn as the INS did about %1 s later (correlation %2): the LiDAR&apos;s stamps are early by as much. %3</source>
+        <translation>扫描的转动与 INS 在约晚 %1 s 时的转动一致（相关系数 %2）：激光雷达的时间戳偏早同样多。%3</translation>
+    </message>
+    <message>
+        <source>The scans turn as the INS did about %1 s earlier (correlation %2): the LiDAR&apos;s stamps are late by as much.</source>
+        <translation>扫描的转动与 INS 在约早 %1 s 时的转动一致（相关系数 %2）：激光雷达的时间戳偏晚同样多。</translation>
+    </message>
+    <message>
+        <source>The scans turn as the INS did about %1 s earlier (correlation %2): the LiDAR&apos;s stamps are late by as much. %3</source>
+        <translation>扫描的转动与 INS 在约早 %1 s 时的转动一致（相关系数 %2）：激光雷达的时间戳偏晚同样多。%3</translation>
+    </message>
+    <message>
+        <source>The LiDAR&apos;s times begin %1 s after those of the INS, and end %2 s after them. %3</source>
+        <translation>激光雷达的时间在 INS 的时间开始之后 %1 s 开始，在其结束之后 %2 s 结束。%3</translation>
+    </message>
+    <message>
+        <source>The LiDAR&apos;s times begin %1 s before those of the INS, and end %2 s before them. %3</source>
+        <translation>激光雷达的时间在 INS 的时间开始之前 %1 s 开始，在其结束之前 %2 s 结束。%3</translation>
+    </message>
+    <message>
+        <source>GPS time is 18 s ahead of UTC since 2017: likely leap seconds; declare the time scale.</source>
+        <translation>自 2017 年起 GPS 时间比 UTC 快 18 s：很可能是闰秒；请声明时间尺度。</translation>
+    </message>
+    <message>
+        <source>TAI is 37 s ahead of UTC since 2017: likely a clock that PTP sets to TAI; declare the time scale.</source>
+        <translation>自 2017 年起 TAI 比 UTC 快 37 s：很可能是 PTP 把时钟设成了 TAI；请声明时间尺度。</translation>
+    </message>
+    <message>
+        <source>TAI is 19 s ahead of GPS time: likely a clock that PTP sets to TAI; declare the time scale.</source>
+        <translation>TAI 比 GPS 时间快 19 s：很可能是 PTP 把时钟设成了 TAI；请声明时间尺度。</translation>
+    </message>
+    <message>
+        <source>Attitudes are late by half such a step on average, and jump: X is off by as much where the vehicle turns, and no sigma says so.</source>
+        <translation>姿态平均滞后半个这样的步长，并且跳变：车辆转弯时 X 随之偏差，而任何 sigma 都不会反映出来。</translation>
+    </message>
+    <message>
+        <source>Log the attitude as it is computed, with all digits; or keep only the first sample of each that repeats: between those the motion is interpolated.</source>
+        <translation>按姿态的计算频率记录，保留全部位数；或者在重复的样本中只保留第一个：其间的运动会被插值。</translation>
+    </message>
+    <message>
+        <source>Positions are late by half such a step on average, and jump: X is off by the way that is driven meanwhile, and no sigma says so.</source>
+        <translation>位置平均滞后半个这样的步长，并且跳变：X 的偏差相当于其间驶过的路程，而任何 sigma 都不会反映出来。</translation>
+    </message>
+    <message>
+        <source>Log the position as it is computed, with all digits; or keep only the first sample of each that repeats: between those the motion is interpolated.</source>
+        <translation>按位置的计算频率记录，保留全部位数；或者在重复的样本中只保留第一个：其间的运动会被插值。</translation>
+    </message>
+    <message>
+        <source>Relative motions of the INS turn about the wrong axes; no result stands on them.</source>
+        <translation>INS 的相对运动绕错误的轴转动；在此基础上任何结果都不成立。</translation>
+    </message>
+    <message>
+        <source>Correct the columns or the signs that the finding names; of the path&apos;s slope only pitch can be told, look at the sign of roll as well.</source>
+        <translation>请更正该发现所指出的列或符号；路径的坡度只能说明俯仰，也请检查横滚的符号。</translation>
+    </message>
+    <message>
+        <source>To the calibration the vehicle hardly turns; no result stands on that.</source>
+        <translation>在标定看来车辆几乎不转弯；在此基础上任何结果都不成立。</translation>
+    </message>
+    <message>
+        <source>Give the unit of the angles as the log has it, or have the driver convert them to radians once.</source>
+        <translation>请按日志实际情况给出角度的单位，或让驱动程序只把它们换算成弧度一次。</translation>
+    </message>
+    <message>
+        <source>The path is mirrored, and goes its own way; no result stands on it.</source>
+        <translation>路径成了镜像，与实际不符；在此基础上任何结果都不成立。</translation>
+    </message>
+    <message>
+        <source>Exchange the columns of latitude and longitude.</source>
+        <translation>请互换纬度和经度的列。</translation>
+    </message>
+    <message>
+        <source>Scans are compared with the motion of another instant: no pair fits.</source>
+        <translation>扫描与另一时刻的运动相比较：没有一对相符。</translation>
+    </message>
+    <message>
+        <source>Declare the time scale (UTC, GPS, TAI) of each log, or subtract the difference from the stamps of one.</source>
+        <translation>请声明每个日志的时间尺度（UTC、GPS、TAI），或从其中之一的时间戳中减去该差值。</translation>
+    </message>
+    <message>
+        <source>Scans are compared with the motion of another instant: no pair fits, or X is off.</source>
+        <translation>扫描与另一时刻的运动相比较：没有一对相符，或者 X 有偏差。</translation>
+    </message>
+    <message>
+        <source>Move the stamps of the LiDAR by that much, and see why the clocks differ: one that is not synchronised, another time scale, stamps of arrival. The next calibration estimates what is left.</source>
+        <translation>请把激光雷达的时间戳移动同样多，并查明时钟为何不同：未同步、时间尺度不同，或使用了到达时间。剩余的偏移由下一次标定估计。</translation>
+    </message>
+    <message>
+        <source>Before anything else bring the clocks of LiDAR and INS together: their rates of rotation meet at another offset (see the findings).</source>
+        <translation>请首先把激光雷达和 INS 的时钟对齐：二者的转动速率在另一个偏移下才相符（见各项发现）。</translation>
+    </message>
+    <message>
+        <source>Before anything else correct columns, signs and units of the INS log (see the findings).</source>
+        <translation>请首先更正 INS 日志的列、符号和单位（见各项发现）。</translation>
+    </message>
+    <message>
+        <source>The INS contradicts itself: a column of its log is not what it is taken for.</source>
+        <translation>INS 自相矛盾：其日志中有一列的含义与所认为的不同。</translation>
+    </message>
+    <message>
+        <source>the angles are declared as unit: %1, but the heading then goes against the direction of travel; it follows it where they are %2 times larger: they were converted once too often. Write them in the unit that is declared</source>
+        <translation>角度声明的单位为 unit: %1，但这样航向与行驶方向不符；若放大 %2 倍则相符：它们被多换算了一次。请按所声明的单位写出</translation>
+    </message>
+    <message>
+        <source>the angles are declared as unit: %1, but the heading then goes against the direction of travel; it follows it where they are %2 times smaller: they were converted once too often. Write them in the unit that is declared</source>
+        <translation>角度声明的单位为 unit: %1，但这样航向与行驶方向不符；若缩小为 %2 分之一则相符：它们被多换算了一次。请按所声明的单位写出</translation>
+    </message>
+    <message>
+        <source>a latitude beyond 90 degrees is not possible: are latitude and longitude exchanged?</source>
+        <translation>纬度不可能超过 90 度：纬度与经度是否互换了？</translation>
+    </message>
+    <message>
+        <source>The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.</source>
+        <translation>激光雷达与 INS 的时钟不一致：扫描与另一时刻的运动相比较。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

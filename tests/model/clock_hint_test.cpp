@@ -29,5 +29,22 @@ TEST(clock_hint, says_by_how_much_and_why) {
   }
 }
 
+std::string shifted(double begins_s, double ends_s) {
+  const auto ns = [](double seconds) { return static_cast<std::int64_t>(seconds * 1e9); };
+  return shifted_by_leap_seconds({kNow + ns(begins_s), kNow + 60 * kSecond + ns(ends_s)}, {kNow, kNow + 60 * kSecond});
+}
+
+TEST(clock_hint, ends_that_differ_by_leap_seconds_alike_are_suspected) {
+  EXPECT_NE(shifted(-18.0, -18.0).find("GPS time is 18 s ahead of UTC"), std::string::npos) << shifted(-18.0, -18.0);
+  EXPECT_NE(shifted(-18.0, -18.0).find("begin 18.000 s before"), std::string::npos) << shifted(-18.0, -18.0);
+  EXPECT_NE(shifted(17.2, 18.4).find("GPS time"), std::string::npos);
+  EXPECT_NE(shifted(37.3, 36.9).find("TAI is 37 s"), std::string::npos);
+  EXPECT_NE(shifted(-19.0, -19.1).find("TAI is 19 s"), std::string::npos);
+  for (const auto& [begins_s, ends_s] :
+       {std::pair(0.5, -0.5), std::pair(18.0, -18.0), std::pair(18.0, 0.0), std::pair(0.0, 18.0), std::pair(25.0, 25.0),
+        std::pair(-10.0, -10.0), std::pair(18.0, 30.0)})
+    EXPECT_EQ(shifted(begins_s, ends_s), "") << begins_s << " " << ends_s;
+}
+
 }  // namespace
 }  // namespace remount

@@ -57,6 +57,26 @@ TEST(clock_alignment, gaps_do_not_matter) {
   EXPECT_NEAR(result.offset_s, -1.0, 0.003) << result.why;
 }
 
+TEST(clock_alignment, offsets_beyond_the_limit_are_neither_answers_nor_rivals) {
+  // A road that winds evenly: every half period looks the same.
+  const auto winding = [](double clock_s) {
+    std::vector<StampedPose> poses;
+    for (int i = 0; i < 600; ++i)
+      poses.push_back({std::llround((0.1 * i + clock_s) * 1e9) + 1'600'000'000'000'000'000,
+                       make_rigid(rotation_from_yaw_pitch_roll({std::sin(0.4 * 0.1 * i), 0, 0}), {0, 0, 0})});
+    return poses;
+  };
+  ClockAlignmentOptions near;
+  near.max_offset_s = 3.0;
+  EXPECT_TRUE(align_clocks(winding(0.0), winding(0.5)).ambiguous);
+  const ClockAlignment result = align_clocks(winding(0.0), winding(0.5), near);
+  ASSERT_TRUE(result.found) << result.why;
+  EXPECT_FALSE(result.ambiguous) << result.why << " " << result.correlation << " " << result.runner_up;
+  EXPECT_NEAR(result.offset_s, -0.5, 0.003);
+  near.max_offset_s = 1.0;
+  EXPECT_FALSE(align_clocks(winding(0.0), winding(5000.0), near).found) << "no offset within the limit overlaps";
+}
+
 TEST(clock_alignment, says_where_there_is_no_answer) {
   std::vector<StampedPose> straight = stream(0, 60, 10, 0, 0, kMounting);
   for (StampedPose& pose : straight) pose.pose = RigidTransform::Identity();

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
 #include "model/checks/builtin.h"
+#include "model/io/session_reader.h"
+#include "model/session_report.h"
+#include "model/simulator/simulator.h"
 #include "tests/model/checks/check_fixture.h"
+#include "tests/model/io/temporary_folder.h"
 
 namespace remount {
 namespace {
@@ -14,6 +18,24 @@ TEST(clock_check, streams_that_do_not_meet_are_named_with_what_is_likely) {
   ASSERT_TRUE(has_code(findings, "clocks-apart"));
   EXPECT_EQ(findings[0].severity, Severity::Problem);
   EXPECT_NE(findings[0].explanation.find("likely leap seconds"), std::string::npos) << findings[0].explanation;
+}
+
+TEST(clock_check, a_drive_that_is_longer_than_the_leap_seconds_still_shows_them) {
+  SimulationOptions options;
+  options.duration_s = 40.0;
+  options.beams = 4;
+  options.azimuth_steps = 60;
+  SimulatedDrive drive = simulate_drive(options);
+  EXPECT_TRUE(found_by(clock_check(), drive.session).empty());
+  for (InsSample& sample : drive.session.ins) sample.stamp_ns += 18'000'000'000;
+  drive.session.imu.clear(), drive.session.gnss.clear(), drive.session.wheels.clear(), drive.session.barometer.clear();
+  const TemporaryFolder folder;
+  Progress progress;
+  write_drive(drive, folder.path() / "drive", "native", 1, progress);
+  const Session session = open_session(folder.path() / "drive", progress);
+  const std::string inspected = describe(session, report_session(session, progress));
+  EXPECT_NE(inspected.find("[clock-leap-seconds]"), std::string::npos) << inspected;
+  EXPECT_NE(inspected.find("GPS time is 18 s ahead of UTC"), std::string::npos) << inspected;
 }
 
 TEST(clock_check, a_sensor_on_another_clock_is_named) {

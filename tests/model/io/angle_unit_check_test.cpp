@@ -73,6 +73,25 @@ TEST(angle_unit, radians_declared_as_degrees_are_refused_with_what_to_declare) {
   }
 }
 
+double bend(double t) { return 10.0 + 0.5 * t; }
+
+TEST(angle_unit, angles_that_were_converted_once_too_often_are_refused_with_how_much) {
+  for (const auto& heading : {winding, circles, bend}) {
+    Log smaller(heading, kDegree * kDegree), larger(heading, 1.0 / kDegree), radians(heading, kDegree * kDegree);
+    EXPECT_ERROR(smaller.check(kDegree), "3283 times larger");
+    EXPECT_ERROR(larger.check(kDegree), "57.3 times smaller: they were converted once too often");
+    EXPECT_ERROR(radians.check(kRadian), "57.3 times larger");
+  }
+}
+
+TEST(angle_unit, a_gentle_bend_tells_radians_from_degrees) {
+  Log radians(bend, kDegree), degrees(bend, 1.0), right(bend, 1.0);
+  EXPECT_ERROR(radians.check(kDegree), "{unit: rad} in session.yaml");
+  EXPECT_ERROR(degrees.check(kRadian), "{unit: deg} in session.yaml");
+  right.check(kDegree);
+  EXPECT_TRUE(right.findings.empty());
+}
+
 TEST(angle_unit, on_a_straight_road_the_other_unit_is_suspected) {
   for (const auto& [factor, unit] : {std::pair(1.0, kRadian), std::pair(kDegree, kDegree)}) {
     Log log(straight, factor);

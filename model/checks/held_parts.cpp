@@ -1,0 +1,109 @@
+// Attitudes or positions that are logged more often than they are computed: each value is repeated for a while, then
+// jumps to the next.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "algorithms/core/median.h"
+#include "algorithms/geometry/rotation.h"
+#include "model/checks/builtin.h"
+#include "model/checks/check_text.h"
+
+namespace remount {
+namespace {
+
+constexpr double kSameAttitude_rad = 1e-8;  ///< interpolating between two that are the same rounds
+constexpr double kWindow_s = 1.0;           ///< over which it is judged whether the vehicle turns or drives
+constexpr double kTurning_rad = 3.0 * kPi / 180.0, kDriving_m = 1.0;  ///< in a window, at least
+// What jumps by less may be rounding of the log; it moves nothing that is calibrated.
+constexpr double kLeastTurn_rad = 0.15 * kPi / 180.0, kLeastStep_m = 0.1;
+constexpr double kRepeated = 0.45;      ///< share of samples that repeat the one before: each value comes twice or more
+constexpr std::size_t kFewSteps = 10;   ///< below this many nothing is said
+constexpr double kLongestHold_s = 3.0;  ///< longer ones are stalls, not steps
+
+/// What is typical of values that are held while the vehicle moves.
+struct Steps {
+  double hold_s = 0.0;   ///< from one new value to the next
+  double samples = 0.0;  ///< that a value is repeated for, itself included
+  double jump = 0.0;     ///< between successive values, rad or m
+};
+
+/// `difference(a, b)` of the values of two samples; equal up to `same`. Samples count where the values change by more
+/// than `moving` within a window.
+template <class Difference>
+std::optional<Steps> steps_of(const std::vector<StampedPose>& poses, double same, double moving, double least_jump,
+                              Difference&& difference) {
+  std::vector<std::size_t> starts;  // of each new value
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    if (starts.empty() || difference(starts.back(), i) > same) starts.push_back(i);
+  const auto time_s = [&](std::size_t from, std::size_t to) {
+    return seconds_between(poses[from].stamp_ns, poses[to].stamp_ns);
+  };
+  std::vector<double> holds_s, lengths, jumps;
+  double samples = 0.0;
+  for (std::size_t k = 0, before = 0, after = 0; k + 1 < starts.size(); ++k) {
+    const std::size_t from = starts[k], to = starts[k + 1];
+    while (before < k && time_s(starts[before + 1], from) >= 0.5 * kWindow_s) ++before;
+    while (after + 1 < starts.size() && time_s(from, starts[after]) < 0.5 * kWindow_s) ++after;
+    const double window_s = time_s(starts[before], starts[after]), hold_s = time_s(from, to);
+    const double change = difference(starts[before], starts[after]);
+    if (!(window_s > 0.0) || hold_s > kLongestHold_s || change < moving * std::max(1.0, window_s / kWindow_s)) continue;
+    holds_s.push_back(hold_s);
+    lengths.push_back(static_cast<double>(to - from));
+    jumps.push_back(difference(from, to));
+    samples += lengths.back();
+  }
+  if (holds_s.size() < kFewSteps) return std::nullopt;
+  const double repeated = 1.0 - static_cast<double>(holds_s.size()) / samples;
+  const Steps steps{median_of(holds_s), median_of(lengths), median_of(jumps)};
+  if (repeated < kRepeated || steps.samples < 2.0 || steps.jump < least_jump) return std::nullopt;
+  return steps;
+}
+
+void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+  const std::vector<StampedPose>& poses = checked.poses;
+  // The axes of the metric frame turn with the place: what repeats does so as it was logged.
+  const std::vector<InsSample>& ins = checked.session.ins;
+  const bool geodetic = ins.size() == poses.size();
+  std::vector<Eigen::Quaterniond> attitudes;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    attitudes.push_back(geodetic ? ins[i].enu_from_ins : Eigen::Quaterniond(poses[i].pose.linear()));
+  const auto turn = steps_of(poses, kSameAttitude_rad, kTurning_rad, kLeastTurn_rad,
+                             [&](std::size_t a, std::size_t b) { return attitudes[a].angularDistance(attitudes[b]); });
+  // Heights may come from elsewhere than the place.
+  const auto way = steps_of(poses, 0.0, kDriving_m, kLeastStep_m, [&](std::size_t a, std::size_t b) {
+    const Eigen::Vector3d step = poses[a].pose.translation() - poses[b].pose.translation();
+    if (!geodetic) return step.norm();
+    const bool same = ins[a].latitude_rad == ins[b].latitude_rad && ins[a].longitude_rad == ins[b].longitude_rad;
+    return same ? 0.0 : step.head<2>().norm();
+  });
+  if (turn)
+    findings.push_back({Severity::Warning, "ins-attitude-held", "INS",
+                        check_text("The attitude stands still for %.3f s at a time (%.0f samples) and then jumps, by "
+                                   "%.2f degrees where the vehicle turns: it is logged more often than it is computed.",
+                                   turn->hold_s, turn->samples, radians_to_degrees(turn->jump))});
+  if (way)
+    findings.push_back({Severity::Warning, "ins-position-held", "INS",
+                        check_text("The position stands still for %.3f s at a time (%.0f samples) and then jumps, by "
+                                   "%.2f m where the vehicle drives: it is logged more often than it is computed.",
+                                   way->hold_s, way->samples, way->jump)});
+}
+
+}  // namespace
+
+DataCheck held_part_check() {
+  return {
+      .kinds = {{"ins-attitude-held",
+                 "Attitudes are late by half such a step on average, and jump: X is off by as much where the vehicle "
+                 "turns, and no sigma says so.",
+                 "Log the attitude as it is computed, with all digits; or keep only the first sample of each that "
+                 "repeats: between those the motion is interpolated."},
+                {"ins-position-held",
+                 "Positions are late by half such a step on average, and jump: X is off by the way that is driven "
+                 "meanwhile, and no sigma says so.",
+                 "Log the position as it is computed, with all digits; or keep only the first sample of each that "
+                 "repeats: between those the motion is interpolated."}},
+      .look = look};
+}
+
+}  // namespace remount

@@ -1,0 +1,92 @@
+#include "model/pipeline/suspect_stage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/attitude_check.h"
+#include "model/attitude_columns.h"
+#include "model/clock_hint.h"
+#include "model/result_file.h"
+#include "model/session_frames.h"
+
+namespace remount {
+namespace {
+
+constexpr const char* kFarClock = "clock-far";
+
+}  // namespace
+
+void report_far_clock(const DriveMotion& motion, int session, const std::vector<StampedPose>& first_from_lidar,
+                      std::vector<Finding>& findings) {
+  constexpr double kFar_s = 0.2;     ///< the solution estimates what is less
+  constexpr double kTooFar_s = 0.3;  ///< pairs are proposed, and objects looked for, in the wrong places then
+  constexpr double kNear_s = 3.0;
+  constexpr double kAlike = 0.8;  ///< correlation of the rates
+  const std::string& name = motion.session(session).name;
+  // A road that winds evenly looks the same some way on: what is near is taken where it fits hardly worse.
+  ClockAlignmentOptions within;
+  within.max_offset_s = kNear_s;
+  const std::vector<StampedPose>& ins = motion.track(session).samples();
+  const ClockAlignment near = align_clocks(ins, first_from_lidar, within), any = align_clocks(ins, first_from_lidar);
+  const bool near_will_do = near.found && 1.0 - near.correlation < 3.0 * (1.0 - any.correlation) + 0.02;
+  const ClockAlignment& clock = near_will_do ? near : any;
+  if (near_will_do && std::abs(near.offset_s) > 0.9 * kNear_s) return;  // no summit, only the rim
+  const double apart_s = std::abs(clock.offset_s);
+  if (!clock.found || clock.ambiguous || clock.correlation < kAlike || apart_s < std::max(kFar_s, 5.0 * clock.sigma_s))
+    return;
+  // Scans that are bent by their motion are of no one instant: to a part of their sweep it is not known better.
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "The scans turn as the INS did about %.2f s %s (correlation %.3f): the LiDAR's stamps are %s by as "
+                "much.",
+                apart_s, clock.offset_s > 0.0 ? "later" : "earlier", clock.correlation,
+                clock.offset_s > 0.0 ? "early" : "late");
+  const std::string leap = leap_second_hint(clock.offset_s, 0.5);
+  findings.push_back({apart_s < kTooFar_s ? Severity::Warning : Severity::Problem, kFarClock, name,
+                      text + (leap.empty() ? "" : " " + leap)});
+}
+
+void blame_recording(const std::vector<Finding>& findings, CalibrationResult& result) {
+  const auto far =
+      std::find_if(findings.begin(), findings.end(), [](const Finding& finding) { return finding.code == kFarClock; });
+  if (far != findings.end() && result.status != Status::Cancelled) {
+    const bool solved = is_usable(result), bridged = solved && result.time_offset.applied;
+    if (!solved || (far->severity == Severity::Problem && !bridged)) {
+      result.status = Status::Inconsistent;
+      result.message = "The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.";
+      result.advice.clear();
+    }
+    result.advice.insert(result.advice.begin(),
+                         "Before anything else bring the clocks of LiDAR and INS together: their rates of rotation "
+                         "meet at another offset (see the findings).");
+  }
+  blame_attitude(findings, result);
+}
+
+void report_columns(const DriveMotion& motion, PipelineOutput& output) {
+  for (int s = 0; s < motion.session_count(); ++s) {
+    const Session& session = motion.session(s);
+    if (session.ins.empty()) continue;
+    const bool known = std::any_of(output.findings.begin(), output.findings.end(), [&](const Finding& finding) {
+      return finding.where == session.name &&
+             (finding.code.starts_with("attitude-") || finding.code == "position-columns");
+    });
+    if (known) continue;
+    const Eigen::Matrix3d ins_from_level = forward_left_up_from(session.ins_axes).linear().transpose();
+    std::vector<SharedTurn> turns;
+    for (const Pair& pair : output.pairs) {
+      const Keyframe& a = output.keyframes[static_cast<std::size_t>(pair.keyframe_a)];
+      const Keyframe& b = output.keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+      if (a.session != s || !pair.registration.attempted || !unusable_reason(pair).empty()) continue;
+      const auto at_a = motion.local_from_ins(s, a.stamp_ns), at_b = motion.local_from_ins(s, b.stamp_ns);
+      if (at_a && at_b)
+        turns.push_back(
+            {at_a->linear() * ins_from_level, at_b->linear() * ins_from_level, pair.lidar_b_from_lidar_a.linear()});
+    }
+    if (std::optional<Finding> finding = attitude_column_finding(turns, session.name))
+      output.findings.push_back(std::move(*finding));
+  }
+}
+
+}  // namespace remount

@@ -1,0 +1,76 @@
+#include "model/travel_steps.h"
+
+#include <optional>
+
+namespace remount {
+namespace {
+
+constexpr double kSlowest_mps = 2.0, kFastest_mps = 100.0;
+constexpr double kWalking_mps = 1.0;
+
+/// Half a second of poses.
+struct Block {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< mean; so is the time
+  double time_s = 0.0;
+  std::size_t first = 0, last = 0;  ///< of its poses
+};
+
+std::vector<Block> blocks_of(const std::vector<StampedPose>& poses) {
+  constexpr std::int64_t kBlock_ns = 500'000'000;
+  std::vector<Block> blocks;
+  std::int64_t number = 0;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const std::int64_t since_ns = poses[i].stamp_ns - poses.front().stamp_ns, here = since_ns / kBlock_ns;
+    if (i == 0 || here != number) blocks.push_back({.first = i});
+    number = here;
+    Block& block = blocks.back();
+    block.position += poses[i].pose.translation();
+    block.time_s += static_cast<double>(since_ns) * 1e-9;
+    block.last = i;
+  }
+  for (Block& block : blocks) {
+    const double count = static_cast<double>(block.last - block.first + 1);
+    block.position /= count;
+    block.time_s /= count;
+  }
+  return blocks;
+}
+
+std::optional<TravelStep> step_between(const Block& from, const Block& to, const Eigen::Matrix3d& world_from_ins,
+                                       double slowest_mps) {
+  const Eigen::Vector3d step = to.position - from.position;
+  const double speed_mps = step.norm() / (to.time_s - from.time_s);
+  if (!(speed_mps > slowest_mps && speed_mps < kFastest_mps)) return std::nullopt;
+  return TravelStep{0.5 * (from.time_s + to.time_s), step.normalized(), speed_mps, world_from_ins};
+}
+
+/// At a walking pace a whole second, whose halves lead the same way: a receiver that stands wanders to and fro.
+std::optional<TravelStep> slow_step(const std::vector<Block>& blocks, std::size_t k,
+                                    const std::vector<StampedPose>& poses) {
+  constexpr double kAlike = 0.7;
+  const Block &from = blocks[k - 2], &middle = blocks[k - 1], &to = blocks[k];
+  const std::size_t at = (middle.first + middle.last) / 2;
+  const Eigen::Vector3d there = middle.position - from.position, on = to.position - middle.position;
+  if (there.dot(on) < kAlike * there.norm() * on.norm()) return std::nullopt;
+  return step_between(from, to, poses[at].pose.linear(), kWalking_mps);
+}
+
+}  // namespace
+
+std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_ins) {
+  const std::vector<StampedPose>& poses = world_from_ins;
+  const std::vector<Block> blocks = blocks_of(poses);
+  std::vector<TravelStep> steps;
+  std::size_t reached = 0;
+  for (std::size_t k = 1; k < blocks.size(); ++k) {
+    std::optional<TravelStep> step =
+        step_between(blocks[k - 1], blocks[k], poses[blocks[k - 1].last].pose.linear(), kSlowest_mps);
+    if (!step && k >= reached + 2) step = slow_step(blocks, k, poses);
+    if (!step) continue;
+    steps.push_back(*step);
+    reached = k;
+  }
+  return steps;
+}
+
+}  // namespace remount

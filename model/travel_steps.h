@@ -1,0 +1,22 @@
+// The path of an INS in stretches: what its attitude is compared with.
+#pragma once
+
+#include <vector>
+
+#include "algorithms/trajectory/ins_sample.h"
+
+namespace remount {
+
+/// A stretch of travel in the world, and the attitude in its middle.
+struct TravelStep {
+  double time_s = 0.0;        ///< of its middle, since the first pose
+  Eigen::Vector3d direction;  ///< unit
+  double speed_mps = 0.0;
+  Eigen::Matrix3d world_from_ins;
+};
+
+/// Between the mean positions of successive half seconds, for single samples are noisy; those at 2 to 100 m/s. From 1
+/// m/s on of whole seconds, where their halves lead the same way.
+std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_ins);
+
+}  // namespace remount

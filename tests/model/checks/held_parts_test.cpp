@@ -1,0 +1,126 @@
+#include <gtest/gtest.h>
+
+#include "model/checks/builtin.h"
+#include "model/io/session_reader.h"
+#include "model/session_report.h"
+#include "model/simulator/simulator.h"
+#include "tests/model/checks/check_fixture.h"
+#include "tests/model/io/temporary_folder.h"
+
+namespace remount {
+namespace {
+
+Session simulated(ScenarioKind scenario = ScenarioKind::Street, double duration_s = 20.0, double ins_rate_hz = 100.0) {
+  SimulationOptions options;
+  options.scenario = scenario;
+  options.duration_s = duration_s;
+  options.ins_rate_hz = ins_rate_hz;
+  options.beams = 4;
+  options.azimuth_steps = 20;
+  return simulate_drive(options).session;
+}
+
+enum class Part { Attitude, Position };
+
+/// Every `samples`-th value of that part stays until the next.
+Session held(Session session, std::size_t samples, Part part) {
+  for (std::size_t i = 0; i < session.ins.size(); ++i) {
+    const InsSample from = session.ins[i - i % samples];
+    InsSample& sample = session.ins[i];
+    if (part == Part::Attitude) sample.enu_from_ins = from.enu_from_ins;
+    if (part == Part::Position)
+      sample.latitude_rad = from.latitude_rad, sample.longitude_rad = from.longitude_rad,
+      sample.height_m = from.height_m;
+  }
+  return session;
+}
+
+std::vector<Finding> found(const Session& session) {
+  std::vector<Finding> findings = found_by(held_part_check(), session);
+  for (const Finding& finding : findings) std::printf("[%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
+  return findings;
+}
+
+TEST(held_part_check, attitudes_that_are_held_are_named_with_the_step) {
+  const std::vector<Finding> findings = found(held(simulated(), 20, Part::Attitude));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "ins-attitude-held");
+  EXPECT_NE(findings[0].explanation.find("for 0.200 s at a time (20 samples)"), std::string::npos);
+  EXPECT_TRUE(has_code(found(held(simulated(), 5, Part::Attitude)), "ins-attitude-held"));
+  EXPECT_TRUE(has_code(found(held(simulated(ScenarioKind::FigureEight), 10, Part::Attitude)), "ins-attitude-held"));
+}
+
+TEST(held_part_check, positions_that_are_held_are_named_with_the_step) {
+  const std::vector<Finding> findings = found(held(simulated(), 20, Part::Position));
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].code, "ins-position-held");
+  EXPECT_NE(findings[0].explanation.find("for 0.200 s at a time (20 samples)"), std::string::npos);
+  EXPECT_EQ(found(held(held(simulated(), 10, Part::Position), 10, Part::Attitude)).size(), 2U) << "both";
+}
+
+TEST(held_part_check, poses_are_judged_as_samples_are) {
+  const Session samples = held(simulated(), 20, Part::Attitude);
+  Session poses;
+  poses.world_from_ins = metric_poses(samples);
+  for (std::size_t i = 0; i < poses.world_from_ins.size(); ++i)
+    poses.world_from_ins[i].pose.linear() = samples.ins[i].enu_from_ins.toRotationMatrix();
+  EXPECT_TRUE(has_code(found(poses), "ins-attitude-held"));
+}
+
+TEST(held_part_check, what_is_only_rounded_or_repeated_now_and_then_is_not_held) {
+  Session rounded = simulated(), dropped = simulated();
+  const double unit = degrees_to_radians(0.01), place = degrees_to_radians(1e-8);
+  for (InsSample& sample : rounded.ins) {
+    const YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());
+    sample.enu_from_ins = Eigen::Quaterniond(rotation_from_yaw_pitch_roll({unit * std::round(angles.yaw_rad / unit),
+                                                                           unit * std::round(angles.pitch_rad / unit),
+                                                                           unit * std::round(angles.roll_rad / unit)}));
+    sample.latitude_rad = place * std::round(sample.latitude_rad / place);
+    sample.longitude_rad = place * std::round(sample.longitude_rad / place);
+  }
+  EXPECT_TRUE(found(rounded).empty());
+  for (std::size_t i = 1; i < dropped.ins.size(); ++i)
+    if (i % 7 == 0) {
+      const std::int64_t stamp_ns = dropped.ins[i].stamp_ns;
+      dropped.ins[i] = dropped.ins[i - 1];
+      dropped.ins[i].stamp_ns = stamp_ns;
+    }
+  EXPECT_TRUE(found(dropped).empty());
+}
+
+TEST(held_part_check, sound_drives_are_silent) {
+  for (const ScenarioKind scenario : {ScenarioKind::Street, ScenarioKind::Flat, ScenarioKind::Straight,
+                                      ScenarioKind::FigureEight, ScenarioKind::ParkingRamp, ScenarioKind::Hill,
+                                      ScenarioKind::Highway, ScenarioKind::Tunnel, ScenarioKind::SlewYard})
+    for (const double rate_hz : {1.0, 10.0, 200.0})
+      EXPECT_TRUE(found(simulated(scenario, 15.0, rate_hz)).empty()) << static_cast<int>(scenario) << " " << rate_hz;
+  EXPECT_TRUE(found(held(simulated(ScenarioKind::Straight), 20, Part::Attitude)).empty())
+      << "on a straight road a held attitude does no harm";
+  EXPECT_TRUE(found(good_drive()).empty());
+  EXPECT_TRUE(found(Session{}).empty());
+  SimulationOptions standing;
+  standing.duration_s = 8.0;
+  standing.standstill_s = 8.0;
+  standing.ins_position_noise_m = 0.0;
+  standing.ins_attitude_noise_deg = 0.0;
+  EXPECT_TRUE(found(simulate_drive(standing).session).empty()) << "a vehicle that stands repeats its pose";
+}
+
+TEST(held_part_check, inspect_names_an_attitude_that_is_held) {
+  SimulationOptions options;
+  options.beams = 4;
+  options.azimuth_steps = 60;
+  SimulatedDrive drive = simulate_drive(options);
+  drive.session = held(drive.session, 20, Part::Attitude);
+  const TemporaryFolder folder;
+  Progress progress;
+  write_drive(drive, folder.path() / "drive", "native", 1, progress);
+  const Session session = open_session(folder.path() / "drive", progress);
+  const std::string inspected = describe(session, report_session(session, progress));
+  EXPECT_NE(inspected.find("warning [ins-attitude-held] INS: The attitude stands still for 0.200 s"), std::string::npos)
+      << inspected;
+  EXPECT_EQ(inspected.find("ins-position-held"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace remount

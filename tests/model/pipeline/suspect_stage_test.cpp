@@ -1,0 +1,132 @@
+#include "model/pipeline/suspect_stage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/result_file.h"
+#include "model/simulator/simulator.h"
+
+namespace remount {
+namespace {
+
+SimulatedDrive simulated(const SimulationOptions& options) { return simulate_drive(options); }
+
+std::string said(const std::vector<Finding>& findings, const std::string& code) {
+  for (const Finding& finding : findings)
+    if (finding.code == code) return finding.explanation;
+  return "";
+}
+
+/// What the chained scans of that drive tell, with stamps that are early by `offset_s`.
+std::vector<Finding> clocks_of(ScenarioKind scenario, double offset_s) {
+  SimulationOptions options;
+  options.scenario = scenario;
+  options.duration_s = 60.0;
+  options.beams = 4;
+  options.azimuth_steps = 20;
+  const SimulatedDrive drive = simulated(options);
+  const DriveMotion motion({std::make_shared<const Session>(drive.session)});
+  std::vector<StampedPose> poses;
+  for (const StampedPose& pose : drive.enu_from_ins)
+    poses.push_back(
+        {pose.stamp_ns - std::llround(offset_s * 1e9),
+         (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse() * pose.pose * drive.ins_from_lidar});
+  std::vector<Finding> findings;
+  report_far_clock(motion, 0, poses, findings);
+  for (const Finding& finding : findings) std::printf("[%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
+  return findings;
+}
+
+TEST(suspect_stage, clocks_that_are_far_apart_are_named_with_the_offset) {
+  EXPECT_NE(said(clocks_of(ScenarioKind::Street, 0.5), "clock-far").find("0.50"), std::string::npos);
+  EXPECT_NE(said(clocks_of(ScenarioKind::Street, 0.5), "clock-far").find("s later"), std::string::npos);
+  EXPECT_NE(said(clocks_of(ScenarioKind::Street, -0.5), "clock-far").find("s earlier"), std::string::npos);
+}
+
+TEST(suspect_stage, leap_seconds_are_named_where_the_road_never_repeats_itself) {
+  Session session;
+  session.name = "drive";
+  std::vector<StampedPose> poses;
+  for (int i = 0; i < 1200; ++i) {
+    const double t = 0.1 * i;
+    const RigidTransform pose = make_rigid(
+        rotation_from_yaw_pitch_roll({1.5 * std::sin(0.31 * t) + 0.8 * std::sin(0.83 * t + 1.0), 0.0, 0.0}), {t, 0, 0});
+    session.world_from_ins.push_back({i * 100'000'000LL, pose});
+    poses.push_back({i * 100'000'000LL - 18'000'000'000LL, pose});
+  }
+  const DriveMotion motion({std::make_shared<const Session>(session)});
+  std::vector<Finding> findings;
+  report_far_clock(motion, 0, poses, findings);
+  EXPECT_NE(said(findings, "clock-far").find("18.00 s later"), std::string::npos) << said(findings, "clock-far");
+  EXPECT_NE(said(findings, "clock-far").find("GPS time is 18 s ahead of UTC"), std::string::npos);
+}
+
+TEST(suspect_stage, clocks_that_agree_or_cannot_be_told_are_silent) {
+  for (const ScenarioKind scenario :
+       {ScenarioKind::Street, ScenarioKind::Flat, ScenarioKind::Straight, ScenarioKind::FigureEight,
+        ScenarioKind::ParkingRamp, ScenarioKind::Hill, ScenarioKind::Highway, ScenarioKind::Tunnel})
+    for (const double offset_s : {0.0, 0.03, -0.1})
+      EXPECT_TRUE(clocks_of(scenario, offset_s).empty()) << static_cast<int>(scenario) << " " << offset_s;
+}
+
+TEST(suspect_stage, without_a_result_the_clock_is_the_only_advice) {
+  CalibrationResult failed;
+  failed.status = Status::TooFewPairs;
+  failed.advice = {"Drive turns."};
+  blame_recording({{Severity::Problem, "clock-far", "drive", ""}}, failed);
+  ASSERT_EQ(failed.advice.size(), 1U);
+  EXPECT_NE(failed.advice[0].find("bring the clocks of LiDAR and INS together"), std::string::npos);
+  CalibrationResult other = failed;
+  other.advice = {"Drive turns."};
+  blame_recording({}, other);
+  EXPECT_EQ(other.advice, std::vector<std::string>{"Drive turns."});
+}
+
+PipelineOutput calibrated(const SimulatedDrive& drive, bool nominal) {
+  PipelineInput input;
+  input.sessions = {std::make_shared<const Session>(drive.session)};
+  if (nominal) input.nominal_ins_from_lidar = drive.ins_from_lidar;
+  Progress progress;
+  PipelineOutput output = run_pipeline(input, progress);
+  std::printf("%s\n", output.result.message.c_str());
+  for (const std::string& advice : output.result.advice) std::printf("  %s\n", advice.c_str());
+  for (const Finding& finding : output.findings)
+    std::printf("  [%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
+  return output;
+}
+
+SimulationOptions small_drive() {
+  SimulationOptions options;
+  options.beams = 16;
+  options.azimuth_steps = 360;
+  options.duration_s = 14.0;
+  return options;
+}
+
+TEST(suspect_stage, a_calibration_without_nominal_names_the_clock_that_is_off) {
+  SimulationOptions options = small_drive();
+  options.lidar_clock_offset_s = 0.5;
+  const PipelineOutput output = calibrated(simulated(options), false);
+  EXPECT_NE(said(output.findings, "clock-far"), "");
+  ASSERT_FALSE(output.result.advice.empty());
+  EXPECT_NE(output.result.advice[0].find("bring the clocks"), std::string::npos) << output.result.advice[0];
+  options.lidar_clock_offset_s = 0.0;
+  EXPECT_EQ(said(calibrated(simulated(options), false).findings, "clock-far"), "");
+}
+
+TEST(suspect_stage, scans_that_turn_otherwise_than_pitch_and_roll_say_give_no_result) {
+  SimulatedDrive drive = simulated(small_drive());
+  EXPECT_EQ(said(calibrated(drive, true).findings, "attitude-columns"), "");
+  for (InsSample& sample : drive.session.ins) {
+    YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());
+    angles.roll_rad = -angles.roll_rad;
+    sample.enu_from_ins = Eigen::Quaterniond(rotation_from_yaw_pitch_roll(angles));
+  }
+  const PipelineOutput output = calibrated(drive, true);
+  EXPECT_NE(said(output.findings, "attitude-columns"), "");
+  EXPECT_FALSE(is_usable(output.result));
+}
+
+}  // namespace
+}  // namespace remount
