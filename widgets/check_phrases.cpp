@@ -364,6 +364,9 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP(
           "remount::model",
           "The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "roll, pitch or yaw reaches %1, more than a turn in radians, which KITTI has. Convert the "
+                        "angles from degrees"),
   };
   return phrases;
 }

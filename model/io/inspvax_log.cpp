@@ -222,7 +222,10 @@ InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
   sample.longitude_rad = degrees_to_radians(values.longitude_deg);
   sample.height_m = values.height_m + values.undulation_m;
   if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
-    throw Error(ErrorCode::Format, where, "latitude, longitude or height is not possible");
+    throw Error(ErrorCode::Format, where,
+                plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
+                    ? "a latitude beyond 90 degrees is not possible: are latitude and longitude exchanged?"
+                    : "latitude, longitude or height is not possible");
   for (const double angle_deg : {values.roll_deg, values.pitch_deg, values.azimuth_deg})
     if (!(std::abs(angle_deg) <= 360.0))
       throw Error(ErrorCode::Format, where, "roll, pitch or azimuth is no angle in degrees");

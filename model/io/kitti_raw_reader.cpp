@@ -1,5 +1,6 @@
 #include "model/io/kitti_raw_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -64,7 +65,8 @@ fs::path numbered(const fs::path& folder, std::size_t number, const char* extens
   return folder / name;
 }
 
-InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns) {
+/// @param largest_angle out: of yaw, pitch and roll, whatever their unit
+InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns, double& largest_angle) {
   const std::string text = read_regular_file(path, kMaxOxtsBytes);
   std::vector<std::string_view> tokens;
   LineReader lines(text);
@@ -82,7 +84,9 @@ InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns) {
   sample.height_m = number(2);
   if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
     throw Error(ErrorCode::Format, at_line(path, 1), "latitude, longitude or height is not possible");
-  sample.enu_from_ins = enu_from_ins({number(5), number(4), number(3)}, AttitudeConvention::EnuYaw);
+  const AttitudeAngles angles{number(5), number(4), number(3)};
+  largest_angle = std::max({std::abs(angles.yaw_rad), std::abs(angles.pitch_rad), std::abs(angles.roll_rad)});
+  sample.enu_from_ins = enu_from_ins(angles, AttitudeConvention::EnuYaw);
   const double accuracy_m = number(kPositionAccuracy);
   if (accuracy_m > 0.0) sample.sigma.position_enu_m.setConstant(accuracy_m);
   return sample;
@@ -91,12 +95,17 @@ InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns) {
 void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::int64_t>>& stamps, Session& session,
                    Progress& progress) {
   BadItems bad;
+  std::size_t beyond = 0;
+  double largest_angle = 0.0;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     if (i % 1000 == 0) progress.report("reading INS", i, stamps.size());
     const fs::path file = numbered(drive / "oxts" / "data", i, ".txt");
     try {
       if (!stamps[i]) throw Error(ErrorCode::Format, file.string(), "has no time stamp");
-      session.ins.push_back(read_oxts(file, *stamps[i]));
+      double angle = 0.0;
+      session.ins.push_back(read_oxts(file, *stamps[i], angle));
+      beyond += angle > 2.0 * kPi + 0.01;
+      largest_angle = std::max(largest_angle, angle);
       session.files.push_back(file);
     } catch (const Error& error) {
       bad.add(error);
@@ -106,6 +115,11 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
     throw Error(
         ErrorCode::Format, (drive / "oxts").string(),
         "holds no usable INS sample. First problem: " + (bad.count() ? bad.first() : std::string("no time stamps")));
+  // A few are glitches of the log.
+  if (100 * beyond > session.ins.size())
+    throw Error(ErrorCode::Format, (drive / "oxts").string(),
+                "roll, pitch or yaw reaches " + std::to_string(largest_angle) +
+                    ", more than a turn in radians, which KITTI has. Convert the angles from degrees");
   bad.report(session.findings, "bad-ins", (drive / "oxts").string(), "INS files");
   keep_near(session.ins, (drive / "oxts").string(), session.findings);
   keep_ascending(session.ins, "ins", (drive / "oxts").string(), session.findings);

@@ -10039,6 +10039,10 @@ Save under another name, or close it there first.</source>
         <source>The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.</source>
         <translation>激光雷达与 INS 的时钟不一致：扫描与另一时刻的运动相比较。</translation>
     </message>
+    <message>
+        <source>roll, pitch or yaw reaches %1, more than a turn in radians, which KITTI has. Convert the angles from degrees</source>
+        <translation>横滚、俯仰或偏航达到 %1，超过以弧度计的一整圈，而 KITTI 使用弧度。请把角度从度换算为弧度</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

@@ -46,6 +46,14 @@ void write_kitti(const TemporaryFolder& folder, const std::string& drive) {
   folder.write(drive + "/velodyne_points/timestamps.txt", stamps);
 }
 
+TEST(kitti_raw_reader, angles_in_degrees_are_refused) {
+  const TemporaryFolder folder;
+  write_kitti(folder, "a_sync");
+  for (int i = 1; i < 4; ++i)
+    folder.write("a_sync/oxts/data/000000000" + std::to_string(i) + ".txt", oxts(49.0 + 1e-6 * i, 40.0 * i));
+  EXPECT_ERROR(open(folder.path() / "a_sync"), "yaw reaches 120.000000, more than a turn in radians");
+}
+
 TEST(kitti_raw_reader, opens_a_drive_from_any_parent) {
   const TemporaryFolder folder;
   write_kitti(folder, "2011_09_26/2011_09_26_drive_0001_sync");
