@@ -12,10 +12,18 @@
 namespace remount {
 namespace {
 
+/// Errors of a registration.
+struct RegistrationErrors {
+  double m, rad;
+};
 /// What registrations of outdoor scans reach, taken together with what pairs of shared scans have in common.
-constexpr double kRegistration_m = 0.02, kRegistration_rad = 1e-3;
+constexpr RegistrationErrors kUsual{0.02, 1e-3};
+/// Of a dense LiDAR with little noise among walls, where the errors of the INS alone are left.
+constexpr RegistrationErrors kBest{0.002, 1e-4};
 /// Turns this small follow steering and braking too closely to show a lever arm, where the log states no errors.
 constexpr double kUndeclaredAttitude_rad = 0.005;
+/// How many times larger than supposed the errors of a drive are where they are, as a rule.
+constexpr double kLarger = 1.6;
 
 struct ExpectedNoise {
   double position2_m2, attitude2_rad2;  ///< of the difference of two INS poses
@@ -35,11 +43,11 @@ ExpectedNoise expected_noise(const SessionNoise& stated, const SolveOptions& opt
 
 /// Information that one pair would carry, and the share of it that noise of the INS feigns.
 void add_pair(const Pair& pair, const RigidTransform& ins_from_lidar, const ExpectedNoise& noise,
-              SpuriousInformation& sum) {
+              const RegistrationErrors& errors, SpuriousInformation& sum) {
   const RigidTransform q = predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar);
   const Matrix6d d_x = linearise_pair(pair.ins_b_from_ins_a, q, ins_from_lidar).d_x;
-  const double translation = 1.0 / (noise.position2_m2 + kRegistration_m * kRegistration_m),
-               rotation = 1.0 / (noise.attitude2_rad2 + kRegistration_rad * kRegistration_rad);
+  const double translation = 1.0 / (noise.position2_m2 + errors.m * errors.m),
+               rotation = 1.0 / (noise.attitude2_rad2 + errors.rad * errors.rad);
   Vector6d weights;
   weights << Eigen::Vector3d::Constant(translation), Eigen::Vector3d::Constant(rotation);
   sum.apparent += d_x.transpose() * weights.asDiagonal() * d_x;
@@ -47,6 +55,15 @@ void add_pair(const Pair& pair, const RigidTransform& ins_from_lidar, const Expe
   sum.spurious.diagonal().head<3>().array() += 2.0 * noise.spurious2_rad2 * translation;
   sum.spurious.diagonal().tail<3>().array() +=
       2.0 * (noise.spurious2_rad2 * rotation + noise.position2_m2 * translation);
+}
+
+/// What would be observed if all errors were `times` as large as they are supposed to be.
+void judge_supposing(double times, SpuriousInformation information, double independent, const MotionSummary& summary,
+                     const SolveOptions& options, CalibrationResult& result) {
+  // What noise feigns grows as its weight falls, and stays what it is.
+  information.apparent /= times * times;
+  const auto directions = observed_directions(independent * information.apparent, information, summary, options);
+  judge_parameters((trusted_information(directions, options) + weak_prior(false)).inverse(), summary, options, result);
 }
 
 }  // namespace
@@ -65,21 +82,25 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   outlook.judged = !keyframes.empty();
   CalibrationResult result;
   result.ins_from_lidar = session.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
-  SpuriousInformation sum;
+  SpuriousInformation usual, best;
   const ExpectedNoise noise = expected_noise(motion.noise().front(), settings.solve);
   for (Pair& pair : pairs) {
     if (progress.cancelled()) return {};
     pair.state = PairState::Accepted;
-    add_pair(pair, result.ins_from_lidar, noise, sum);
+    add_pair(pair, result.ins_from_lidar, noise, kUsual, usual);
+    add_pair(pair, result.ins_from_lidar, noise, kBest, best);
   }
   // Pairs of the same keyframes repeat each other: no more independent motions than keyframes.
   const double independent =
       pairs.empty() ? 0.0 : std::min(1.0, static_cast<double>(keyframes.size()) / static_cast<double>(pairs.size()));
   const MotionSummary summary = summarise_motion(pairs);
-  const auto directions = observed_directions(independent * sum.apparent, sum, summary, settings.solve);
-  const Matrix6d covariance = (trusted_information(directions, settings.solve) + weak_prior(false)).inverse();
-  judge_parameters(covariance, summary, settings.solve, result);
+  CalibrationResult by_larger = result, by_smaller = result;
+  judge_supposing(1.0, usual, independent, summary, settings.solve, result);
+  judge_supposing(kLarger, usual, independent, summary, settings.solve, by_larger);
+  judge_supposing(1.0, best, independent, summary, settings.solve, by_smaller);
   outlook.determinable = result.observed;
+  for (std::size_t i = 0; i < outlook.open.size(); ++i)
+    outlook.open[i] = by_larger.observed[i] != by_smaller.observed[i];
   const bool anything = std::any_of(result.observed.begin(), result.observed.end(), [](bool told) { return told; });
   outlook.needs_nominal = anything && !session.nominal_ins_from_lidar && yaw_is_open(result);
   outlook.advice = result.advice;

@@ -12,6 +12,7 @@
 #include "algorithms/core/median.h"
 #include "model/checks/data_check.h"
 #include "model/clock_hint.h"
+#include "model/count_words.h"
 
 namespace remount {
 namespace {
@@ -46,9 +47,14 @@ StreamReport report_samples(const std::vector<Sample>& samples) {
   return report_stream(stamps);
 }
 
-/// Whether the drive tells its motion without an INS: methods other than the pairwise one live on that.
-bool moves_without_ins(const SessionReport& report) {
-  return report.gnss.count >= 2 || (report.imu.count >= 2 && report.wheels.count >= 2);
+/// Whether a method takes what is there; one for other machines than vehicles does not count.
+bool serves_a_vehicle(const SessionReport& report) {
+  return std::any_of(report.methods.begin(), report.methods.end(),
+                     [](const MethodFit& fit) { return fit.serves() && fit.proviso.empty(); });
+}
+
+bool serves(const SessionReport& report, MethodChoice method) {
+  return report.methods.at(static_cast<std::size_t>(method)).serves();
 }
 
 /// Travelled distance, good to a fraction of a percent: for a person's judgement, not for calibration.
@@ -96,14 +102,16 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
   const auto problem = [&](const char* code, const std::string& text) {
     add_new(report, {Severity::Problem, code, session.name, text});
   };
-  if (report.lidar.count == 0 && report.ins.count == 0 && moves_without_ins(report))
+  report.methods = method_fits(session);
+  const bool served = serves_a_vehicle(report);
+  if (report.lidar.count == 0 && served)
     report.findings.push_back({Severity::Note, "no-lidar", session.name,
                                "neither scans nor LiDAR poses: only methods that need none can be run"});
   else if (report.lidar.count == 0)
     problem("no-lidar", "neither scans nor LiDAR poses: calibration compares the motion of the INS with the LiDAR's");
   else if (report.lidar.count < 2)
     problem("too-few-scans", "fewer than two scans: nothing to compare");
-  if (report.ins.count < 2 && moves_without_ins(report))
+  if (report.ins.count < 2 && served)
     report.findings.push_back({Severity::Note, "no-ins", session.name,
                                "no INS motion: only methods that live on the other sensors can be run"});
   else if (report.ins.count < 2)
@@ -117,39 +125,82 @@ void judge(const Session& session, SessionReport& report, const Progress& progre
                                 (apart ? time_spans_apart(lidar, ins) : std::string("the scans lie in gaps of it.")));
   } else if (report.lidar_covered < report.lidar.count && report.ins.count >= 2) {
     report.findings.push_back({Severity::Note, "partly-covered", session.name,
-                               std::to_string(report.lidar.count - report.lidar_covered) +
-                                   " scans lie outside the INS data or in its gaps and are left out"});
+                               number_of(report.lidar.count - report.lidar_covered, "scan lies", "scans lie") +
+                                   " outside the INS data or in its gaps: left out"});
   }
   const bool problems = std::any_of(report.findings.begin(), report.findings.end(),
                                     [](const Finding& finding) { return finding.severity == Severity::Problem; });
-  const bool by_ins = report.ins.count >= 2;
-  report.usable = !problems && (by_ins ? report.lidar_covered >= 2 : moves_without_ins(report));
-  if (!report.usable || !by_ins) return;
+  const bool by_pairs = serves(report, MethodChoice::Pairwise);
+  report.usable = !problems && served && (!by_pairs || report.lidar_covered >= 2);
+  if (!report.usable || !by_pairs) return;
   report.outlook = motion_outlook(session, {}, progress);
-  if (report.outlook.judged && parameter_names(report.outlook.determinable, true).empty()) {
+  if (report.outlook.judged && parameter_names(report.outlook.determinable, true).empty() &&
+      parameter_names(report.outlook.open, true).empty()) {
     problem("no-motion", "the vehicle hardly moves while the LiDAR records: nothing can be determined");
     report.usable = false;
   }
 }
 
+std::string id_of(const MethodFit& fit) { return std::string(kMethodIds.at(static_cast<std::size_t>(fit.method))); }
+
+/// "trajectory (the antenna's lever arm alone), slew if it is a recording of an excavator".
+std::string methods_served(const std::vector<MethodFit>& fits, bool with_provisos) {
+  std::string text;
+  for (const MethodFit& fit : fits) {
+    if (!fit.serves() || (!with_provisos && !fit.proviso.empty())) continue;
+    text += (text.empty() ? "" : ", ") + id_of(fit);
+    if (!fit.limit.empty()) text += " (" + std::string(fit.limit) + ")";
+    if (!fit.proviso.empty()) text += " " + std::string(fit.proviso);
+  }
+  return text;
+}
+
+/// For which methods the streams are there, and what the others lack.
+std::string method_lines(const std::vector<MethodFit>& fits) {
+  const std::string served = methods_served(fits, true);
+  std::string text = "  methods that its streams serve: " + (served.empty() ? "none" : served) + "\n";
+  for (const MethodFit& fit : fits)
+    if (!fit.serves()) text += "    not " + id_of(fit) + ": it " + fit.lack + "\n";
+  return text;
+}
+
+/// Where the method that is taken when none is asked for cannot be.
+std::string usable_by_others(const SessionReport& report) {
+  return "  usable: not by the default method, " + std::string(kPairwise) +
+         "; with --method: " + methods_served(report.methods, false) + "\n";
+}
+
 /// What the motion can tell, and whether that is worth a calibration.
 std::string usable_lines(const SessionReport& report) {
-  if (!report.usable) return "  usable: no\n";
+  if (!report.usable) {
+    const bool as_machine = !serves_a_vehicle(report) && serves(report, MethodChoice::Slew);
+    return std::string("  usable: no") +
+           (as_machine ? ", unless it is a recording of an excavator (--method slew)\n" : "\n");
+  }
+  if (!serves(report, MethodChoice::Pairwise)) return usable_by_others(report);
   if (!report.outlook.judged) return "  usable: yes\n";
-  const std::string told = parameter_names(report.outlook.determinable, true),
-                    untold = parameter_names(report.outlook.determinable, false);
+  // What may come out either way is neither promised nor denied.
+  std::array<bool, 6> sure{}, possible{};
+  for (std::size_t i = 0; i < sure.size(); ++i) {
+    sure[i] = report.outlook.determinable[i] && !report.outlook.open[i];
+    possible[i] = report.outlook.determinable[i] || report.outlook.open[i];
+  }
+  const std::string told = parameter_names(sure, true), untold = parameter_names(possible, false),
+                    open = parameter_names(report.outlook.open, true);
+  const std::string perhaps = open.empty() ? "" : "; perhaps " + open;
   const bool lacking = report.outlook.needs_nominal;
-  std::string text = std::string("  the motion can tell") + (lacking ? ", with a nominal mounting: " : ": ") + told +
+  std::string text = std::string("  the motion can tell") + (lacking ? ", with a nominal mounting: " : ": ") +
+                     (told.empty() ? "nothing for sure" : told) +
+                     (open.empty() ? "" : "; as the scans align, perhaps: " + open) +
                      (untold.empty() ? "" : "; it cannot tell: " + untold) + "\n";
   for (const std::string& advice : report.outlook.advice) text += "  advice: " + advice + "\n";
   if (lacking)
     text +=
         "  advice: Give a nominal mounting (some 10 degrees are enough): while yaw is open, nothing is known without "
         "one.\n";
-  return text + (untold.empty()
-                     ? "  usable: yes\n"
-                     : std::string("  usable: in part") + (lacking ? " and only with a nominal mounting" : "") +
-                           ", for " + told + "; not for " + untold + "\n");
+  if (untold.empty() && open.empty()) return text + "  usable: yes\n";
+  return text + "  usable: in part" + (lacking ? " and only with a nominal mounting" : "") +
+         (told.empty() ? "" : ", for " + told) + perhaps + (untold.empty() ? "" : "; not for " + untold) + "\n";
 }
 
 /// The topics of a bag: count, rate, and what each is used as or could be.
@@ -177,9 +228,9 @@ std::string stream_line(const std::string& name, const StreamReport& stream) {
   std::string line = "  " + name + ": " + std::to_string(stream.count) + ", " + utc_text(stream.first_ns) + " to " +
                      utc_text(stream.last_ns) + " (" + number(stream.span_s(), 3) + " s)";
   if (stream.rate_hz > 0.0) line += ", " + number(stream.rate_hz, 1) + " Hz";
-  line += stream.gaps == 0
-              ? ", no gaps"
-              : ", " + std::to_string(stream.gaps) + " gaps, the longest " + number(stream.longest_gap_s, 3) + " s";
+  line += stream.gaps == 0 ? ", no gaps"
+                           : ", " + number_of(stream.gaps, "gap", "gaps") + ", the longest " +
+                                 number(stream.longest_gap_s, 3) + " s";
   return line + "\n";
 }
 
@@ -271,7 +322,7 @@ std::string describe(const Session& session, const SessionReport& report) {
     if (const FindingKind* kind = finding_kind(finding.code))
       text += "    " + std::string(kind->meaning) + "\n    do: " + std::string(kind->remedy) + "\n";
   }
-  return text + usable_lines(report);
+  return text + method_lines(report.methods) + usable_lines(report);
 }
 
 }  // namespace remount

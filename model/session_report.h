@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "model/method_needs.h"
 #include "model/motion_outlook.h"
 #include "model/session.h"
 
@@ -32,7 +33,8 @@ struct SessionReport {
   double turned_deg = 0.0;          ///< largest angle between the first attitude and any other
   std::vector<std::size_t> points;  ///< of the scans that were read as a sample (first, middle, last)
   std::vector<Finding> findings;    ///< those of the session, and what this report adds
-  bool usable = false;              ///< enough for a calibration to be tried, by whatever method
+  std::vector<MethodFit> methods;   ///< which of them the streams serve
+  bool usable = false;              ///< enough for a calibration to be tried, by whatever method of a vehicle
   MotionOutlook outlook;            ///< what of X the motion can tell
 };
 

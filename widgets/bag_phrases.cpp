@@ -16,7 +16,11 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "goes with an IMU whose orientation serves as ins; give --topic ins=TOPIC of that IMU"),
       QT_TRANSLATE_NOOP("remount::model", "is no topic of this bag. It has:%1"),
-      QT_TRANSLATE_NOOP("remount::model", "cannot serve as %1: see what inspect says of it"),
+      QT_TRANSLATE_NOOP("remount::model", "cannot serve as %1; what it can be: %2"),
+      QT_TRANSLATE_NOOP("remount::model", "cannot serve as %1, nor as anything else"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The recording is cut or damaged behind its data, where its index stands (%1). All data before "
+                        "that are whole; messages that were found by reading them: %2."),
       QT_TRANSLATE_NOOP("remount::model", "no scan of this topic can be read"),
       QT_TRANSLATE_NOOP(
           "remount::model",
@@ -26,7 +30,9 @@ const std::vector<const char*>& bag_phrases() {
                         "By the recorder's clock the stamps are %1 s apart from the LiDAR's, more than the delays of a "
                         "recording: one of the two seems to be stamped by a clock that is off, as a host's is. They "
                         "are not moved; it shows as time offset."),
-      QT_TRANSLATE_NOOP("remount::model", "%1 messages have no fix and are left out."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 message has no fix: left out."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 messages have no fix: left out."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 fix does not state its covariance; a sigma of 1 m is assumed."),
       QT_TRANSLATE_NOOP("remount::model", "%1 fixes do not state their covariance; a sigma of 1 m is assumed."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The INS has a position every %1 s only; between them the motion is interpolated. No other "
@@ -34,16 +40,21 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "The INS has a position every %1 s only; between them the motion is interpolated. %2 has %3 "
                         "Hz: --topic %4=%5 takes it, where it is of the same INS."),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "%1 messages have no orientation, %2 of them before the first that has one; they are left out."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "%1 messages say that turn rates or accelerations are not measured (covariance -1), and have "
-                        "some; they are taken."),
-      QT_TRANSLATE_NOOP("remount::model", "%1 messages have no turn rates and are left out."),
+                        "%1 message has no orientation, %2 of them before the first that has one: left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 messages have no orientation, %2 of them before the first that has one: left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 message says that turn rates or accelerations are not measured (covariance -1), all the "
+                        "same they are there; they are taken."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 messages say that turn rates or accelerations are not measured (covariance -1), all the "
+                        "same they are there; they are taken."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 message has no turn rates: left out."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 messages have no turn rates: left out."),
       QT_TRANSLATE_NOOP("remount::model", "no message of this topic has turn rates"),
       QT_TRANSLATE_NOOP("remount::model",
-                        "The status of the position falls from %1 to %2 in %3 stretches, %4 % of the drive: "
+                        "The status of the position falls from %1 to %2 in %3, %4 % of the drive: "
                         "corrections (RTK) were lost."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), "

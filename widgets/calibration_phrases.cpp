@@ -74,12 +74,13 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "has INS axes %1, but %2 has %3: they have no common X. Calibrate them one by one, or declare "
                         "the same attitude convention."),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "holds no motion of an INS, only that of a LiDAR; name a folder or a session.yaml that has both"),
+      QT_TRANSLATE_NOOP("remount::model", "holds no motion of an INS with attitude"),
+      QT_TRANSLATE_NOOP("remount::model", "holds neither scans nor LiDAR poses"),
+      QT_TRANSLATE_NOOP("remount::model", "%1; it can be calibrated with --method %2"),
+      QT_TRANSLATE_NOOP("remount::model", "%1; name a folder or a session.yaml that has it, too"),
       QT_TRANSLATE_NOOP("remount::model",
-                        "holds the motion of an INS, but neither scans nor LiDAR poses; name a folder or a "
-                        "session.yaml that has both"),
+                        "%1; name a folder or a session.yaml that has it, too, or choose --method slew for an "
+                        "excavator"),
       QT_TRANSLATE_NOOP("remount::model",
                         "is the same recording as %1: its pairs would count as evidence twice. Give it once."),
       QT_TRANSLATE_NOOP("remount::model", "they lie in gaps of the INS data."),

@@ -7,12 +7,20 @@ namespace remount {
 const std::vector<const char*>& check_phrases() {
   static const std::vector<const char*> phrases{
       // what the checks of data find
-      QT_TRANSLATE_NOOP("remount::model",
-                        "%1 of %2 samples are degraded and %3 invalid by the INS's own status, in %4 stretches, the "
-                        "longest of %5 s."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 of %2 samples are degraded and %3 invalid by the INS's own status, in %4, the longest of %5 s."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 stretch"),
+      QT_TRANSLATE_NOOP("remount::model", "%1 stretches"),
       QT_TRANSLATE_NOOP("remount::model", "The position jumps %1 times, the farthest by %2 m at %3."),
+      QT_TRANSLATE_NOOP("remount::model", "The position jumps once, by %1 m at %2."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "The stated error of the position grows from %1 m to %2 m in %3 stretches, %4 % of the drive: "
+                        "Nothing is missing but the index; yet a file that lacks its end was not copied whole."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Copy the bag again, whole; close the recorder before copying. mcap recover writes a new index."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The stated error of the position grows from %1 m to %2 m in %3, %4 % of the drive: "
                         "corrections (RTK) were lost."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The drive would lie in the sea at latitude %1, longitude %2 degrees: these are radians that "

@@ -7,6 +7,7 @@ namespace remount {
 const std::vector<const char*>& file_phrases() {
   static const std::vector<const char*> phrases{
       // findings and errors of readers, and what the system says of files
+      QT_TRANSLATE_NOOP("remount::model", "%1 gap, the longest %2 s; nothing is interpolated across them."),
       QT_TRANSLATE_NOOP("remount::model", "%1 gaps, the longest %2 s; nothing is interpolated across them."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The INS moves at up to %1 m/s: its position jumps, or its stamps are wrong."),
@@ -80,8 +81,8 @@ const std::vector<const char*>& file_phrases() {
                         "the delay of the recorder."),
       QT_TRANSLATE_NOOP("remount::model", "The static transforms lead from %1 to %2; that serves as the nominal."),
       QT_TRANSLATE_NOOP("remount::model", "The static transforms do not lead from %1 to %2."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "%1 messages have no fix and %2 no orientation beside them; they are left out."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 message has no fix and %2 no orientation beside: left out."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 messages have no fix and %2 no orientation beside: left out."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The column 'time' was rounded, as a spreadsheet does; GPS time is used, nothing is lost."),
       QT_TRANSLATE_NOOP(
@@ -96,12 +97,16 @@ const std::vector<const char*>& file_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "%1 cannot be used and is left out. First: %2"),
       QT_TRANSLATE_NOOP("remount::model", "%1 cannot be used and are left out. First: %2"),
       QT_TRANSLATE_NOOP("remount::model",
-                        "%1 samples lie more than 2 degrees of latitude or longitude from the rest and are left out."),
+                        "%1 sample lies more than 2 degrees of latitude or longitude from the rest: left out."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "%1 entries have no possible time (expected nanoseconds since 1970) and are left out."),
+                        "%1 samples lie more than 2 degrees of latitude or longitude from the rest: left out."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 entry has no possible time (expected nanoseconds since 1970): left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 entries have no possible time (expected nanoseconds since 1970): left out."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 entry repeats the stamp before it; the first of each is used."),
       QT_TRANSLATE_NOOP("remount::model", "%1 entries repeat the stamp before them; the first of each is used."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "%1 entries go back in time and are left out. Check the clock of the recorder."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 entry goes back in time: left out. Check the clock of the recorder."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 entries go back in time: left out. Check the clock of the recorder."),
       QT_TRANSLATE_NOOP("remount::model", "%1 files have no time stamp and are left out."),
       QT_TRANSLATE_NOOP(
           "remount::model",

@@ -319,12 +319,9 @@ const std::vector<const char*>& method_phrases() {
       // errors
       QT_TRANSLATE_NOOP("remount::model", "there is no session to calibrate"),
       QT_TRANSLATE_NOOP("remount::model", "has no scans; the multi-sensor odometry needs them"),
-      QT_TRANSLATE_NOOP("remount::model", "the session has neither scans nor LiDAR poses"),
       QT_TRANSLATE_NOOP("remount::model",
-                        "the session has neither an INS nor GNSS fixes to align the trajectory of the LiDAR with"),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "has no wheel speeds: the vehicle's frame is that of its wheels. Record them, or choose another method"),
+                        "holds neither an INS nor GNSS fixes to align the trajectory of the LiDAR with"),
+      QT_TRANSLATE_NOOP("remount::model", "has no wheel speeds, by which the vehicle's frame is found"),
       QT_TRANSLATE_NOOP("remount::model", "has neither scans nor poses of the sensor"),
       QT_TRANSLATE_NOOP("remount::model", "has neither an IMU nor an INS: nothing tells how it turns"),
       QT_TRANSLATE_NOOP("remount::model", "there is no recording of the turn with scans or LiDAR poses"),

@@ -110,6 +110,7 @@ const std::vector<const char*>& reader_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "holds no track point with a time."),
       QT_TRANSLATE_NOOP("remount::model", "holds no track point with a time. First problem: %1"),
       QT_TRANSLATE_NOOP("remount::model", "GPX does not state errors: 3 m, and 5 m in height, are assumed."),
+      QT_TRANSLATE_NOOP("remount::model", "%1 track point has no height; it is taken to be zero."),
       QT_TRANSLATE_NOOP("remount::model", "%1 track points have no height; it is taken to be zero."),
       QT_TRANSLATE_NOOP("remount::model", "holds neither an NMEA log nor a GPX track"),
       QT_TRANSLATE_NOOP(

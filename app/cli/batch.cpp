@@ -59,13 +59,14 @@ int show_table(const Fleet& fleet, const BatchArguments& arguments, Console& con
     return why_out_of_date(fleet, job, stored, console);
   });
   if (console.cancelled()) return kNoResult;
-  const bool drift = collect(fleet, arguments, console, rows);
+  // An alarm must not be lost in a vehicle whose recording is missing.
+  if (collect(fleet, arguments, console, rows)) return kNoResult;
   if (std::any_of(rows.begin(), rows.end(), [](const FleetRow& row) { return row.state == JobState::Failed; }))
     return kUnreadable;
   const bool all_solved = std::all_of(rows.begin(), rows.end(), [](const FleetRow& row) {
     return row.state == JobState::Done && is_usable(*row.result);
   });
-  return all_solved && !drift ? kSolved : kNoResult;
+  return all_solved ? kSolved : kNoResult;
 }
 
 int run_all(const Fleet& fleet, const BatchArguments& arguments, Console& console) {
@@ -80,9 +81,9 @@ int run_all(const Fleet& fleet, const BatchArguments& arguments, Console& consol
     return kNoResult;
   }
   // Each job has looked at its own files just now.
-  const bool drift = collect(fleet, arguments, console, fleet_rows(fleet));
+  if (collect(fleet, arguments, console, fleet_rows(fleet))) return kNoResult;
   if (end.unreadable > 0) return kUnreadable;
-  return end.no_result > 0 || drift ? kNoResult : kSolved;
+  return end.no_result > 0 ? kNoResult : kSolved;
 }
 
 int batch(const BatchArguments& arguments, Console& console) {
@@ -125,8 +126,9 @@ void add_batch(CLI::App& app, Console& console, Run& run) {
   table->excludes(jobs)->excludes(count);
   count->excludes(jobs);
   verb->footer(
-      "Exit codes: 0 all solved and no drift; 2 a job could not be run; 3 a job has no usable result, a mounting has "
-      "drifted, or it was stopped. Of --job: those of calibrate.");
+      "Exit codes: 0 all solved and no drift; 3 a mounting has drifted, whatever else; 2 a job could not be run; 3 a "
+      "job "
+      "has no usable result, or it was stopped. Of --job: those of calibrate.");
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return batch(*arguments, console); }; });
 }
 

@@ -10,6 +10,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/sessions.h"
+#include "model/batch/failed_job.h"
 #include "model/batch/job_state.h"
 #include "model/io/atomic_save.h"
 #include "model/io/file_lock.h"
@@ -92,9 +93,9 @@ int stored_answer(const FleetJob& job, Console& console) {
   return is_usable(result) ? kSolved : kNoResult;
 }
 
-void note_failure(const FleetJob& job, const std::string& message) {
+void note_failure(const Fleet& fleet, const FleetJob& job, const std::string& message) {
   try {
-    save_atomically(job.failure, message + "\n");
+    save_failure(fleet, job, message);
   } catch (const Error&) {
     // It is told where it is caught; where nothing can be written here, nothing more can be done about it.
   }
@@ -141,10 +142,10 @@ int run_job(const Fleet& fleet, const FleetJob& job, Console& console) {
     console.print(title_of(fleet, job) + ": " + reason);
     return calibrate_job(job, input, lock->taken_ns(), console);
   } catch (const Error& error) {
-    note_failure(job, error.what());
+    note_failure(fleet, job, error.what());
     throw;
   } catch (const std::bad_alloc&) {
-    note_failure(job, "there is not enough memory");
+    note_failure(fleet, job, "there is not enough memory");
     throw;
   }
 }

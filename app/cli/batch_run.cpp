@@ -16,8 +16,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
-#include "model/io/atomic_save.h"
-#include "model/io/input_file.h"
+#include "model/batch/failed_job.h"
 
 namespace remount {
 namespace {
@@ -115,7 +114,7 @@ class Jobs {
     if (code < 0) {
       const std::string died =
           "its process died of signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
-      if (!stopped_) note(job, died);
+      if (!stopped_) note(fleet_, job, died);
     }
     ++told_;
     char line[64];
@@ -130,9 +129,9 @@ class Jobs {
   }
 
   /// A process that dies cannot say so itself.
-  static void note(const FleetJob& job, const std::string& message) {
+  static void note(const Fleet& fleet, const FleetJob& job, const std::string& message) {
     try {
-      save_atomically(job.failure, message + "\n");
+      save_failure(fleet, job, message);
     } catch (const Error&) {
       // The line that is printed says it too.
     }
@@ -145,7 +144,7 @@ class Jobs {
     if (stopped_) return "stopped";
     if (code == kNoResult)
       return std::string(kept ? "nothing has changed since: " : "") + "no usable result, see " + job.result.string();
-    if (is_file(job.failure)) return "failed: " + std::string(trimmed(read_file_head(job.failure, 2000)));
+    if (const std::string why = failure_message(job); !why.empty()) return "failed: " + why;
     return "failed with exit code " + std::to_string(code) + ", see " + job.log.string();
   }
 

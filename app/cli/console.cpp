@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <cstring>
 
-#include "algorithms/core/error.h"
 #include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
 #include "remount_version.h"
@@ -118,6 +117,8 @@ void Console::show(const ProgressUpdate& update) {
   std::fflush(stderr);
   line_shown_ = true;
 }
+
+int exit_code_of(const Error& error) { return error.code() == ErrorCode::Contract ? kUsage : kUnreadable; }
 
 void Console::print(std::string_view text) {
   const std::scoped_lock lock(mutex_);

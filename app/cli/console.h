@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "algorithms/core/error.h"
 #include "algorithms/core/progress.h"
 #include "model/session.h"
 
@@ -18,6 +19,9 @@ namespace remount {
 
 /// What every verb may end with; README.md explains them to users.
 enum ExitCode { kSolved = 0, kUsage = 1, kUnreadable = 2, kNoResult = 3 };
+
+/// What an error ends a verb with: an option that cannot be, or an input.
+int exit_code_of(const Error& error);
 
 struct ConsoleOptions {
   bool quiet = false;

@@ -25,7 +25,7 @@ int inspect(const InspectArguments& arguments, Console& console) {
       if (!report.usable && code == kSolved) code = kNoResult;
     } catch (const Error& error) {
       console.complain(error.what());
-      code = kUnreadable;
+      if (code != kUnreadable) code = exit_code_of(error);
     }
     if (console.cancelled()) return kNoResult;
   }
@@ -39,7 +39,7 @@ void add_inspect(CLI::App& app, Console& console, Run& run) {
   CLI::App* verb = app.add_subcommand("inspect", "Say what a recording is, and whether it can be calibrated with");
   verb->add_option("paths", arguments->paths, "Session folders or logs")->type_name("PATH")->required();
   arguments->topics.add_to(*verb);
-  std::string formats = "Exit code 3 where a session is readable but not usable.\nFormats:";
+  std::string formats = "Exit code 3 where a session is readable but serves no method of calibration.\nFormats:";
   for (const auto& reader : session_readers())
     formats += "\n  " + std::string(reader->id()) + ": " + std::string(reader->description());
   verb->footer(formats);

@@ -16,8 +16,6 @@ constexpr const char* kFooter =
     "or output not written; 3 no usable result.\n"
     "remount-cli VERB --help explains a verb.";
 
-int exit_code_of(const Error& error) { return error.code() == ErrorCode::Contract ? kUsage : kUnreadable; }
-
 void add_common_options(CLI::App& app, Console& console) {
   app.add_flag("-q,--quiet", console.options().quiet, "Print errors only");
   app.add_option("--log", console.options().log_file, "Write a log of the run to this file")->type_name("FILE");

@@ -97,7 +97,7 @@ void describe_pairs(const PipelineOutput& output, bool stale, bool confirmed, st
   const bool needed = pairs > 0 || output.method == kPairwise;
   const PairCounts counts = count_pairs(output);
   step(Step::Pairs) = {pairs > 0 || !needed ? StepState::Done : StepState::Attention,
-                       needed ? Words::tr("%1 pairs").arg(pairs) : not_needed()};
+                       needed ? Words::tr("%n pairs", nullptr, pairs) : not_needed()};
   step(Step::Align) = {(counts.aligned > 0 || !needed) && !stale && !is_preliminary(output.result)
                            ? StepState::Done
                            : StepState::Attention,

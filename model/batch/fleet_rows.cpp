@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "model/batch/failed_job.h"
 #include "model/batch/job_state.h"
 #include "model/display_units.h"
 #include "model/io/input_file.h"
@@ -12,8 +13,6 @@
 
 namespace remount {
 namespace {
-
-constexpr std::uint64_t kMaxFailureBytes = std::uint64_t{1} << 20;
 
 /// An earlier calibration of a vehicle.
 struct Earlier {
@@ -76,12 +75,20 @@ struct VehicleHistory {
 std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, const WhyOutOfDate& why_out_of_date,
                                    FleetRow& row) {
   try {
+    std::string old_failure;
     if (is_file(job.failure)) {
-      row.state = JobState::Failed;
-      row.message = std::string(trimmed(read_regular_file(job.failure, kMaxFailureBytes)));
+      const std::string message = failure_message(job), changed = why_failure_is_old(fleet, job);
+      if (changed.empty()) {
+        row.state = JobState::Failed;
+        row.message = message;
+        return std::nullopt;
+      }
+      old_failure = changed + "; before that it failed: " + message;
+    }
+    if (!is_file(job.result)) {
+      row.message = old_failure;
       return std::nullopt;
     }
-    if (!is_file(job.result)) return std::nullopt;
     ResultFile file = load_result(job.result);
     const FleetVehicle& vehicle = fleet.vehicles[job.vehicle];
     row.message = why_other_job(file, vehicle.settings, file.nominal_ins_from_lidar, vehicle.topics);

@@ -14,7 +14,7 @@
 namespace remount {
 
 enum class JobState {
-  Waiting,    ///< nothing is there
+  Waiting,    ///< nothing is there, or a failure from before a change: `message` says which
   Failed,     ///< it could not be run: `message` says why
   OutOfDate,  ///< a result is there that was made from other files, settings or by another version: `message` says
               ///< which

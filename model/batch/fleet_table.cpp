@@ -100,7 +100,7 @@ std::string csv_line(const Fleet& fleet, const FleetRow& row) {
   }
   add_change(row.last, cells);
   cells.push_back(row.message);
-  cells.push_back(job.result.string());
+  cells.push_back(row.result ? job.result.string() : "");  // a file that is there and belongs to the job
   add_change(row.reference, cells);
   return csv_line(cells);
 }

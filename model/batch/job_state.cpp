@@ -25,12 +25,15 @@ std::optional<std::int64_t> changed_ns(const std::filesystem::path& file) {
   return nanoseconds(status.st_ctim);
 }
 
-/// When the job's result was made.
-std::optional<std::int64_t> made_ns(const FleetJob& job) {
+/// When a file was written. Nothing where none is there.
+std::optional<std::int64_t> written_ns(const std::filesystem::path& file) {
   struct stat status {};
-  if (::stat(job.result.c_str(), &status) != 0) return std::nullopt;
+  if (::stat(file.c_str(), &status) != 0) return std::nullopt;
   return nanoseconds(status.st_mtim);
 }
+
+/// When the job's result was made.
+std::optional<std::int64_t> made_ns(const FleetJob& job) { return written_ns(job.result); }
 
 /// The first file that is not among both, or with another size; empty where there is none. Two sessions of one name may
 /// have files of one name.
@@ -145,6 +148,15 @@ bool may_have_changed(const FleetJob& job, const ResultFile& stored) {
     if (!made || !unchanged_since(session, *made, names)) return true;
   return std::any_of(stored.inputs.begin(), stored.inputs.end(),
                      [&](const InputFile& file) { return !names.contains(file.file); });
+}
+
+std::string changed_since_failure(const FleetJob& job, const std::vector<std::filesystem::path>& read) {
+  const auto failed = written_ns(job.failure);
+  if (!failed) return {};
+  std::set<std::string> names;
+  for (const std::filesystem::path& path : read)
+    if (changed_ns(path) && !unchanged_since(path, *failed, names)) return path.string();
+  return {};
 }
 
 std::string file_written_since(const std::vector<std::shared_ptr<const Session>>& sessions, std::int64_t since_ns) {

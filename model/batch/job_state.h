@@ -27,6 +27,10 @@ bool may_have_changed(const FleetJob& job, const ResultFile& stored);
 /// Whether a file was written at the time of the job's result or later; true where one of them is not there.
 bool written_since_result(const std::filesystem::path& file, const FleetJob& job);
 
+/// The first of these files and folders where something was written, added or taken away since the job failed, judged
+/// by times alone; one that is not there (any more) has nothing new. Empty where there is none, or no failure.
+std::string changed_since_failure(const FleetJob& job, const std::vector<std::filesystem::path>& read);
+
 /// "session/file" of the first input that was written at `since_ns` (ns since 1970) or later; empty where none was.
 std::string file_written_since(const std::vector<std::shared_ptr<const Session>>& sessions, std::int64_t since_ns);
 

@@ -78,9 +78,12 @@ double fastest_mps(const std::vector<StampedPose>& poses) {
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   const Jumps jumps = jumps_of(checked.poses);
   if (jumps.count > 0) {
+    const std::string when = utc_text(jumps.largest_ns);
     findings.push_back({Severity::Warning, "ins-jump", "INS",
-                        check_text("The position jumps %zu times, the farthest by %.2f m at %s.", jumps.count,
-                                   jumps.largest_m, utc_text(jumps.largest_ns).c_str())});
+                        jumps.count == 1
+                            ? check_text("The position jumps once, by %.2f m at %s.", jumps.largest_m, when.c_str())
+                            : check_text("The position jumps %zu times, the farthest by %.2f m at %s.", jumps.count,
+                                         jumps.largest_m, when.c_str())});
     return;
   }
   const double fastest = fastest_mps(checked.poses);

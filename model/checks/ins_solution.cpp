@@ -4,6 +4,7 @@
 #include "algorithms/core/median.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
+#include "model/count_words.h"
 
 namespace remount {
 namespace {
@@ -45,10 +46,12 @@ Doubted doubted(const std::vector<InsSample>& ins) {
 void report_status(const std::vector<InsSample>& ins, std::vector<Finding>& findings) {
   const Doubted found = doubted(ins);
   if (found.degraded + found.invalid == 0) return;
-  findings.push_back({found.invalid > 0 ? Severity::Warning : Severity::Note, "ins-status", "INS",
-                      check_text("%zu of %zu samples are degraded and %zu invalid by the INS's own status, in %zu "
-                                 "stretches, the longest of %.1f s.",
-                                 found.degraded, ins.size(), found.invalid, found.stretches, found.longest_s)});
+  findings.push_back(
+      {found.invalid > 0 ? Severity::Warning : Severity::Note, "ins-status", "INS",
+       check_text("%zu of %zu samples are degraded and %zu invalid by the INS's own status, in %s, the longest "
+                  "of %.1f s.",
+                  found.degraded, ins.size(), found.invalid, number_of(found.stretches, "stretch", "stretches").c_str(),
+                  found.longest_s)});
 }
 
 void report_gaps(const std::vector<StampedPose>& poses, std::vector<Finding>& findings) {
@@ -60,7 +63,8 @@ void report_gaps(const std::vector<StampedPose>& poses, std::vector<Finding>& fi
   const auto gaps = std::count_if(steps.begin(), steps.end(), [&](double step) { return step > longest_allowed; });
   if (gaps == 0) return;
   findings.push_back({Severity::Warning, "ins-gaps", "INS",
-                      check_text("%td gaps, the longest %.3f s; nothing is interpolated across them.", gaps,
+                      check_text("%s, the longest %.3f s; nothing is interpolated across them.",
+                                 number_of(static_cast<std::size_t>(gaps), "gap", "gaps").c_str(),
                                  *std::max_element(steps.begin(), steps.end()))});
 }
 

@@ -21,6 +21,8 @@ DataCheck reading_check() {
                "Log attitude (PASHR or HDT) at the rate of the positions, at 5 Hz or more."},
               {"utm-poses", "Yaw of the result is off by as much as the grid turns against true north there.",
                "Give latitude and longitude where you have them, or turn the poses by the grid convergence."},
+              {"bag-cut-end", "Nothing is missing but the index; yet a file that lacks its end was not copied whole.",
+               "Copy the bag again, whole; close the recorder before copying. mcap recover writes a new index."},
               {"bag-*", "What lies in the damaged part of the bag takes no part.",
                "Copy the bag again, whole; close the recorder before copying. rosbag reindex (.bag) or mcap recover "
                "(.mcap) restore an index, sqlite3's .recover what is whole of a .db3."},

@@ -4,6 +4,7 @@
 
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
+#include "model/count_words.h"
 
 namespace remount {
 namespace {
@@ -37,9 +38,10 @@ void report(std::vector<StatedError> stated, const char* where, std::vector<Find
   if (lost == 0) return;
   findings.push_back(
       {Severity::Warning, "rtk-lost", where,
-       check_text("The stated error of the position grows from %.3f m to %.2f m in %zu stretches, %.0f %% "
-                  "of the drive: corrections (RTK) were lost.",
-                  best_m, worst_m, stretches, 100.0 * static_cast<double>(lost) / static_cast<double>(stated.size()))});
+       check_text("The stated error of the position grows from %.3f m to %.2f m in %s, %.0f %% of the drive: "
+                  "corrections (RTK) were lost.",
+                  best_m, worst_m, number_of(stretches, "stretch", "stretches").c_str(),
+                  100.0 * static_cast<double>(lost) / static_cast<double>(stated.size()))});
 }
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {

@@ -151,7 +151,7 @@ ReadCloud CloudBuilder::finish(std::int64_t stamp_ns) {
   constexpr std::size_t kSample = 4096;
   std::vector<double> sample;
   for (std::size_t i = 0; i < points; i += 1 + points / kSample) sample.push_back(time_at(i));
-  const TimeScale scale = find_time_scale(std::move(sample), points, time_, stamp_ns);
+  const PointTimeScale scale = find_time_scale(std::move(sample), points, time_, stamp_ns);
   const auto belongs = [&](double time) { return time >= scale.low && time <= scale.high; };
   double zero = scale.zero.value_or(scale.high);
   for (std::size_t i = 0; !scale.zero && i < points; ++i)

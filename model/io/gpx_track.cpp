@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algorithms/geometry/rotation.h"
+#include "model/count_words.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
@@ -120,8 +121,9 @@ std::vector<GnssFix> read_gpx(const fs::path& path, std::vector<Finding>& findin
   findings.push_back(make_finding(Severity::Note, "gnss-sigma-assumed", path.string(),
                                   "GPX does not state errors: 3 m, and 5 m in height, are assumed."));
   if (flat > 0)
-    findings.push_back(make_finding(Severity::Warning, "height-missing", path.string(),
-                                    std::to_string(flat) + " track points have no height; it is taken to be zero."));
+    findings.push_back(
+        make_finding(Severity::Warning, "height-missing", path.string(),
+                     number_of(flat, "track point has", "track points have") + " no height; it is taken to be zero."));
   keep_ascending(fixes, "gnss", path.string(), findings);
   return fixes;
 }

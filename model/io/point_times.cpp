@@ -102,10 +102,10 @@ double unit_of(const Sweep& sweep, std::size_t points, const TimeColumn& column,
 
 }  // namespace
 
-TimeScale find_time_scale(std::vector<double> sample, std::size_t points, const TimeColumn& column,
-                          std::int64_t stamp_ns) {
+PointTimeScale find_time_scale(std::vector<double> sample, std::size_t points, const TimeColumn& column,
+                               std::int64_t stamp_ns) {
   const Sweep sweep = main_sweep(std::move(sample));
-  TimeScale scale;
+  PointTimeScale scale;
   scale.unit_s = unit_of(sweep, points, column, stamp_ns);
   const double around = std::max(kLongestSweep_s / scale.unit_s, sweep.span());
   scale.low = sweep.low - around;

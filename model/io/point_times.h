@@ -17,7 +17,7 @@ struct TimeColumn {
 };
 
 /// Seconds from the stamp are (value - zero) * unit_s.
-struct TimeScale {
+struct PointTimeScale {
   double unit_s = 1.0;
   std::optional<double> zero;    ///< in the column's unit; nothing: the scan's earliest point is of the stamp
   double low = 0.0, high = 0.0;  ///< of the column; what lies outside is no time of this scan
@@ -32,7 +32,7 @@ struct TimeScale {
 /// time); all others on a clock of their own. Few values far from the rest decide nothing.
 /// @param sample values of the column, not empty, finite; not necessarily all
 /// @param points how many the scan has @param stamp_ns of the scan, Unix time; 0: not known
-TimeScale find_time_scale(std::vector<double> sample, std::size_t points, const TimeColumn& column,
-                          std::int64_t stamp_ns);
+PointTimeScale find_time_scale(std::vector<double> sample, std::size_t points, const TimeColumn& column,
+                               std::int64_t stamp_ns);
 
 }  // namespace remount

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "model/count_words.h"
 
 namespace remount {
 namespace {
@@ -52,8 +53,8 @@ void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vecto
   if (ins.empty()) throw Error(ErrorCode::Format, where, "the positions lie all over the Earth: is that one drive?");
   if (far > 0)
     findings.push_back(make_finding(Severity::Warning, "ins-far-away", where,
-                                    std::to_string(far) + " samples lie more than 2 degrees of latitude or longitude "
-                                                          "from the rest and are left out."));
+                                    number_of(far, "sample lies", "samples lie") +
+                                        " more than 2 degrees of latitude or longitude from the rest: left out."));
 }
 
 template <class Item>
@@ -65,8 +66,8 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
     throw Error(ErrorCode::Format, where, "no entry has a possible time, expected nanoseconds since 1970");
   if (impossible > 0)
     findings.push_back(make_finding(Severity::Warning, code + "-impossible-stamps", where,
-                                    std::to_string(impossible) + " entries have no possible time (expected nanoseconds "
-                                                                 "since 1970) and are left out."));
+                                    number_of(impossible, "entry has", "entries have") +
+                                        " no possible time (expected nanoseconds since 1970): left out."));
   std::size_t duplicates = 0, reversed = 0, kept = 0;  // in place: there may be millions
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::int64_t stamp = items[i].stamp_ns;
@@ -82,13 +83,14 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
   }
   items.erase(items.begin() + static_cast<std::ptrdiff_t>(kept), items.end());
   if (duplicates > 0)
-    findings.push_back(
-        make_finding(Severity::Note, code + "-duplicate-stamps", where,
-                     std::to_string(duplicates) + " entries repeat the stamp before them; the first of each is used."));
+    findings.push_back(make_finding(
+        Severity::Note, code + "-duplicate-stamps", where,
+        number_of(duplicates, "entry repeats the stamp before it", "entries repeat the stamp before them") +
+            "; the first of each is used."));
   if (reversed > 0)
     findings.push_back(make_finding(
         Severity::Warning, code + "-reversed-stamps", where,
-        std::to_string(reversed) + " entries go back in time and are left out. Check the clock of the recorder."));
+        number_of(reversed, "entry goes", "entries go") + " back in time: left out. Check the clock of the recorder."));
 }
 
 template void keep_ascending(std::vector<InsSample>&, const std::string&, const std::string&, std::vector<Finding>&);

@@ -82,11 +82,6 @@ Curve curve(const char* name, const std::vector<StampedPosition>& positions, boo
 
 }  // namespace
 
-bool has_antenna_only(const Session& session) {
-  return session.odometry_from_lidar.empty() && !session.scans && session.gnss.size() > 1 &&
-         session.wheels.size() > 1 && session.imu.size() > 1;
-}
-
 PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress) {
   const Session& session = *input.sessions.front();
   PipelineOutput output;

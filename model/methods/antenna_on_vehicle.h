@@ -5,9 +5,6 @@
 
 namespace remount {
 
-/// Whether the method falls back to the antenna: no poses of a sensor, but positions, wheels and rates.
-bool has_antenna_only(const Session& session);
-
 /// Lever arm of the antenna in the vehicle frame (x and y), with the integrated trajectory against the positions.
 /// Rotation and height stay unobserved. Of the first session; others are findings.
 PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& progress);

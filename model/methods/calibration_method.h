@@ -13,7 +13,7 @@ namespace remount {
 struct CalibrationMethod {
   std::string_view id;                ///< as on the command line and in files: "pairwise"
   std::string_view title;             ///< for people: "Pairs of keyframes"
-  std::string_view needs;             ///< the streams a session must have, in words
+  std::string_view needs;             ///< the streams a session must have, in words: those of model/method_needs.h
   std::string_view settings_section;  ///< of Settings::visit_sections; empty where it has none of its own
   bool from_pairs = false;            ///< of keyframes, which are there to be reviewed
   /// Throws Error(Unsupported) where the sessions lack a stream, Error(Contract) for settings out of range. What the
@@ -22,7 +22,7 @@ struct CalibrationMethod {
 };
 
 /// The methods built in, in the order of MethodChoice. Adding one: a file in this folder, a declaration in builtin.h, a
-/// line in calibration_methods.cpp, and its name in model/settings.h.
+/// line in calibration_methods.cpp, what it needs in model/method_needs.cpp, and its name in model/settings.h.
 const std::vector<CalibrationMethod>& calibration_methods();
 
 /// Throws Error(Contract) that names the methods where `id` is none of them.

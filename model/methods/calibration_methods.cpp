@@ -2,21 +2,24 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/document.h"
+#include "model/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 
 namespace remount {
+namespace {
+std::string_view words(MethodChoice method) { return needs_of(method).words; }
+}  // namespace
 
 const std::vector<CalibrationMethod>& calibration_methods() {
   static const std::vector<CalibrationMethod> methods{
-      {kPairwise, "Pairs of keyframes", "scans or LiDAR poses, and an INS with attitude", "", true, run_pipeline},
-      {"trajectory", "Trajectory alignment", "scans or LiDAR poses, and an INS or GNSS fixes", "trajectory", false,
+      {kPairwise, "Pairs of keyframes", words(MethodChoice::Pairwise), "", true, run_pipeline},
+      {"trajectory", "Trajectory alignment", words(MethodChoice::Trajectory), "trajectory", false,
        run_trajectory_method},
-      {"vehicle-frame", "Vehicle frame", "wheel speeds, an IMU or INS, and scans or poses of the sensor",
-       "vehicle_frame", false, run_vehicle_frame},
-      {"fusion-odometry", "Multi-sensor odometry", "scans, and an INS with attitude", "fusion", true,
+      {"vehicle-frame", "Vehicle frame", words(MethodChoice::VehicleFrame), "vehicle_frame", false, run_vehicle_frame},
+      {"fusion-odometry", "Multi-sensor odometry", words(MethodChoice::FusionOdometry), "fusion", true,
        run_fusion_method},
-      {"slew", "Slewing machine", "three recordings of a LiDAR: ground, swept arm, full turn", "slew", false, run_slew},
+      {"slew", "Slewing machine", words(MethodChoice::Slew), "slew", false, run_slew},
   };
   return methods;
 }

@@ -1,14 +1,13 @@
 #include <memory>
 
 #include "algorithms/core/error.h"
+#include "model/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/methods/fusion_run.h"
 #include "model/session_frames.h"
 
 namespace remount {
 namespace {
-
-bool has_ins(const Session& session) { return !session.ins.empty() || !session.world_from_ins.empty(); }
 
 void add_quantities(const FusionRun& run, const std::string& session, std::vector<NamedQuantity>& quantities) {
   const FusionOdometryResult& odometry = run.odometry;
@@ -50,6 +49,8 @@ PipelineOutput run_fusion_method(const PipelineInput& input, Progress& progress)
   std::vector<Finding> findings;
   bool cancelled = false;
   for (const auto& session : input.sessions) {
+    // Without an INS the odometry is shown all the same.
+    if (!session->scans) require_served(MethodChoice::FusionOdometry, input.sessions);
     // The poses must not rest on the mounting that they are to judge.
     FusionRun run =
         run_fusion_odometry(*session, std::nullopt, input.settings, input.threads, progress, FusionSensors::ScansAlone);

@@ -6,6 +6,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "model/method_needs.h"
 #include "model/scan_times.h"
 
 namespace remount {
@@ -70,11 +71,8 @@ TrajectoryFeed::TrajectoryFeed(const Settings& settings, std::optional<RigidTran
 }
 
 void TrajectoryFeed::begin(const Session& session) {
-  if (!has_scans(session) && session.odometry_from_lidar.empty())
-    throw Error(ErrorCode::Unsupported, named(session), "the session has neither scans nor LiDAR poses");
-  if (session.ins.empty() && session.world_from_ins.empty() && session.gnss.empty())
-    throw Error(ErrorCode::Unsupported, named(session),
-                "the session has neither an INS nor GNSS fixes to align the trajectory of the LiDAR with");
+  // Not owned: the session outlives this call.
+  require_served(MethodChoice::Trajectory, {std::shared_ptr<const Session>(std::shared_ptr<void>(), &session)});
   odometry_.emplace_back();
   from_scans_ = has_scans(session);
   begin_odometry();

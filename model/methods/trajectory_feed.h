@@ -53,7 +53,7 @@ class TrajectoryFeed {
 
   TrajectoryFeed(const Settings& settings, std::optional<RigidTransform> nominal_ins_from_lidar, int threads);
 
-  /// The next session. Throws Error(Unsupported) where it has no LiDAR, or neither an INS nor GNSS.
+  /// The next session. Throws Error(Unsupported) where it lacks a stream (method_needs.h).
   void begin(const Session& session);
   /// The session begun last, with what it held before and perhaps more. Not `complete`: the last item of each stream
   /// may be half written and waits. Each answer is told; a batch asks for fewer. Throws Error(Unsupported) where it

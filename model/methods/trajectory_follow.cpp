@@ -5,6 +5,7 @@
 #include "algorithms/core/error.h"
 #include "model/io/growing_session.h"
 #include "model/io/session_reader.h"
+#include "model/method_needs.h"
 #include "model/methods/trajectory_method.h"
 
 namespace remount {
@@ -26,10 +27,7 @@ std::size_t items_of(const Session& session) {
          (session.scans ? session.scans->size() : 0);
 }
 
-bool can_begin(const Session& session) {
-  const bool lidar = has_scans(session) || !session.odometry_from_lidar.empty();
-  return lidar && !(session.ins.empty() && session.world_from_ins.empty() && session.gnss.empty());
-}
+bool can_begin(const Session& session) { return needs_of(MethodChoice::Trajectory).lack(session).empty(); }
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/odometry/lidar_odometry.h"
 #include "algorithms/trajectory/motion_track.h"
+#include "model/method_needs.h"
 #include "model/methods/antenna_on_vehicle.h"
 #include "model/methods/builtin.h"
 #include "model/scan_times.h"
@@ -72,18 +73,13 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
 
 VehicleDrive drive_of(const Session& session, const Settings& settings, std::vector<Finding>& findings,
                       Progress& progress) {
-  if (session.wheels.size() < 2)
-    throw Error(
-        ErrorCode::Unsupported, session.name,
-        "has no wheel speeds: the vehicle's frame is that of its wheels. Record them, or choose another method");
-  if (!session.scans && session.odometry_from_lidar.size() < 2)
-    throw Error(ErrorCode::Unsupported, session.name, "has neither scans nor poses of the sensor");
+  // Beside one with a sensor, a session of an antenna has nothing to say.
+  if (const std::string lack = lack_of_sensor_drive(session); !lack.empty())
+    throw Error(ErrorCode::Unsupported, session.name, lack);
   std::vector<StampedPose> reference;
   if (!session.ins.empty() || !session.world_from_ins.empty()) reference = reference_of(session);
   std::vector<ImuSample> imu = session.imu;
   if (imu.size() < 2) {
-    if (reference.size() < 3)
-      throw Error(ErrorCode::Unsupported, session.name, "has neither an IMU nor an INS: nothing tells how it turns");
     imu = rates_of(reference);
     findings.push_back({Severity::Note, "imu-from-ins", session.name,
                         "There is no IMU: turns are taken from the attitude of the INS."});
@@ -187,6 +183,7 @@ PipelineOutput run_vehicle_frame(const PipelineInput& input, Progress& progress)
   require_valid(input.settings);
   refuse_measured(input.settings.measured, "vehicle-frame", "vehicle");
   if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
+  require_served(MethodChoice::VehicleFrame, input.sessions);
   PipelineOutput output;
   output.method = "vehicle-frame";
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();

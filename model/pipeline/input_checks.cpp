@@ -8,15 +8,12 @@
 #include "model/clock_hint.h"
 #include "model/io/document.h"
 #include "model/io/system_call.h"
+#include "model/method_needs.h"
 
 namespace remount {
 namespace {
 
 std::string named(const Session& session) { return session.path.empty() ? session.name : session.path.string(); }
-
-bool has_lidar(const Session& session) {
-  return (session.scans && session.scans->size() > 0) || !session.odometry_from_lidar.empty();
-}
 
 bool same_place(const Session& a, const Session& b) {
   if (a.path.empty() || b.path.empty()) return false;
@@ -110,15 +107,7 @@ std::string sentence(std::string text) {
 }
 
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions) {
-  for (const auto& session : sessions) {
-    if (session->ins.empty() && session->world_from_ins.empty())
-      throw Error(ErrorCode::Unsupported, named(*session),
-                  "holds no motion of an INS, only that of a LiDAR; name a folder or a session.yaml that has both");
-    if (!has_lidar(*session))
-      throw Error(ErrorCode::Unsupported, named(*session),
-                  "holds the motion of an INS, but neither scans nor LiDAR poses; name a folder or a session.yaml that "
-                  "has both");
-  }
+  require_served(MethodChoice::Pairwise, sessions);
   check_companions(sessions);
 }
 

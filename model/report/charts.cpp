@@ -29,12 +29,12 @@ double round_number(double value) {
   return 10.0 * power;
 }
 
-double shown(const PairRecord& pair, ResidualKind kind) {
-  return kind == ResidualKind::Translation ? 100.0 * pair.residual_translation_m
-                                           : radians_to_degrees(pair.residual_rotation_rad);
+double shown(const PairRecord& pair, ChartedResidual kind) {
+  return kind == ChartedResidual::Translation ? 100.0 * pair.residual_translation_m
+                                              : radians_to_degrees(pair.residual_rotation_rad);
 }
 
-double highest(const std::vector<PairRecord>& pairs, ResidualKind kind, bool accepted_only) {
+double highest(const std::vector<PairRecord>& pairs, ChartedResidual kind, bool accepted_only) {
   double most = 0.0;
   for (const PairRecord& pair : pairs)
     if (std::isfinite(shown(pair, kind)) && (!accepted_only || pair.state == PairState::Accepted))
@@ -57,11 +57,11 @@ ReportTrack track_of(const Session& session) {
   return track;
 }
 
-Drawing residual_chart(const std::vector<PairRecord>& pairs, ResidualKind kind, const Phrases& phrase) {
+Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kind, const Phrases& phrase) {
   Drawing drawing;
   drawing.width = kWidth;
   drawing.height = 170.0;
-  const std::string title = kind == ResidualKind::Translation
+  const std::string title = kind == ChartedResidual::Translation
                                 ? phrase("report", "Residual of translation per pair (cm)")
                                 : phrase("report", "Residual of rotation per pair (degrees)");
   drawing.description = title;

@@ -20,9 +20,9 @@ struct ReportTrack {
 /// The INS of an opened session; empty where it has none.
 ReportTrack track_of(const Session& session);
 
-enum class ResidualKind { Translation, Rotation };
+enum class ChartedResidual { Translation, Rotation };
 /// One bar a pair, in the order of the list; rejected ones grey.
-Drawing residual_chart(const std::vector<PairRecord>& pairs, ResidualKind kind, const Phrases& phrase);
+Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kind, const Phrases& phrase);
 
 /// One session, with a scale bar: where sessions lie to each other is not known, so each has a chart of its own.
 Drawing track_chart(const ReportTrack& track, const Phrases& phrase);

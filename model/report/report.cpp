@@ -273,8 +273,8 @@ void Page::write_pictures() {
 void Page::write_charts() {
   if (is_from_pairs(file_)) {
     heading(phrase("report", "Residuals of the pairs"));
-    chart(residual_chart(file_.pairs, ResidualKind::Translation, words()));
-    chart(residual_chart(file_.pairs, ResidualKind::Rotation, words()));
+    chart(residual_chart(file_.pairs, ChartedResidual::Translation, words()));
+    chart(residual_chart(file_.pairs, ChartedResidual::Rotation, words()));
   }
   heading(phrase("report", "Drive"));
   if (report_.tracks.empty())

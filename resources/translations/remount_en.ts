@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>remount::DrivePanel</name>
+    <message numerus="yes">
+        <source>%n gaps, the longest %1 s</source>
+        <translation>
+            <numerusform>%n gap, the longest %1 s</numerusform>
+            <numerusform>%n gaps, the longest %1 s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>remount::MainWindow</name>
     <message numerus="yes">
         <source>%n decision(s) about pairs</source>
@@ -19,6 +29,16 @@
     </message>
 </context>
 <context>
+    <name>remount::PairsPanel</name>
+    <message numerus="yes">
+        <source>%n pairs</source>
+        <translation>
+            <numerusform>%n pair</numerusform>
+            <numerusform>%n pairs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>remount::ProjectKeeper</name>
     <message numerus="yes">
         <source>a calibration with %n pair(s)</source>
@@ -32,6 +52,26 @@
         <translation>
             <numerusform>%n decision of yours</numerusform>
             <numerusform>%n decisions of yours</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::ResultPanel</name>
+    <message numerus="yes">
+        <source>%n pairs: %1 accepted, %2 rejected</source>
+        <translation>
+            <numerusform>%n pair: %1 accepted, %2 rejected</numerusform>
+            <numerusform>%n pairs: %1 accepted, %2 rejected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::SessionListModel</name>
+    <message numerus="yes">
+        <source>%n scans in %1</source>
+        <translation>
+            <numerusform>%n scan in %1</numerusform>
+            <numerusform>%n scans in %1</numerusform>
         </translation>
     </message>
 </context>
@@ -59,6 +99,16 @@
         <translation>
             <numerusform>%n hour ago</numerusform>
             <numerusform>%n hours ago</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>remount::steps</name>
+    <message numerus="yes">
+        <source>%n pairs</source>
+        <translation>
+            <numerusform>%n pair</numerusform>
+            <numerusform>%n pairs</numerusform>
         </translation>
     </message>
 </context>

@@ -489,10 +489,6 @@
         <translation>没有间断</translation>
     </message>
     <message>
-        <source>%1 gaps, the longest %2 s</source>
-        <translation>%1 处间断，最长 %2 秒</translation>
-    </message>
-    <message>
         <source>%1: %2 at %3 Hz, %4</source>
         <translation>%1：%2，%3 赫兹，%4</translation>
     </message>
@@ -535,6 +531,16 @@
     <message>
         <source>Given a nominal mounting, its motion can tell %1; not %2. Without one, nothing</source>
         <translation>给出名义安装后，其运动能确定 %1；不能确定 %2。没有名义安装则什么也不能确定</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gaps, the longest %1 s</source>
+        <translation>
+            <numerusform>%n 处间断，最长 %1 秒</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Close to the limit, the calibration may find otherwise: %1</source>
+        <translation>接近可观测的界限，标定的结论可能不同：%1</translation>
     </message>
 </context>
 <context>
@@ -2254,10 +2260,6 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>还没有帧对</translation>
     </message>
     <message>
-        <source>%1 pairs</source>
-        <translation>%1 个帧对</translation>
-    </message>
-    <message>
         <source>%1 of %2 pairs</source>
         <translation>%2 个帧对中的 %1 个</translation>
     </message>
@@ -2268,6 +2270,12 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
     <message>
         <source>Turn and advance of INS and LiDAR differ, whatever the mounting (screw test)</source>
         <translation>无论怎样安装，INS 与激光雷达的转角和前进量都不同（螺旋检验）</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs</source>
+        <translation>
+            <numerusform>%n 个帧对</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2836,10 +2844,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>此次行驶对它没有任何信息：不要依赖显示的值</translation>
     </message>
     <message>
-        <source>%1 pairs: %2 accepted, %3 rejected</source>
-        <translation>%1 个帧对：%2 个接受，%3 个拒绝</translation>
-    </message>
-    <message>
         <source>residuals: %1 cm, %2° (rms)</source>
         <translation>残差：%1 cm，%2°（均方根）</translation>
     </message>
@@ -2979,6 +2983,12 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>* with a value measured by hand</source>
         <translation>* 含手工测量值</translation>
     </message>
+    <message numerus="yes">
+        <source>%n pairs: %1 accepted, %2 rejected</source>
+        <translation>
+            <numerusform>%n 个帧对：%1 个接受，%2 个拒绝</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>remount::SceneController</name>
@@ -3067,10 +3077,6 @@ Everything else works.</source>
         <translation>处理办法：%1</translation>
     </message>
     <message>
-        <source>%1 scans in %2</source>
-        <translation>%2 内 %1 帧扫描</translation>
-    </message>
-    <message>
         <source>%1 LiDAR poses in %2, no scans</source>
         <translation>%2 内 %1 个激光雷达位姿，没有扫描</translation>
     </message>
@@ -3085,6 +3091,12 @@ Everything else works.</source>
     <message>
         <source>not in the result: none of its %1 pairs is accepted</source>
         <translation>未用于结果：其 %1 个帧对无一被接受</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n scans in %1</source>
+        <translation>
+            <numerusform>%1 内 %n 帧扫描</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4804,20 +4816,8 @@ Save under another name, or close it there first.</source>
         <translation>%1 无法使用，已略去。首个：%2</translation>
     </message>
     <message>
-        <source>%1 samples lie more than 2 degrees of latitude or longitude from the rest and are left out.</source>
-        <translation>%1 个样本的经纬度与其余相差 2 度以上，已略去。</translation>
-    </message>
-    <message>
-        <source>%1 entries have no possible time (expected nanoseconds since 1970) and are left out.</source>
-        <translation>%1 条的时间不合理（应为自 1970 年起的纳秒数），已略去。</translation>
-    </message>
-    <message>
         <source>%1 entries repeat the stamp before them; the first of each is used.</source>
         <translation>%1 条与前一条时间戳相同；只用每组的第一条。</translation>
-    </message>
-    <message>
-        <source>%1 entries go back in time and are left out. Check the clock of the recorder.</source>
-        <translation>%1 条时间倒退，已略去。请检查记录设备的时钟。</translation>
     </message>
     <message>
         <source>%1 files have no time stamp and are left out.</source>
@@ -6456,18 +6456,6 @@ Save under another name, or close it there first.</source>
         <translation>没有扫描；多传感器里程计需要扫描</translation>
     </message>
     <message>
-        <source>the session has neither scans nor LiDAR poses</source>
-        <translation>数据中既没有扫描也没有激光雷达位姿</translation>
-    </message>
-    <message>
-        <source>the session has neither an INS nor GNSS fixes to align the trajectory of the LiDAR with</source>
-        <translation>数据中既没有 INS 也没有 GNSS 定位，无法对齐激光雷达的轨迹</translation>
-    </message>
-    <message>
-        <source>has no wheel speeds: the vehicle&apos;s frame is that of its wheels. Record them, or choose another method</source>
-        <translation>没有轮速：车体坐标系由车轮确定。请记录轮速，或选择其他方法</translation>
-    </message>
-    <message>
         <source>has neither scans nor poses of the sensor</source>
         <translation>既没有扫描也没有传感器位姿</translation>
     </message>
@@ -6584,16 +6572,8 @@ Save under another name, or close it there first.</source>
         <translation>气压计漂移</translation>
     </message>
     <message>
-        <source>%1 of %2 samples are degraded and %3 invalid by the INS&apos;s own status, in %4 stretches, the longest of %5 s.</source>
-        <translation>%2 个样本中有 %1 个按 INS 自身的状态为降级，%3 个为无效，共 %4 段，最长 %5 秒。</translation>
-    </message>
-    <message>
         <source>The position jumps %1 times, the farthest by %2 m at %3.</source>
         <translation>位置跳变 %1 次，最大一次在 %3，为 %2 m。</translation>
-    </message>
-    <message>
-        <source>The stated error of the position grows from %1 m to %2 m in %3 stretches, %4 % of the drive: corrections (RTK) were lost.</source>
-        <translation>位置的标称误差从 %1 m 增大到 %2 m，共 %3 段，占行程的 %4 %：差分改正（RTK）丢失。</translation>
     </message>
     <message>
         <source>The drive would lie in the sea at latitude %1, longitude %2 degrees: these are radians that are taken for degrees.</source>
@@ -6934,10 +6914,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>The static transforms do not lead from %1 to %2.</source>
         <translation>静态变换不能由 %1 通到 %2。</translation>
-    </message>
-    <message>
-        <source>%1 messages have no fix and %2 no orientation beside them; they are left out.</source>
-        <translation>%1 条消息没有定位，%2 条旁边没有姿态；均已略去。</translation>
     </message>
     <message>
         <source>Of several topics this one serves as %1; not used: %2. --topic %3=TOPIC takes another.</source>
@@ -7548,14 +7524,6 @@ Save under another name, or close it there first.</source>
         <translation>的 INS 坐标轴为 %1，而 %2 的为 %3：它们没有共同的 X。请逐一标定，或声明相同的姿态约定。</translation>
     </message>
     <message>
-        <source>holds no motion of an INS, only that of a LiDAR; name a folder or a session.yaml that has both</source>
-        <translation>没有 INS 的运动，只有激光雷达的运动；请指定两者都有的文件夹或 session.yaml</translation>
-    </message>
-    <message>
-        <source>holds the motion of an INS, but neither scans nor LiDAR poses; name a folder or a session.yaml that has both</source>
-        <translation>有 INS 的运动，但既没有扫描也没有激光雷达位姿；请指定两者都有的文件夹或 session.yaml</translation>
-    </message>
-    <message>
         <source>is the same recording as %1: its pairs would count as evidence twice. Give it once.</source>
         <translation>与 %1 是同一份记录：其帧对会被当作证据计算两次。只给出一次即可。</translation>
     </message>
@@ -7712,20 +7680,12 @@ Save under another name, or close it there first.</source>
         <translation>不是此 bag 的话题。它含有：%1</translation>
     </message>
     <message>
-        <source>cannot serve as %1: see what inspect says of it</source>
-        <translation>不能用作 %1：请查看 inspect 对它的说明</translation>
-    </message>
-    <message>
         <source>no scan of this topic can be read</source>
         <translation>此话题没有可读取的扫描</translation>
     </message>
     <message>
         <source>The times of the points are of another clock than the scan&apos;s stamp (more than a second apart): the first point is taken to be of the stamp. A time offset of up to one turn may remain.</source>
         <translation>点的时间与扫描的时间戳不是同一时钟（相差超过一秒）：取第一个点的时间为该时间戳。可能残留最多一圈的时间偏移。</translation>
-    </message>
-    <message>
-        <source>%1 messages have no fix and are left out.</source>
-        <translation>%1 条消息没有定位，已略去。</translation>
     </message>
     <message>
         <source>%1 fixes do not state their covariance; a sigma of 1 m is assumed.</source>
@@ -9736,18 +9696,6 @@ Save under another name, or close it there first.</source>
         <translation>INS 每 %1 秒才有一个位置；其间的运动为内插所得。%2 为 %3 Hz：如属同一 INS，用 --topic %4=%5 选用。</translation>
     </message>
     <message>
-        <source>%1 messages have no orientation, %2 of them before the first that has one; they are left out.</source>
-        <translation>%1 条消息没有姿态，其中 %2 条在首条有姿态的消息之前；已略去。</translation>
-    </message>
-    <message>
-        <source>%1 messages say that turn rates or accelerations are not measured (covariance -1), and have some; they are taken.</source>
-        <translation>%1 条消息声明未测量角速度或加速度（协方差为 -1），却含有其值；已采用。</translation>
-    </message>
-    <message>
-        <source>%1 messages have no turn rates and are left out.</source>
-        <translation>%1 条消息没有角速度，已略去。</translation>
-    </message>
-    <message>
         <source>no message of this topic has turn rates</source>
         <translation>此话题没有任何消息含有角速度</translation>
     </message>
@@ -9830,10 +9778,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>slow: %1 Hz, where %2 has %3 Hz</source>
         <translation>慢：%1 Hz，而 %2 为 %3 Hz</translation>
-    </message>
-    <message>
-        <source>The status of the position falls from %1 to %2 in %3 stretches, %4 % of the drive: corrections (RTK) were lost.</source>
-        <translation>位置的状态从 %1 降到 %2，共 %3 段，占行程的 %4 %：差分改正（RTK）丢失。</translation>
     </message>
     <message>
         <source>is empty, expected a topic of a bag, or &quot;none&quot; to leave the role out</source>
@@ -10040,6 +9984,158 @@ Save under another name, or close it there first.</source>
         <translation>激光雷达与 INS 的时钟不一致：扫描与另一时刻的运动相比较。</translation>
     </message>
     <message>
+        <source>cannot serve as %1; what it can be: %2</source>
+        <translation>不能用作 %1；可用作：%2</translation>
+    </message>
+    <message>
+        <source>cannot serve as %1, nor as anything else</source>
+        <translation>不能用作 %1，也不能作其他用途</translation>
+    </message>
+    <message>
+        <source>The recording is cut or damaged behind its data, where its index stands (%1). All data before that are whole; messages that were found by reading them: %2.</source>
+        <translation>记录在数据之后、索引所在处被截断或损坏（%1）。此前的数据完整；通读后找到的消息数：%2。</translation>
+    </message>
+    <message>
+        <source>%1 message has no fix: left out.</source>
+        <translation>%1 条消息没有定位，已略去。</translation>
+    </message>
+    <message>
+        <source>%1 messages have no fix: left out.</source>
+        <translation>%1 条消息没有定位，已略去。</translation>
+    </message>
+    <message>
+        <source>%1 fix does not state its covariance; a sigma of 1 m is assumed.</source>
+        <translation>%1 个定位未说明协方差；假定标准差为 1 m。</translation>
+    </message>
+    <message>
+        <source>%1 message has no orientation, %2 of them before the first that has one: left out.</source>
+        <translation>%1 条消息没有姿态，其中 %2 条在首条有姿态的消息之前；已略去。</translation>
+    </message>
+    <message>
+        <source>%1 messages have no orientation, %2 of them before the first that has one: left out.</source>
+        <translation>%1 条消息没有姿态，其中 %2 条在首条有姿态的消息之前；已略去。</translation>
+    </message>
+    <message>
+        <source>%1 message says that turn rates or accelerations are not measured (covariance -1), all the same they are there; they are taken.</source>
+        <translation>%1 条消息声明未测量角速度或加速度（协方差为 -1），却含有其值；已采用。</translation>
+    </message>
+    <message>
+        <source>%1 messages say that turn rates or accelerations are not measured (covariance -1), all the same they are there; they are taken.</source>
+        <translation>%1 条消息声明未测量角速度或加速度（协方差为 -1），却含有其值；已采用。</translation>
+    </message>
+    <message>
+        <source>%1 message has no turn rates: left out.</source>
+        <translation>%1 条消息没有角速度，已略去。</translation>
+    </message>
+    <message>
+        <source>%1 messages have no turn rates: left out.</source>
+        <translation>%1 条消息没有角速度，已略去。</translation>
+    </message>
+    <message>
+        <source>The status of the position falls from %1 to %2 in %3, %4 % of the drive: corrections (RTK) were lost.</source>
+        <translation>位置的状态从 %1 降到 %2，共%3，占行程的 %4 %：差分改正（RTK）丢失。</translation>
+    </message>
+    <message>
+        <source>holds no motion of an INS with attitude</source>
+        <translation>不含带姿态的 INS 运动</translation>
+    </message>
+    <message>
+        <source>holds neither scans nor LiDAR poses</source>
+        <translation>既没有扫描也没有激光雷达位姿</translation>
+    </message>
+    <message>
+        <source>%1; it can be calibrated with --method %2</source>
+        <translation>%1；可用 --method %2 标定</translation>
+    </message>
+    <message>
+        <source>%1; name a folder or a session.yaml that has it, too</source>
+        <translation>%1；请指定也含有它的文件夹或 session.yaml</translation>
+    </message>
+    <message>
+        <source>%1; name a folder or a session.yaml that has it, too, or choose --method slew for an excavator</source>
+        <translation>%1；请指定也含有它的文件夹或 session.yaml；若为挖掘机，请选择 --method slew</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples are degraded and %3 invalid by the INS&apos;s own status, in %4, the longest of %5 s.</source>
+        <translation>%2 个样本中有 %1 个按 INS 自身的状态为降级，%3 个为无效，共%4，最长 %5 秒。</translation>
+    </message>
+    <message>
+        <source>%1 stretch</source>
+        <translation> %1 段</translation>
+    </message>
+    <message>
+        <source>%1 stretches</source>
+        <translation> %1 段</translation>
+    </message>
+    <message>
+        <source>The position jumps once, by %1 m at %2.</source>
+        <translation>位置跳变一次，在 %2 跳变 %1 m。</translation>
+    </message>
+    <message>
+        <source>Nothing is missing but the index; yet a file that lacks its end was not copied whole.</source>
+        <translation>缺的只是索引；但缺少结尾的文件没有完整复制。</translation>
+    </message>
+    <message>
+        <source>Copy the bag again, whole; close the recorder before copying. mcap recover writes a new index.</source>
+        <translation>请重新完整复制该 bag；复制前先关闭记录程序。mcap recover 可写出新的索引。</translation>
+    </message>
+    <message>
+        <source>The stated error of the position grows from %1 m to %2 m in %3, %4 % of the drive: corrections (RTK) were lost.</source>
+        <translation>位置的标称误差从 %1 m 增大到 %2 m，共%3，占行程的 %4 %：差分改正（RTK）丢失。</translation>
+    </message>
+    <message>
+        <source>%1 gap, the longest %2 s; nothing is interpolated across them.</source>
+        <translation>%1 处间断，最长 %2 秒；间断处不做插值。</translation>
+    </message>
+    <message>
+        <source>%1 message has no fix and %2 no orientation beside: left out.</source>
+        <translation>%1 条消息没有定位，%2 条旁边没有姿态；均已略去。</translation>
+    </message>
+    <message>
+        <source>%1 messages have no fix and %2 no orientation beside: left out.</source>
+        <translation>%1 条消息没有定位，%2 条旁边没有姿态；均已略去。</translation>
+    </message>
+    <message>
+        <source>%1 sample lies more than 2 degrees of latitude or longitude from the rest: left out.</source>
+        <translation>%1 个样本的经纬度与其余相差 2 度以上，已略去。</translation>
+    </message>
+    <message>
+        <source>%1 samples lie more than 2 degrees of latitude or longitude from the rest: left out.</source>
+        <translation>%1 个样本的经纬度与其余相差 2 度以上，已略去。</translation>
+    </message>
+    <message>
+        <source>%1 entry has no possible time (expected nanoseconds since 1970): left out.</source>
+        <translation>%1 条的时间不合理（应为自 1970 年起的纳秒数），已略去。</translation>
+    </message>
+    <message>
+        <source>%1 entries have no possible time (expected nanoseconds since 1970): left out.</source>
+        <translation>%1 条的时间不合理（应为自 1970 年起的纳秒数），已略去。</translation>
+    </message>
+    <message>
+        <source>%1 entry repeats the stamp before it; the first of each is used.</source>
+        <translation>%1 条与前一条时间戳相同；只用每组的第一条。</translation>
+    </message>
+    <message>
+        <source>%1 entry goes back in time: left out. Check the clock of the recorder.</source>
+        <translation>%1 条时间倒退，已略去。请检查记录设备的时钟。</translation>
+    </message>
+    <message>
+        <source>%1 entries go back in time: left out. Check the clock of the recorder.</source>
+        <translation>%1 条时间倒退，已略去。请检查记录设备的时钟。</translation>
+    </message>
+    <message>
+        <source>holds neither an INS nor GNSS fixes to align the trajectory of the LiDAR with</source>
+        <translation>既没有 INS 也没有 GNSS 定位，无法对齐激光雷达的轨迹</translation>
+    </message>
+    <message>
+        <source>has no wheel speeds, by which the vehicle&apos;s frame is found</source>
+        <translation>没有轮速，而车体坐标系由车轮确定</translation>
+    </message>
+    <message>
+        <source>%1 track point has no height; it is taken to be zero.</source>
+        <translation>%1 个轨迹点没有高度；按零处理。</translation>
+    </message>
+    <message>
         <source>roll, pitch or yaw reaches %1, more than a turn in radians, which KITTI has. Convert the angles from degrees</source>
         <translation>横滚、俯仰或偏航达到 %1，超过以弧度计的一整圈，而 KITTI 使用弧度。请把角度从度换算为弧度</translation>
     </message>
@@ -10201,10 +10297,6 @@ Save under another name, or close it there first.</source>
         <translation>有更改：再按 F5</translation>
     </message>
     <message>
-        <source>%1 pairs</source>
-        <translation>%1 个帧对</translation>
-    </message>
-    <message>
         <source>%1 of %2 aligned</source>
         <translation>%2 个中 %1 个已配准</translation>
     </message>
@@ -10279,6 +10371,12 @@ Save under another name, or close it there first.</source>
     <message>
         <source>all six known</source>
         <translation>六个参数全部已知</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs</source>
+        <translation>
+            <numerusform>%n 个帧对</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -95,7 +95,8 @@ TEST(session_report, while_yaw_is_open_nothing_can_be_told_without_a_nominal) {
   ASSERT_TRUE(outlook.determinable[5]) << parameter_names(outlook.determinable, true);
   EXPECT_TRUE(outlook.needs_nominal);
   Progress progress;
-  EXPECT_NE(describe(session, report_session(session, progress)).find("usable: in part and only with a nominal mounting, for "),
+  EXPECT_NE(describe(session, report_session(session, progress))
+                .find("usable: in part and only with a nominal mounting, for "),
             std::string::npos)
       << describe(session, report_session(session, progress));
   session.nominal_ins_from_lidar = RigidTransform::Identity();
@@ -130,6 +131,77 @@ TEST(session_report, promises_no_more_of_an_arms_poses_than_the_calibration_find
   const SessionReport report = report_session(open_session(folder.path(), progress), progress);
   EXPECT_EQ(parameter_names(report.outlook.determinable, true), "y, z, yaw, pitch");
   EXPECT_TRUE(contains(describe({}, report), "usable: in part")) << describe({}, report);
+}
+
+Session without_ins(bool lidar, bool gnss, bool wheels) {
+  Session session = example();
+  session.world_from_ins.clear();
+  if (!lidar) session.odometry_from_lidar.clear();
+  for (int i = 0; i < 100; ++i) {
+    const std::int64_t stamp_ns = i * 100'000'000LL;
+    if (gnss) session.gnss.push_back({stamp_ns, 0.8 + 1e-7 * i, 0.1, 100.0, 1e-4 * Eigen::Matrix3d::Identity()});
+    if (!wheels) continue;
+    session.wheels.emplace_back().stamp_ns = stamp_ns;
+    session.imu.emplace_back().stamp_ns = stamp_ns;
+  }
+  return session;
+}
+
+TEST(session_report, names_the_methods_that_a_session_serves_and_what_the_others_lack) {
+  Progress progress;
+  const auto said = [&](const Session& session) { return describe(session, report_session(session, progress)); };
+  const auto usable = [&](const Session& session) { return report_session(session, progress).usable; };
+  const Session track = without_ins(false, true, false), fixes = without_ins(true, true, false),
+                log = without_ins(false, true, true), lidar = without_ins(true, false, false);
+  EXPECT_FALSE(usable(track)) << "nothing to calibrate: " << said(track);
+  EXPECT_TRUE(contains(said(track), "methods that its streams serve: none\n")) << said(track);
+  EXPECT_TRUE(contains(said(track), "[no-lidar]")) << said(track);
+  EXPECT_TRUE(usable(fixes));
+  EXPECT_TRUE(contains(said(fixes),
+                       "usable: not by the default method, pairwise; with --method: trajectory (the "
+                       "antenna's lever arm alone)\n"))
+      << said(fixes);
+  EXPECT_TRUE(contains(said(fixes), "    not pairwise: it holds no motion of an INS with attitude\n")) << said(fixes);
+  EXPECT_TRUE(contains(said(log), "with --method: vehicle-frame (the antenna's place alone)\n")) << said(log);
+  EXPECT_FALSE(usable(lidar));
+  EXPECT_TRUE(contains(said(lidar), "usable: no, unless it is a recording of an excavator (--method slew)\n"))
+      << said(lidar);
+  EXPECT_TRUE(contains(said(example()), "methods that its streams serve: pairwise, trajectory, slew if"))
+      << said(example());
+}
+
+// An angle of which the sigma that is foreseen lies at the limit comes out either way.
+TEST(session_report, what_lies_close_to_the_limit_is_neither_promised_nor_denied) {
+  Session session = example(0, Road::Hilly);
+  int open = 0, sure = 0;
+  bool was_sure = false;
+  for (double tilt = 0.002; tilt < 0.1; tilt *= 1.25) {
+    for (std::size_t i = 0; i < session.world_from_ins.size(); ++i) {
+      const double time_s = 0.01 * static_cast<double>(i);
+      session.world_from_ins[i].pose.linear() = rotation_from_yaw_pitch_roll(
+          {std::sin(0.8 * time_s), tilt * std::sin(1.3 * time_s), tilt * std::cos(1.1 * time_s)});
+    }
+    const MotionOutlook outlook = motion_outlook(session);
+    open += outlook.open[2];
+    sure += outlook.determinable[2] && !outlook.open[2];
+    EXPECT_FALSE(was_sure && !outlook.determinable[2]) << "more tilt tells more: " << tilt;
+    was_sure = outlook.determinable[2] && !outlook.open[2];
+    if (!outlook.open[2]) continue;
+    Progress progress;
+    const std::string said = describe(session, report_session(session, progress));
+    EXPECT_TRUE(contains(said, "perhaps: z")) << said;
+    EXPECT_TRUE(contains(said, "; perhaps z\n")) << said;
+  }
+  EXPECT_GT(open, 0);
+  EXPECT_GT(sure, 0);
+}
+
+TEST(session_report, a_single_gap_is_one_gap) {
+  Session session = example();
+  session.odometry_from_lidar.erase(session.odometry_from_lidar.begin() + 20, session.odometry_from_lidar.begin() + 30);
+  Progress progress;
+  const std::string said = describe(session, report_session(session, progress));
+  EXPECT_TRUE(contains(said, "1 gap, the longest")) << said;
 }
 
 TEST(session_report, times_are_utc) {

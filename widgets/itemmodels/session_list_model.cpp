@@ -39,7 +39,8 @@ QString told_in_full(const Finding& finding) {
 QString session_summary(const Session& session) {
   QStringList parts{QString::fromStdString(session.format)};
   const QString seconds = SessionListModel::tr("%1 s").arg(duration_s(session), 0, 'f', 1);
-  if (session.scans) parts << SessionListModel::tr("%1 scans in %2").arg(session.scans->size()).arg(seconds);
+  if (session.scans)
+    parts << SessionListModel::tr("%n scans in %1", nullptr, static_cast<int>(session.scans->size())).arg(seconds);
   if (!session.odometry_from_lidar.empty())
     parts
         << SessionListModel::tr("%1 LiDAR poses in %2, no scans").arg(session.odometry_from_lidar.size()).arg(seconds);

@@ -16,10 +16,10 @@ namespace {
 
 QString stream_figures(const QString& name, const StreamReport& stream) {
   if (stream.count == 0) return DrivePanel::tr("%1: none").arg(name);
-  const QString gaps =
-      stream.gaps == 0
-          ? DrivePanel::tr("no gaps")
-          : DrivePanel::tr("%1 gaps, the longest %2 s").arg(stream.gaps).arg(stream.longest_gap_s, 0, 'f', 2);
+  const QString gaps = stream.gaps == 0
+                           ? DrivePanel::tr("no gaps")
+                           : DrivePanel::tr("%n gaps, the longest %1 s", nullptr, static_cast<int>(stream.gaps))
+                                 .arg(stream.longest_gap_s, 0, 'f', 2);
   return DrivePanel::tr("%1: %2 at %3 Hz, %4").arg(name).arg(stream.count).arg(stream.rate_hz, 0, 'f', 1).arg(gaps);
 }
 
@@ -38,6 +38,8 @@ QString drive_figures(const DriveOverview& drive) {
                   ? DrivePanel::tr("Given a nominal mounting, its motion can tell %1; not %2. Without one, nothing")
                         .arg(told, untold)
                   : DrivePanel::tr("Its motion can tell %1; not %2").arg(told, untold));
+  if (const QString open = shown_parameter_names(drive.outlook.open, true); drive.outlook.judged && !open.isEmpty())
+    lines << DrivePanel::tr("Close to the limit, the calibration may find otherwise: %1").arg(open);
   return lines.join('\n');
 }
 

@@ -203,7 +203,7 @@ void PairsPanel::update_count() {
   accept_->setEnabled(shown > 0);
   reject_->setEnabled(shown > 0);
   count_->setText(all == 0       ? tr("no pairs yet")
-                  : shown == all ? tr("%1 pairs").arg(all)
+                  : shown == all ? tr("%n pairs", nullptr, all)
                                  : tr("%1 of %2 pairs").arg(shown).arg(all));
 }
 

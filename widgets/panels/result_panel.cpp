@@ -346,7 +346,9 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   blind.removeDuplicates();  // two directions of the same parameters have the same words
   const PairCounts pairs = count_pairs(output);
   if (output.method == kPairwise)
-    figures << tr("%1 pairs: %2 accepted, %3 rejected").arg(pairs.all).arg(pairs.accepted).arg(pairs.rejected);
+    figures << tr("%n pairs: %1 accepted, %2 rejected", nullptr, static_cast<int>(pairs.all))
+                   .arg(pairs.accepted)
+                   .arg(pairs.rejected);
   if (has_mounting(result)) {
     figures << tr("residuals: %1 cm, %2° (rms)")
                    .arg(100.0 * result.translation_rms_m, 0, 'f', 2)

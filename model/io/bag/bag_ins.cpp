@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/core/median.h"
+#include "model/count_words.h"
 #include "model/io/bag/correction_status.h"
 #include "model/io/stream_tools.h"
 
@@ -99,9 +100,8 @@ std::vector<Attitude> attitudes_of(const ImuStream& stream, const std::string& w
   }
   if (without > 0)  // a driver that publishes before the INS has aligned is as it should be
     findings.push_back(make_finding(without == before ? Severity::Note : Severity::Warning, "no-orientation", where,
-                                    std::to_string(without) + " messages have no orientation, " +
-                                        std::to_string(before) +
-                                        " of them before the first that has one; they are left out."));
+                                    number_of(without, "message has", "messages have") + " no orientation, " +
+                                        std::to_string(before) + " of them before the first that has one: left out."));
   return attitudes;
 }
 
@@ -122,12 +122,14 @@ void add_gnss(const FixStream& stream, const std::string& where, Session& sessio
     session.gnss.push_back(gnss_of(message));
   }
   if (without_fix > 0)
-    session.findings.push_back(make_finding(Severity::Note, "no-fix", where,
-                                            std::to_string(without_fix) + " messages have no fix and are left out."));
+    session.findings.push_back(
+        make_finding(Severity::Note, "no-fix", where,
+                     number_of(without_fix, "message has", "messages have") + " no fix: left out."));
   if (unknown > 0)
     session.findings.push_back(
         make_finding(Severity::Note, "gnss-covariance-unknown", where,
-                     std::to_string(unknown) + " fixes do not state their covariance; a sigma of 1 m is assumed."));
+                     number_of(unknown, "fix does not state its covariance", "fixes do not state their covariance") +
+                         "; a sigma of 1 m is assumed."));
   if (!session.gnss.empty()) keep_ascending(session.gnss, "gnss", where, session.findings);
 }
 
@@ -145,12 +147,13 @@ void add_imu(const ImuStream& stream, const std::string& where, Session& session
   }
   if (denied > 0)
     session.findings.push_back(make_finding(Severity::Note, "rates-denied", where,
-                                            std::to_string(denied) +
-                                                " messages say that turn rates or accelerations are not measured "
-                                                "(covariance -1), and have some; they are taken."));
+                                            number_of(denied, "message says", "messages say") +
+                                                " that turn rates or accelerations are not measured (covariance -1), "
+                                                "all the same they are there; they are taken."));
   if (without > 0)
-    session.findings.push_back(make_finding(
-        Severity::Note, "no-rates", where, std::to_string(without) + " messages have no turn rates and are left out."));
+    session.findings.push_back(
+        make_finding(Severity::Note, "no-rates", where,
+                     number_of(without, "message has", "messages have") + " no turn rates: left out."));
   if (!session.imu.empty()) return keep_ascending(session.imu, "imu", where, session.findings);
   if (session.topic_choice.contains("imu") && !stream.messages.empty())
     throw Error(ErrorCode::Format, where, "no message of this topic has turn rates");
@@ -248,8 +251,8 @@ std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& a
   }
   if (without_fix + alone > 0)
     findings.push_back(make_finding(Severity::Warning, "ins-incomplete", where,
-                                    std::to_string(without_fix) + " messages have no fix and " + std::to_string(alone) +
-                                        " no orientation beside them; they are left out."));
+                                    number_of(without_fix, "message has", "messages have") + " no fix and " +
+                                        std::to_string(alone) + " no orientation beside: left out."));
   return ins;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "model/count_words.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -85,9 +86,9 @@ void report_lost_corrections(std::vector<CorrectionStatus> positions, const std:
   if (lost == 0) return;
   char text[320];
   std::snprintf(text, sizeof text,
-                "The status of the position falls from %.40s to %.40s in %zu stretches, %.0f %% of the drive: "
+                "The status of the position falls from %.40s to %.40s in %s, %.0f %% of the drive: "
                 "corrections (RTK) were lost.",
-                best->name.c_str(), worst->name.c_str(), stretches,
+                best->name.c_str(), worst->name.c_str(), number_of(stretches, "stretch", "stretches").c_str(),
                 100.0 * static_cast<double>(lost) / static_cast<double>(positions.size()));
   findings.push_back(make_finding(Severity::Warning, "rtk-lost", where, text));
 }

@@ -71,7 +71,7 @@ McapFile::McapFile(const BagInput& input, Progress& progress) : input_(input), c
   if (head != kMagic)
     throw Error(ErrorCode::Unsupported, input.given.string(),
                 is_mcap(head) ? "is an MCAP of another version than 0" : "is no MCAP");
-  std::string why = "it has no summary";
+  std::string why;
   try {
     if (read_summary(progress)) {
       check_other_sums(progress);
@@ -93,6 +93,7 @@ void McapFile::forget_all() {
   schemas_.clear();
   topic_of_channel_.clear();
   chunk_starts_.clear();
+  undescribed_ = false;
   chunks_.clear();
 }
 
@@ -167,7 +168,7 @@ bool McapFile::read_summary(Progress& progress) {
     }
     offset = record.end();
   }
-  return indexed && entry_count() >= promised;
+  return indexed && !undescribed_ && entry_count() >= promised;
 }
 
 /// The checksum reaches from the summary's first byte to itself, the last field of the footer.
@@ -241,7 +242,13 @@ void McapFile::read_chunk_index(std::string_view content, const std::string& whe
 
 void McapFile::read_message_index(std::string_view content, std::uint32_t chunk, const std::string& where) {
   ByteReader reader(content, where);
-  const std::size_t topic = topic_of(reader.number<std::uint16_t>(), where);
+  const auto channel = reader.number<std::uint16_t>();
+  // Writers need not repeat in the summary what stands in the chunks.
+  if (!topic_of_channel_.contains(channel)) {
+    undescribed_ = true;
+    return;
+  }
+  const std::size_t topic = topic_of(channel, where);
   ByteReader items(reader.string(), where);
   while (items.left() > 0) {
     BagEntry entry;
@@ -278,7 +285,8 @@ void McapFile::scan_chunk(std::uint32_t chunk) {
   }
 }
 
-void McapFile::scan(const std::string& why, Progress& progress) {
+void McapFile::scan(const std::string& why_no_summary, Progress& progress) {
+  const std::string why = why_no_summary.empty() ? "it has no summary" : why_no_summary;
   const auto whole = chunks_.source(kNoChunk);
   bool complete = false;
   std::size_t damaged = 0;
@@ -301,7 +309,16 @@ void McapFile::scan(const std::string& why, Progress& progress) {
       if (offset == at) break;  // where the next record begins is not known
     }
   }
-  if (complete && damaged == 0) return;  // that there is no index is nobody's fault
+  if (complete && damaged == 0) {
+    // That there is no index is nobody's fault; that what the footer promises is not there is somebody's.
+    if (!why_no_summary.empty())
+      findings_.push_back(
+          make_finding(Severity::Warning, "bag-cut-end", files_[0].string(),
+                       "The recording is cut or damaged behind its data, where its index stands (" + why +
+                           "). All data before that are whole; messages that were found by reading them: " +
+                           std::to_string(entry_count()) + "."));
+    return;
+  }
   const std::string end = damaged > 0 ? " First that cannot be read: " + first_damage + "." : "";
   if (entry_count() == 0)
     throw Error(ErrorCode::Format, files_[0].string(), "the bag holds no readable message (" + why + ")." + end);

@@ -15,9 +15,9 @@ bool is_mcap(std::string_view head);
 
 /// Reads the summary and the message indexes of the chunks. Where there are none, or they are damaged, or messages lie
 /// outside of chunks, the file is read from the beginning instead; a file that was cut or damaged gives what is
-/// readable and a finding "bag-unindexed" that says how much that is. Checksums are compared where there are any: a
-/// chunk whose own is wrong is not read, the others are. Messages in CDR that are compressed one by one (Zstandard) are
-/// unpacked.
+/// readable and a finding "bag-unindexed" that says how much that is, or "bag-cut-end" where all data are whole and
+/// only what follows them is not. Checksums are compared where there are any: a chunk whose own is wrong is not read,
+/// the others are. Messages in CDR that are compressed one by one (Zstandard) are unpacked.
 class McapFile final : public BagFile {
  public:
   /// Throws Error where the file is no MCAP of this version or holds no readable message at all.
@@ -32,7 +32,8 @@ class McapFile final : public BagFile {
   void check_other_sums(Progress& progress);
   void read_chunk_index(std::string_view content, const std::string& where);
   void read_message_index(std::string_view content, std::uint32_t chunk, const std::string& where);
-  void scan(const std::string& why, Progress& progress);
+  /// @param why_no_summary empty: it has none by its footer, which a recorder may choose
+  void scan(const std::string& why_no_summary, Progress& progress);
   void scan_record(const ByteSource& source, const Record& record, std::uint32_t chunk);
   void scan_chunk(std::uint32_t chunk);
   /// Chunk record at an offset of the file.
@@ -48,6 +49,7 @@ class McapFile final : public BagFile {
   std::map<std::uint16_t, std::string> schemas_;  // names
   std::map<std::uint16_t, std::size_t> topic_of_channel_;
   std::set<std::uint64_t> chunk_starts_;  // of those that the index has named
+  bool undescribed_ = false;              // the summary leaves channels to the chunks
 };
 
 }  // namespace remount

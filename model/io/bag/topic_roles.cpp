@@ -231,9 +231,16 @@ class Chooser {
       for (const BagTopic& topic : bag_.topics()) names += "\n  " + topic.name + " (" + topic.type + ")";
       throw Error(ErrorCode::Contract, name, "is no topic of this bag. It has:" + names);
     }
-    for (const TopicCandidate& candidate : candidates_)
-      if (bag_.topics()[candidate.topic].name == name && may_be_asked_for(candidate, role)) return candidate.topic;
-    throw Error(ErrorCode::Contract, name, "cannot serve as " + std::string(role) + ": see what inspect says of it");
+    std::string serves_as;
+    for (const TopicCandidate& candidate : candidates_) {
+      if (bag_.topics()[candidate.topic].name != name) continue;
+      if (may_be_asked_for(candidate, role)) return candidate.topic;
+      for (const std::string_view other : kTopicRoles)
+        if (may_be_asked_for(candidate, other)) serves_as += (serves_as.empty() ? "" : ", ") + std::string(other);
+    }
+    throw Error(ErrorCode::Contract, name,
+                "cannot serve as " + std::string(role) +
+                    (serves_as.empty() ? ", nor as anything else" : "; what it can be: " + serves_as));
   }
 
   /// The topic that was chosen for a role, or the one that fits best; notes how all of them fit.

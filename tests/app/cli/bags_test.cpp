@@ -94,8 +94,11 @@ TEST_F(cli_bags, a_result_that_knows_no_topics_is_done_where_nobody_asks_for_any
 
 TEST_F(cli_bags, that_do_not_have_a_topic_say_which_they_have) {
   const Outcome wrong = run("inspect " + path("drive") + " --topic lidar=/velodyne_points");
-  EXPECT_EQ(wrong.code, 2);
+  EXPECT_EQ(wrong.code, 1) << "a wrong option, as calibrate says";
   EXPECT_NE(wrong.err.find("/lidar/points"), std::string::npos) << wrong.err;
+  const Outcome other = run("inspect " + path("drive") + " --topic lidar=/ins/imu");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.err.find("cannot serve as lidar; what it can be: ins, imu"), std::string::npos) << other.err;
   EXPECT_EQ(run("inspect " + path("drive") + " --topic camera=/x").code, 1);
   EXPECT_EQ(run("calibrate " + path("drive") + " --topic lidar=/velodyne_points").code, 1);
 }

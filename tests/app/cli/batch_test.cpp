@@ -43,7 +43,7 @@ TEST_F(cli_batch, one_failing_job_stops_no_other_and_drift_is_an_alarm) {
                                "  - {name: turned, sessions: [drive, turned]}\n",
                                "drift: {rotation_deg: 1}\n");
   const Outcome outcome = run("batch " + path("all.yaml") + " --jobs 2");
-  EXPECT_EQ(outcome.code, 2) << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.code, 3) << "an alarm is not lost in a failure: " << outcome.out << outcome.err;
   expect_contains(outcome.err, "none: does not exist");
   expect_contains(outcome.err, "alarm: turned, turned: yaw has changed by +");
   EXPECT_TRUE(is_usable(load_result(fleet.jobs[1].result).result));
@@ -53,7 +53,13 @@ TEST_F(cli_batch, one_failing_job_stops_no_other_and_drift_is_an_alarm) {
   expect_contains(csv, ",yes,");
   expect_contains(html, "3 jobs: 2 solved, 1 failed; drift in 1");
 
-  EXPECT_EQ(run("batch " + path("all.yaml") + " --table -q").code, 2);
+  EXPECT_EQ(run("batch " + path("all.yaml") + " --table -q").code, 3) << "nor in the table";
+  fleet_of("all.yaml",
+           "  - {name: broken, sessions: [none]}\n"
+           "  - {name: turned, sessions: [drive, turned]}\n",
+           "drift: {rotation_deg: 4}\n");
+  EXPECT_EQ(run("batch " + path("all.yaml") + " --table -q").code, 2) << "the failure alone";
+  EXPECT_EQ(run("batch " + path("all.yaml") + " -q").code, 2);
   fleet_of("all.yaml", "  - {name: turned, sessions: [drive, turned]}\n", "drift: {rotation_deg: 1}\n");
   EXPECT_EQ(run("batch " + path("all.yaml") + " --table -q").code, 3) << "drift alone";
   fleet_of("all.yaml", "  - {name: turned, sessions: [drive, turned]}\n", "drift: {rotation_deg: 4}\n");
@@ -146,7 +152,12 @@ TEST_F(cli_batch, a_job_that_failed_is_tried_again_and_its_failure_forgotten) {
   const Fleet fleet = fleet_of("later.yaml", "  - {name: v, sessions: [later]}\n");
   EXPECT_EQ(run("batch " + path("later.yaml") + " --job 1").code, 2);
   expect_contains(text_of(fleet.jobs[0].failure), "later: does not exist");
+  EXPECT_EQ(run("batch " + path("later.yaml") + " --table -q").code, 2);
   std::filesystem::copy(path("drive"), path("later"), std::filesystem::copy_options::recursive);
+  const Outcome waiting = run("batch " + path("later.yaml") + " --table");
+  EXPECT_EQ(waiting.code, 3) << "it is to be run again";
+  expect_contains(waiting.out, "v, later: waiting, ");
+  expect_contains(waiting.out, "later has changed; before that it failed: ");
   EXPECT_EQ(run("batch " + path("later.yaml") + " --job 1").code, 0);
   EXPECT_FALSE(std::filesystem::exists(fleet.jobs[0].failure));
   EXPECT_EQ(run("batch " + path("later.yaml") + " --table -q").code, 0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "model/batch/failed_job.h"
 #include "model/batch/fleet_table.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
@@ -130,6 +131,68 @@ TEST_F(fleet_rows_of, failures_damaged_results_and_other_settings_are_told_apart
   EXPECT_EQ(rows[3].state, JobState::OutOfDate);
   EXPECT_NE(rows[3].message.find("0.0.1"), std::string::npos) << rows[3].message;
   EXPECT_EQ(fleet_counts(rows), "4 jobs: 0 solved, 2 failed, 2 out of date; no drift");
+}
+
+// A failure belongs to what was asked for then: topics that were put right leave nothing of it.
+TEST_F(fleet_rows_of, a_failure_from_before_a_change_counts_no_more) {
+  const FleetJob& job = fleet_.jobs[3];
+  FleetVehicle& vehicle = fleet_.vehicles[job.vehicle];
+  vehicle.topics = {{"lidar", "/a"}};
+  make_job_folder(job);
+  save_failure(fleet_, job, "/a: cannot serve as lidar\nsecond line");
+  const auto row = [&] { return fleet_rows(fleet_)[3]; };
+  EXPECT_EQ(row().state, JobState::Failed);
+  EXPECT_EQ(row().message, "/a: cannot serve as lidar\nsecond line") << "what it was asked for is not part of it";
+  EXPECT_EQ(failure_message(job), row().message);
+
+  const auto expect_waits = [&](const std::string& why) {
+    EXPECT_EQ(row().state, JobState::Waiting);
+    EXPECT_EQ(row().message.find(why), 0U) << row().message;
+    EXPECT_NE(row().message.find("before that it failed: /a: cannot serve as lidar"), std::string::npos);
+    EXPECT_NE(fleet_text(fleet_, {row()}).find("waiting, " + why), std::string::npos) << fleet_text(fleet_, {row()});
+  };
+  vehicle.topics["lidar"] = "/b";
+  expect_waits("topics: lidar is /b, it was /a");
+  vehicle.topics.clear();
+  expect_waits("topics: lidar is left to be suggested, it was /a");
+  vehicle.topics = {{"lidar", "/a"}, {"gnss", "none"}};
+  expect_waits("topics: gnss is none, it was left to be suggested");
+  vehicle.topics = {{"lidar", "/a"}};
+  vehicle.settings.pairing.max_gap_s = 7.0;
+  expect_waits("pairing.max_gap_s ");
+  vehicle.settings = {};
+  vehicle.nominal = "1,0,2,0,0,0";
+  expect_waits("the nominal is 1,0,2,0,0,0, it was left to the sessions");
+  vehicle.nominal.clear();
+  EXPECT_EQ(row().state, JobState::Failed) << "as it was";
+  // Where a result is there from before, that is what counts.
+  make(3, result(1.0, 10.0, 0.001));
+  EXPECT_EQ(row().state, JobState::Failed);
+  vehicle.topics.clear();
+  EXPECT_EQ(row().state, JobState::Done);
+}
+
+TEST_F(fleet_rows_of, a_failure_is_old_where_a_session_was_written_since) {
+  const FleetJob& job = fleet_.jobs[3];
+  make_job_folder(job);
+  save_failure(fleet_, job, "mon: does not exist");
+  EXPECT_EQ(fleet_rows(fleet_)[3].state, JobState::Failed) << "still not there";
+  std::filesystem::create_directories(job.sessions[0]);
+  std::ofstream(job.sessions[0] / "ins.csv") << "time\n";
+  const FleetRow row = fleet_rows(fleet_)[3];
+  EXPECT_EQ(row.state, JobState::Waiting);
+  EXPECT_NE(row.message.find("mon has changed; before that it failed: mon: does not exist"), std::string::npos)
+      << row.message;
+}
+
+TEST_F(fleet_rows_of, the_table_names_result_files_that_are_there) {
+  make(0, result(1.0, 10.0, 0.001));
+  make(1, result(1.0, 10.0, 0.001));
+  save_failure(fleet_, fleet_.jobs[1], "tue: does not exist");
+  const std::string csv = fleet_csv(fleet_, fleet_rows(fleet_));
+  EXPECT_NE(csv.find(fleet_.jobs[0].result.string()), std::string::npos);
+  for (const std::size_t job : {1U, 2U, 3U})
+    EXPECT_EQ(csv.find(fleet_.jobs[job].result.string()), std::string::npos) << "job " << job << " has none";
 }
 
 // Every step is below the limit for one, and all together are not.

@@ -47,7 +47,7 @@ TEST(data_checks, inspect_and_report_tell_code_meaning_and_remedy) {
   report.file.findings = session.findings;
   const std::string page = report_html(report);
   for (const std::string_view part :
-       {std::string_view("ins-gaps"), std::string_view("1 gaps, the longest 1.020 s"), kind.meaning, kind.remedy}) {
+       {std::string_view("ins-gaps"), std::string_view("1 gap, the longest 1.020 s"), kind.meaning, kind.remedy}) {
     EXPECT_TRUE(contains(inspected, part)) << part << "\n" << inspected;
     EXPECT_TRUE(contains(page, part)) << part << "\n" << page;
   }

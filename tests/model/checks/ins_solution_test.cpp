@@ -16,7 +16,7 @@ TEST(ins_solution_check, gaps_frozen_solutions_and_status) {
   Session gap = good_drive();
   gap.ins.erase(gap.ins.begin() + 100, gap.ins.begin() + 150);
   EXPECT_EQ(said_of(found_by(ins_solution_check(), gap), "ins-gaps"),
-            "1 gaps, the longest 1.020 s; nothing is interpolated across them.");
+            "1 gap, the longest 1.020 s; nothing is interpolated across them.");
   Session frozen = good_drive();
   for (std::size_t i = 200; i < 300; ++i) {
     const std::int64_t stamp_ns = frozen.ins[i].stamp_ns;

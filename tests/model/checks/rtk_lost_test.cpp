@@ -11,7 +11,7 @@ TEST(rtk_check, a_stated_error_that_grows_from_centimetres_to_metres_is_named) {
   for (std::size_t i = 300; i < 400; ++i) session.ins[i].sigma.position_enu_m.setConstant(1.2);
   const std::string said = said_of(found_by(rtk_check(), session), "rtk-lost");
   EXPECT_EQ(said,
-            "The stated error of the position grows from 0.014 m to 1.70 m in 1 stretches, 20 % of the drive: "
+            "The stated error of the position grows from 0.014 m to 1.70 m in 1 stretch, 20 % of the drive: "
             "corrections (RTK) were lost.");
 }
 

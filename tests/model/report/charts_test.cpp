@@ -96,7 +96,7 @@ TEST(report_charts, bars_are_as_high_as_the_residuals) {
   pairs[1].residual_translation_m = 0.05;
   pairs[2].residual_translation_m = std::nan("");
   pairs[1].state = PairState::Rejected;
-  const auto bars = shapes_of<DrawnBox>(residual_chart(pairs, ResidualKind::Translation, english));
+  const auto bars = shapes_of<DrawnBox>(residual_chart(pairs, ChartedResidual::Translation, english));
   ASSERT_EQ(bars.size(), 2U);
   EXPECT_NEAR(bars[1].size.y() / bars[0].size.y(), 0.5, 1e-9);
   EXPECT_NE(bars[0].color, bars[1].color) << "rejected ones are told apart";
@@ -108,13 +108,13 @@ TEST(report_charts, a_wild_pair_that_was_rejected_leaves_the_others_their_height
   pairs[0].state = pairs[1].state = PairState::Accepted;
   pairs[2].residual_translation_m = 2.0;
   pairs[2].state = PairState::Rejected;
-  const Drawing drawing = residual_chart(pairs, ResidualKind::Translation, english);
+  const Drawing drawing = residual_chart(pairs, ChartedResidual::Translation, english);
   const auto bars = shapes_of<DrawnBox>(drawing);
   ASSERT_EQ(bars.size(), 3U);
   EXPECT_NEAR(bars[0].size.y() / bars[2].size.y(), 0.5, 1e-9) << "the axis ends at 2 cm";
   EXPECT_NE(words_of(drawing).find("higher bars are cut"), std::string::npos);
   pairs.pop_back();
-  EXPECT_EQ(words_of(residual_chart(pairs, ResidualKind::Translation, english)).find("are cut"), std::string::npos);
+  EXPECT_EQ(words_of(residual_chart(pairs, ChartedResidual::Translation, english)).find("are cut"), std::string::npos);
 }
 
 }  // namespace

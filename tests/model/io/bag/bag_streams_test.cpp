@@ -50,8 +50,8 @@ TEST_F(bag_streams, fixes_without_fix_or_orientation_are_left_out_and_counted) {
   bag.finish();
   const Session session = open(path());
   EXPECT_EQ(said(session, "ins-incomplete", Severity::Warning),
-            "3 messages have no fix and 2 no orientation beside them; they are left out.");
-  EXPECT_EQ(said(session, "no-fix", Severity::Note), "3 messages have no fix and are left out.");
+            "3 messages have no fix and 2 no orientation beside: left out.");
+  EXPECT_EQ(said(session, "no-fix", Severity::Note), "3 messages have no fix: left out.");
   EXPECT_EQ(said(session, "gnss-covariance-unknown", Severity::Note),
             "38 fixes do not state their covariance; a sigma of 1 m is assumed.");
   EXPECT_EQ(session.ins.size(), 36U);

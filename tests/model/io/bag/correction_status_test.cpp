@@ -36,7 +36,7 @@ Session drive_with(const fs::path& path, bool orientation, int usual, int status
 TEST(correction_status, a_status_that_falls_is_named_without_a_covariance) {
   const TemporaryFolder folder;
   const std::string expected =
-      "The status of the position falls from STATUS_GBAS_FIX to STATUS_FIX in 1 stretches, 10 % of the drive: "
+      "The status of the position falls from STATUS_GBAS_FIX to STATUS_FIX in 1 stretch, 10 % of the drive: "
       "corrections (RTK) were lost.";
   EXPECT_EQ(said_of(drive_with(folder.path() / "gnss.bag", false, 2, 0), "/fix"), expected);
   const Session session = drive_with(folder.path() / "ins.bag", true, 2, 0);
@@ -65,8 +65,8 @@ TEST(correction_status, a_position_type_of_inspvax_that_falls_is_named) {
     bag.add_inspvax("/inspvax", 20, 1, type, 80);
     bag.finish();
     const std::string expected = type == 56U   ? ""
-                                 : type == 55U ? "falls from INS_RTKFIXED to INS_RTKFLOAT in 1 stretches, 20 %"
-                                               : "falls from INS_RTKFIXED to INS_PSRSP in 1 stretches, 20 %";
+                                 : type == 55U ? "falls from INS_RTKFIXED to INS_RTKFLOAT in 1 stretch, 20 %"
+                                               : "falls from INS_RTKFIXED to INS_PSRSP in 1 stretch, 20 %";
     const std::string said = said_of(open(path), "/inspvax");
     EXPECT_EQ(said.empty(), expected.empty()) << said;
     EXPECT_TRUE(contains(said, expected)) << said;
@@ -84,7 +84,7 @@ TEST(correction_status, what_comes_before_rtk_and_what_has_no_position_is_no_los
   positions.insert(positions.begin() + 70, 5, {2, "INS_RTKFLOAT"});
   report_lost_corrections(positions, "/inspvax", findings);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_TRUE(contains(findings.front().explanation, "from INS_RTKFIXED to INS_RTKFLOAT in 1 stretches"))
+  EXPECT_TRUE(contains(findings.front().explanation, "from INS_RTKFIXED to INS_RTKFLOAT in 1 stretch"))
       << findings.front().explanation;
 }
 

@@ -117,7 +117,10 @@ TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
           EXPECT_TRUE(contains(finding->explanation, std::to_string(count) + " messages")) << finding->explanation;
           ++warned;
         } else {
-          EXPECT_EQ(count, messages.size()) << "cut at byte " << length << " without a word";
+          const Finding* end = find(*bag, "bag-cut-end");
+          ASSERT_NE(end, nullptr) << "cut at byte " << length << " without a word";
+          EXPECT_TRUE(contains(end->explanation, "reading them: " + std::to_string(count) + ".")) << end->explanation;
+          EXPECT_EQ(count, messages.size()) << "cut at byte " << length;
         }
       } catch (const Error& error) {
         EXPECT_EQ(most, 0u) << "cut at byte " << length << ": " << error.what();
@@ -130,6 +133,38 @@ TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
     EXPECT_EQ(most, messages.size());
     EXPECT_GT(warned, 10u);
   }
+}
+
+// A copy that stopped a little too early: all messages are there, and nothing else would tell.
+TEST(mcap_file, that_lacks_a_few_bytes_at_its_end_says_so) {
+  const TemporaryFolder folder;
+  const std::vector<TestMessage> messages = test_messages(30);
+  for (const ChunkCompression compression : kCompressions) {
+    const std::string bytes = written(folder, compression, messages);
+    for (std::size_t missing = 1; missing <= 60; ++missing) {
+      const auto bag = open_quietly(folder.write("a.mcap", bytes.substr(0, bytes.size() - missing)));
+      EXPECT_EQ(count_and_check(*bag, messages), messages.size()) << missing;
+      ASSERT_EQ(bag->findings().size(), 1u) << missing << " bytes are missing";
+      EXPECT_EQ(bag->findings()[0].code, "bag-cut-end") << missing;
+      EXPECT_EQ(bag->findings()[0].severity, Severity::Warning);
+    }
+    // One bit of the summary: its checksum tells.
+    std::string flipped = bytes;
+    flipped[bytes.size() - 60] = static_cast<char>(flipped[bytes.size() - 60] ^ 1);
+    EXPECT_NE(find(*open_quietly(folder.write("a.mcap", flipped)), "bag-cut-end"), nullptr);
+  }
+}
+
+// What a writer may leave out is no damage.
+TEST(mcap_file, whose_summary_does_not_repeat_the_channels_is_read_without_a_word) {
+  const TemporaryFolder folder;
+  std::string bytes = chunked();
+  const std::string repeated = schema() + channel();
+  const std::size_t at = bytes.rfind(repeated);
+  bytes.erase(at, repeated.size());
+  const auto bag = open_quietly(folder.write("a.mcap", bytes));
+  expect_hello(*bag);
+  EXPECT_TRUE(bag->findings().empty()) << bag->findings()[0].explanation;
 }
 
 TEST(mcap_file, of_lies_is_refused_or_read_from_its_beginning) {

@@ -13,19 +13,20 @@ inline void run(sqlite3* database, const std::string& sql) {
   ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &problem), SQLITE_OK) << problem;
 }
 
+inline constexpr const char* kRosbag2Tables =
+    "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,"
+    " serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL);"
+    "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL,"
+    " data BLOB NOT NULL);"
+    "CREATE INDEX timestamp_idx ON messages (timestamp ASC);";
+
 /// The tables that rosbag2 makes. @param topics names and types; messages name them by their place from 0
 inline void write_database(const fs::path& path, const std::vector<std::pair<std::string, std::string>>& topics,
                            const std::vector<TestMessage>& messages, bool packed = false) {
   fs::create_directories(path.parent_path());
   sqlite3* database = nullptr;
   ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
-  run(database,
-      "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,"
-      " serialization_format TEXT NOT NULL, offered_qos_profiles TEXT NOT NULL);"
-      "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL,"
-      " data BLOB NOT NULL);"
-      "CREATE INDEX timestamp_idx ON messages (timestamp ASC);"
-      "BEGIN;");
+  run(database, std::string(kRosbag2Tables) + "BEGIN;");
   for (const auto& [name, type] : topics)
     run(database, "INSERT INTO topics(name, type, serialization_format, offered_qos_profiles) VALUES('" + name +
                       "', '" + type + "', 'cdr', '')");

@@ -1,0 +1,21 @@
+// Why a job of a fleet could not be run, kept beside its result, with what it was asked to do then.
+#pragma once
+
+#include <string>
+
+#include "model/batch/fleet.h"
+
+namespace remount {
+
+/// A text for people; below a line "---" version, nominal, topics and settings for why_failure_is_old.
+/// Throws Error(Io).
+void save_failure(const Fleet& fleet, const FleetJob& job, const std::string& message);
+
+/// The reason; empty where there is none. Throws Error(Io).
+std::string failure_message(const FleetJob& job);
+
+/// What has changed since the job failed, so that it may not fail any more: the program, what the fleet asks for, or
+/// something where its sessions lie. Empty where nothing has. Throws Error(Io).
+std::string why_failure_is_old(const Fleet& fleet, const FleetJob& job);
+
+}  // namespace remount
