@@ -23,7 +23,7 @@ constexpr RegistrationErrors kBest{0.002, 1e-4};
 /// Turns this small follow steering and braking too closely to show a lever arm, where the log states no errors.
 constexpr double kUndeclaredAttitude_rad = 0.005;
 /// How many times larger than supposed the errors of a drive are where they are, as a rule.
-constexpr double kLarger = 1.6;
+constexpr double kLarger = 1.25;
 
 struct ExpectedNoise {
   double position2_m2, attitude2_rad2;  ///< of the difference of two INS poses

@@ -175,7 +175,7 @@ TEST(session_report, what_lies_close_to_the_limit_is_neither_promised_nor_denied
   Session session = example(0, Road::Hilly);
   int open = 0, sure = 0;
   bool was_sure = false;
-  for (double tilt = 0.002; tilt < 0.1; tilt *= 1.25) {
+  for (double tilt = 0.002; tilt < 0.3; tilt *= 1.25) {
     for (std::size_t i = 0; i < session.world_from_ins.size(); ++i) {
       const double time_s = 0.01 * static_cast<double>(i);
       session.world_from_ins[i].pose.linear() = rotation_from_yaw_pitch_roll(
