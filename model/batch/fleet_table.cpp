@@ -62,7 +62,10 @@ std::string csv_number(double value) { return std::isfinite(value) ? shortest(va
 /// One line; what holds commas or quotes is quoted.
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + csv_cell(cells[i]);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) line += ',';
+    line += csv_cell(cells[i]);
+  }
   return line + "\n";
 }
 
