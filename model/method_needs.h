@@ -18,7 +18,7 @@ struct MethodNeeds {
   std::string (*lack)(const Session& session) = nullptr;
   /// What of the mounting the streams of a session that serves leave out: "the antenna's lever arm alone". May be null.
   std::string_view (*limit)(const Session& session) = nullptr;
-  std::string_view proviso;  ///< what the streams do not show: "if it is a recording of an excavator"
+  std::string_view proviso = {};  ///< what the streams do not show: "if it is a recording of an excavator"
 };
 
 const MethodNeeds& needs_of(MethodChoice method);
