@@ -5,8 +5,6 @@
 #include <array>
 #include <string>
 
-#include "model/session_frames.h"
-
 namespace remount {
 namespace {
 
@@ -19,7 +17,7 @@ struct Step {
 };
 
 /// Between the mean positions of successive half seconds: single samples are noisy.
-std::vector<Step> steps_of(const std::vector<StampedPose>& poses) {
+std::vector<Step> steps_of(const MetricPoses& poses) {
   constexpr std::int64_t kBlock_ns = 500'000'000;
   constexpr double kSlowest_mps = 2.0, kFastest_mps = 100.0;
   struct Block {
@@ -29,13 +27,16 @@ std::vector<Step> steps_of(const std::vector<StampedPose>& poses) {
   };
   std::vector<Block> blocks;
   std::int64_t number = 0;
+  std::int64_t begin_ns = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::int64_t here = (poses[i].stamp_ns - poses.front().stamp_ns) / kBlock_ns;
+    const StampedPose pose = poses[i];
+    if (i == 0) begin_ns = pose.stamp_ns;
+    const std::int64_t here = (pose.stamp_ns - begin_ns) / kBlock_ns;
     if (i == 0 || here != number) blocks.emplace_back();
     number = here;
     Block& block = blocks.back();
-    block.position += poses[i].pose.translation();
-    block.time_s += static_cast<double>(poses[i].stamp_ns - poses.front().stamp_ns) * 1e-9;
+    block.position += pose.pose.translation();
+    block.time_s += static_cast<double>(pose.stamp_ns - begin_ns) * 1e-9;
     block.count += 1.0;
     block.last = i;
   }
@@ -123,18 +124,22 @@ void judge_heading(const std::vector<Step>& steps, const std::string& where, std
   else if (steps.size() >= kManySteps && declared < kAtRandom)
     findings.push_back({Severity::Warning, "heading-against-travel", where,
                         "The heading of the INS does not follow the direction of travel: check the convention of the "
-                        "attitude, and which column is yaw. A vehicle that moves sideways at will may look so too."});
+                        "attitude, and whether what is taken for yaw is it. A vehicle that moves sideways at will may "
+                        "look so too."});
 }
 
 }  // namespace
 
 std::vector<Finding> attitude_findings(const Session& session) {
+  return attitude_findings(session, MetricPoses(session));
+}
+
+std::vector<Finding> attitude_findings(const Session& session, const MetricPoses& poses) {
   constexpr double kDown = -0.5;
   std::vector<Finding> findings;
-  const std::vector<StampedPose> poses = metric_poses(session);
   judge_heading(steps_of(poses), session.name, findings);
   double up = 0.0;
-  for (const StampedPose& pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
+  for (const StampedPose pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
   if (!session.ins.empty() && up < kDown)
     findings.push_back({Severity::Warning, "attitude-upside-down", session.name,
                         "The z axis of the INS points down, where its axes are declared with z up: is it mounted so? "

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "model/metric_poses.h"
 #include "model/session.h"
 
 namespace remount {
@@ -14,6 +15,7 @@ namespace remount {
 /// constant direction of travel is fine: sensors are mounted sideways and backwards, and vehicles drive in reverse.
 /// Nothing where the vehicle moves for less than some five seconds.
 std::vector<Finding> attitude_findings(const Session& session);
+std::vector<Finding> attitude_findings(const Session& session, const MetricPoses& poses);
 
 /// Where another convention is the right one, what was solved becomes inconsistent, and the advice says so first.
 void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& result);
