@@ -7,6 +7,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/trajectory/pairing.h"
+#include "model/assumed_tilt.h"
 #include "model/pipeline/drive_motion.h"
 
 namespace remount {
@@ -75,9 +76,15 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   // Pairs of the same keyframes repeat each other: no more independent motions than keyframes.
   const double independent =
       pairs.empty() ? 0.0 : std::min(1.0, static_cast<double>(keyframes.size()) / static_cast<double>(pairs.size()));
-  const MotionSummary summary = summarise_motion(pairs);
+  const double tilt_rad = assumed_tilt_sigma_rad(session.ins);
+  MotionSummary summary = summarise_motion(pairs);
+  summary.tilt_assumed = tilt_rad > 0.0;
   const auto directions = observed_directions(independent * sum.apparent, sum, summary, settings.solve);
-  const Matrix6d covariance = (trusted_information(directions, settings.solve) + weak_prior(false)).inverse();
+  Matrix6d covariance = (trusted_information(directions, settings.solve) + weak_prior(false)).inverse();
+  if (summary.tilt_assumed) {
+    covariance += assumed_tilt_covariance(result.ins_from_lidar, tilt_rad);
+    covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt_rad);
+  }
   judge_parameters(covariance, summary, settings.solve, result);
   outlook.determinable = result.observed;
   const bool anything = std::any_of(result.observed.begin(), result.observed.end(), [](bool told) { return told; });
