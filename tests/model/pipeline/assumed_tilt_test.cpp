@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "model/checks/data_check.h"
 #include "model/io/input_file.h"
 #include "model/methods/calibration_method.h"
 #include "model/motion_outlook.h"
@@ -115,6 +116,8 @@ TEST(assumed_tilt, is_told_before_anything_is_calibrated) {
   EXPECT_TRUE(outlook.determinable[kYaw]);
   for (const std::size_t open : {kZ, kPitch, kRoll}) EXPECT_FALSE(outlook.determinable[open]) << kParameterNames[open];
   EXPECT_TRUE(has_text(outlook.advice, "The log has a heading and neither roll nor pitch"));
+  for (const Finding& finding : drive_findings(*drive.session))
+    EXPECT_NE(finding.code, "flat-driving") << "a ramp would not show";
 }
 
 TEST(assumed_tilt, does_not_spoil_a_drive_that_measured_it) {
