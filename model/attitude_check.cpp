@@ -190,7 +190,8 @@ void judge_heading(const Session& session, const std::vector<TravelStep>& steps,
   else if (steps.size() >= kManySteps && declared < kAtRandom)
     findings.push_back({Severity::Warning, "heading-against-travel", session.name,
                         "The heading of the INS does not follow the direction of travel: check the convention of the "
-                        "attitude, and which column is yaw. A vehicle that moves sideways at will may look so too."});
+                        "attitude, and whether what is taken for yaw is it. A vehicle that moves sideways at will may "
+                        "look so too."});
 }
 
 /// The reader has compared the units of the angles with the direction of travel: that is the cause, then.
@@ -202,20 +203,24 @@ bool unit_is_to_blame(const Session& session) {
 }  // namespace
 
 std::vector<Finding> attitude_findings(const Session& session) {
+  return attitude_findings(session, MetricPoses(session));
+}
+
+std::vector<Finding> attitude_findings(const Session& session, const MetricPoses& poses) {
   constexpr double kDown = -0.5;
   std::vector<Finding> findings;
-  const std::vector<StampedPose> poses = metric_poses(session);
   if (unit_is_to_blame(session)) return findings;
   judge_heading(session, travel_steps(poses), findings);
   double up = 0.0;
-  for (const StampedPose& pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
+  for (const StampedPose pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
   if (!session.ins.empty() && up < kDown)
     findings.push_back({Severity::Warning, "attitude-upside-down", session.name,
                         "The z axis of the INS points down, where its axes are declared with z up: is it mounted so? "
                         "Otherwise check the convention of the attitude (ENU or NED, roll by 180 degrees)."});
   // Where yaw is something else, slopes and forces prove nothing.
   if (findings.empty())
-    if (std::optional<Finding> finding = attitude_column_finding(session)) findings.push_back(std::move(*finding));
+    if (std::optional<Finding> finding = attitude_column_finding(session, poses))
+      findings.push_back(std::move(*finding));
   return findings;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "model/metric_poses.h"
 #include "model/session.h"
 
 namespace remount {
@@ -17,6 +18,7 @@ namespace remount {
 /// where the vehicle moves for less than some five seconds, and where the reader found that the unit of the angles is
 /// wrong.
 std::vector<Finding> attitude_findings(const Session& session);
+std::vector<Finding> attitude_findings(const Session& session, const MetricPoses& poses);
 
 /// Where one of those Problems was found, what was solved becomes inconsistent, and the advice says so first.
 void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& result);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/trajectory/motion_track.h"
+#include "model/assumed_tilt.h"
 #include "model/session_frames.h"
 #include "model/travel_steps.h"
 
@@ -223,11 +224,16 @@ Finding finding_of(unsigned found, const char* witness, const std::string& where
 
 }  // namespace
 
-std::optional<Finding> attitude_column_finding(const Session& session) {
-  if (session.ins.empty()) return std::nullopt;  // poses of a file have axes of their own
-  std::vector<StampedPose> poses = metric_poses(session);
+std::optional<Finding> attitude_column_finding(const Session& session, const MetricPoses& metric) {
+  // Poses of a file have axes of their own; a tilt that nobody measured is right or wrong in no column.
+  if (session.ins.empty() || assumed_tilt_sigma_rad(session.ins) > 0.0) return std::nullopt;
   const Eigen::Matrix3d ins_from_level = forward_left_up_from(session.ins_axes).linear().transpose();
-  for (StampedPose& pose : poses) pose.pose.linear() = pose.pose.linear() * ins_from_level;
+  std::vector<StampedPose> poses;
+  poses.reserve(metric.size());
+  for (StampedPose pose : metric) {
+    pose.pose.linear() = pose.pose.linear() * ins_from_level;
+    poses.push_back(pose);
+  }
   const unsigned by_slope = suspects(misfits_of_slope(travel_steps(poses))),
                  by_force = suspects(misfits_of_force(session, poses)),
                  by_turns = suspects(misfits_of_turns(turns_of_odometry(session, poses)));

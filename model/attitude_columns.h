@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/metric_poses.h"
 #include "model/session.h"
 
 namespace remount {
@@ -20,8 +21,9 @@ struct SharedTurn {
 /// Finding "attitude-columns" (Problem) where pitch and roll contradict what else is known, and would agree with it
 /// exchanged or with another sign. What is asked: the slope of the path (pitch; of roll it knows nothing), the specific
 /// force of the IMU, the turns of a LiDAR's odometry (these do not see half a turn about the vertical: pitch and roll
-/// both negated, or exchanged with one of them negated). Nothing where none of them varies enough, as on level ground.
-std::optional<Finding> attitude_column_finding(const Session& session);
+/// both negated, or exchanged with one of them negated). Nothing where none of them varies enough, as on level ground,
+/// and where pitch and roll are assumed to be none.
+std::optional<Finding> attitude_column_finding(const Session& session, const MetricPoses& poses);
 
 /// The same from turns alone: those that were registered.
 std::optional<Finding> attitude_column_finding(const std::vector<SharedTurn>& turns, const std::string& where);

@@ -7,6 +7,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/trajectory/pairing.h"
+#include "model/assumed_tilt.h"
 #include "model/pipeline/drive_motion.h"
 
 namespace remount {
@@ -59,11 +60,16 @@ void add_pair(const Pair& pair, const RigidTransform& ins_from_lidar, const Expe
 
 /// What would be observed if all errors were `times` as large as they are supposed to be.
 void judge_supposing(double times, SpuriousInformation information, double independent, const MotionSummary& summary,
-                     const SolveOptions& options, CalibrationResult& result) {
+                     double tilt_rad, const SolveOptions& options, CalibrationResult& result) {
   // What noise feigns grows as its weight falls, and stays what it is.
   information.apparent /= times * times;
   const auto directions = observed_directions(independent * information.apparent, information, summary, options);
-  judge_parameters((trusted_information(directions, options) + weak_prior(false)).inverse(), summary, options, result);
+  Matrix6d covariance = (trusted_information(directions, options) + weak_prior(false)).inverse();
+  if (summary.tilt_assumed) {
+    covariance += assumed_tilt_covariance(result.ins_from_lidar, tilt_rad);
+    covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt_rad);
+  }
+  judge_parameters(covariance, summary, options, result);
 }
 
 }  // namespace
@@ -93,11 +99,13 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   // Pairs of the same keyframes repeat each other: no more independent motions than keyframes.
   const double independent =
       pairs.empty() ? 0.0 : std::min(1.0, static_cast<double>(keyframes.size()) / static_cast<double>(pairs.size()));
-  const MotionSummary summary = summarise_motion(pairs);
+  const double tilt_rad = assumed_tilt_sigma_rad(session.ins);
+  MotionSummary summary = summarise_motion(pairs);
+  summary.tilt_assumed = tilt_rad > 0.0;
   CalibrationResult by_larger = result, by_smaller = result;
-  judge_supposing(1.0, usual, independent, summary, settings.solve, result);
-  judge_supposing(kLarger, usual, independent, summary, settings.solve, by_larger);
-  judge_supposing(1.0, best, independent, summary, settings.solve, by_smaller);
+  judge_supposing(1.0, usual, independent, summary, tilt_rad, settings.solve, result);
+  judge_supposing(kLarger, usual, independent, summary, tilt_rad, settings.solve, by_larger);
+  judge_supposing(1.0, best, independent, summary, tilt_rad, settings.solve, by_smaller);
   outlook.determinable = result.observed;
   for (std::size_t i = 0; i < outlook.open.size(); ++i)
     outlook.open[i] = by_larger.observed[i] != by_smaller.observed[i];

@@ -15,16 +15,19 @@ struct Block {
   std::size_t first = 0, last = 0;  ///< of its poses
 };
 
-std::vector<Block> blocks_of(const std::vector<StampedPose>& poses) {
+template <class Poses>
+std::vector<Block> blocks_of(const Poses& poses) {
   constexpr std::int64_t kBlock_ns = 500'000'000;
   std::vector<Block> blocks;
-  std::int64_t number = 0;
+  std::int64_t number = 0, begin_ns = 0;
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    const std::int64_t since_ns = poses[i].stamp_ns - poses.front().stamp_ns, here = since_ns / kBlock_ns;
+    const StampedPose pose = poses[i];
+    if (i == 0) begin_ns = pose.stamp_ns;
+    const std::int64_t since_ns = pose.stamp_ns - begin_ns, here = since_ns / kBlock_ns;
     if (i == 0 || here != number) blocks.push_back({.first = i});
     number = here;
     Block& block = blocks.back();
-    block.position += poses[i].pose.translation();
+    block.position += pose.pose.translation();
     block.time_s += static_cast<double>(since_ns) * 1e-9;
     block.last = i;
   }
@@ -45,8 +48,8 @@ std::optional<TravelStep> step_between(const Block& from, const Block& to, const
 }
 
 /// At a walking pace a whole second, whose halves lead the same way: a receiver that stands wanders to and fro.
-std::optional<TravelStep> slow_step(const std::vector<Block>& blocks, std::size_t k,
-                                    const std::vector<StampedPose>& poses) {
+template <class Poses>
+std::optional<TravelStep> slow_step(const std::vector<Block>& blocks, std::size_t k, const Poses& poses) {
   constexpr double kAlike = 0.7;
   const Block &from = blocks[k - 2], &middle = blocks[k - 1], &to = blocks[k];
   const std::size_t at = (middle.first + middle.last) / 2;
@@ -55,10 +58,8 @@ std::optional<TravelStep> slow_step(const std::vector<Block>& blocks, std::size_
   return step_between(from, to, poses[at].pose.linear(), kWalking_mps);
 }
 
-}  // namespace
-
-std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_ins) {
-  const std::vector<StampedPose>& poses = world_from_ins;
+template <class Poses>
+std::vector<TravelStep> steps_of(const Poses& poses) {
   const std::vector<Block> blocks = blocks_of(poses);
   std::vector<TravelStep> steps;
   std::size_t reached = 0;
@@ -72,5 +73,13 @@ std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_
   }
   return steps;
 }
+
+}  // namespace
+
+std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_ins) {
+  return steps_of(world_from_ins);
+}
+
+std::vector<TravelStep> travel_steps(const MetricPoses& world_from_ins) { return steps_of(world_from_ins); }
 
 }  // namespace remount

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "algorithms/trajectory/ins_sample.h"
+#include "model/metric_poses.h"
 
 namespace remount {
 
@@ -18,5 +19,6 @@ struct TravelStep {
 /// Between the mean positions of successive half seconds, for single samples are noisy; those at 2 to 100 m/s. From 1
 /// m/s on of whole seconds, where their halves lead the same way.
 std::vector<TravelStep> travel_steps(const std::vector<StampedPose>& world_from_ins);
+std::vector<TravelStep> travel_steps(const MetricPoses& world_from_ins);
 
 }  // namespace remount

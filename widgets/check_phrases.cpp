@@ -47,13 +47,13 @@ const std::vector<const char*>& check_phrases() {
                         "The INS repeats one position for %1 s, while its attitude changes and the vehicle drives on."),
       // what each code means, and what to do about it
       QT_TRANSLATE_NOOP("remount::model", "Every relative motion of the INS is wrong; no result stands on it."),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "Declare the convention that the finding names; in session.yaml it is ins.columns.attitude.convention."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Declare the convention that the finding names (CSV: ins.columns.attitude.convention), or set "
+                        "it in the INS."),
       QT_TRANSLATE_NOOP("remount::model", "Heading and direction of travel have nothing to do with each other."),
       QT_TRANSLATE_NOOP(
           "remount::model",
-          "Look which column is the heading, and how it counts; set the mounting of the INS in the INS itself."),
+          "Look what the log has for a heading, and how it counts; set the mounting of the INS in the INS itself."),
       QT_TRANSLATE_NOOP("remount::model", "Roll of the INS is off by half a turn, and that of the result with it."),
       QT_TRANSLATE_NOOP("remount::model", "Declare the convention of the attitude (ENU or NED) as the INS has it."),
       QT_TRANSLATE_NOOP("remount::model", "Scans and INS have no instant in common: there is nothing to compare."),
@@ -170,7 +170,11 @@ const std::vector<const char*>& check_phrases() {
                         "Declare the unit of the specific force; record raw values, with gravity in them."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Roll and pitch are guesses: of the mounting only yaw, and x and y, can be relied on."),
-      QT_TRANSLATE_NOOP("remount::model", "Log PASHR as well, or use an INS."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Log PASHR as well, or use an INS; or give what you measured, or the height of the INS above ground."),
+      QT_TRANSLATE_NOOP("remount::model", "The recording was stopped, or copied, before it was complete."),
+      QT_TRANSLATE_NOOP("remount::model", "Copy the log again, whole. What lies before the cut is used."),
       QT_TRANSLATE_NOOP("remount::model", "In turns, headings may be those of the next position."),
       QT_TRANSLATE_NOOP(
           "remount::model",

@@ -24,7 +24,8 @@ const std::vector<const char*>& file_phrases() {
                         "the convention of the attitude. No mounting can be right with this one."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The heading of the INS does not follow the direction of travel: check the convention of the "
-                        "attitude, and which column is yaw. A vehicle that moves sideways at will may look so too."),
+                        "attitude, and whether what is taken for yaw is it. A vehicle that moves sideways at will may "
+                        "look so too."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The z axis of the INS points down, where its axes are declared with z up: is it mounted so? "
                         "Otherwise check the convention of the attitude (ENU or NED, roll by 180 degrees)."),

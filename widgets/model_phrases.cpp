@@ -41,6 +41,7 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "the drive hardly turned"),
       QT_TRANSLATE_NOOP("remount::model", "flat driving"),
       QT_TRANSLATE_NOOP("remount::model", "too little motion for it"),
+      QT_TRANSLATE_NOOP("remount::model", "roll and pitch of the INS are assumed, not measured"),
       QT_TRANSLATE_NOOP("remount::model", "the clocks of lidar and INS differ"),
       QT_TRANSLATE_NOOP("remount::model", "contradicts the INS motion by %1 m, %2 deg (%3 sigma)"),
       QT_TRANSLATE_NOOP("remount::model",
@@ -106,6 +107,10 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "%1 needs travel: drive at least a few tens of metres with good INS quality."),
       QT_TRANSLATE_NOOP("remount::model", "Roll needs turns or slopes: a straight drive does not show it."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, "
+                        "pitch and roll of the mounting cannot be told from it. Log roll and pitch as well (PASHR), or "
+                        "give what you measured: z, pitch and roll, or the height of the INS above the ground."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 "
                         "degrees are enough), or drive longer, with turns to both sides."),

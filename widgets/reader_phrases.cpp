@@ -89,15 +89,20 @@ const std::vector<const char*>& reader_phrases() {
       // GNSS: NMEA and GPX
       QT_TRANSLATE_NOOP("remount::model", "%1 without usable values"),
       QT_TRANSLATE_NOOP("remount::model", "the checksum is wrong"),
+      QT_TRANSLATE_NOOP("remount::model", "the checksum of a %1 is missing, which the others have"),
+      QT_TRANSLATE_NOOP("remount::model", "The log ends within a sentence, which is left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "holds no date that can be used: the sentences that tell it (RMC, ZDA) are damaged. First "
+                        "problem: %1"),
       QT_TRANSLATE_NOOP("remount::model", "holds no GGA sentence with a fix."),
       QT_TRANSLATE_NOOP("remount::model", "holds no GGA sentence with a fix. First problem: %1"),
       QT_TRANSLATE_NOOP("remount::model", "holds no date: GGA tells the time of day alone. Log RMC or ZDA as well"),
       QT_TRANSLATE_NOOP("remount::model",
                         "The log does not state errors (GST): what the quality of a fix usually means is assumed."),
       QT_TRANSLATE_NOOP("remount::model", "Heights are above sea level, for the log does not give the geoid's."),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "The log has a heading (HDT) and no roll and pitch: they are taken to be zero, good to some degrees."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The log has a heading (HDT) and no roll and pitch: they are taken to be zero, with an error "
+                        "of 3 degrees (1 sigma) that lasts over the drive."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The log does not show whether a heading (HDT) stands before or behind the position of its "
                         "time: it is taken to stand behind. Otherwise headings come one position too early."),

@@ -79,7 +79,7 @@ void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const
 void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
                 NormalEquations& equations, Entries& entries) {
   for (std::size_t k = 0; k < state.errors.size(); ++k) {
-    const Eigen::LDLT<Matrix6d> covariance(noise.node_covariance(problem.nodes[k].scan_covariance));
+    const Eigen::LDLT<Matrix6d> covariance(node_covariance(problem, noise, k));
     const Matrix6d information = covariance.solve(Matrix6d::Identity());
     const Vector6d weighted = information * state.errors[k];
     const int at = layout.node_at(k);
@@ -100,7 +100,9 @@ void add_priors(const JointProblem& problem, const NoiseModel& noise, const Stat
     if (layout.bias) {
       const double sigma =
           std::max(kHeldSigma_rad, problem.session_attitude_bias_sigma_rad[static_cast<std::size_t>(s)]);
-      for (int i = 0; i < 3; ++i) prior(layout.bias_at(s) + i, sigma, state.shared[layout.bias_at(s) + i]);
+      const double tilt = std::hypot(sigma, tilt_sigma_rad(problem, s));
+      for (int i = 0; i < 3; ++i)
+        prior(layout.bias_at(s) + i, i < 2 ? tilt : sigma, state.shared[layout.bias_at(s) + i]);
     }
     if (layout.clock) prior(layout.clock_at(s), problem.time_offset_prior_sigma_s, state.shared[layout.clock_at(s)]);
   }
@@ -160,9 +162,22 @@ Layout layout_of(const JointProblem& problem, const NoiseModel& noise) {
   Layout layout;
   layout.sessions = static_cast<int>(problem.session_attitude_bias_sigma_rad.size());
   for (const double sigma : problem.session_attitude_bias_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
+  for (const double sigma : problem.session_tilt_sigma_rad) layout.bias = layout.bias || sigma > 0.0;
   layout.clock = problem.estimate_time_offset;
   layout.drift = noise.drifts();
   return layout;
+}
+
+double tilt_sigma_rad(const JointProblem& problem, int session) {
+  const auto at = static_cast<std::size_t>(session);
+  return at < problem.session_tilt_sigma_rad.size() ? problem.session_tilt_sigma_rad[at] : 0.0;
+}
+
+Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, std::size_t node) {
+  Matrix6d covariance = noise.node_covariance(problem.nodes[node].scan_covariance);
+  const double tilt = tilt_sigma_rad(problem, problem.nodes[node].session);
+  covariance.diagonal().segment<2>(3).array() += tilt * tilt;
+  return covariance;
 }
 
 bool is_first_of_session(const JointProblem& problem, std::size_t node) {

@@ -64,6 +64,12 @@ struct LinearTerm {
 
 std::vector<LinearTerm> linearise(const JointProblem& problem, const State& state, const Layout& layout);
 
+/// Of roll and pitch that are assumed in a session; 0: they were measured.
+double tilt_sigma_rad(const JointProblem& problem, int session);
+
+/// Covariance of the error of a keyframe's INS pose and scan, independent from keyframe to keyframe.
+Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, std::size_t node);
+
 bool is_first_of_session(const JointProblem& problem, std::size_t node);
 
 /// Inverse variances of a keyframe's drift from that of the keyframe before; of a session's first, which is zero.

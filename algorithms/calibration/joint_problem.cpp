@@ -57,6 +57,8 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pa
   for (const SessionNoise& session : input.sessions)
     problem.session_attitude_bias_sigma_rad.push_back(
         known_or(session.attitude_bias_sigma_rad, degrees_to_radians(input.options.ins_attitude_bias_sigma_deg)));
+  for (const SessionNoise& session : input.sessions)
+    problem.session_tilt_sigma_rad.push_back(session.assumed_tilt_sigma_rad);
   problem.prior_ins_from_lidar = prior_ins_from_lidar;
   problem.prior_information = weak_prior(input.nominal_ins_from_lidar.has_value());
   problem.measured = input.measured;

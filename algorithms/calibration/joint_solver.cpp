@@ -103,7 +103,7 @@ std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, cons
     pulls.push_back({moved, term.term->node_a});
   }
   for (std::size_t k = 0; k < problem.nodes.size(); ++k) {
-    const Matrix6d covariance = noise.node_covariance(problem.nodes[k].scan_covariance);
+    const Matrix6d covariance = node_covariance(problem, noise, k);
     Vector6d moved = moved_by(layout.node_at(k), Vector6d(covariance.ldlt().solve(state.errors[k])));
     if (layout.drift && !is_first_of_session(problem, k)) {
       const Vector6d change = state.drifts[k] - state.drifts[k - 1];

@@ -40,6 +40,9 @@ struct JointProblem {
   std::vector<JointNode> nodes;
   std::vector<JointTerm> terms;
   std::vector<double> session_attitude_bias_sigma_rad;  ///< 0: none
+  /// Of roll and pitch that are assumed instead of measured, beside the bias: as much of it stays the same over the
+  /// drive as changes from keyframe to keyframe. 0, or no entry: they were measured.
+  std::vector<double> session_tilt_sigma_rad;
   bool estimate_time_offset = false;
   double time_offset_prior_sigma_s = 1.0;
   /// Weak prior on X: keeps what the data do not determine at `prior_ins_from_lidar`.

@@ -23,11 +23,17 @@ std::string direction_names(const Vector6d& direction) {
   return names;
 }
 
+// Height, roll and pitch show in how an INS leans: one that is taken to be level shows none of them.
+bool needs_tilt(const Vector6d& direction) { return direction.segment<3>(2).cwiseAbs().maxCoeff() >= 0.4; }
+
 std::string direction_words(const Vector6d& direction, bool observed, const MotionSummary& motion) {
   const std::string names = direction_names(direction);
   char text[240];
   if (observed) {
     std::snprintf(text, sizeof text, "%s: observed", names.c_str());
+  } else if (motion.tilt_assumed && needs_tilt(direction)) {
+    std::snprintf(text, sizeof text, "%s: not known, roll and pitch of the INS are assumed, not measured",
+                  names.c_str());
   } else {
     const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
     const bool flat = motion.largest_tilt_rad < degrees_to_radians(1.0);
@@ -57,14 +63,23 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
     result.advice.push_back(missing(0, "x", 1, "y", "x and y") +
                             (straight ? "turns: drive a figure of eight or two tight turns in each direction."
                                       : "more rotation: drive tighter turns, in both directions."));
-  if (!observed[2])
+  const bool tilt_open = motion.tilt_assumed && !(observed[2] && observed[4] && observed[5]);
+  if (tilt_open)
+    result.advice.emplace_back(
+        "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of "
+        "the mounting cannot be told from it. Log roll and pitch as well (PASHR), or give what you measured: z, pitch "
+        "and roll, or the height of the INS above the ground.");
+  if (!observed[2] && !tilt_open)
     result.advice.push_back(
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
         "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.");
-  if (!observed[3] || !observed[4])
-    result.advice.push_back(missing(3, "Yaw", 4, "Pitch", "Yaw and pitch") +
+  // Of an INS that is taken to be level no travel shows pitch.
+  const bool pitch_missing = !observed[4] && !tilt_open;
+  if (!observed[3] || pitch_missing)
+    result.advice.push_back((pitch_missing ? missing(3, "Yaw", 4, "Pitch", "Yaw and pitch") : "Yaw needs ") +
                             "travel: drive at least a few tens of metres with good INS quality.");
-  if (!observed[5]) result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
+  if (!observed[5] && !tilt_open)
+    result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
 }
 
 }  // namespace
@@ -144,6 +159,27 @@ Matrix6d weak_prior(bool nominal_known) {
   // follow.
   if (!nominal_known) information[5] = 1.0 / (kUnknownYaw_rad * kUnknownYaw_rad);
   return information.asDiagonal();
+}
+
+Matrix6d assumed_tilt_covariance(const RigidTransform& ins_from_lidar, double tilt_rad) {
+  Eigen::Matrix<double, 6, 2> turned;
+  turned << -skew(ins_from_lidar.translation()).leftCols<2>(), Eigen::Matrix<double, 3, 2>::Identity();
+  return tilt_rad * tilt_rad * turned * turned.transpose();
+}
+
+Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d& covariance, double tilt_rad) {
+  const auto open2 = [&](int axis) { return std::min(tilt_rad * tilt_rad, covariance(axis, axis)); };
+  const double height2 = std::max(0.0, covariance(2, 2)), roll2 = open2(3), pitch2 = open2(4);
+  Matrix6d out = Matrix6d::Zero();
+  out(0, 0) = pitch2 * height2;
+  out(1, 1) = roll2 * height2;
+  // exp(a) exp(b) = exp(a + b + a x b / 2 + ...) (Baker, Campbell, Hausdorff), of what the mounting has and what the
+  // INS.
+  const double yaw2 = 0.5 * roll2 * pitch2;
+  const Eigen::Vector3d arm = ins_from_lidar.translation();
+  Vector6d turned;
+  turned << -arm.y(), arm.x(), 0.0, 0.0, 0.0, 1.0;
+  return out + yaw2 * turned * turned.transpose();
 }
 
 void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, const SolveOptions& options,

@@ -14,6 +14,7 @@ namespace remount {
 struct MotionSummary {
   double largest_rotation_rad = 0.0;  ///< of one pair
   double largest_tilt_rad = 0.0;      ///< largest rotation about an axis other than the main one
+  bool tilt_assumed = false;          ///< roll and pitch of every INS were taken to be zero, not measured
 };
 MotionSummary summarise_motion(const std::vector<Pair>& pairs);
 
@@ -41,6 +42,15 @@ Matrix6d trusted_information(const std::vector<ObservabilityDirection>& directio
 /// the data do not show (2 m, 0.1 rad). Without a nominal yaw may be anything (1 rad); the ground in the scans still
 /// settles roll and pitch.
 Matrix6d weak_prior(bool nominal_known);
+
+/// Covariance of X under `perturbed` where roll and pitch of the INS are open by `tilt_rad`: a constant error of them
+/// turns X about the origin of the INS, lever arm and all.
+Matrix6d assumed_tilt_covariance(const RigidTransform& ins_from_lidar, double tilt_rad);
+
+/// What an open roll and pitch do to X beyond first order, from the covariance that holds to first order: a height that
+/// is not known leans over to x and y, and two small turns about x and y make one about z. @param tilt_rad the most
+/// that roll and pitch are open by
+Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d& covariance, double tilt_rad);
 
 /// Fills `observed` and `covariance` from the covariance of X under `perturbed`: a parameter counts as observed where
 /// its sigma is below the options' limit. The directions' sigmas and words follow: what was not observed before is

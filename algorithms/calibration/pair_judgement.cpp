@@ -26,6 +26,11 @@ std::string open_directions(const Pair& pair) {
   return pair.registration.undetermined.empty() ? "" : "does not determine " + pair.registration.undetermined;
 }
 
+double tilt_of(const PairTilts& tilts_rad, int pair) {
+  const auto at = static_cast<std::size_t>(pair);
+  return at < tilts_rad.size() ? tilts_rad[at] : 0.0;
+}
+
 }  // namespace
 
 double residual_scale2(std::vector<double> d2) {
@@ -68,7 +73,7 @@ std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs) {
 }
 
 std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
-                                   const NoiseModel& noise) {
+                                   const NoiseModel& noise, const PairTilts& tilts_rad) {
   constexpr double kNothing = 1e-6;  // a sigma of a kilometre, of a thousand radians: any motion
   std::vector<NoisyPair> out;
   out.reserve(usable.size());
@@ -76,10 +81,11 @@ std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::ve
     const Pair& pair = pairs[static_cast<std::size_t>(i)];
     const Matrix6d information = noise.registration_information(pair.registration.information);
     const Matrix6d regular = information + kNothing * Matrix6d::Identity();
+    const double tilt = tilt_of(tilts_rad, i);
     const Matrix6d ins = noise.ins_covariance(), drift = noise.drift_covariance(std::abs(pair.gap_s));
     out.push_back({pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, information,
                    regular.ldlt().solve(Matrix6d::Identity()), 2.0 * ins(0, 0) + drift(0, 0), ins(3, 3),
-                   ins(3, 3) + drift(3, 3)});
+                   ins(3, 3) + drift(3, 3), tilt * tilt});
   }
   return out;
 }
@@ -105,6 +111,15 @@ void add_ins_errors(const NoisyPair& pair, const RigidTransform& x, const Eigen:
   covariance.bottomRightCorner<3, 3>() += (of_a + of_b) * log_jacobian * log_jacobian.transpose();
 }
 
+// What an assumed roll and pitch of both poses add; these are not alike along all axes.
+void add_assumed_tilt(const NoisyPair& pair, const RigidTransform& x, Matrix6d& covariance) {
+  const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
+  for (const Matrix6d* by_pose : {&equation.d_a, &equation.d_b}) {
+    const Eigen::Matrix<double, 6, 2> by_tilt = by_pose->middleCols<2>(3);
+    covariance += pair.assumed_tilt_variance_rad2 * by_tilt * by_tilt.transpose();
+  }
+}
+
 }  // namespace
 
 std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidTransform& x) {
@@ -114,6 +129,7 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
     const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
     Matrix6d covariance = pair.registration_covariance;
     add_ins_errors(pair, x, so3_left_jacobian_inverse(residual.tail<3>()), covariance);
+    if (pair.assumed_tilt_variance_rad2 > 0.0) add_assumed_tilt(pair, x, covariance);
     const double distance2 = covariance.llt().matrixL().solve(residual).squaredNorm();
     out.push_back(std::isfinite(distance2) ? std::max(0.0, distance2) : std::numeric_limits<double>::max());
   }
@@ -121,20 +137,22 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
 }
 
 // Sigma of the two screw invariants from the noise of P and Q.
-void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold) {
-  const double rotation_sigma = std::hypot(std::sqrt(2.0) * noise.ins_attitude_sigma_rad, noise.registration_floor_rad);
+void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold,
+                 const PairTilts& tilts_rad) {
   const double translation_sigma = std::hypot(std::sqrt(2.0) * noise.ins_position_sigma_m, noise.registration_floor_m);
   for (const int i : usable) {
     Pair& pair = pairs[static_cast<std::size_t>(i)];
+    const double attitude_sigma = std::hypot(noise.ins_attitude_sigma_rad, tilt_of(tilts_rad, i));
+    const double rotation_sigma = std::hypot(std::sqrt(2.0) * attitude_sigma, noise.registration_floor_rad);
     pair.screw =
         screw_test(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, rotation_sigma, translation_sigma, threshold);
   }
 }
 
 int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& ins_from_lidar,
-                const NoiseModel& noise, double threshold) {
+                const NoiseModel& noise, double threshold, const PairTilts& tilts_rad) {
   int changed = 0;
-  const std::vector<double> d2 = distances2(noisy_pairs(pairs, usable, noise), ins_from_lidar);
+  const std::vector<double> d2 = distances2(noisy_pairs(pairs, usable, noise, tilts_rad), ins_from_lidar);
   const double scale2 = residual_scale2(d2);
   for (std::size_t k = 0; k < usable.size(); ++k) {
     Pair& pair = pairs[static_cast<std::size_t>(usable[k])];

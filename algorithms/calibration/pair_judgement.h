@@ -17,6 +17,9 @@ std::vector<int> usable_pairs(const std::vector<Pair>& pairs);
 /// are counted as accepted.
 void refuse_unusable(std::vector<Pair>& pairs);
 
+/// 1-sigma of roll and pitch of both INS poses of each pair where these were assumed; 0, or none at all: measured.
+using PairTilts = std::vector<double>;
+
 /// P and Q of the accepted pairs, in order.
 std::vector<MotionPair> accepted_motions(const std::vector<Pair>& pairs);
 
@@ -27,9 +30,10 @@ struct NoisyPair {
   /// Of the INS poses along each axis, all alike: the position of a and b together, the attitude of each; what drifts
   /// from a to b counts with b.
   double ins_position_variance_m2 = 0.0, attitude_variance_a_rad2 = 0.0, attitude_variance_b_rad2 = 0.0;
+  double assumed_tilt_variance_rad2 = 0.0;  ///< of roll and pitch of either pose, beside that
 };
 std::vector<NoisyPair> noisy_pairs(const std::vector<Pair>& pairs, const std::vector<int>& usable,
-                                   const NoiseModel& noise);
+                                   const NoiseModel& noise, const PairTilts& tilts_rad = {});
 
 /// Squared Mahalanobis distances of the pairs' residuals under X, with the errors of both INS poses and of the
 /// registration.
@@ -40,12 +44,13 @@ std::vector<double> distances2(const std::vector<NoisyPair>& pairs, const RigidT
 double residual_scale2(std::vector<double> d2);
 
 /// Fills `screw` of the usable pairs. @param threshold in sigma
-void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold);
+void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise, double threshold,
+                 const PairTilts& tilts_rad = {});
 
 /// Fills residuals, weights and, unless the user decided, states and reasons of the usable pairs under X.
 /// @param threshold in sigma
 /// @return how many states changed
 int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& ins_from_lidar,
-                const NoiseModel& noise, double threshold);
+                const NoiseModel& noise, double threshold, const PairTilts& tilts_rad = {});
 
 }  // namespace remount

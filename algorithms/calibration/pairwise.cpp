@@ -161,6 +161,7 @@ struct Context {
   const PairwiseInput& input;
   const NoisePrior& prior;
   const RigidTransform& prior_x;  // centre of the weak prior
+  const PairTilts& tilts_rad;
   const Progress& progress;
 };
 
@@ -168,7 +169,7 @@ struct Context {
 // what is returned: nothing was solved.
 JointProblem solve_and_judge(const Context& context, const RigidTransform& start, const std::vector<int>& usable,
                              std::vector<Pair>& pairs, PairwiseDetails& details) {
-  const auto& [input, prior, prior_x, progress] = context;
+  const auto& [input, prior, prior_x, tilts_rad, progress] = context;
   constexpr int kMostRounds = 4;
   RigidTransform x = start;
   JointProblem problem;
@@ -182,7 +183,7 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
     x = details.joint.ins_from_lidar;
     // After the last round the pairs stay as they were solved with.
     if (round + 1 == kMostRounds) break;
-    if (judge_pairs(pairs, usable, x, details.noise, input.options.outlier_threshold) == 0) break;
+    if (judge_pairs(pairs, usable, x, details.noise, input.options.outlier_threshold, tilts_rad) == 0) break;
   }
   return problem;
 }
@@ -259,6 +260,17 @@ void report_rejected_sessions(const Context& context, const std::vector<int>& us
 
 }  // namespace
 
+PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<Pair>& pairs) {
+  PairTilts tilts_rad(pairs.size(), 0.0);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto node = static_cast<std::size_t>(pairs[i].keyframe_a);
+    const auto session =
+        node < input.nodes.size() ? static_cast<std::size_t>(input.nodes[node].session) : input.sessions.size();
+    if (session < input.sessions.size()) tilts_rad[i] = input.sessions[session].assumed_tilt_sigma_rad;
+  }
+  return tilts_rad;
+}
+
 CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& pairs, PairwiseDetails& details,
                                  const Progress& progress) {
   refuse_unusable(pairs);
@@ -266,7 +278,8 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   if (usable.size() < kFewestPairs) return too_few(pairs, usable.size());
   const NoisePrior prior = noise_prior(input);
   details.noise = prior.expected;
-  test_screws(pairs, usable, prior.expected, input.options.outlier_threshold + 1.0);
+  const PairTilts tilts_rad = assumed_tilts_rad(input, pairs);
+  test_screws(pairs, usable, prior.expected, input.options.outlier_threshold + 1.0, tilts_rad);
   const Eigen::Vector3d near_m = input.nominal_ins_from_lidar
                                      ? Eigen::Vector3d(input.nominal_ins_from_lidar->translation())
                                      : Eigen::Vector3d::Zero();
@@ -274,13 +287,13 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   if (const auto& known = input.nominal_ins_from_lidar ? input.nominal_ins_from_lidar : input.initial_ins_from_lidar)
     reference.ins_from_lidar = known->linear();
   const RobustStart start =
-      robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, reference, near_m, progress);
+      robust_start(pairs, usable, prior.expected, input.nominal_ins_from_lidar, reference, near_m, progress, tilts_rad);
   RigidTransform prior_x = start.ins_from_lidar;
   prior_x.translation() = near_m;
   judge_pairs(pairs, usable, start.ins_from_lidar, prior.expected.scaled(start.noise_scale),
-              input.options.outlier_threshold);
+              input.options.outlier_threshold, tilts_rad);
 
-  const Context context{input, prior, prior_x, progress};
+  const Context context{input, prior, prior_x, tilts_rad, progress};
   JointProblem problem = solve_and_judge(context, start.ins_from_lidar, usable, pairs, details);
   CalibrationResult result;
   const std::vector<SessionAnswer> answers =

@@ -7,6 +7,7 @@
 
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/calibration/joint_solver.h"
+#include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/calibration/search_range.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/progress.h"
@@ -20,6 +21,7 @@ struct SessionNoise {
   double attitude_bias_sigma_rad = std::numeric_limits<double>::quiet_NaN();
   double position_drift = std::numeric_limits<double>::quiet_NaN();  ///< m per root of a second
   double attitude_drift = std::numeric_limits<double>::quiet_NaN();  ///< rad per root of a second
+  double assumed_tilt_sigma_rad = 0.0;  ///< of roll and pitch that are taken to be zero; 0: they were measured
 };
 
 struct PairwiseInput {
@@ -38,6 +40,9 @@ struct PairwiseInput {
   SearchRange range;
   SolveOptions options;
 };
+
+/// Of each pair, as its session has it.
+PairTilts assumed_tilts_rad(const PairwiseInput& input, const std::vector<Pair>& pairs);
 
 /// Solves from the pairs' P, Q and registration quality. Sets of each pair: screw test, residuals, weight, and, unless
 /// the user decided, state and reason.

@@ -88,9 +88,9 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
 
 RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise,
                          const std::optional<RigidTransform>& nominal, const RotationReference& reference,
-                         const Eigen::Vector3d& near_m, const Progress& progress) {
+                         const Eigen::Vector3d& near_m, const Progress& progress, const PairTilts& tilts_rad) {
   RobustStart start;
-  const std::vector<NoisyPair> noisy = noisy_pairs(pairs, usable, noise);
+  const std::vector<NoisyPair> noisy = noisy_pairs(pairs, usable, noise, tilts_rad);
   std::vector<RigidTransform> tried;
   std::vector<std::vector<double>> tried_d2;
   const auto consider = [&](const RigidTransform& x) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/calibration/noise_model.h"
+#include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/search/candidates.h"
 #include "algorithms/trajectory/pair.h"
@@ -29,6 +30,6 @@ struct RotationReference {
 /// width follows the residuals. Where `progress` is cancelled, what is known until then.
 RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>& usable, const NoiseModel& noise,
                          const std::optional<RigidTransform>& nominal, const RotationReference& reference,
-                         const Eigen::Vector3d& near_m, const Progress& progress = {});
+                         const Eigen::Vector3d& near_m, const Progress& progress = {}, const PairTilts& tilts_rad = {});
 
 }  // namespace remount

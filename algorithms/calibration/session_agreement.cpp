@@ -124,6 +124,7 @@ SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<Pai
     of_session[session].push_back(i);
     accepted[session] += pair.state == PairState::Accepted ? 1 : 0;
   }
+  const PairTilts tilts_rad = assumed_tilts_rad(input, pairs);
   SessionVerdicts out;
   for (std::size_t s = 0; s < of_session.size() && of_session.size() > 1; ++s) {
     const std::size_t count = of_session[s].size();
@@ -131,7 +132,7 @@ SessionVerdicts judge_sessions(const PairwiseInput& input, const std::vector<Pai
     if (!hardly_any && accepted[s] >= kFewest) ++out.kept;
     if (!hardly_any || count < kFewest) continue;
     const RobustStart own =
-        robust_start(pairs, of_session[s], expected, std::nullopt, {}, Eigen::Vector3d::Zero(), progress);
+        robust_start(pairs, of_session[s], expected, std::nullopt, {}, Eigen::Vector3d::Zero(), progress, tilts_rad);
     out.rejected.push_back({static_cast<int>(s), own.noise_scale < kCoherentScale});
   }
   return out;

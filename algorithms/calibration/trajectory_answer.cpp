@@ -97,7 +97,9 @@ void set_bootstrap(const Matrix6d& parameters, CalibrationResult& result) {
 void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
   result.ins_from_lidar = evidence.solution.state.ins_from_lidar;
-  const MotionSummary motion = motion_of(evidence.problem);
+  MotionSummary motion = motion_of(evidence.problem);
+  const auto [least_tilt_rad, tilt_rad] = assumed_tilt_rad(evidence.problem);
+  motion.tilt_assumed = least_tilt_rad > 0.0;
   const Matrix6d apparent = information_of_x(evidence.information, evidence.prior.information);
   const Matrix6d spurious = evidence.spurious.topLeftCorner<6, 6>();
   result.directions = observed_directions(apparent, {apparent, spurious}, motion, evidence.judged_by);
@@ -117,7 +119,8 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   const Matrix6d scatter = evidence.scatter.topLeftCorner<6, 6>();
   const Measured& measured = evidence.problem.measured;
   const Matrix6d beside = prior + measured.information(result.ins_from_lidar);
-  const Matrix6d covariance = widened((information + beside).inverse(), scatter) + unseen(evidence.problem);
+  Matrix6d covariance = widened((information + beside).inverse(), scatter) + unseen(evidence.problem);
+  if (tilt_rad > 0.0) covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt_rad);
   result.measured = measured.parameters();
   judge_parameters(covariance, motion, evidence.judged_by, result);
   set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);

@@ -8,7 +8,7 @@ namespace remount {
 /// Factors by which the errors of each kind of term turn out larger than stated, or smaller where they are assumed.
 inline constexpr double kMostNoiseFactor = 100.0;
 struct TrajectoryNoise {
-  std::array<double, kTermKinds> factor{1.0, 1.0, 1.0, 1.0, 1.0};
+  std::array<double, kTermKinds> factor{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   double of(TermKind kind) const { return factor[static_cast<std::size_t>(kind)]; }
 };
 

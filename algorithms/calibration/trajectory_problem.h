@@ -1,7 +1,10 @@
 // Trajectory alignment: what is given and what is sought.
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "algorithms/calibration/measured.h"
@@ -17,6 +20,9 @@ struct InsObservation {
   Vector6d body_velocity = Vector6d::Zero();  ///< INS axes, [m/s; rad/s]: what an offset of the clocks does
   double position_sigma_m = 0.01;             ///< each axis, independent from sample to sample
   double attitude_sigma_rad = 5e-4;           ///< likewise
+  /// Of roll and pitch that nobody measured; 0: they were measured. Such an error lasts: of many poses of a drive each
+  /// has one as many times larger as its root is, so that all of them say what one would.
+  double assumed_tilt_sigma_rad = 0.0;
 };
 
 /// A position of the GNSS antenna.
@@ -46,6 +52,7 @@ struct TrajectorySession {
   Matrix6d unseen = Matrix6d::Zero();
   /// Of INS attitudes whose log states no errors: turns this small follow braking and steering and show no lever arm.
   double doubtful_attitude_rad = 0.0;
+  double assumed_tilt_sigma_rad = 0.0;  ///< of roll and pitch of the INS that nobody measured; 0: they were measured
   /// The INS states its errors: they are not believed to be smaller, however smooth its poses.
   bool ins_noise_stated = false;
 };
@@ -77,6 +84,14 @@ inline bool has_ins(const TrajectoryProblem& problem) {
       if (epoch.ins) return true;
   }
   return false;
+}
+/// assumed_tilt_sigma_rad, least and most of the sessions.
+inline std::pair<double, double> assumed_tilt_rad(const TrajectoryProblem& problem) {
+  std::pair<double, double> range{std::numeric_limits<double>::infinity(), 0.0};
+  for (const TrajectorySession& session : problem.sessions)
+    range = {std::min(range.first, session.assumed_tilt_sigma_rad),
+             std::max(range.second, session.assumed_tilt_sigma_rad)};
+  return range;
 }
 inline bool has_antenna(const TrajectoryProblem& problem) {
   for (const TrajectorySession& session : problem.sessions) {

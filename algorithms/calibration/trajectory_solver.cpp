@@ -135,20 +135,25 @@ Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& opti
   return at_minimum || nothing_left ? Improved::AtMinimum : Improved::Stuck;
 }
 
-// Medians of squared residuals of three components, over what they are where errors are as stated.
+// Median of the sum of so many squares of unit variance.
+double median_square(double components) { return components > 2.5 ? 2.366 : components > 1.5 ? 1.386 : 0.455; }
+
+// Medians of squared residuals, over what they are where errors are as stated.
 TrajectoryNoise at_least_as_stated(const TrajectoryProblem& problem, const TrajectoryState& state) {
-  constexpr double kMedian = 2.366, kMost = 30.0;
+  constexpr double kMost = 30.0;
   std::array<std::vector<double>, kTermKinds> squares;
   for (std::size_t s = 0; s < problem.sessions.size(); ++s)
     for (const TrajectoryTerm& term : trajectory_terms(problem.sessions[s], s, state))
-      squares[static_cast<std::size_t>(term.kind)].push_back(term.residual.squaredNorm());
+      if (term.kind != TermKind::InsTilt)
+        squares[static_cast<std::size_t>(term.kind)].push_back(term.residual.squaredNorm() /
+                                                               median_square(term.used.sum()));
   TrajectoryNoise noise;
   for (std::size_t kind = 0; kind < kTermKinds; ++kind) {
     auto& values = squares[kind];
     if (values.empty()) continue;
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
-    noise.factor[kind] = std::clamp(std::sqrt(*middle / kMedian), 1.0, kMost);
+    noise.factor[kind] = std::clamp(std::sqrt(*middle), 1.0, kMost);
   }
   return noise;
 }
@@ -183,13 +188,14 @@ double update_noise(const TrajectoryProblem& problem, const TrajectoryOptions& o
         if (weighted.weights[s][k] < 0.5) continue;
         const auto kind = static_cast<std::size_t>(term.kind);
         const double root = std::sqrt(weighted.weights[s][k]) / solution.noise.of(term.kind);
-        redundancy[kind] +=
-            (errors.errors[s][k] - root * TrajectoryChain::applied(term, errors.steps[s])).squaredNorm() / kSamples;
+        const Eigen::Vector3d left = errors.errors[s][k] - root * TrajectoryChain::applied(term, errors.steps[s]);
+        redundancy[kind] += term.used.cwiseProduct(left).squaredNorm() / kSamples;
         if (sample == 0) squares[kind] += weighted.weights[s][k] * term.residual.squaredNorm();
       }
   }
   double change = 0.0;
   for (std::size_t kind = 0; kind < kTermKinds; ++kind) {
+    if (static_cast<TermKind>(kind) == TermKind::InsTilt) continue;
     const double before = solution.noise.factor[kind];
     const double variance = (squares[kind] + kBelieved) / (redundancy[kind] + kBelieved);
     solution.noise.factor[kind] =

@@ -1,6 +1,7 @@
 #include "algorithms/calibration/trajectory_terms.h"
 
 #include <Eigen/Cholesky>
+#include <cmath>
 
 namespace remount {
 namespace {
@@ -58,6 +59,26 @@ TrajectoryTerm ins_attitude(const InsObservation& ins, const Place& at) {
   term.by_border.col(kClockAt) = -right_jacobian_inverse(term.residual) * rate;
   whiten(Eigen::Matrix3d::Identity() / ins.attitude_sigma_rad, term);
   return term;
+}
+
+// The same, of which only some axes are measured.
+TrajectoryTerm part_of(TrajectoryTerm attitude, TermKind kind, const Eigen::Vector3d& used, double sigma_ratio) {
+  attitude.kind = kind;
+  attitude.used = used;
+  whiten(Eigen::Matrix3d((sigma_ratio * used).asDiagonal()), attitude);
+  return attitude;
+}
+
+void add_ins_attitude(const InsObservation& ins, const Place& at, std::vector<TrajectoryTerm>& out) {
+  const TrajectoryTerm attitude = ins_attitude(ins, at);
+  if (!(ins.assumed_tilt_sigma_rad > 0.0)) {
+    out.push_back(attitude);
+    return;
+  }
+  const Eigen::Vector3d heading = Eigen::Vector3d::UnitZ();
+  out.push_back(part_of(attitude, TermKind::InsAttitude, heading, 1.0));
+  out.push_back(part_of(attitude, TermKind::InsTilt, Eigen::Vector3d::Ones() - heading,
+                        ins.attitude_sigma_rad / std::hypot(ins.attitude_sigma_rad, ins.assumed_tilt_sigma_rad)));
 }
 
 TrajectoryTerm antenna_position(const TrajectoryEpoch& epoch, const TrajectoryState& state, const Place& at) {
@@ -120,7 +141,7 @@ std::vector<TrajectoryTerm> trajectory_terms(const TrajectorySession& session, s
     const std::size_t first = terms.size();
     if (epoch.ins) {
       terms.push_back(ins_position(*epoch.ins, at));
-      terms.push_back(ins_attitude(*epoch.ins, at));
+      add_ins_attitude(*epoch.ins, at, terms);
     }
     if (epoch.antenna) terms.push_back(antenna_position(epoch, state, at));
     for (std::size_t k = first; k < terms.size(); ++k) terms[k].epoch = i;

@@ -8,8 +8,9 @@
 
 namespace remount {
 
-enum class TermKind { InsPosition, InsAttitude, Antenna, StepTranslation, StepRotation };
-inline constexpr std::size_t kTermKinds = 5;
+/// InsTilt: roll and pitch that are assumed, whose error is stated and not estimated; InsAttitude then is the heading.
+enum class TermKind { InsPosition, InsAttitude, Antenna, StepTranslation, StepRotation, InsTilt };
+inline constexpr std::size_t kTermKinds = 6;
 
 /// Three residuals in units of their sigma. A pose T = enu_from_lidar is moved as T <- T [Exp(omega), nu], with
 /// [nu; omega] in LiDAR axes.
@@ -17,6 +18,7 @@ struct TrajectoryTerm {
   TermKind kind = TermKind::InsPosition;
   std::size_t epoch = 0;  ///< of a step: the later one
   Eigen::Vector3d residual = Eigen::Vector3d::Zero();
+  Eigen::Vector3d used = Eigen::Vector3d::Ones();  ///< 0 where a component says nothing
   Eigen::Matrix<double, 3, 6> by_pose = Eigen::Matrix<double, 3, 6>::Zero();
   Eigen::Matrix<double, 3, 6> by_before = Eigen::Matrix<double, 3, 6>::Zero();  ///< the pose of the epoch before
   Eigen::Matrix<double, 3, kBorderSize> by_border = Eigen::Matrix<double, 3, kBorderSize>::Zero();

@@ -75,10 +75,12 @@ SpuriousInformation spurious_information(const PairwiseInput& input, const std::
   SpuriousInformation out;
   const Matrix6d white = 2.0 * noise.ins_covariance();
   const double doubtful2 = doubtful_attitude2(input, pairs, x);
-  for (const Pair& pair : pairs) {
+  const PairTilts tilts_rad = assumed_tilts_rad(input, pairs);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Pair& pair = pairs[i];
     if (!(pair.weight > 0.0) || pair.state != PairState::Accepted) continue;
     const PairEquation equation = linearise_pair(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
-    const Matrix6d information = residual_information(pair, equation, noise);
+    const Matrix6d information = residual_information(pair, equation, noise, tilts_rad[i]);
     out.apparent += equation.d_x.transpose() * information * equation.d_x;
     const Eigen::Matrix3d to_ins = x.linear();
     const Eigen::Matrix3d translation = to_ins * information.topLeftCorner<3, 3>() * to_ins.transpose();
@@ -131,6 +133,16 @@ Eigen::MatrixXd responses_to_common_errors(const PairwiseInput& input, const Joi
   return responses;
 }
 
+// Least and most of the sessions.
+std::pair<double, double> assumed_tilt_rad(const PairwiseInput& input) {
+  if (input.sessions.empty()) return {0.0, 0.0};
+  std::pair<double, double> range{std::numeric_limits<double>::infinity(), 0.0};
+  for (const SessionNoise& session : input.sessions)
+    range = {std::min(range.first, session.assumed_tilt_sigma_rad),
+             std::max(range.second, session.assumed_tilt_sigma_rad)};
+  return range;
+}
+
 void add_disagreement_advice(CalibrationResult& result) {
   if (!(result.session_disagreement > kSessionsContradict)) return;
   char text[240];
@@ -155,8 +167,10 @@ Matrix6d registration_limits() {
   return sigmas.cwiseAbs2().asDiagonal();
 }
 
-Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise) {
-  const Matrix6d ins = noise.ins_covariance();
+Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise,
+                              double tilt_rad) {
+  Matrix6d ins = noise.ins_covariance();
+  ins.diagonal().segment<2>(3).array() += tilt_rad * tilt_rad;
   const Matrix6d ins_and_drift = ins + noise.drift_covariance(std::abs(pair.gap_s));
   const Matrix6d from_ins =
       equation.d_a * ins * equation.d_a.transpose() + equation.d_b * ins_and_drift * equation.d_b.transpose();
@@ -169,7 +183,9 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
                               const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
                               const Progress& progress, CalibrationResult& result) {
   const RigidTransform& x = details.joint.ins_from_lidar;
-  const MotionSummary motion = summarise_motion(pairs);
+  MotionSummary motion = summarise_motion(pairs);
+  const auto [least_tilt_rad, tilt_rad] = assumed_tilt_rad(input);
+  motion.tilt_assumed = least_tilt_rad > 0.0;
   result.directions = observed_directions(details.joint.information,
                                           spurious_information(input, pairs, x, details.noise), motion, input.options);
   const SessionScatter scatter = session_scatter(answers, input.options);
@@ -178,7 +194,8 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   const Matrix6d by_pairs = trusted_information(result.directions, input.options) / (wider * wider);
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);
-  const Matrix6d covariance = inverse(by_pairs + beside_pairs);
+  Matrix6d covariance = inverse(by_pairs + beside_pairs);
+  if (tilt_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt_rad);
   const Matrix6d bootstrap = bootstrap_covariance(block_pulls(input, problem, details, progress));
   judge_parameters(with_limits(inflated_by_bootstrap(covariance, bootstrap),
                                responses_to_common_errors(input, problem, details, progress), sessions_used(problem)),

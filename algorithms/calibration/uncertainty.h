@@ -13,7 +13,9 @@ Matrix6d registration_limits();
 
 /// Information of a pair's residual with the errors of both INS poses, the drift between them and the registration's
 /// error marginalised: (M + L^-1)^-1 without the inverse of L, which may be singular.
-Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise);
+/// @param tilt_rad 1-sigma of roll and pitch of both poses where these were assumed
+Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise,
+                              double tilt_rad = 0.0);
 
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma`, `session_disagreement` and `advice` of the result
 /// from the joint solution.

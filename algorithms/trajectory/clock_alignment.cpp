@@ -29,41 +29,45 @@ struct RateGrid {
 /// Rotation at a time between two poses, or nothing across a gap.
 class RotationTrack {
  public:
-  RotationTrack(const std::vector<StampedPose>& poses, double max_gap_s) : poses_(poses), max_gap_s_(max_gap_s) {}
+  RotationTrack(const RotationStream& stream, double max_gap_s) : stream_(stream), max_gap_s_(max_gap_s) {}
 
   /// Times must be asked for in ascending order: the search goes on from where it was.
   bool at(std::int64_t stamp_ns, Eigen::Quaterniond& rotation) {
-    while (next_ < poses_.size() && poses_[next_].stamp_ns < stamp_ns) ++next_;
-    if (next_ >= poses_.size() || (next_ == 0 && poses_[0].stamp_ns != stamp_ns)) return false;
-    const Eigen::Quaterniond after(poses_[next_].pose.linear());
-    if (poses_[next_].stamp_ns == stamp_ns) {
+    while (next_ < stream_.size() && stream_.stamp_ns(next_) < stamp_ns) ++next_;
+    if (next_ >= stream_.size() || (next_ == 0 && stream_.stamp_ns(0) != stamp_ns)) return false;
+    const Eigen::Quaterniond after = stream_.rotation(next_);
+    if (stream_.stamp_ns(next_) == stamp_ns) {
       rotation = after;
       return true;
     }
-    const StampedPose& before = poses_[next_ - 1];
-    const double gap_s = seconds(poses_[next_].stamp_ns - before.stamp_ns);
+    const std::int64_t before_ns = stream_.stamp_ns(next_ - 1);
+    const double gap_s = seconds(stream_.stamp_ns(next_) - before_ns);
     if (gap_s > max_gap_s_) return false;
-    rotation = Eigen::Quaterniond(before.pose.linear()).slerp(seconds(stamp_ns - before.stamp_ns) / gap_s, after);
+    rotation = stream_.rotation(next_ - 1).slerp(seconds(stamp_ns - before_ns) / gap_s, after);
     return true;
   }
 
  private:
-  const std::vector<StampedPose>& poses_;
+  const RotationStream& stream_;
   double max_gap_s_;
   std::size_t next_ = 0;
 };
 
-RateGrid rates(const std::vector<StampedPose>& poses, double step_s, const ClockAlignmentOptions& options) {
+double length_of_s(const RotationStream& stream) {
+  return stream.empty() ? 0.0 : seconds(stream.stamp_ns(stream.size() - 1) - stream.stamp_ns(0));
+}
+
+RateGrid rates(const RotationStream& stream, double step_s, const ClockAlignmentOptions& options) {
   RateGrid grid;
   grid.step_s = step_s;
-  if (poses.size() < 2) return grid;
-  const double length_s = seconds(poses.back().stamp_ns - poses.front().stamp_ns);
+  if (stream.size() < 2) return grid;
+  const double length_s = length_of_s(stream);
   if (length_s < options.window_s || length_s / step_s > static_cast<double>(kMaxSamples)) return grid;
   const auto half_window_ns = static_cast<std::int64_t>(options.window_s * 0.5e9);
-  grid.start_ns = poses.front().stamp_ns + half_window_ns;
+  grid.start_ns = stream.stamp_ns(0) + half_window_ns;
   const auto count = static_cast<std::size_t>((length_s - options.window_s) / step_s) + 1;
   grid.rate_rad_s.assign(count, kNoRate);
-  RotationTrack early(poses, options.max_gap_s), late(poses, options.max_gap_s);
+  RotationTrack early(stream, options.max_gap_s), late(stream, options.max_gap_s);
   Eigen::Quaterniond before, after;
   for (std::size_t i = 0; i < count; ++i) {
     const std::int64_t stamp_ns = grid.start_ns + std::llround(static_cast<double>(i) * step_s * 1e9);
@@ -106,11 +110,10 @@ double spread(const std::vector<double>& rate_rad_s) {
   return count < 2.0 ? 0.0 : std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)));
 }
 
-/// The part of `poses` of at most `length_s` whose rate varies most.
-std::vector<StampedPose> liveliest_part(const std::vector<StampedPose>& poses, double length_s,
-                                        const ClockAlignmentOptions& options) {
-  if (poses.empty() || seconds(poses.back().stamp_ns - poses.front().stamp_ns) <= length_s) return poses;
-  const RateGrid grid = rates(poses, kCoarseStep_s, options);
+/// The part of a stream of at most `length_s` whose rate varies most.
+RotationStream liveliest_part(const RotationStream& stream, double length_s, const ClockAlignmentOptions& options) {
+  if (length_of_s(stream) <= length_s) return stream;
+  const RateGrid grid = rates(stream, kCoarseStep_s, options);
   const auto window = static_cast<std::size_t>(length_s / grid.step_s);
   double best = -1.0;
   std::size_t best_start = 0;
@@ -121,10 +124,7 @@ std::vector<StampedPose> liveliest_part(const std::vector<StampedPose>& poses, d
   }
   const std::int64_t from_ns = grid.start_ns + std::llround(static_cast<double>(best_start) * grid.step_s * 1e9);
   const std::int64_t to_ns = from_ns + std::llround(length_s * 1e9);
-  std::vector<StampedPose> part;
-  for (const StampedPose& pose : poses)
-    if (pose.stamp_ns >= from_ns && pose.stamp_ns <= to_ns) part.push_back(pose);
-  return part;
+  return stream.between(from_ns, to_ns);
 }
 
 struct Peak {
@@ -185,10 +185,22 @@ void refine(const RateGrid& reference, const RateGrid& other, std::int64_t aroun
 
 }  // namespace
 
-ClockAlignment align_clocks(const std::vector<StampedPose>& reference, const std::vector<StampedPose>& other,
+RotationStream RotationStream::between(std::int64_t from_ns, std::int64_t to_ns) const {
+  std::size_t first = 0, last = size();
+  while (first < last && stamp_ns(first) < from_ns) ++first;
+  while (last > first && stamp_ns(last - 1) > to_ns) --last;
+  RotationStream part;
+  if (samples_.empty())
+    part.poses_ = poses_.subspan(first, last - first);
+  else
+    part.samples_ = samples_.subspan(first, last - first);
+  return part;
+}
+
+ClockAlignment align_clocks(const RotationStream& reference, const RotationStream& other,
                             const ClockAlignmentOptions& options) {
   ClockAlignment result;
-  const std::vector<StampedPose> part = liveliest_part(other, options.max_template_s, options);
+  const RotationStream part = liveliest_part(other, options.max_template_s, options);
   const RateGrid coarse_reference = rates(reference, kCoarseStep_s, options),
                  coarse_other = rates(part, kCoarseStep_s, options);
   const double shorter_s =

@@ -6,7 +6,7 @@ namespace remount {
 namespace {
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
-  for (Finding& finding : attitude_findings(checked.session)) findings.push_back(std::move(finding));
+  for (Finding& finding : attitude_findings(checked.session, checked.poses)) findings.push_back(std::move(finding));
 }
 
 }  // namespace
@@ -15,7 +15,8 @@ DataCheck attitude_data_check() {
   return {
       .kinds =
           {{"attitude-convention", "Every relative motion of the INS is wrong; no result stands on it.",
-            "Declare the convention that the finding names; in session.yaml it is ins.columns.attitude.convention."},
+            "Declare the convention that the finding names (CSV: ins.columns.attitude.convention), or set it in the "
+            "INS."},
            {"attitude-columns", "Relative motions of the INS turn about the wrong axes; no result stands on them.",
             "Correct the columns or the signs that the finding names; of the path's slope only pitch can be told, look "
             "at the sign of roll as well."},
@@ -24,7 +25,7 @@ DataCheck attitude_data_check() {
            {"position-columns", "The path is mirrored, and goes its own way; no result stands on it.",
             "Exchange the columns of latitude and longitude."},
            {"heading-against-travel", "Heading and direction of travel have nothing to do with each other.",
-            "Look which column is the heading, and how it counts; set the mounting of the INS in the INS itself."},
+            "Look what the log has for a heading, and how it counts; set the mounting of the INS in the INS itself."},
            {"attitude-upside-down", "Roll of the INS is off by half a turn, and that of the result with it.",
             "Declare the convention of the attitude (ENU or NED) as the INS has it."}},
       .look = look};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "model/metric_poses.h"
 #include "model/session.h"
 
 namespace remount {
@@ -19,7 +20,7 @@ struct FindingKind {
 /// A session, and what most checks need of it.
 struct CheckedSession {
   const Session& session;
-  std::vector<StampedPose> poses;  ///< of the INS, in a metric frame
+  MetricPoses poses;  ///< of the INS
 };
 
 /// Looks for one suspicion, or for several that are seen together.

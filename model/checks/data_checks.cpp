@@ -1,6 +1,5 @@
 #include "model/checks/builtin.h"
 #include "model/checks/data_check.h"
-#include "model/session_frames.h"
 
 namespace remount {
 namespace {
@@ -32,7 +31,7 @@ const FindingKind* finding_kind(std::string_view code) {
 
 std::vector<Finding> drive_findings(const Session& session) {
   std::vector<Finding> findings;
-  const CheckedSession checked{session, metric_poses(session)};
+  const CheckedSession checked{session, MetricPoses(session)};
   for (const DataCheck& check : data_checks())
     if (check.look != nullptr && check.of_the_drive) check.look(checked, findings, Progress());
   return findings;
@@ -40,7 +39,7 @@ std::vector<Finding> drive_findings(const Session& session) {
 
 std::vector<Finding> data_findings(const Session& session, LookAt look_at, const Progress& progress) {
   std::vector<Finding> findings;
-  const CheckedSession checked{session, metric_poses(session)};
+  const CheckedSession checked{session, MetricPoses(session)};
   for (const DataCheck& check : data_checks()) {
     if (progress.cancelled()) break;
     if (check.look != nullptr && !check.of_the_drive && (look_at == LookAt::StreamsAndScans || !check.reads_scans))

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "model/assumed_tilt.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
 
@@ -69,7 +70,8 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
          check_text("The vehicle turns by %.1f degrees in all: the position of the LiDAR will hardly be observable "
                     "from this drive alone. Drive a figure of eight.",
                     variety.turned_deg)});
-  else if (variety.tilt_range_deg < kLittleTilt_deg)
+  // No ramp tilts an INS that is taken to be level.
+  else if (variety.tilt_range_deg < kLittleTilt_deg && !(assumed_tilt_sigma_rad(checked.session.ins) > 0.0))
     findings.push_back({Severity::Note, "flat-driving", checked.session.name,
                         check_text("The vehicle tilts by %.2f degrees only: the height of the LiDAR will hardly be "
                                    "observable. Drive over a ramp.",

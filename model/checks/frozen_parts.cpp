@@ -28,6 +28,7 @@ struct Hold {
 template <class Same>
 std::vector<Hold> holds_of(std::size_t count, Same&& same) {
   std::vector<Hold> holds;
+  holds.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
     if (!holds.empty() && same(holds.back().first, i))
       holds.back().last = i;
@@ -40,10 +41,7 @@ class FrozenParts {
  public:
   explicit FrozenParts(const CheckedSession& checked) : poses_(checked.poses) {
     // The axes of the metric frame turn with the place: what repeats does so as it was logged.
-    const std::vector<InsSample>& ins = checked.session.ins;
-    for (std::size_t i = 0; i < poses_.size(); ++i)
-      attitudes_.push_back(ins.size() == poses_.size() ? ins[i].enu_from_ins
-                                                       : Eigen::Quaterniond(poses_[i].pose.linear()));
+    if (checked.session.ins.size() == poses_.size()) logged_ = &checked.session.ins;
   }
 
   double longest_attitude_s() const {
@@ -58,7 +56,10 @@ class FrozenParts {
 
  private:
   Eigen::Vector3d place(std::size_t i) const { return poses_[i].pose.translation(); }
-  double turned_rad(std::size_t a, std::size_t b) const { return attitudes_[a].angularDistance(attitudes_[b]); }
+  Eigen::Quaterniond attitude(std::size_t i) const {
+    return logged_ ? (*logged_)[i].enu_from_ins : Eigen::Quaterniond(poses_[i].pose.linear());
+  }
+  double turned_rad(std::size_t a, std::size_t b) const { return attitude(a).angularDistance(attitude(b)); }
   double duration_s(const Hold& hold) const {
     return seconds_between(poses_[hold.first].stamp_ns, poses_[hold.last].stamp_ns);
   }
@@ -107,8 +108,8 @@ class FrozenParts {
     return most_rad > kSameAttitude_rad && !gap && jump_m > std::max(kJump_m, 0.5 * kSlowest_mps * hold_s);
   }
 
-  const std::vector<StampedPose>& poses_;
-  std::vector<Eigen::Quaterniond> attitudes_;
+  const MetricPoses& poses_;
+  const std::vector<InsSample>* logged_ = nullptr;
 };
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {

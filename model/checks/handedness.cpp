@@ -11,6 +11,7 @@
 #include "model/attitude_check.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
+#include "model/session_frames.h"
 
 namespace remount {
 namespace {
@@ -28,7 +29,7 @@ struct TurningPair {
 /// Pairs of scans between which the vehicle turns clearly and moves little; spread over the drive.
 std::vector<TurningPair> turning_pairs(const CheckedSession& checked) {
   const ScanSource& scans = *checked.session.scans;
-  const MotionTrack track(checked.poses);
+  const MotionTrack track(metric_poses(checked.session));
   std::vector<std::optional<RigidTransform>> at(scans.size());
   for (std::size_t i = 0; i < scans.size(); ++i) at[i] = track.at(scans.stamp_ns(i));
   std::vector<TurningPair> pairs;
@@ -66,8 +67,8 @@ std::optional<double> lidar_turn_rad(const CheckedSession& checked, const Turnin
   }
 }
 
-bool attitude_is_to_blame(const Session& session) {
-  const std::vector<Finding> findings = attitude_findings(session);
+bool attitude_is_to_blame(const CheckedSession& checked) {
+  const std::vector<Finding> findings = attitude_findings(checked.session, checked.poses);
   return std::any_of(findings.begin(), findings.end(),
                      [](const Finding& finding) { return finding.severity != Severity::Note; });
 }
@@ -82,7 +83,7 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
     (*turn > 0.0) == (pair.turn_rad > 0.0) ? ++upright : ++mirrored;
     if (upright >= kEnoughUpright) return;
   }
-  if (mirrored < kEnoughMirrored || upright > 0 || attitude_is_to_blame(checked.session)) return;
+  if (mirrored < kEnoughMirrored || upright > 0 || attitude_is_to_blame(checked)) return;
   findings.push_back(
       {Severity::Problem, "cloud-left-handed", "scans",
        check_text("In all %zu pairs that were looked at, the scans turn the other way round than the INS, "

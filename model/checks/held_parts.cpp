@@ -31,7 +31,7 @@ struct Steps {
 /// `difference(a, b)` of the values of two samples; equal up to `same`. Samples count where the values change by more
 /// than `moving` within a window.
 template <class Difference>
-std::optional<Steps> steps_of(const std::vector<StampedPose>& poses, double same, double moving, double least_jump,
+std::optional<Steps> steps_of(const MetricPoses& poses, double same, double moving, double least_jump,
                               Difference&& difference) {
   std::vector<std::size_t> starts;  // of each new value
   for (std::size_t i = 0; i < poses.size(); ++i)
@@ -61,15 +61,15 @@ std::optional<Steps> steps_of(const std::vector<StampedPose>& poses, double same
 }
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
-  const std::vector<StampedPose>& poses = checked.poses;
+  const MetricPoses& poses = checked.poses;
   // The axes of the metric frame turn with the place: what repeats does so as it was logged.
   const std::vector<InsSample>& ins = checked.session.ins;
   const bool geodetic = ins.size() == poses.size();
-  std::vector<Eigen::Quaterniond> attitudes;
-  for (std::size_t i = 0; i < poses.size(); ++i)
-    attitudes.push_back(geodetic ? ins[i].enu_from_ins : Eigen::Quaterniond(poses[i].pose.linear()));
+  const auto attitude = [&](std::size_t i) {
+    return geodetic ? ins[i].enu_from_ins : Eigen::Quaterniond(poses[i].pose.linear());
+  };
   const auto turn = steps_of(poses, kSameAttitude_rad, kTurning_rad, kLeastTurn_rad,
-                             [&](std::size_t a, std::size_t b) { return attitudes[a].angularDistance(attitudes[b]); });
+                             [&](std::size_t a, std::size_t b) { return attitude(a).angularDistance(attitude(b)); });
   // Heights may come from elsewhere than the place.
   const auto way = steps_of(poses, 0.0, kDriving_m, kLeastStep_m, [&](std::size_t a, std::size_t b) {
     const Eigen::Vector3d step = poses[a].pose.translation() - poses[b].pose.translation();

@@ -22,7 +22,7 @@ struct Jumps {
 };
 
 /// How far each step is from what the speeds before and after it make of it; NaN where they are not known.
-std::vector<double> surprises(const std::vector<StampedPose>& poses) {
+std::vector<double> surprises(const MetricPoses& poses) {
   const auto position = [&](std::size_t i) { return Eigen::Vector3d(poses[i].pose.translation()); };
   const auto time_s = [&](std::size_t from, std::size_t to) {
     return seconds_between(poses[from].stamp_ns, poses[to].stamp_ns);
@@ -43,7 +43,7 @@ std::vector<double> surprises(const std::vector<StampedPose>& poses) {
   return surprise;
 }
 
-Jumps jumps_of(const std::vector<StampedPose>& poses) {
+Jumps jumps_of(const MetricPoses& poses) {
   const std::vector<double> surprise = surprises(poses);
   std::vector<double> known;
   for (const double value : surprise)
@@ -63,7 +63,7 @@ Jumps jumps_of(const std::vector<StampedPose>& poses) {
 }
 
 /// Between poses 0.2 s apart: noise of the single sample must not pass for motion.
-double fastest_mps(const std::vector<StampedPose>& poses) {
+double fastest_mps(const MetricPoses& poses) {
   double fastest = 0.0;
   for (std::size_t from = 0, i = 1; i < poses.size(); ++i) {
     const double step_s = seconds_between(poses[from].stamp_ns, poses[i].stamp_ns);

@@ -12,7 +12,7 @@ namespace {
 constexpr double kShortestGap_s = 0.1;
 constexpr double kFrozen_s = 1.0;
 
-double longest_frozen_s(const std::vector<StampedPose>& poses) {
+double longest_frozen_s(const MetricPoses& poses) {
   double longest = 0.0;
   std::size_t since = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -54,7 +54,7 @@ void report_status(const std::vector<InsSample>& ins, std::vector<Finding>& find
                   found.longest_s)});
 }
 
-void report_gaps(const std::vector<StampedPose>& poses, std::vector<Finding>& findings) {
+void report_gaps(const MetricPoses& poses, std::vector<Finding>& findings) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < poses.size(); ++i)
     steps.push_back(seconds_between(poses[i - 1].stamp_ns, poses[i].stamp_ns));

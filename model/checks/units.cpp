@@ -27,7 +27,7 @@ void check_positions(const std::vector<InsSample>& ins, std::vector<Finding>& fi
 }
 
 /// Root mean square over the stretch that both cover; NaN where there is none.
-double rms_rate(const std::vector<StampedPose>& poses) {
+double rms_rate(const MetricPoses& poses) {
   double sum = 0.0, time_s = 0.0;
   for (std::size_t from = 0, i = 1; i < poses.size(); ++i) {
     const double step_s = seconds_between(poses[from].stamp_ns, poses[i].stamp_ns);

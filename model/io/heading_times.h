@@ -33,6 +33,7 @@ class HeadingPlaces {
   void add_other() { ++others_; }
   void add_heading(double heading_rad);
   HeadingTimes times() const;
+  void reserve(std::size_t headings) { places_.reserve(headings); }
 
  private:
   static constexpr std::int64_t kNone_ns = std::numeric_limits<std::int64_t>::min();

@@ -9,6 +9,7 @@
 #include "model/io/gpx_track.h"
 #include "model/io/input_file.h"
 #include "model/io/ins_table.h"
+#include "model/io/native_declared.h"
 #include "model/io/nmea_log.h"
 #include "model/io/parse_document.h"
 #include "model/io/pose_file.h"
@@ -216,33 +217,6 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
   session.ins = parse_ins_table(text, session.files.back(), layout, session.findings);
 }
 
-void read_noise(const DocumentView& node, Session& session) {
-  node.allow_only(
-      {"position_sigma_m", "attitude_sigma_deg", "attitude_bias_sigma_deg", "position_drift_m", "attitude_drift_deg"});
-  const auto read = [&](const char* key, double unit, double& sigma) {
-    const auto value = find(node, key);
-    if (!value) return;
-    sigma = value->number() * unit;
-    if (sigma < 0.0) value->fail("a sigma is not negative");
-  };
-  read("position_sigma_m", 1.0, session.ins_position_white_sigma_m);
-  read("attitude_sigma_deg", kPi / 180.0, session.ins_attitude_white_sigma_rad);
-  read("attitude_bias_sigma_deg", kPi / 180.0, session.ins_attitude_bias_sigma_rad);
-  read("position_drift_m", 1.0, session.ins_position_drift);
-  read("attitude_drift_deg", kPi / 180.0, session.ins_attitude_drift);
-}
-
-RigidTransform read_nominal(const DocumentView& node) {
-  node.allow_only({"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"});
-  const auto angle = [&](const char* key) {
-    const double degrees = node.at(key).number();
-    if (std::abs(degrees) > 360.0) node.at(key).fail(shortest(degrees) + " deg is outside -360 to 360 deg");
-    return degrees_to_radians(degrees);
-  };
-  return rigid_from_six({node.at("x_m").number(), node.at("y_m").number(), node.at("z_m").number(), angle("yaw_deg"),
-                         angle("pitch_deg"), angle("roll_deg")});
-}
-
 constexpr std::array<std::string_view, 4> kSensors{"imu", "gnss", "wheels", "barometer"};
 
 void read_sensors(const DocumentView& root, const fs::path& folder, Session& session) {
@@ -250,8 +224,12 @@ void read_sensors(const DocumentView& root, const fs::path& folder, Session& ses
     const auto node = find(root, key);
     if (!node) return;
     node->allow_only({"file"});
-    session.files.push_back(folder / node->at("file").string());
-    samples = read_table(session.files.back(), session.findings);
+    const fs::path file = folder / node->at("file").string();
+    // A log that is the INS as well has told what is wrong with it.
+    const bool again = std::find(session.files.begin(), session.files.end(), file) != session.files.end();
+    std::vector<Finding> told_already;
+    if (!again) session.files.push_back(file);
+    samples = read_table(file, again ? told_already : session.findings);
   };
   read("imu", session.imu, read_imu_table);
   read("gnss", session.gnss, read_gnss);
@@ -338,11 +316,6 @@ void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource&
     read_scans(*scans, folder, source, session);
   else if (const auto poses = find(root, "lidar_poses"))
     session.odometry_from_lidar = read_poses(*poses, folder, source, session);
-}
-
-void read_declared(const DocumentView& root, Session& session) {
-  if (const auto noise = find(root, "ins_noise")) read_noise(*noise, session);
-  if (const auto nominal = find(root, "nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
 }
 
 }  // namespace

@@ -26,18 +26,21 @@ NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence) {
   const std::size_t begin = line.find('$');
   if (begin == std::string_view::npos) return NmeaLine::NoSentence;
   line = trimmed(line.substr(begin + 1));
-  if (const std::size_t star = line.rfind('*'); star != std::string_view::npos) {
+  const std::size_t star = line.rfind('*');
+  sentence.has_checksum = star != std::string_view::npos;
+  bool right = true;
+  if (sentence.has_checksum) {
     unsigned sum = 0;
     for (const char c : line.substr(0, star)) sum ^= static_cast<unsigned char>(c);
-    if (hexadecimal(line.substr(star + 1)) != sum) return NmeaLine::WrongChecksum;
+    right = hexadecimal(line.substr(star + 1)) == sum;
     line = line.substr(0, star);
   }
   split_csv(line, sentence.fields);
   const std::string_view head = sentence.fields.empty() ? std::string_view{} : sentence.fields.front();
-  if (head.size() != 5) return NmeaLine::NoSentence;
+  if (head.size() != 5) return right ? NmeaLine::NoSentence : NmeaLine::WrongChecksum;
   sentence.type = head.front() == 'P' ? head : head.substr(2);
   sentence.fields.erase(sentence.fields.begin());
-  return NmeaLine::Sentence;
+  return right ? NmeaLine::Sentence : NmeaLine::WrongChecksum;
 }
 
 std::optional<std::int64_t> nmea_time_ns(std::string_view text) {

@@ -11,12 +11,14 @@ namespace remount {
 struct NmeaSentence {
   std::string_view type;                 ///< "GGA" of any talker, "PASHR" of its own
   std::vector<std::string_view> fields;  ///< after the type
+  bool has_checksum = false;
   std::string_view field(std::size_t i) const { return i < fields.size() ? fields[i] : std::string_view{}; }
 };
 
 enum class NmeaLine { Sentence, NoSentence, WrongChecksum };
 
-/// Takes the sentence out of a line, which may have something before its '$'. The views lead into `line`.
+/// Takes the sentence out of a line, which may have something before its '$'. The views lead into `line`. With a wrong
+/// checksum the type and the fields are as they can be read.
 NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence);
 
 /// "hhmmss.sss" as ns since midnight; nothing where it is none.

@@ -13,10 +13,11 @@ namespace {
 /// Shared clocks that differ by more are not shared; the pipeline's own estimate of the time offset covers less.
 constexpr double kSharedTolerance_s = 0.2;
 
-double overlap_share(const std::vector<StampedPose>& a, const std::vector<StampedPose>& b) {
-  const std::int64_t common =
-      std::min(a.back().stamp_ns, b.back().stamp_ns) - std::max(a.front().stamp_ns, b.front().stamp_ns);
-  const std::int64_t shorter = std::min(a.back().stamp_ns - a.front().stamp_ns, b.back().stamp_ns - b.front().stamp_ns);
+double overlap_share(const RotationStream& a, const RotationStream& b) {
+  const std::int64_t a_begin = a.stamp_ns(0), a_end = a.stamp_ns(a.size() - 1);
+  const std::int64_t b_begin = b.stamp_ns(0), b_end = b.stamp_ns(b.size() - 1);
+  const std::int64_t common = std::min(a_end, b_end) - std::max(a_begin, b_begin);
+  const std::int64_t shorter = std::min(a_end - a_begin, b_end - b_begin);
   return shorter > 0 ? static_cast<double>(common) / static_cast<double>(shorter) : 0.0;
 }
 
@@ -30,7 +31,7 @@ std::string describe(const ClockAlignment& alignment) {
 }  // namespace
 
 void align_lidar_clock(Session& session, ClockUse clocks) {
-  const std::vector<StampedPose> ins = session.ins.empty() ? session.world_from_ins : rotations_of(session.ins);
+  const RotationStream ins = session.ins.empty() ? RotationStream(session.world_from_ins) : RotationStream(session.ins);
   if (ins.empty() || session.odometry_from_lidar.empty()) return;
   const bool overlapping = overlap_share(ins, session.odometry_from_lidar) > 0.5;
   const ClockAlignment alignment = align_clocks(ins, session.odometry_from_lidar);

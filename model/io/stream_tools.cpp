@@ -151,13 +151,4 @@ bool plausible_geodetic(double latitude_rad, double longitude_rad, double height
   return std::abs(latitude_rad) <= kPi / 2.0 && std::abs(longitude_rad) <= 2.0 * kPi && std::abs(height_m) < 1e5;
 }
 
-std::vector<StampedPose> rotations_of(const std::vector<InsSample>& ins) {
-  std::vector<StampedPose> poses(ins.size());
-  for (std::size_t i = 0; i < ins.size(); ++i) {
-    poses[i].stamp_ns = ins[i].stamp_ns;
-    poses[i].pose.linear() = ins[i].enu_from_ins.toRotationMatrix();
-  }
-  return poses;
-}
-
 }  // namespace remount

@@ -105,7 +105,4 @@ Eigen::Matrix3d checked_rotation(const Eigen::Matrix3d& logged, const std::strin
 /// True where latitude and longitude (rad) and height (m) are possible.
 bool plausible_geodetic(double latitude_rad, double longitude_rad, double height_m);
 
-/// Poses of an INS stream for what needs rotations only (clock alignment); translations are zero.
-std::vector<StampedPose> rotations_of(const std::vector<InsSample>& ins);
-
 }  // namespace remount

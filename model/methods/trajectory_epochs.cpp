@@ -5,6 +5,7 @@
 #include "algorithms/calibration/uncertainty.h"
 #include "algorithms/geometry/local_level.h"
 #include "algorithms/trajectory/motion_track.h"
+#include "model/assumed_tilt.h"
 #include "model/methods/trajectory_feed.h"
 
 namespace remount {
@@ -92,7 +93,7 @@ std::vector<EpochStamp> epoch_stamps(const std::vector<OdometryPose>& poses, con
 }
 
 struct InsNoise {
-  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad;
+  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad, assumed_tilt_rad;
   bool attitude_declared, declared;
 };
 
@@ -115,6 +116,7 @@ InsNoise ins_noise(const Session& session, const MotionTrack& track, const Solve
     out.attitude_drift =
         known_or(session.ins_attitude_drift, declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
   }
+  out.assumed_tilt_rad = assumed_tilt_sigma_rad(session.ins);
   out.bias_rad = known_or(session.ins_attitude_bias_sigma_rad, degrees_to_radians(assumed.ins_attitude_bias_sigma_deg));
   return out;
 }
@@ -190,6 +192,7 @@ class EpochMaker {
 
   void describe(TrajectorySession& out) const {
     constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
+    out.assumed_tilt_sigma_rad = noise_.assumed_tilt_rad;
     out.doubtful_attitude_rad = noise_.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
     out.ins_noise_stated = noise_.declared && !positions_.enu_from_ins.empty();
     out.unseen = registration_limits();
@@ -204,9 +207,22 @@ class EpochMaker {
       if (!epochs.empty()) link(epochs.back(), stamp.stamp_ns, *epoch);
       epochs.push_back(std::move(*epoch));
     }
+    if (noise_.assumed_tilt_rad > 0.0) set_assumed_tilt(epochs);
   }
 
  private:
+  // What is assumed lasts: the poses of the INS, those of other parts of the drive among them, say together what one
+  // says.
+  void set_assumed_tilt(std::vector<TrajectoryEpoch>& epochs) const {
+    double count = 0.0;
+    for (const TrajectoryEpoch& epoch : epochs) count += epoch.ins ? 1.0 : 0.0;
+    const auto drive_ns = static_cast<double>(poses_.back().stamp_ns - poses_.front().stamp_ns);
+    const double most =
+        std::max({1.0, count, drive_ns / static_cast<double>(std::max<std::int64_t>(1, ins_apart_ns_))});
+    for (TrajectoryEpoch& epoch : epochs)
+      if (epoch.ins) epoch.ins->assumed_tilt_sigma_rad = std::sqrt(most) * noise_.assumed_tilt_rad;
+  }
+
   // Nothing where neither INS nor GNSS says anything, or the LiDAR's pose is not known.
   std::optional<TrajectoryEpoch> epoch_at(const EpochStamp& stamp) {
     const std::optional<RigidTransform> lidar = track_.at(stamp.stamp_ns);

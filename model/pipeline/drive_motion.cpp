@@ -5,6 +5,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/geodesy.h"
+#include "model/assumed_tilt.h"
 
 namespace remount {
 
@@ -61,7 +62,7 @@ std::vector<SessionNoise> DriveMotion::noise() const {
     out.push_back({tracks_[s].position_noise_factor() * sessions_[s]->ins_position_white_sigma_m,
                    tracks_[s].attitude_noise_factor() * sessions_[s]->ins_attitude_white_sigma_rad,
                    sessions_[s]->ins_attitude_bias_sigma_rad, sessions_[s]->ins_position_drift,
-                   sessions_[s]->ins_attitude_drift});
+                   sessions_[s]->ins_attitude_drift, assumed_tilt_sigma_rad(sessions_[s]->ins)});
   return out;
 }
 

@@ -4736,8 +4736,8 @@ Save under another name, or close it there first.</source>
         <translation>INS 的航向与行驶方向不一致，但若按 %1 理解则一致：请改正姿态的约定。按现在的约定，任何安装都不可能正确。</translation>
     </message>
     <message>
-        <source>The heading of the INS does not follow the direction of travel: check the convention of the attitude, and which column is yaw. A vehicle that moves sideways at will may look so too.</source>
-        <translation>INS 的航向与行驶方向不一致：请检查姿态的约定，以及哪一列是航向角。能任意横移的车辆也会这样。</translation>
+        <source>The heading of the INS does not follow the direction of travel: check the convention of the attitude, and whether what is taken for yaw is it. A vehicle that moves sideways at will may look so too.</source>
+        <translation>INS 的航向与行驶方向不一致：请检查姿态的约定，以及被当作航向角的是否确是航向角。能任意横移的车辆也会这样。</translation>
     </message>
     <message>
         <source>The z axis of the INS points down, where its axes are declared with z up: is it mounted so? Otherwise check the convention of the attitude (ENU or NED, roll by 180 degrees).</source>
@@ -6612,16 +6612,16 @@ Save under another name, or close it there first.</source>
         <translation>INS 的每一个相对运动都是错误的；没有结果能以此为据。</translation>
     </message>
     <message>
-        <source>Declare the convention that the finding names; in session.yaml it is ins.columns.attitude.convention.</source>
-        <translation>请声明该条发现所指出的约定；在 session.yaml 中为 ins.columns.attitude.convention。</translation>
+        <source>Declare the convention that the finding names (CSV: ins.columns.attitude.convention), or set it in the INS.</source>
+        <translation>请声明该条发现所指出的约定（CSV 用 ins.columns.attitude.convention），或在 INS 中设置。</translation>
     </message>
     <message>
         <source>Heading and direction of travel have nothing to do with each other.</source>
         <translation>航向与行驶方向毫无关系。</translation>
     </message>
     <message>
-        <source>Look which column is the heading, and how it counts; set the mounting of the INS in the INS itself.</source>
-        <translation>请查看哪一列是航向、它如何计数；在 INS 内部设置其安装方式。</translation>
+        <source>Look what the log has for a heading, and how it counts; set the mounting of the INS in the INS itself.</source>
+        <translation>请查看日志以什么作为航向、它如何计数；在 INS 内部设置其安装方式。</translation>
     </message>
     <message>
         <source>Roll of the INS is off by half a turn, and that of the result with it.</source>
@@ -6866,10 +6866,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Roll and pitch are guesses: of the mounting only yaw, and x and y, can be relied on.</source>
         <translation>横滚角和俯仰角是猜测的：安装参数中只有偏航角以及 x 和 y 可以信赖。</translation>
-    </message>
-    <message>
-        <source>Log PASHR as well, or use an INS.</source>
-        <translation>请同时记录 PASHR，或使用 INS。</translation>
     </message>
     <message>
         <source>Yaw of the result is off by as much as the grid turns against true north there.</source>
@@ -8792,10 +8788,6 @@ Save under another name, or close it there first.</source>
         <translation>高度为海拔，因为日志未给出大地水准面的高度。</translation>
     </message>
     <message>
-        <source>The log has a heading (HDT) and no roll and pitch: they are taken to be zero, good to some degrees.</source>
-        <translation>日志有航向（HDT），没有横滚和俯仰：二者按零处理，精度为几度。</translation>
-    </message>
-    <message>
         <source>the tag &lt;trkpt does not end</source>
         <translation>标签 &lt;trkpt 没有结束</translation>
     </message>
@@ -10134,6 +10126,42 @@ Save under another name, or close it there first.</source>
     <message>
         <source>%1 track point has no height; it is taken to be zero.</source>
         <translation>%1 个轨迹点没有高度；按零处理。</translation>
+    </message>
+    <message>
+        <source>Log PASHR as well, or use an INS; or give what you measured, or the height of the INS above ground.</source>
+        <translation>请同时记录 PASHR，或使用 INS；或者给出测量值，或 INS 离地高度。</translation>
+    </message>
+    <message>
+        <source>The recording was stopped, or copied, before it was complete.</source>
+        <translation>录制在完成之前被停止，或在完成之前被复制。</translation>
+    </message>
+    <message>
+        <source>Copy the log again, whole. What lies before the cut is used.</source>
+        <translation>请重新完整复制日志。截断处之前的内容会被使用。</translation>
+    </message>
+    <message>
+        <source>roll and pitch of the INS are assumed, not measured</source>
+        <translation>INS 的横滚角和俯仰角是假定的，未经测量</translation>
+    </message>
+    <message>
+        <source>The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of the mounting cannot be told from it. Log roll and pitch as well (PASHR), or give what you measured: z, pitch and roll, or the height of the INS above the ground.</source>
+        <translation>日志有航向，但没有横滚和俯仰：INS 的倾斜是假定的，由此无法得知安装的高度、俯仰角和横滚角。请同时记录横滚和俯仰（PASHR），或给出测量值：z、俯仰角和横滚角，或 INS 的离地高度。</translation>
+    </message>
+    <message>
+        <source>the checksum of a %1 is missing, which the others have</source>
+        <translation>一条 %1 语句缺少校验和，而其他 %1 语句都有</translation>
+    </message>
+    <message>
+        <source>The log ends within a sentence, which is left out.</source>
+        <translation>日志在一条语句中间结束，该语句未被采用。</translation>
+    </message>
+    <message>
+        <source>holds no date that can be used: the sentences that tell it (RMC, ZDA) are damaged. First problem: %1</source>
+        <translation>不含可用的日期：给出日期的语句（RMC、ZDA）已损坏。首个问题：%1</translation>
+    </message>
+    <message>
+        <source>The log has a heading (HDT) and no roll and pitch: they are taken to be zero, with an error of 3 degrees (1 sigma) that lasts over the drive.</source>
+        <translation>日志有航向（HDT），没有横滚和俯仰：二者按零处理，误差为 3 度（1 sigma），并在整个行驶过程中持续存在。</translation>
     </message>
     <message>
         <source>roll, pitch or yaw reaches %1, more than a turn in radians, which KITTI has. Convert the angles from degrees</source>

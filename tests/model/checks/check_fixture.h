@@ -6,7 +6,6 @@
 #include <string>
 
 #include "model/checks/data_check.h"
-#include "model/session_frames.h"
 
 namespace remount {
 
@@ -33,7 +32,7 @@ inline Session good_drive(double turn_deg = 90.0, double tilt_deg = 3.0) {
 
 inline std::vector<Finding> found_by(const DataCheck& check, const Session& session) {
   std::vector<Finding> findings;
-  check.look({session, metric_poses(session)}, findings, Progress());
+  check.look({session, MetricPoses(session)}, findings, Progress());
   return findings;
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -187,6 +188,57 @@ TEST_F(nmea_log, damage_is_named_and_the_rest_is_read) {
   EXPECT_ERROR(read(sentence("GPGGA,000000.00,4860.0,N,00911.0,E,4,12,0.8,250.0,M,48.0,M,,")), "GGA without usable");
 }
 
+// "250" of a height that lost its last digit is a height, too: a sentence without its end says nothing.
+TEST_F(nmea_log, a_log_that_ends_within_a_sentence_says_so_and_takes_nothing_of_it) {
+  const std::string whole = log_of(20, 100.0, false, true);
+  ASSERT_EQ(read(whole).ins.size(), 20U);
+  EXPECT_FALSE(told("log-cut"));
+  EXPECT_FALSE(read(whole.substr(0, whole.size() - 2)).ins.empty());
+  EXPECT_FALSE(told("log-cut")) << "all of it but the end of the last line";
+  const std::size_t last = whole.rfind('$'), last_fix = whole.rfind("$GNGGA");
+  for (const std::size_t length :
+       {last + 1, last + 4, last + 9, whole.size() - 5, whole.size() - 4, whole.size() - 3}) {
+    const NmeaLog log = read(whole.substr(0, length));
+    EXPECT_TRUE(told("log-cut")) << whole.substr(last, length - last);
+    EXPECT_FALSE(told("bad-nmea")) << whole.substr(last, length - last);
+    EXPECT_EQ(log.fixes.size(), 20U);
+    EXPECT_EQ(log.ins.size(), 19U) << "without the heading of the last position";
+  }
+  for (std::size_t length = last_fix + 1; length < whole.find('*', last_fix); ++length)
+    EXPECT_EQ(read(whole.substr(0, length)).fixes.size(), 19U) << whole.substr(last_fix, length - last_fix);
+}
+
+std::string without_checksums(std::string log) {
+  for (std::size_t star = log.find('*'); star != std::string::npos; star = log.find('*')) log.erase(star, 3);
+  return log;
+}
+
+TEST_F(nmea_log, logs_without_checksums_are_read_to_their_end) {
+  std::string bare = without_checksums(log_of(20, 100.0, false, true));
+  EXPECT_EQ(read(bare).ins.size(), 20U);
+  EXPECT_TRUE(findings_.size() == 1 && told("heading-alone"));
+  bare.resize(bare.size() - 2);
+  EXPECT_EQ(read(bare).ins.size(), 20U);
+  EXPECT_FALSE(told("log-cut"));
+  bare.resize(bare.size() - 3);
+  read(bare);
+  EXPECT_TRUE(told("log-cut")) << "a field is missing";
+  // Of a log that has them, a sentence without one was cut where the recorder lost bytes.
+  std::string broken = log_of(20, 100.0, false, true);
+  const std::size_t at = broken.find("*", broken.find("$GNGGA", broken.size() / 2));
+  broken.erase(at - 12, 15);
+  EXPECT_EQ(read(broken).fixes.size(), 19U);
+  EXPECT_TRUE(told("bad-nmea"));
+}
+
+TEST_F(nmea_log, a_damaged_date_is_named) {
+  std::string text = log_of(20, 100.0, true, false);
+  text[text.find("211126")] = '1';
+  EXPECT_ERROR(read(text), "the sentences that tell it (RMC, ZDA) are damaged");
+  EXPECT_ERROR(read(text), "log.nmea:1: the checksum is wrong");
+  EXPECT_EQ(read(text + sentence("GPZDA,000200.00,21,11,2026,00,00")).fixes.size(), 20U) << "another one is there";
+}
+
 TEST_F(nmea_log, gpx_tracks_are_fixes_with_an_assumed_error) {
   const std::string head = "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\">\n<trk><trkseg>\n";
   const std::string text =
@@ -231,6 +283,16 @@ TEST_F(nmea_log, opens_as_a_session_alone_with_poses_and_from_a_manifest) {
   EXPECT_EQ(declared.format, "native");
   EXPECT_EQ(declared.ins.size(), 40U);
   EXPECT_EQ(declared.gnss.size(), 40U);
+  std::string damaged = text;
+  damaged[damaged.find("4846.1005") + 5] = '7';
+  folder_.write("drive/gnss.log", damaged);
+  const Session told_once = open_session(folder_.path() / "drive", progress);
+  EXPECT_EQ(told_once.gnss.size(), 39U);
+  EXPECT_EQ(std::count_if(told_once.findings.begin(), told_once.findings.end(),
+                          [](const Finding& finding) { return finding.code == "bad-nmea"; }),
+            1)
+      << "one log that is two streams";
+  EXPECT_EQ(std::count(told_once.files.begin(), told_once.files.end(), log), 1);
   folder_.write("drive/plain.log", log_of(40, 100.0, false, false));
   folder_.write("drive/session.yaml", manifest + "ins: {file: plain.log}\n");
   EXPECT_ERROR(open_session(folder_.path() / "drive", progress), "has no attitude (PASHR or HDT)");

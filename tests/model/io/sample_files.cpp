@@ -159,6 +159,14 @@ Bytes nmea(int count) {
   return text;
 }
 
+Bytes nmea_headings(int count) {
+  Bytes text = "$GPRMC,120000.00,A,,,,,,,130920,,,A\n";
+  for (int i = 0; i < count; ++i)
+    text += "$GPGGA," + clock_text(i, "") + ",4846.100000,N,00911.500000,E,4,12,0.8,250.000,M,48.000,M,,\n$GPHDT," +
+            std::to_string(i * i / 100 % 360) + ".500,T\n";
+  return text;
+}
+
 Bytes gpx(int count) {
   Bytes text = "<gpx version=\"1.1\"><trk><trkseg>\n";
   for (int i = 0; i < count; ++i)

@@ -20,6 +20,7 @@ Bytes odometry_csv(int count);
 Bytes inspvax_csv(int count);
 Bytes apollo_odometry(int count);
 Bytes nmea(int count);
+Bytes nmea_headings(int count);  ///< positions, each with a heading
 Bytes gpx(int count);
 Bytes smartloc(int count);
 Bytes inspvax_log(int count);

@@ -1,0 +1,50 @@
+#include "model/io/native_declared.h"
+
+#include <cmath>
+#include <optional>
+
+#include "algorithms/geometry/rotation.h"
+#include "model/io/number_text.h"
+
+namespace remount {
+namespace {
+
+std::optional<DocumentView> find(const DocumentView& node, std::string_view key) {
+  return node.has(key) ? std::optional<DocumentView>(node.at(key)) : std::nullopt;
+}
+
+void read_noise(const DocumentView& node, Session& session) {
+  node.allow_only(
+      {"position_sigma_m", "attitude_sigma_deg", "attitude_bias_sigma_deg", "position_drift_m", "attitude_drift_deg"});
+  const auto read = [&](const char* key, double unit, double& sigma) {
+    const auto value = find(node, key);
+    if (!value) return;
+    sigma = value->number() * unit;
+    if (sigma < 0.0) value->fail("a sigma is not negative");
+  };
+  read("position_sigma_m", 1.0, session.ins_position_white_sigma_m);
+  read("attitude_sigma_deg", kPi / 180.0, session.ins_attitude_white_sigma_rad);
+  read("attitude_bias_sigma_deg", kPi / 180.0, session.ins_attitude_bias_sigma_rad);
+  read("position_drift_m", 1.0, session.ins_position_drift);
+  read("attitude_drift_deg", kPi / 180.0, session.ins_attitude_drift);
+}
+
+RigidTransform read_nominal(const DocumentView& node) {
+  node.allow_only({"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"});
+  const auto angle = [&](const char* key) {
+    const double degrees = node.at(key).number();
+    if (std::abs(degrees) > 360.0) node.at(key).fail(shortest(degrees) + " deg is outside -360 to 360 deg");
+    return degrees_to_radians(degrees);
+  };
+  return rigid_from_six({node.at("x_m").number(), node.at("y_m").number(), node.at("z_m").number(), angle("yaw_deg"),
+                         angle("pitch_deg"), angle("roll_deg")});
+}
+
+}  // namespace
+
+void read_declared(const DocumentView& root, Session& session) {
+  if (const auto noise = find(root, "ins_noise")) read_noise(*noise, session);
+  if (const auto nominal = find(root, "nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+}
+
+}  // namespace remount

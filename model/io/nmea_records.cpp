@@ -1,0 +1,212 @@
+#include "model/io/nmea_records.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/io/attitude_convention.h"
+#include "model/io/input_file.h"
+#include "model/io/time_stamp.h"
+
+namespace remount {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::int64_t kDay_ns = 86'400'000'000'000;
+constexpr std::int64_t kLate_ns = 60'000'000'000;  ///< more than any sentence comes behind those of a later time
+
+std::optional<NmeaErrors> stated(const NmeaSentence& sentence) {
+  const auto north = parse_number(sentence.field(5)), east = parse_number(sentence.field(6)),
+             up = parse_number(sentence.field(7));
+  if (!north || !east || !up || !(*north > 0.0 && *east > 0.0 && *up > 0.0)) return std::nullopt;
+  return NmeaErrors{*north, *east, *up};
+}
+
+/// An angle in degrees; nothing where it is none or beyond two turns.
+std::optional<double> angle_rad(std::string_view text) {
+  const auto degrees = parse_number(text);
+  if (!degrees || std::abs(*degrees) > 720.0) return std::nullopt;
+  return degrees_to_radians(*degrees);
+}
+
+std::size_t occurrences(std::string_view text, std::string_view word) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + word.size())) ++count;
+  return count;
+}
+
+bool tells_date(std::string_view type) { return type == "RMC" || type == "ZDA"; }
+
+}  // namespace
+
+NmeaRecords NmeaRecords::read(const fs::path& path) {
+  NmeaRecords records(path);
+  const std::string text = read_regular_file(path);
+  records.reserve(text);
+  records.take_lines(text);
+  records.require_fixes_and_date();
+  records.midnight_ns = *records.dated_;
+  return records;
+}
+
+// Growing by doubling would take several times as much. What a file only promises is bounded by the shortest sentence.
+void NmeaRecords::reserve(std::string_view text) {
+  constexpr std::size_t kShortestFix = 40, kShortestAttitude = 40, kShortestHeading = 24;  // with the line of its time
+  fixes.reserve(std::min(occurrences(text, "GGA,"), text.size() / kShortestFix));
+  attitudes.reserve(std::min(occurrences(text, "PASHR,"), text.size() / kShortestAttitude));
+  places.reserve(std::min(occurrences(text, "HDT,"), text.size() / kShortestHeading));
+}
+
+void NmeaRecords::take_lines(std::string_view text) {
+  LineReader lines(text);
+  for (std::string_view line; lines.next(line);) {
+    line_number_ = lines.line_number();
+    take_line(line, lines.offset() == text.size() && !text.ends_with('\n'));
+  }
+}
+
+void NmeaRecords::take_line(std::string_view line, bool at_end) {
+  NmeaSentence sentence;
+  const NmeaLine kind = parse_nmea(line, sentence);
+  Usual* const usual =
+      std::find_if(usual_.begin(), usual_.end(), [&](const Usual& one) { return one.type == sentence.type; });
+  if (kind == NmeaLine::WrongChecksum) {
+    const bool cut = at_end && line.size() - line.rfind('*') < std::string_view("*00").size();
+    if (cut)
+      cut_line = line_number_;
+    else
+      add_bad(sentence.type, "the checksum is wrong");
+    return;
+  }
+  // A sentence whose end is missing still has numbers, of which the last may have lost digits.
+  const bool checksum = sentence.has_checksum;
+  const bool known = kind == NmeaLine::Sentence && usual != usual_.end();
+  const bool cut = known ? !checksum && (usual->checksum || (at_end && sentence.fields.size() < usual->fields))
+                         : at_end && !checksum && line.find('$') != std::string_view::npos;
+  if (cut && at_end) {
+    cut_line = line_number_;
+  } else if (cut) {
+    add_bad(sentence.type, "the checksum of a " + std::string(sentence.type) + " is missing, which the others have");
+  } else if (kind == NmeaLine::Sentence) {
+    if (known) usual->checksum = usual->checksum || checksum, usual->fields = sentence.fields.size();
+    if (!take(sentence)) add_bad(sentence.type, std::string(sentence.type) + " without usable values");
+  }
+}
+
+void NmeaRecords::add_bad(std::string_view type, const std::string& why) {
+  const std::string what = at_line(path_, line_number_) + ": " + why;
+  bad.add(what);
+  if (tells_date(type)) bad_dates_.add(what);
+}
+
+void NmeaRecords::require_fixes_and_date() const {
+  const auto first_of = [](const BadItems& items) {
+    return items.count() > 0 ? " First problem: " + items.first() : std::string();
+  };
+  if (fixes.empty())
+    throw Error(ErrorCode::Format, path_.string(), "holds no GGA sentence with a fix." + first_of(bad));
+  if (dated_) return;
+  if (bad_dates_.count() > 0)
+    throw Error(
+        ErrorCode::Format, path_.string(),
+        "holds no date that can be used: the sentences that tell it (RMC, ZDA) are damaged." + first_of(bad_dates_));
+  throw Error(ErrorCode::Format, path_.string(),
+              "holds no date: GGA tells the time of day alone. Log RMC or ZDA as well");
+}
+
+// False where the sentence is of a kind that is read, and cannot be.
+bool NmeaRecords::take(const NmeaSentence& sentence) {
+  timed_ = false;
+  const bool taken = take_kind(sentence);
+  if (!timed_ && sentence.type != "HDT") places.add_other();
+  return taken;
+}
+
+bool NmeaRecords::take_kind(const NmeaSentence& sentence) {
+  if (sentence.type == "GGA") return take_fix(sentence);
+  if (sentence.type == "RMC") return take_date(sentence.field(0), sentence.field(8));
+  if (sentence.type == "ZDA")
+    return take_date(sentence.field(0),
+                     std::string(sentence.field(1)) + std::string(sentence.field(2)) + std::string(sentence.field(3)));
+  if (sentence.type == "GST") return take_error(sentence);
+  if (sentence.type == "HDT") return take_heading(sentence);
+  if (sentence.type == "PASHR" && sentence.field(2) == "T") return take_attitude(sentence);
+  return true;
+}
+
+// Time of day to time since the first midnight: a step back by most of a day is a new one, and a step ahead by
+// nearly all of one a sentence from before midnight that comes late.
+std::optional<std::int64_t> NmeaRecords::running(std::string_view text) {
+  const auto time = nmea_time_ns(text);
+  if (!time) return std::nullopt;
+  std::int64_t now = days_ * kDay_ns + *time;
+  if (now < last_ns_ - kDay_ns / 2)
+    ++days_, now += kDay_ns;
+  else if (last_ns_ >= 0 && now > last_ns_ + kDay_ns - kLate_ns)
+    now -= kDay_ns;
+  last_ns_ = std::max(last_ns_, now);
+  places.add_time(last_ns_);
+  timed_ = true;
+  return now;
+}
+
+bool NmeaRecords::take_fix(const NmeaSentence& sentence) {
+  places.add_position();
+  const auto time = running(sentence.field(0));
+  const auto quality = parse_integer(sentence.field(5));
+  if (!time || !quality) return sentence.field(0).empty();  // before the first fix receivers leave all empty
+  if (*quality <= 0 || *quality > 8) return true;
+  const auto latitude = nmea_angle_rad(sentence.field(1), sentence.field(2));
+  const auto longitude = nmea_angle_rad(sentence.field(3), sentence.field(4));
+  const auto height = parse_number(sentence.field(8)), geoid = parse_number(sentence.field(10));
+  if (!latitude || !longitude || !height || !plausible_geodetic(*latitude, *longitude, *height + geoid.value_or(0.0)))
+    return false;
+  without_geoid += !geoid;
+  fixes.push_back({*time, *latitude, *longitude, *height + geoid.value_or(0.0),
+                   static_cast<float>(parse_number(sentence.field(7)).value_or(1.0)), static_cast<int>(*quality)});
+  return true;
+}
+
+// ddmmyy or ddmmyyyy
+bool NmeaRecords::take_date(std::string_view time_text, std::string_view date) {
+  const auto time = running(time_text);
+  if (!time || dated_ || date.empty()) return true;
+  if (date.size() != 6 && date.size() != 8) return false;
+  const std::string year = (date.size() == 6 ? "20" : "") + std::string(date.substr(4));
+  const auto midnight =
+      parse_date_ns(year + "-" + std::string(date.substr(2, 2)) + "-" + std::string(date.substr(0, 2)) + " 00:00:00");
+  if (!midnight) return false;
+  const std::int64_t day = *time < 0 ? -1 : *time / kDay_ns;  // a late sentence has the date of the day before
+  dated_ = *midnight - day * kDay_ns;
+  return true;
+}
+
+bool NmeaRecords::take_error(const NmeaSentence& sentence) {
+  const auto time = running(sentence.field(0));
+  const auto error = stated(sentence);
+  if (time && error) errors[*time] = *error;
+  return time.has_value();
+}
+
+bool NmeaRecords::take_heading(const NmeaSentence& sentence) {
+  const auto heading = angle_rad(sentence.field(0));
+  if (heading) places.add_heading(*heading);
+  return heading || sentence.field(0).empty();
+}
+
+bool NmeaRecords::take_attitude(const NmeaSentence& sentence) {
+  const auto time = running(sentence.field(0));
+  const auto heading = angle_rad(sentence.field(1)), roll = angle_rad(sentence.field(3)),
+             pitch = angle_rad(sentence.field(4));
+  if (!time || !heading || !roll || !pitch) return false;
+  const auto sigma = [&](std::size_t field) {
+    const auto value = parse_number(sentence.field(field));
+    return value && *value > 0.0 ? degrees_to_radians(*value) : std::nan("");
+  };
+  attitudes.push_back({*time, enu_from_ins({*heading, *pitch, *roll}, AttitudeConvention::Heading),
+                       axis_sigma_rad({sigma(8), sigma(7), sigma(6)}, AttitudeConvention::Heading)});
+  return true;
+}
+
+}  // namespace remount

@@ -1,0 +1,48 @@
+// Poses of an INS in a metric frame, in less than half of the memory of StampedPose.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "model/session.h"
+
+namespace remount {
+
+/// What metric_poses gives, one at a time: for looking at a whole session while it is in memory. Of poses from a file
+/// nothing is copied. The session must outlive this.
+class MetricPoses {
+ public:
+  explicit MetricPoses(const Session& session);
+
+  std::size_t size() const { return poses_.empty() ? from_file_->size() : poses_.size(); }
+  bool empty() const { return size() == 0; }
+  StampedPose operator[](std::size_t i) const {
+    return poses_.empty() ? (*from_file_)[i]
+                          : StampedPose{poses_[i].stamp_ns,
+                                        make_rigid(poses_[i].rotation.toRotationMatrix(), poses_[i].position_m)};
+  }
+  StampedPose front() const { return (*this)[0]; }
+  StampedPose back() const { return (*this)[size() - 1]; }
+
+  struct Iterator {
+    const MetricPoses* poses;
+    std::size_t at;
+    StampedPose operator*() const { return (*poses)[at]; }
+    Iterator& operator++() { return ++at, *this; }
+    bool operator!=(const Iterator& other) const { return at != other.at; }
+  };
+  Iterator begin() const { return {this, 0}; }
+  Iterator end() const { return {this, size()}; }
+
+ private:
+  struct Compact {
+    std::int64_t stamp_ns = 0;
+    Eigen::Vector3d position_m;
+    Eigen::Quaterniond rotation;
+  };
+  std::vector<Compact> poses_;
+  const std::vector<StampedPose>* from_file_;
+};
+
+}  // namespace remount
