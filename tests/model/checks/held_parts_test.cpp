@@ -2,6 +2,7 @@
 
 #include "model/checks/builtin.h"
 #include "model/io/session_reader.h"
+#include "model/session_frames.h"
 #include "model/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/checks/check_fixture.h"
