@@ -10,17 +10,17 @@ namespace {
 // half a minute in every file that calls it.
 template <class Scalar>
 Eigen::Matrix<Scalar, 3, 3> shortest(const Eigen::Matrix<Scalar, 3, 1>& from, const Eigen::Matrix<Scalar, 3, 1>& to) {
-  using Quaternion = Eigen::Quaternion<Scalar>;
-  const Eigen::Matrix<Scalar, 3, 1> a = from.normalized(), b = to.normalized();
-  const Scalar cosine = a.dot(b);
-  Quaternion rotation;
-  if (cosine < Eigen::NumTraits<Scalar>::dummy_precision() - Scalar(1)) {
+  // By the sum, and not by the cosine: that of nearly opposite directions is one of rounding.
+  const Eigen::Matrix<Scalar, 3, 1> a = from.normalized(), b = to.normalized(), sum = a + b;
+  const Scalar length = sum.norm();
+  Eigen::Quaternion<Scalar> rotation;
+  if (length < Scalar(4) * std::sqrt(Eigen::NumTraits<Scalar>::epsilon())) {
     rotation.w() = Scalar(0);
     rotation.vec() = a.unitOrthogonal();
   } else {
-    const Scalar twice_w = std::sqrt((Scalar(1) + cosine) * Scalar(2));
-    rotation.w() = Scalar(0.5) * twice_w;
-    rotation.vec() = a.cross(b) / twice_w;
+    rotation.w() = Scalar(0.5) * length;
+    rotation.vec() = a.cross(b) / length;
+    rotation.normalize();
   }
   return rotation.toRotationMatrix();
 }

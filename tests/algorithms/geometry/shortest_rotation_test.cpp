@@ -29,7 +29,7 @@ TEST(shortest_rotation, stays_a_rotation_as_directions_become_opposite) {
   for (const double away_rad : {1e-2, 1e-4, 1e-6, 1e-8, 1e-12, 0.0}) {
     const Vector3d to = -(so3_exp(away_rad * from.unitOrthogonal()) * from);
     const Eigen::Matrix3d rotation = shortest_rotation(from, to);
-    EXPECT_NEAR((rotation * from.normalized() - to.normalized()).norm(), 0.0, 1e-6) << away_rad;
+    EXPECT_NEAR((rotation * from.normalized() - to.normalized()).norm(), 0.0, 1e-7) << away_rad;
     EXPECT_NEAR(rotation.determinant(), 1.0, 1e-9) << away_rad;
     EXPECT_NEAR((rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm(), 0.0, 1e-9) << away_rad;
   }
