@@ -18,6 +18,9 @@ const std::vector<const char*>& method_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "wheel speeds, an IMU or INS, and scans or poses of the sensor"),
       QT_TRANSLATE_NOOP("remount::model", "scans, and an INS with attitude"),
       QT_TRANSLATE_NOOP("remount::model", "three recordings of a LiDAR: ground, swept arm, full turn"),
+      QT_TRANSLATE_NOOP("remount::model", "the antenna's lever arm alone"),
+      QT_TRANSLATE_NOOP("remount::model", "the antenna's place alone"),
+      QT_TRANSLATE_NOOP("remount::model", "if it is a recording of an excavator"),
       // results, advice, findings, comparisons, stages; words within them
       QT_TRANSLATE_NOOP("remount::model", ", "),
       QT_TRANSLATE_NOOP("remount::model", "x"),

@@ -10149,7 +10149,7 @@ Save under another name, or close it there first.</source>
     </message>
     <message>
         <source>the checksum of a %1 is missing, which the others have</source>
-        <translation>一条 %1 语句缺少校验和，而其他 %1 语句都有</translation>
+        <translation>一条 %1 语句缺少校验和，而其他同类语句都有</translation>
     </message>
     <message>
         <source>The log ends within a sentence, which is left out.</source>
@@ -10166,6 +10166,18 @@ Save under another name, or close it there first.</source>
     <message>
         <source>roll, pitch or yaw reaches %1, more than a turn in radians, which KITTI has. Convert the angles from degrees</source>
         <translation>横滚、俯仰或偏航达到 %1，超过以弧度计的一整圈，而 KITTI 使用弧度。请把角度从度换算为弧度</translation>
+    </message>
+    <message>
+        <source>the antenna&apos;s lever arm alone</source>
+        <translation>仅天线的杆臂</translation>
+    </message>
+    <message>
+        <source>the antenna&apos;s place alone</source>
+        <translation>仅天线的位置</translation>
+    </message>
+    <message>
+        <source>if it is a recording of an excavator</source>
+        <translation>若它是挖掘机的记录</translation>
     </message>
 </context>
 <context>
