@@ -8,7 +8,7 @@ function(remount_precompile target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # GCC 12 is wrong about std::string and Eigen in these; it is silent where their headers are read as system
     # headers, but not where they come precompiled.
-    set(quiet -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized)
+    set(quiet -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread -Wno-maybe-uninitialized -Wno-restrict)
     target_compile_options(${target} PRIVATE "$<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess;${quiet}>")
   endif()
 endfunction()
