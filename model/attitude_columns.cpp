@@ -21,6 +21,7 @@ using Misfits = std::array<double, kMixups>;
 constexpr double kFarBetter = 0.25;  ///< of the misfit as declared
 constexpr double kAsGood = 2.0;      ///< times the best misfit
 constexpr std::size_t kFewSamples = 20, kFewTurns = 12;
+constexpr std::size_t kFewInBlock = 4;  ///< half a second of fewer says nothing
 
 /// Pitch and roll as they would be without that mixup. Axes of the INS: forward, left, up.
 Eigen::Matrix3d without(unsigned mixup, const Eigen::Matrix3d& world_from_ins) {
@@ -95,9 +96,9 @@ std::vector<Block> blocks_of(const std::vector<StampedPose>& poses, const std::v
                              std::int64_t length_ns) {
   std::vector<Block> blocks;
   if (poses.empty() || imu.empty()) return blocks;
-  constexpr std::int64_t kMost = 1'000'000;  // what is longer has broken stamps
   const std::int64_t start_ns = poses.front().stamp_ns, count = (poses.back().stamp_ns - start_ns) / length_ns;
-  if (count < 3 || count > kMost) return blocks;
+  // Stamps that are far apart promise blocks that nothing fills.
+  if (count < 3 || static_cast<std::size_t>(count) > poses.size() / kFewInBlock) return blocks;
   blocks.resize(static_cast<std::size_t>(count));
   const auto block_at = [&](std::int64_t stamp_ns) -> Block* {
     const std::int64_t number = stamp_ns < start_ns ? -1 : (stamp_ns - start_ns) / length_ns;
@@ -129,7 +130,6 @@ std::vector<Block> blocks_of(const std::vector<StampedPose>& poses, const std::v
 std::optional<Misfits> misfits_of_force(const Session& session, const std::vector<StampedPose>& poses) {
   constexpr std::int64_t kBlock_ns = 500'000'000;
   constexpr double kBlock_s = 0.5, kGravity_mps2 = 9.81;
-  constexpr std::size_t kFewInBlock = 4;
   const std::vector<Block> blocks = blocks_of(poses, session.imu, kBlock_ns);
   std::vector<Eigen::Vector3d> felt;
   std::array<std::vector<Eigen::Vector3d>, kMixups> expected;
@@ -176,6 +176,7 @@ std::optional<Misfits> misfits_of_turns(const std::vector<SharedTurn>& turns) {
 /// From pose to pose of the LiDAR's odometry, a second apart.
 std::vector<SharedTurn> turns_of_odometry(const Session& session, const std::vector<StampedPose>& poses) {
   constexpr std::int64_t kApart_ns = 1'000'000'000, kGap_ns = 3'000'000'000;
+  if (session.odometry_from_lidar.empty()) return {};
   const MotionTrack track(poses);
   std::vector<SharedTurn> turns;
   const StampedPose* before = nullptr;

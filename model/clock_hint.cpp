@@ -26,9 +26,7 @@ std::string likely_cause(double difference_s, double slack_s) {
   if (std::abs(size_s - kGpsEpoch_s) < 86400.0)
     return "That is the time between the epochs of Unix and GPS: one of them counts from 1980; declare its time scale.";
   // Recorders start within seconds of each other; with the slack of a long drive any difference would do.
-  const double leap_slack_s = std::min(slack_s, 3.0);
-  if (size_s >= 17.0 - leap_slack_s && size_s <= 18.0 + leap_slack_s)
-    return "GPS time is 18 s ahead of UTC since 2017 (17 s before): likely leap seconds; declare the time scale.";
+  if (const std::string leap = leap_second_hint(difference_s, std::min(slack_s, 3.0)); !leap.empty()) return leap;
   const double hours = std::round(size_s / 1800.0) * 0.5;
   if (hours >= 0.5 && hours <= 14.0 && std::abs(size_s - hours * 3600.0) <= std::max(slack_s, 30.0)) {
     char text[120];
@@ -42,21 +40,20 @@ std::string likely_cause(double difference_s, double slack_s) {
 }  // namespace
 
 std::string leap_second_hint(double difference_s, double slack_s) {
-  struct Scales {
-    double apart_s;
-    const char* words;
+  const auto near = [&](double least_s, double most_s) {
+    const double size_s = std::abs(difference_s);
+    return size_s >= least_s - slack_s && size_s <= most_s + slack_s;
   };
-  constexpr Scales kScales[] = {
-      {18.0, "GPS time is 18 s ahead of UTC since 2017: likely leap seconds; declare the time scale."},
-      {37.0, "TAI is 37 s ahead of UTC since 2017: likely a clock that PTP sets to TAI; declare the time scale."},
-      {19.0, "TAI is 19 s ahead of GPS time: likely a clock that PTP sets to TAI; declare the time scale."}};
-  const Scales* nearest = nullptr;
-  for (const Scales& scales : kScales) {
-    const double off_s = std::abs(std::abs(difference_s) - scales.apart_s);
-    if (off_s <= slack_s && (nearest == nullptr || off_s < std::abs(std::abs(difference_s) - nearest->apart_s)))
-      nearest = &scales;
-  }
-  return nearest == nullptr ? "" : nearest->words;
+  if (near(37.0, 37.0))
+    return "TAI is 37 s ahead of UTC since 2017: likely a clock that PTP sets to TAI; declare the time scale.";
+  const bool utc = near(17.0, 18.0), tai = near(19.0, 19.0);
+  if (utc && tai)
+    return "GPS time is 18 s ahead of UTC since 2017 (17 s before), and TAI 19 s ahead of GPS time: likely leap "
+           "seconds, or a clock that PTP sets to TAI; declare the time scale.";
+  if (utc)
+    return "GPS time is 18 s ahead of UTC since 2017 (17 s before): likely leap seconds; declare the time scale.";
+  if (tai) return "TAI is 19 s ahead of GPS time: likely a clock that PTP sets to TAI; declare the time scale.";
+  return {};
 }
 
 std::string shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins) {

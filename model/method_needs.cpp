@@ -11,8 +11,6 @@ namespace {
 constexpr const char* kNoLidar = "holds neither scans nor LiDAR poses";
 constexpr const char* kNoIns = "holds no motion of an INS with attitude";
 
-bool has_scans_to_read(const Session& session) { return session.scans && session.scans->size() > 0; }
-
 std::string lack_for_pairs(const Session& session) {
   return !has_lidar(session) ? kNoLidar : !has_ins(session) ? kNoIns : "";
 }
@@ -37,25 +35,33 @@ std::string_view limit_of_vehicle_frame(const Session& session) {
 }
 
 std::string lack_for_fusion(const Session& session) {
-  return !has_scans_to_read(session) ? "has no scans; the multi-sensor odometry needs them"
-         : !has_ins(session)         ? kNoIns
-                                     : "";
+  return !has_scans(session) ? "has no scans; the multi-sensor odometry needs them" : !has_ins(session) ? kNoIns : "";
 }
 
 std::string lack_for_slew(const Session& session) { return has_lidar(session) ? "" : kNoLidar; }
 
-bool takes(MethodChoice method, const Session& session) { return needs_of(method).lack(session).empty(); }
+using Sessions = std::vector<std::shared_ptr<const Session>>;
 
-template <class Sessions>
+/// What one of several sessions lacks: an antenna alone has nothing to say beside a sensor.
+std::string lack_among(const Sessions& sessions, const Session& session, MethodChoice method) {
+  const bool beside_sensor =
+      method == MethodChoice::VehicleFrame && has_antenna_only(session) &&
+      !std::all_of(sessions.begin(), sessions.end(), [](const auto& one) { return has_antenna_only(*one); });
+  return beside_sensor ? lack_of_sensor_drive(session) : needs_of(method).lack(session);
+}
+
 bool takes_all(MethodChoice method, const Sessions& sessions) {
-  return std::all_of(sessions.begin(), sessions.end(), [&](const auto& session) { return takes(method, *session); });
+  return std::all_of(sessions.begin(), sessions.end(),
+                     [&](const auto& session) { return lack_among(sessions, *session, method).empty(); });
 }
 
 constexpr MethodChoice method_at(std::size_t index) { return static_cast<MethodChoice>(index); }
 
 }  // namespace
 
-bool has_lidar(const Session& session) { return has_scans_to_read(session) || !session.odometry_from_lidar.empty(); }
+bool has_scans(const Session& session) { return session.scans && session.scans->size() > 0; }
+
+bool has_lidar(const Session& session) { return has_scans(session) || !session.odometry_from_lidar.empty(); }
 
 bool has_ins(const Session& session) { return session.ins.size() > 1 || session.world_from_ins.size() > 1; }
 
@@ -66,8 +72,7 @@ bool has_antenna_only(const Session& session) {
 
 std::string lack_of_sensor_drive(const Session& session) {
   if (session.wheels.size() < 2) return "has no wheel speeds, by which the vehicle's frame is found";
-  if (!has_scans_to_read(session) && session.odometry_from_lidar.size() < 2)
-    return "has neither scans nor poses of the sensor";
+  if (!has_scans(session) && session.odometry_from_lidar.size() < 2) return "has neither scans nor poses of the sensor";
   // Turn rates from attitudes need three.
   if (session.imu.size() < 2 && std::max(session.ins.size(), session.world_from_ins.size()) < 3)
     return "has neither an IMU nor an INS: nothing tells how it turns";
@@ -107,7 +112,7 @@ std::string methods_that_take(const std::vector<std::shared_ptr<const Session>>&
 
 void require_served(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions) {
   for (const auto& session : sessions) {
-    const std::string lack = needs_of(method).lack(*session);
+    const std::string lack = lack_among(sessions, *session, method);
     if (lack.empty()) continue;
     const std::string others = methods_that_take(sessions);
     // One half of a recording, given instead of the folder that has both, is what is seen most.
@@ -116,7 +121,7 @@ void require_served(MethodChoice method, const std::vector<std::shared_ptr<const
         : method != MethodChoice::Slew && takes_all(MethodChoice::Slew, sessions)
             ? "; name a folder or a session.yaml that has it, too, or choose --method slew for an excavator"
             : "; name a folder or a session.yaml that has it, too";
-    throw Error(ErrorCode::Unsupported, session->path.empty() ? session->name : session->path.string(), lack + instead);
+    throw Error(ErrorCode::Unsupported, path_or_name(*session), lack + instead);
   }
 }
 

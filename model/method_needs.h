@@ -40,8 +40,9 @@ std::string methods_that_take(const std::vector<std::shared_ptr<const Session>>&
 /// Throws Error(Unsupported) for the first session that lacks something; it names what does take all of them.
 void require_served(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions);
 
-bool has_lidar(const Session& session);
-bool has_ins(const Session& session);  ///< with attitude; two poses at least
+bool has_scans(const Session& session);  ///< where there are none, poses of somebody's odometry are the LiDAR's motion
+bool has_lidar(const Session& session);  ///< scans, or poses
+bool has_ins(const Session& session);    ///< with attitude; two poses at least
 
 /// Whether the vehicle-frame method falls back to the antenna: no poses of a sensor, but positions, wheels and rates.
 bool has_antenna_only(const Session& session);

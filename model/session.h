@@ -101,4 +101,9 @@ struct Session {
   std::vector<std::filesystem::path> files;  ///< what was read, for provenance hashes
 };
 
+/// For messages: what was opened, or the name of a session that was made in memory.
+inline std::string path_or_name(const Session& session) {
+  return session.path.empty() ? session.name : session.path.string();
+}
+
 }  // namespace remount

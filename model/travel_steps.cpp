@@ -44,7 +44,7 @@ std::optional<TravelStep> step_between(const Block& from, const Block& to, const
   const Eigen::Vector3d step = to.position - from.position;
   const double speed_mps = step.norm() / (to.time_s - from.time_s);
   if (!(speed_mps > slowest_mps && speed_mps < kFastest_mps)) return std::nullopt;
-  return TravelStep{0.5 * (from.time_s + to.time_s), step.normalized(), speed_mps, world_from_ins};
+  return TravelStep{step.normalized(), speed_mps, world_from_ins};
 }
 
 /// At a walking pace a whole second, whose halves lead the same way: a receiver that stands wanders to and fro.

@@ -10,7 +10,6 @@ namespace remount {
 
 /// A stretch of travel in the world, and the attitude in its middle.
 struct TravelStep {
-  double time_s = 0.0;        ///< of its middle, since the first pose
   Eigen::Vector3d direction;  ///< unit
   double speed_mps = 0.0;
   Eigen::Matrix3d world_from_ins;

@@ -52,6 +52,9 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP(
           "remount::model",
           "GPS time is 18 s ahead of UTC since 2017 (17 s before): likely leap seconds; declare the time scale."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "GPS time is 18 s ahead of UTC since 2017 (17 s before), and TAI 19 s ahead of GPS time: "
+                        "likely leap seconds, or a clock that PTP sets to TAI; declare the time scale."),
       QT_TRANSLATE_NOOP("remount::model", "That is about %1 hours: likely a time zone; both must be in UTC."),
       QT_TRANSLATE_NOOP("remount::model", "They belong to different drives, or a clock or its unit is wrong."),
       QT_TRANSLATE_NOOP("remount::model", "They belong to different drives, or one clock is not synchronised."),

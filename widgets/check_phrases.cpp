@@ -316,8 +316,6 @@ const std::vector<const char*>& check_phrases() {
                         "The LiDAR's times begin %1 s after those of the INS, and end %2 s after them. %3"),
       QT_TRANSLATE_NOOP("remount::model",
                         "The LiDAR's times begin %1 s before those of the INS, and end %2 s before them. %3"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "GPS time is 18 s ahead of UTC since 2017: likely leap seconds; declare the time scale."),
       QT_TRANSLATE_NOOP(
           "remount::model",
           "TAI is 37 s ahead of UTC since 2017: likely a clock that PTP sets to TAI; declare the time scale."),

@@ -67,8 +67,8 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
   if (tilt_open)
     result.advice.emplace_back(
         "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of "
-        "the mounting cannot be told from it. Log roll and pitch as well (PASHR), or give what you measured: z, pitch "
-        "and roll, or the height of the INS above the ground.");
+        "the mounting cannot be told from it. Log roll and pitch as well, or give what you measured: z, pitch and "
+        "roll, or the height of the INS above the ground.");
   if (!observed[2] && !tilt_open)
     result.advice.push_back(
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "

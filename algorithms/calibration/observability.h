@@ -1,6 +1,7 @@
 // Step 9: what the pairs determine, how well, and what to do about the rest.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -17,6 +18,21 @@ struct MotionSummary {
   bool tilt_assumed = false;          ///< roll and pitch of every INS were taken to be zero, not measured
 };
 MotionSummary summarise_motion(const std::vector<Pair>& pairs);
+
+/// 1-sigma of a roll and pitch that were taken to be zero, over the sessions: `least_rad` is 0 where one measured them.
+struct AssumedTilt {
+  double least_rad = 0.0, most_rad = 0.0;
+};
+template <class Sessions>
+AssumedTilt assumed_tilt_of(const Sessions& sessions) {
+  AssumedTilt tilt;
+  for (const auto& session : sessions) {
+    const double sigma_rad = session.assumed_tilt_sigma_rad;
+    tilt.least_rad = &session == &sessions.front() ? sigma_rad : std::min(tilt.least_rad, sigma_rad);
+    tilt.most_rad = std::max(tilt.most_rad, sigma_rad);
+  }
+  return tilt;
+}
 
 /// What the pairs would seem to say about X if the vehicle had not turned at all: (R_P - I) then is nothing but noise,
 /// and its square passes for information. `apparent` is the pairs' information with that part, `spurious` the part

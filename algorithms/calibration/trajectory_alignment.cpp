@@ -48,7 +48,8 @@ void count_outliers(const TrajectoryProblem& problem, const TrajectoryOptions& o
   const WeightedTerms weighted = weighted_terms(problem, options, outcome.solution.state, outcome.solution.noise);
   for (std::size_t s = 0; s < weighted.terms.size(); ++s)
     for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
-      if (weighted.terms[s][k].is_step()) continue;
+      // What is assumed was not measured.
+      if (weighted.terms[s][k].is_step() || weighted.terms[s][k].kind == TermKind::InsTilt) continue;
       ++outcome.measurements;
       outcome.outliers += weighted.weights[s][k] < 0.5 ? 1 : 0;
     }

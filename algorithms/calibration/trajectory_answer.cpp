@@ -98,8 +98,8 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   CalibrationResult& result = answer.result;
   result.ins_from_lidar = evidence.solution.state.ins_from_lidar;
   MotionSummary motion = motion_of(evidence.problem);
-  const auto [least_tilt_rad, tilt_rad] = assumed_tilt_rad(evidence.problem);
-  motion.tilt_assumed = least_tilt_rad > 0.0;
+  const AssumedTilt tilt = assumed_tilt_of(evidence.problem.sessions);
+  motion.tilt_assumed = tilt.least_rad > 0.0;
   const Matrix6d apparent = information_of_x(evidence.information, evidence.prior.information);
   const Matrix6d spurious = evidence.spurious.topLeftCorner<6, 6>();
   result.directions = observed_directions(apparent, {apparent, spurious}, motion, evidence.judged_by);
@@ -120,7 +120,7 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   const Measured& measured = evidence.problem.measured;
   const Matrix6d beside = prior + measured.information(result.ins_from_lidar);
   Matrix6d covariance = widened((information + beside).inverse(), scatter) + unseen(evidence.problem);
-  if (tilt_rad > 0.0) covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt_rad);
+  if (tilt.most_rad > 0.0) covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt.most_rad);
   result.measured = measured.parameters();
   judge_parameters(covariance, motion, evidence.judged_by, result);
   set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);

@@ -1,10 +1,7 @@
 // Trajectory alignment: what is given and what is sought.
 #pragma once
 
-#include <algorithm>
-#include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "algorithms/calibration/measured.h"
@@ -84,14 +81,6 @@ inline bool has_ins(const TrajectoryProblem& problem) {
       if (epoch.ins) return true;
   }
   return false;
-}
-/// assumed_tilt_sigma_rad, least and most of the sessions.
-inline std::pair<double, double> assumed_tilt_rad(const TrajectoryProblem& problem) {
-  std::pair<double, double> range{std::numeric_limits<double>::infinity(), 0.0};
-  for (const TrajectorySession& session : problem.sessions)
-    range = {std::min(range.first, session.assumed_tilt_sigma_rad),
-             std::max(range.second, session.assumed_tilt_sigma_rad)};
-  return range;
 }
 inline bool has_antenna(const TrajectoryProblem& problem) {
   for (const TrajectorySession& session : problem.sessions) {

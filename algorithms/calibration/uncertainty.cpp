@@ -133,16 +133,6 @@ Eigen::MatrixXd responses_to_common_errors(const PairwiseInput& input, const Joi
   return responses;
 }
 
-// Least and most of the sessions.
-std::pair<double, double> assumed_tilt_rad(const PairwiseInput& input) {
-  if (input.sessions.empty()) return {0.0, 0.0};
-  std::pair<double, double> range{std::numeric_limits<double>::infinity(), 0.0};
-  for (const SessionNoise& session : input.sessions)
-    range = {std::min(range.first, session.assumed_tilt_sigma_rad),
-             std::max(range.second, session.assumed_tilt_sigma_rad)};
-  return range;
-}
-
 void add_disagreement_advice(CalibrationResult& result) {
   if (!(result.session_disagreement > kSessionsContradict)) return;
   char text[240];
@@ -184,8 +174,8 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
                               const Progress& progress, CalibrationResult& result) {
   const RigidTransform& x = details.joint.ins_from_lidar;
   MotionSummary motion = summarise_motion(pairs);
-  const auto [least_tilt_rad, tilt_rad] = assumed_tilt_rad(input);
-  motion.tilt_assumed = least_tilt_rad > 0.0;
+  const AssumedTilt tilt = assumed_tilt_of(input.sessions);
+  motion.tilt_assumed = tilt.least_rad > 0.0;
   result.directions = observed_directions(details.joint.information,
                                           spurious_information(input, pairs, x, details.noise), motion, input.options);
   const SessionScatter scatter = session_scatter(answers, input.options);
@@ -195,7 +185,7 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);
   Matrix6d covariance = inverse(by_pairs + beside_pairs);
-  if (tilt_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt_rad);
+  if (tilt.most_rad > 0.0) covariance += beyond_first_order(x, covariance, tilt.most_rad);
   const Matrix6d bootstrap = bootstrap_covariance(block_pulls(input, problem, details, progress));
   judge_parameters(with_limits(inflated_by_bootstrap(covariance, bootstrap),
                                responses_to_common_errors(input, problem, details, progress), sessions_used(problem)),

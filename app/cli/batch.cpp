@@ -126,9 +126,8 @@ void add_batch(CLI::App& app, Console& console, Run& run) {
   table->excludes(jobs)->excludes(count);
   count->excludes(jobs);
   verb->footer(
-      "Exit codes: 0 all solved and no drift; 3 a mounting has drifted, whatever else; 2 a job could not be run; 3 a "
-      "job "
-      "has no usable result, or it was stopped. Of --job: those of calibrate.");
+      "Exit codes: 0 all solved and no drift; 2 a job could not be run, and nothing has drifted; 3 a mounting has "
+      "drifted, a job has no usable result, or it was stopped. Of --job: those of calibrate.");
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return batch(*arguments, console); }; });
 }
 

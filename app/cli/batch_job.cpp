@@ -93,14 +93,6 @@ int stored_answer(const FleetJob& job, Console& console) {
   return is_usable(result) ? kSolved : kNoResult;
 }
 
-void note_failure(const Fleet& fleet, const FleetJob& job, const std::string& message) {
-  try {
-    save_failure(fleet, job, message);
-  } catch (const Error&) {
-    // It is told where it is caught; where nothing can be written here, nothing more can be done about it.
-  }
-}
-
 /// The nominal that the fleet asks for, in the axes of a result; where it leaves it to the sessions, theirs is the one
 /// that the result has, as long as their files are the same.
 std::optional<RigidTransform> asked_nominal(const FleetVehicle& vehicle, const ResultFile& stored) {

@@ -114,7 +114,7 @@ class Jobs {
     if (code < 0) {
       const std::string died =
           "its process died of signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
-      if (!stopped_) note(fleet_, job, died);
+      if (!stopped_) note_failure(fleet_, job, died);  // a process that dies cannot say so itself
     }
     ++told_;
     char line[64];
@@ -126,15 +126,6 @@ class Jobs {
     if (stopped_) return;
     if (code == kNoResult) ++end_.no_result;
     if (code != kSolved && code != kNoResult) ++end_.unreadable;
-  }
-
-  /// A process that dies cannot say so itself.
-  static void note(const Fleet& fleet, const FleetJob& job, const std::string& message) {
-    try {
-      save_failure(fleet, job, message);
-    } catch (const Error&) {
-      // The line that is printed says it too.
-    }
   }
 
   std::string outcome(const Running& running, int code) const {

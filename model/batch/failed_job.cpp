@@ -64,8 +64,13 @@ std::string whole_text(const FleetJob& job) {
 
 }  // namespace
 
-void save_failure(const Fleet& fleet, const FleetJob& job, const std::string& message) {
-  save_atomically(job.failure, message + std::string(kBelow) + to_yaml(wish_document(fleet.vehicles.at(job.vehicle))));
+void note_failure(const Fleet& fleet, const FleetJob& job, const std::string& message) {
+  const DocumentNode wish = wish_document(fleet.vehicles.at(job.vehicle));
+  try {
+    save_atomically(job.failure, message + std::string(kBelow) + to_yaml(wish));
+  } catch (const Error&) {
+    // The folder that refuses it is what the job itself has failed of, or will.
+  }
 }
 
 std::string failure_message(const FleetJob& job) {

@@ -7,9 +7,9 @@
 
 namespace remount {
 
-/// A text for people; below a line "---" version, nominal, topics and settings for why_failure_is_old.
-/// Throws Error(Io).
-void save_failure(const Fleet& fleet, const FleetJob& job, const std::string& message);
+/// A text for people; below a line "---" version, nominal, topics and settings for why_failure_is_old. Where nothing
+/// can be written nothing more can be done about it: whoever caught the failure tells it, too.
+void note_failure(const Fleet& fleet, const FleetJob& job, const std::string& message);
 
 /// The reason; empty where there is none. Throws Error(Io).
 std::string failure_message(const FleetJob& job);

@@ -21,6 +21,12 @@ struct FindingKind {
 struct CheckedSession {
   const Session& session;
   MetricPoses poses;  ///< of the INS
+
+  /// As it was logged: the axes of the metric frame turn with the place, so that what repeats does not there.
+  Eigen::Quaterniond logged_attitude(std::size_t i) const {
+    return session.ins.size() == poses.size() ? session.ins[i].enu_from_ins
+                                              : Eigen::Quaterniond(poses[i].pose.linear());
+  }
 };
 
 /// Looks for one suspicion, or for several that are seen together.

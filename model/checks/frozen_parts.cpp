@@ -39,10 +39,7 @@ std::vector<Hold> holds_of(std::size_t count, Same&& same) {
 
 class FrozenParts {
  public:
-  explicit FrozenParts(const CheckedSession& checked) : poses_(checked.poses) {
-    // The axes of the metric frame turn with the place: what repeats does so as it was logged.
-    if (checked.session.ins.size() == poses_.size()) logged_ = &checked.session.ins;
-  }
+  explicit FrozenParts(const CheckedSession& checked) : checked_(checked), poses_(checked.poses) {}
 
   double longest_attitude_s() const {
     return longest_s(
@@ -56,10 +53,9 @@ class FrozenParts {
 
  private:
   Eigen::Vector3d place(std::size_t i) const { return poses_[i].pose.translation(); }
-  Eigen::Quaterniond attitude(std::size_t i) const {
-    return logged_ ? (*logged_)[i].enu_from_ins : Eigen::Quaterniond(poses_[i].pose.linear());
+  double turned_rad(std::size_t a, std::size_t b) const {
+    return checked_.logged_attitude(a).angularDistance(checked_.logged_attitude(b));
   }
-  double turned_rad(std::size_t a, std::size_t b) const { return attitude(a).angularDistance(attitude(b)); }
   double duration_s(const Hold& hold) const {
     return seconds_between(poses_[hold.first].stamp_ns, poses_[hold.last].stamp_ns);
   }
@@ -69,6 +65,7 @@ class FrozenParts {
   double longest_s(const std::vector<Hold>& holds, Contradicted&& contradicted) const {
     if (holds.empty()) return 0.0;
     std::vector<double> usual_s;
+    usual_s.reserve(holds.size());
     for (std::size_t i = 1; i < holds.size(); ++i)
       usual_s.push_back(seconds_between(poses_[holds[i - 1].first].stamp_ns, poses_[holds[i].first].stamp_ns));
     const bool tells = usual_s.size() >= 10;  // otherwise all of the drive may be frozen
@@ -108,8 +105,8 @@ class FrozenParts {
     return most_rad > kSameAttitude_rad && !gap && jump_m > std::max(kJump_m, 0.5 * kSlowest_mps * hold_s);
   }
 
+  const CheckedSession& checked_;
   const MetricPoses& poses_;
-  const std::vector<InsSample>* logged_ = nullptr;
 };
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {

@@ -34,42 +34,47 @@ template <class Difference>
 std::optional<Steps> steps_of(const MetricPoses& poses, double same, double moving, double least_jump,
                               Difference&& difference) {
   std::vector<std::size_t> starts;  // of each new value
+  starts.reserve(poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i)
     if (starts.empty() || difference(starts.back(), i) > same) starts.push_back(i);
   const auto time_s = [&](std::size_t from, std::size_t to) {
     return seconds_between(poses[from].stamp_ns, poses[to].stamp_ns);
   };
+  const auto for_each_hold = [&](auto&& visit) {
+    for (std::size_t k = 0, before = 0, after = 0; k + 1 < starts.size(); ++k) {
+      const std::size_t from = starts[k], to = starts[k + 1];
+      while (before < k && time_s(starts[before + 1], from) >= 0.5 * kWindow_s) ++before;
+      while (after + 1 < starts.size() && time_s(from, starts[after]) < 0.5 * kWindow_s) ++after;
+      const double window_s = time_s(starts[before], starts[after]), hold_s = time_s(from, to);
+      const double change = difference(starts[before], starts[after]);
+      if (window_s > 0.0 && hold_s <= kLongestHold_s && change >= moving * std::max(1.0, window_s / kWindow_s))
+        visit(from, to);
+    }
+  };
+  // Counted first: most logs hold nothing, and lists of every sample would take more memory than all that is known of
+  // it.
+  std::size_t holds = 0, samples = 0;
+  for_each_hold([&](std::size_t from, std::size_t to) { ++holds, samples += to - from; });
+  if (holds < kFewSteps || static_cast<double>(samples - holds) < kRepeated * static_cast<double>(samples))
+    return std::nullopt;
   std::vector<double> holds_s, lengths, jumps;
-  double samples = 0.0;
-  for (std::size_t k = 0, before = 0, after = 0; k + 1 < starts.size(); ++k) {
-    const std::size_t from = starts[k], to = starts[k + 1];
-    while (before < k && time_s(starts[before + 1], from) >= 0.5 * kWindow_s) ++before;
-    while (after + 1 < starts.size() && time_s(from, starts[after]) < 0.5 * kWindow_s) ++after;
-    const double window_s = time_s(starts[before], starts[after]), hold_s = time_s(from, to);
-    const double change = difference(starts[before], starts[after]);
-    if (!(window_s > 0.0) || hold_s > kLongestHold_s || change < moving * std::max(1.0, window_s / kWindow_s)) continue;
-    holds_s.push_back(hold_s);
+  for_each_hold([&](std::size_t from, std::size_t to) {
+    holds_s.push_back(time_s(from, to));
     lengths.push_back(static_cast<double>(to - from));
     jumps.push_back(difference(from, to));
-    samples += lengths.back();
-  }
-  if (holds_s.size() < kFewSteps) return std::nullopt;
-  const double repeated = 1.0 - static_cast<double>(holds_s.size()) / samples;
-  const Steps steps{median_of(holds_s), median_of(lengths), median_of(jumps)};
-  if (repeated < kRepeated || steps.samples < 2.0 || steps.jump < least_jump) return std::nullopt;
+  });
+  const Steps steps{median_of(std::move(holds_s)), median_of(std::move(lengths)), median_of(std::move(jumps))};
+  if (steps.samples < 2.0 || steps.jump < least_jump) return std::nullopt;
   return steps;
 }
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   const MetricPoses& poses = checked.poses;
-  // The axes of the metric frame turn with the place: what repeats does so as it was logged.
   const std::vector<InsSample>& ins = checked.session.ins;
   const bool geodetic = ins.size() == poses.size();
-  const auto attitude = [&](std::size_t i) {
-    return geodetic ? ins[i].enu_from_ins : Eigen::Quaterniond(poses[i].pose.linear());
-  };
-  const auto turn = steps_of(poses, kSameAttitude_rad, kTurning_rad, kLeastTurn_rad,
-                             [&](std::size_t a, std::size_t b) { return attitude(a).angularDistance(attitude(b)); });
+  const auto turn = steps_of(poses, kSameAttitude_rad, kTurning_rad, kLeastTurn_rad, [&](std::size_t a, std::size_t b) {
+    return checked.logged_attitude(a).angularDistance(checked.logged_attitude(b));
+  });
   // Heights may come from elsewhere than the place.
   const auto way = steps_of(poses, 0.0, kDriving_m, kLeastStep_m, [&](std::size_t a, std::size_t b) {
     const Eigen::Vector3d step = poses[a].pose.translation() - poses[b].pose.translation();

@@ -46,11 +46,12 @@ std::vector<double> surprises(const MetricPoses& poses) {
 Jumps jumps_of(const MetricPoses& poses) {
   const std::vector<double> surprise = surprises(poses);
   std::vector<double> known;
+  known.reserve(surprise.size());
   for (const double value : surprise)
     if (std::isfinite(value)) known.push_back(value);
   Jumps jumps;
   if (known.empty()) return jumps;
-  const double limit_m = std::max(kLeastJump_m, kTimesUsual * median_of(known));
+  const double limit_m = std::max(kLeastJump_m, kTimesUsual * median_of(std::move(known)));
   std::int64_t last_ns = 0;
   for (std::size_t i = 0; i < surprise.size(); ++i) {
     if (!(surprise[i] > limit_m)) continue;

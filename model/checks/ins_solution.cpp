@@ -56,6 +56,7 @@ void report_status(const std::vector<InsSample>& ins, std::vector<Finding>& find
 
 void report_gaps(const MetricPoses& poses, std::vector<Finding>& findings) {
   std::vector<double> steps;
+  steps.reserve(poses.size());
   for (std::size_t i = 1; i < poses.size(); ++i)
     steps.push_back(seconds_between(poses[i - 1].stamp_ns, poses[i].stamp_ns));
   if (steps.empty()) return;

@@ -12,28 +12,32 @@ namespace {
 constexpr double kTimesBest = 10.0;     ///< from fixed to float, or to none
 constexpr double kLeastSigma_m = 0.15;  ///< what is still as good as fixed is no loss
 
-/// Stamp and horizontal sigma of each position that states one.
-struct StatedError {
-  std::int64_t stamp_ns = 0;
-  double sigma_m = 0.0;
-};
+/// Horizontal sigma of each position that states one, in the order of the drive; there may be millions.
+template <class Item, class Sigma>
+std::vector<float> stated_sigmas_m(const std::vector<Item>& items, Sigma&& sigma_m) {
+  std::vector<float> stated;
+  stated.reserve(items.size());
+  for (const Item& item : items)
+    if (const double value_m = sigma_m(item); std::isfinite(value_m) && value_m > 0.0)
+      stated.push_back(static_cast<float>(value_m));
+  return stated;
+}
 
-void report(std::vector<StatedError> stated, const char* where, std::vector<Finding>& findings) {
+void report(const std::vector<float>& stated, const char* where, std::vector<Finding>& findings) {
   if (stated.size() < 10) return;
-  std::vector<double> sorted;
-  for (const StatedError& error : stated) sorted.push_back(error.sigma_m);
+  std::vector<float> sorted = stated;
   const auto tenth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 10);
   std::nth_element(sorted.begin(), tenth, sorted.end());
   const double best_m = *tenth, limit_m = std::max(kLeastSigma_m, kTimesBest * best_m);
   std::size_t lost = 0, stretches = 0;
   double worst_m = 0.0;
   bool within = false;
-  for (const StatedError& error : stated) {
-    const bool bad = error.sigma_m > limit_m;
+  for (const double sigma_m : stated) {
+    const bool bad = sigma_m > limit_m;
     stretches += bad && !within;
     lost += bad;
     within = bad;
-    worst_m = std::max(worst_m, error.sigma_m);
+    worst_m = std::max(worst_m, sigma_m);
   }
   if (lost == 0) return;
   findings.push_back(
@@ -48,16 +52,12 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
   // Where positions say how they were found, their reader has told it.
   const std::vector<Finding>& told = checked.session.findings;
   if (std::any_of(told.begin(), told.end(), [](const Finding& finding) { return finding.code == "rtk-lost"; })) return;
-  std::vector<StatedError> ins, gnss;
-  for (const InsSample& sample : checked.session.ins)
-    if (const double sigma_m = sample.sigma.position_enu_m.head<2>().norm(); std::isfinite(sigma_m) && sigma_m > 0.0)
-      ins.push_back({sample.stamp_ns, sigma_m});
-  for (const GnssFix& fix : checked.session.gnss)
-    if (const double sigma_m = std::sqrt(fix.covariance_enu_m2(0, 0) + fix.covariance_enu_m2(1, 1));
-        std::isfinite(sigma_m) && sigma_m > 0.0)
-      gnss.push_back({fix.stamp_ns, sigma_m});
-  report(std::move(ins), "INS", findings);
-  report(std::move(gnss), "GNSS", findings);
+  const auto of_ins = [](const InsSample& sample) { return sample.sigma.position_enu_m.head<2>().norm(); };
+  const auto of_gnss = [](const GnssFix& fix) {
+    return std::sqrt(fix.covariance_enu_m2(0, 0) + fix.covariance_enu_m2(1, 1));
+  };
+  report(stated_sigmas_m(checked.session.ins, of_ins), "INS", findings);
+  report(stated_sigmas_m(checked.session.gnss, of_gnss), "GNSS", findings);
 }
 
 }  // namespace

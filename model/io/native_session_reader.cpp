@@ -225,11 +225,11 @@ void read_sensors(const DocumentView& root, const fs::path& folder, Session& ses
     if (!node) return;
     node->allow_only({"file"});
     const fs::path file = folder / node->at("file").string();
-    // A log that is the INS as well has told what is wrong with it.
     const bool again = std::find(session.files.begin(), session.files.end(), file) != session.files.end();
-    std::vector<Finding> told_already;
     if (!again) session.files.push_back(file);
-    samples = read_table(file, again ? told_already : session.findings);
+    // A log that is the INS as well has told what is wrong with it; columns of a table are each told of.
+    std::vector<Finding> told_already;
+    samples = read_table(file, again && recognise_nmea(file) ? told_already : session.findings);
   };
   read("imu", session.imu, read_imu_table);
   read("gnss", session.gnss, read_gnss);

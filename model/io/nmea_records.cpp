@@ -82,8 +82,11 @@ void NmeaRecords::take_line(std::string_view line, bool at_end) {
   // A sentence whose end is missing still has numbers, of which the last may have lost digits.
   const bool checksum = sentence.has_checksum;
   const bool known = kind == NmeaLine::Sentence && usual != usual_.end();
+  // What is no sentence any more was cut; one of a kind that is not read, only where the others end in a checksum.
+  const bool checksums = kind != NmeaLine::Sentence ||
+                         std::any_of(usual_.begin(), usual_.end(), [](const Usual& one) { return one.checksum; });
   const bool cut = known ? !checksum && (usual->checksum || (at_end && sentence.fields.size() < usual->fields))
-                         : at_end && !checksum && line.find('$') != std::string_view::npos;
+                         : at_end && !checksum && checksums && line.find('$') != std::string_view::npos;
   if (cut && at_end) {
     cut_line = line_number_;
   } else if (cut) {

@@ -22,6 +22,12 @@ std::optional<unsigned> hexadecimal(std::string_view two) {
 
 }  // namespace
 
+unsigned nmea_checksum(std::string_view body) {
+  unsigned sum = 0;
+  for (const char c : body) sum ^= static_cast<unsigned char>(c);
+  return sum;
+}
+
 NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence) {
   const std::size_t begin = line.find('$');
   if (begin == std::string_view::npos) return NmeaLine::NoSentence;
@@ -30,9 +36,7 @@ NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence) {
   sentence.has_checksum = star != std::string_view::npos;
   bool right = true;
   if (sentence.has_checksum) {
-    unsigned sum = 0;
-    for (const char c : line.substr(0, star)) sum ^= static_cast<unsigned char>(c);
-    right = hexadecimal(line.substr(star + 1)) == sum;
+    right = hexadecimal(line.substr(star + 1)) == nmea_checksum(line.substr(0, star));
     line = line.substr(0, star);
   }
   split_csv(line, sentence.fields);

@@ -21,6 +21,9 @@ enum class NmeaLine { Sentence, NoSentence, WrongChecksum };
 /// checksum the type and the fields are as they can be read.
 NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence);
 
+/// Of what stands between '$' and '*', 0 to 255.
+unsigned nmea_checksum(std::string_view body);
+
 /// "hhmmss.sss" as ns since midnight; nothing where it is none.
 std::optional<std::int64_t> nmea_time_ns(std::string_view text);
 

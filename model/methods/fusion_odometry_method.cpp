@@ -48,9 +48,10 @@ PipelineOutput run_fusion_method(const PipelineInput& input, Progress& progress)
   std::vector<NamedQuantity> quantities;
   std::vector<Finding> findings;
   bool cancelled = false;
+  // Without an INS the odometry is shown all the same.
+  for (const auto& session : input.sessions)
+    if (!has_scans(*session)) require_served(MethodChoice::FusionOdometry, {session});
   for (const auto& session : input.sessions) {
-    // Without an INS the odometry is shown all the same.
-    if (!session->scans) require_served(MethodChoice::FusionOdometry, input.sessions);
     // The poses must not rest on the mounting that they are to judge.
     FusionRun run =
         run_fusion_odometry(*session, std::nullopt, input.settings, input.threads, progress, FusionSensors::ScansAlone);

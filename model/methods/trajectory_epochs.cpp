@@ -211,16 +211,12 @@ class EpochMaker {
   }
 
  private:
-  // What is assumed lasts: the poses of the INS, those of other parts of the drive among them, say together what one
-  // says.
+  // What is assumed lasts: the poses of the INS say together what one says.
   void set_assumed_tilt(std::vector<TrajectoryEpoch>& epochs) const {
     double count = 0.0;
     for (const TrajectoryEpoch& epoch : epochs) count += epoch.ins ? 1.0 : 0.0;
-    const auto drive_ns = static_cast<double>(poses_.back().stamp_ns - poses_.front().stamp_ns);
-    const double most =
-        std::max({1.0, count, drive_ns / static_cast<double>(std::max<std::int64_t>(1, ins_apart_ns_))});
     for (TrajectoryEpoch& epoch : epochs)
-      if (epoch.ins) epoch.ins->assumed_tilt_sigma_rad = std::sqrt(most) * noise_.assumed_tilt_rad;
+      if (epoch.ins) epoch.ins->assumed_tilt_sigma_rad = std::sqrt(count) * noise_.assumed_tilt_rad;
   }
 
   // Nothing where neither INS nor GNSS says anything, or the LiDAR's pose is not known.

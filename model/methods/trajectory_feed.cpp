@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::int64_t kAll = std::numeric_limits<std::int64_t>::max();
 
-std::string named(const Session& session) { return session.path.empty() ? session.name : session.path.string(); }
-
 // Adds what is new of somebody's poses. They state no errors: those of the options.
 void add_given_poses(const std::vector<StampedPose>& odometry_from_lidar, std::size_t count,
                      const TrajectoryOptions& options, std::vector<OdometryPose>& poses) {
@@ -139,10 +137,17 @@ void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, 
   if (!had.empty())
     range.since_ns =
         odometry_.back().poses.front().stamp_ns + static_cast<std::int64_t>(std::llround(had.back().time_s * 1e9));
-  const TrajectorySession now = trajectory_session(session, odometry_.back(), settings_, 0.0, range);
-  for (const TrajectoryEpoch& epoch : now.epochs) {
+  TrajectorySession now = trajectory_session(session, odometry_.back(), settings_, 0.0, range);
+  auto observed = static_cast<double>(
+      std::count_if(had.begin(), had.end(), [](const TrajectoryEpoch& epoch) { return epoch.ins.has_value(); }));
+  for (TrajectoryEpoch& epoch : now.epochs) {
     if (progress.cancelled()) return;
     if (!had.empty() && epoch.time_s <= had.back().time_s + 1e-4) continue;
+    if (epoch.ins) {
+      // A tilt that is assumed is said once, however many poses follow: weights 1 / (k (k + 1)) add up to less than 1.
+      observed += 1.0;
+      epoch.ins->assumed_tilt_sigma_rad = std::sqrt(observed * (observed + 1.0)) * now.assumed_tilt_sigma_rad;
+    }
     aligner_.push(index, epoch);
     if (!aligner_.due(std::max(least_update_s, settings_.trajectory.update_s))) continue;
     const TrajectorySnapshot snapshot = aligner_.update(progress);
@@ -153,7 +158,7 @@ void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, 
 void TrajectoryFeed::offer(const Session& session, bool complete, double least_update_s, const Tell& tell,
                            Progress& progress) {
   if (from_scans_ && !session.scans)
-    throw Error(ErrorCode::Unsupported, named(session), "the session began with scans and has none any more");
+    throw Error(ErrorCode::Unsupported, path_or_name(session), "the session began with scans and has none any more");
   SessionOdometry& odometry = odometry_.back();
   const auto push = [&] {
     push_epochs(session,

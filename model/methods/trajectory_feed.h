@@ -25,9 +25,6 @@ struct SessionOdometry {
   std::size_t undetermined = 0;     ///< scans whose surroundings do not show every direction
 };
 
-/// Whether the motion of the LiDAR comes from scans; poses of somebody's odometry are used where there are none.
-inline bool has_scans(const Session& session) { return session.scans && session.scans->size() > 0; }
-
 /// How far the streams of a session reach that take part, none later than the LiDAR. A stream that has fallen silent
 /// holds the others back for some seconds and no longer.
 std::int64_t trajectory_reach_ns(const Session& session, const std::vector<OdometryPose>& poses);

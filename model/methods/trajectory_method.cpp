@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "model/attitude_check.h"
+#include "model/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
 
@@ -124,7 +126,9 @@ PipelineOutput run_trajectory_method(const PipelineInput& input, Progress& progr
     return output;
   }
   outcome = feed.finish(input.sessions, progress);
-  return trajectory_output(input, feed, outcome);
+  PipelineOutput output = trajectory_output(input, feed, outcome);
+  blame_attitude(output.findings, output.result);
+  return output;
 }
 
 }  // namespace remount

@@ -7,6 +7,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/odometry/lidar_odometry.h"
 #include "algorithms/trajectory/motion_track.h"
+#include "model/attitude_check.h"
 #include "model/method_needs.h"
 #include "model/methods/antenna_on_vehicle.h"
 #include "model/methods/builtin.h"
@@ -73,9 +74,6 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
 
 VehicleDrive drive_of(const Session& session, const Settings& settings, std::vector<Finding>& findings,
                       Progress& progress) {
-  // Beside one with a sensor, a session of an antenna has nothing to say.
-  if (const std::string lack = lack_of_sensor_drive(session); !lack.empty())
-    throw Error(ErrorCode::Unsupported, session.name, lack);
   std::vector<StampedPose> reference;
   if (!session.ins.empty() || !session.world_from_ins.empty()) reference = reference_of(session);
   std::vector<ImuSample> imu = session.imu;
@@ -182,15 +180,17 @@ PipelineOutput run_vehicle_frame(const PipelineInput& input, Progress& progress)
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
   require_valid(input.settings);
   refuse_measured(input.settings.measured, "vehicle-frame", "vehicle");
-  if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
   require_served(MethodChoice::VehicleFrame, input.sessions);
+  if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
   PipelineOutput output;
   output.method = "vehicle-frame";
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
   std::vector<VehicleDrive> drives;
+  std::vector<Finding> blamed;  ///< of those whose turns are the INS's: elsewhere its attitude is only drawn
   for (const auto& session : input.sessions) {
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
     drives.push_back(drive_of(*session, input.settings, output.findings, progress));
+    if (session->imu.size() < 2) blamed.insert(blamed.end(), session->findings.begin(), session->findings.end());
   }
   const VehicleFrameResult result = solve_vehicle_frame(drives, input.nominal_ins_from_lidar,
                                                         input.settings.vehicle_frame, input.settings.solve, progress);
@@ -201,6 +201,7 @@ PipelineOutput run_vehicle_frame(const PipelineInput& input, Progress& progress)
   output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
   output.session_uses_sweep.assign(input.sessions.size(), false);
   report(result, output.findings);
+  blame_attitude(blamed, output.result);
   if (result.calibration.status == Status::Ok || result.calibration.status == Status::Degenerate) {
     progress.report("comparing integrations", 0, 0);
     output.plots = plots_of(integrate(drives.front(), result));

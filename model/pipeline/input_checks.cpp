@@ -13,8 +13,6 @@
 namespace remount {
 namespace {
 
-std::string named(const Session& session) { return session.path.empty() ? session.name : session.path.string(); }
-
 bool same_place(const Session& a, const Session& b) {
   if (a.path.empty() || b.path.empty()) return false;
   std::error_code failure;
@@ -82,8 +80,8 @@ std::string value_of(const char* name, double value, const char* unit) {
 
 void check_same_axes(const Session& first, const Session& other) {
   if (!first.ins_axes || !other.ins_axes || *first.ins_axes == *other.ins_axes) return;
-  throw Error(ErrorCode::Contract, named(other),
-              "has INS axes " + std::string(to_string(*other.ins_axes)) + ", but " + named(first) + " has " +
+  throw Error(ErrorCode::Contract, path_or_name(other),
+              "has INS axes " + std::string(to_string(*other.ins_axes)) + ", but " + path_or_name(first) + " has " +
                   std::string(to_string(*first.ins_axes)) +
                   ": they have no common X. Calibrate them one by one, or declare the same attitude convention.");
 }
@@ -117,8 +115,8 @@ void check_companions(const std::vector<std::shared_ptr<const Session>>& session
   for (std::size_t i = 0; i < sessions.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (same_recording(*sessions[k], *sessions[i]))
-        throw Error(ErrorCode::Contract, named(*sessions[i]),
-                    "is the same recording as " + named(*sessions[k]) +
+        throw Error(ErrorCode::Contract, path_or_name(*sessions[i]),
+                    "is the same recording as " + path_or_name(*sessions[k]) +
                         ": its pairs would count as evidence twice. Give it once.");
 }
 

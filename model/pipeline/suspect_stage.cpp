@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/trajectory/clock_alignment.h"
 #include "model/attitude_check.h"
 #include "model/attitude_columns.h"
 #include "model/clock_hint.h"
@@ -14,12 +15,19 @@ namespace remount {
 namespace {
 
 constexpr const char* kFarClock = "clock-far";
+constexpr double kFar_s = 0.2;  ///< the solution estimates what is less
+
+/// An offset that was applied and is too small to be the one that was found bridges nothing.
+bool bridged(const CalibrationResult& result) {
+  const std::vector<double>& applied_s = result.session_time_offset_s;
+  return is_usable(result) && result.time_offset.applied &&
+         std::any_of(applied_s.begin(), applied_s.end(), [](double offset_s) { return std::abs(offset_s) > kFar_s; });
+}
 
 }  // namespace
 
 void report_far_clock(const DriveMotion& motion, int session, const std::vector<StampedPose>& first_from_lidar,
                       std::vector<Finding>& findings) {
-  constexpr double kFar_s = 0.2;     ///< the solution estimates what is less
   constexpr double kTooFar_s = 0.3;  ///< pairs are proposed, and objects looked for, in the wrong places then
   constexpr double kNear_s = 3.0;
   constexpr double kAlike = 0.8;  ///< correlation of the rates
@@ -51,8 +59,7 @@ void blame_recording(const std::vector<Finding>& findings, CalibrationResult& re
   const auto far =
       std::find_if(findings.begin(), findings.end(), [](const Finding& finding) { return finding.code == kFarClock; });
   if (far != findings.end() && result.status != Status::Cancelled) {
-    const bool solved = is_usable(result), bridged = solved && result.time_offset.applied;
-    if (!solved || (far->severity == Severity::Problem && !bridged)) {
+    if (!is_usable(result) || (far->severity == Severity::Problem && !bridged(result))) {
       result.status = Status::Inconsistent;
       result.message = "The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.";
       result.advice.clear();

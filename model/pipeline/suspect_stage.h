@@ -1,10 +1,8 @@
 // What registered scans reveal about the recording: clocks that are far apart, angles of the INS in wrong columns.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "algorithms/trajectory/clock_alignment.h"
 #include "model/pipeline.h"
 #include "model/pipeline/drive_motion.h"
 

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "model/io/native_session_writer.h"
+#include "model/io/nmea_sentence.h"
 #include "model/io/output_file.h"
 #include "model/io/time_stamp.h"
 #include "model/simulator/drive_formats.h"
@@ -15,10 +16,8 @@ namespace {
 
 /// `body` without '$' and checksum.
 std::string sentence(const std::string& body) {
-  unsigned sum = 0;
-  for (const char c : body) sum ^= static_cast<unsigned char>(c);
   char end[8];
-  std::snprintf(end, sizeof end, "*%02X\r\n", sum);
+  std::snprintf(end, sizeof end, "*%02X\r\n", nmea_checksum(body));
   return "$" + body + end;
 }
 

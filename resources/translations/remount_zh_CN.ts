@@ -7476,6 +7476,10 @@ Save under another name, or close it there first.</source>
         <translation>自 2017 年起 GPS 时间比 UTC 快 18 秒（此前为 17 秒）：很可能是闰秒；请声明时间系统。</translation>
     </message>
     <message>
+        <source>GPS time is 18 s ahead of UTC since 2017 (17 s before), and TAI 19 s ahead of GPS time: likely leap seconds, or a clock that PTP sets to TAI; declare the time scale.</source>
+        <translation>自 2017 年起 GPS 时间比 UTC 快 18 秒（此前为 17 秒），TAI 比 GPS 时间快 19 秒：很可能是闰秒，或是由 PTP 设为 TAI 的时钟；请声明时间系统。</translation>
+    </message>
+    <message>
         <source>That is about %1 hours: likely a time zone; both must be in UTC.</source>
         <translation>这约为 %1 小时：很可能是时区；两者都必须用 UTC。</translation>
     </message>
@@ -9880,10 +9884,6 @@ Save under another name, or close it there first.</source>
         <translation>激光雷达的时间在 INS 的时间开始之前 %1 s 开始，在其结束之前 %2 s 结束。%3</translation>
     </message>
     <message>
-        <source>GPS time is 18 s ahead of UTC since 2017: likely leap seconds; declare the time scale.</source>
-        <translation>自 2017 年起 GPS 时间比 UTC 快 18 s：很可能是闰秒；请声明时间尺度。</translation>
-    </message>
-    <message>
         <source>TAI is 37 s ahead of UTC since 2017: likely a clock that PTP sets to TAI; declare the time scale.</source>
         <translation>自 2017 年起 TAI 比 UTC 快 37 s：很可能是 PTP 把时钟设成了 TAI；请声明时间尺度。</translation>
     </message>
@@ -10144,8 +10144,8 @@ Save under another name, or close it there first.</source>
         <translation>INS 的横滚角和俯仰角是假定的，未经测量</translation>
     </message>
     <message>
-        <source>The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of the mounting cannot be told from it. Log roll and pitch as well (PASHR), or give what you measured: z, pitch and roll, or the height of the INS above the ground.</source>
-        <translation>日志有航向，但没有横滚和俯仰：INS 的倾斜是假定的，由此无法得知安装的高度、俯仰角和横滚角。请同时记录横滚和俯仰（PASHR），或给出测量值：z、俯仰角和横滚角，或 INS 的离地高度。</translation>
+        <source>The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of the mounting cannot be told from it. Log roll and pitch as well, or give what you measured: z, pitch and roll, or the height of the INS above the ground.</source>
+        <translation>日志有航向，但没有横滚和俯仰：INS 的倾斜是假定的，由此无法得知安装的高度、俯仰角和横滚角。请同时记录横滚和俯仰，或给出测量值：z、俯仰角和横滚角，或 INS 的离地高度。</translation>
     </message>
     <message>
         <source>the checksum of a %1 is missing, which the others have</source>

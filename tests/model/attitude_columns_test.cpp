@@ -12,6 +12,7 @@
 #include "model/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/io/temporary_folder.h"
+#include "tests/support/peak_memory.h"
 #include "tests/support/recorded_drives.h"
 
 namespace remount {
@@ -151,6 +152,19 @@ TEST(attitude_columns, sound_drives_are_silent_however_the_sensors_are_mounted) 
   noisy.ins_attitude_noise_deg = 1.0;
   EXPECT_EQ(said(simulate_drive(noisy).session), "");
   EXPECT_EQ(said(Session{}), "");
+}
+
+TEST(attitude_columns, of_samples_that_are_far_apart_take_no_memory_for_what_is_between_them) {
+  Session session = simulated(ScenarioKind::Street, 20.0).session;
+  session.ins.resize(40);
+  session.imu.resize(40);
+  constexpr std::int64_t kApart_ns = 10'000'000'000'000;
+  for (std::size_t i = 0; i < session.ins.size(); ++i)
+    session.ins[i].stamp_ns = session.imu[i].stamp_ns += static_cast<std::int64_t>(i) * kApart_ns;
+  const double before_mb = peak_mb();
+  EXPECT_EQ(said(session), "");
+  std::printf("memory grew by %.1f MB\n", peak_mb() - before_mb);
+  EXPECT_LT(peak_mb() - before_mb, 20.0);
 }
 
 TEST(attitude_columns, inspect_names_columns_that_are_exchanged) {

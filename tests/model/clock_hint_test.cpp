@@ -39,11 +39,24 @@ TEST(clock_hint, ends_that_differ_by_leap_seconds_alike_are_suspected) {
   EXPECT_NE(shifted(-18.0, -18.0).find("begin 18.000 s before"), std::string::npos) << shifted(-18.0, -18.0);
   EXPECT_NE(shifted(17.2, 18.4).find("GPS time"), std::string::npos);
   EXPECT_NE(shifted(37.3, 36.9).find("TAI is 37 s"), std::string::npos);
-  EXPECT_NE(shifted(-19.0, -19.1).find("TAI is 19 s"), std::string::npos);
+  EXPECT_NE(shifted(-20.0, -20.1).find("TAI is 19 s"), std::string::npos);
   for (const auto& [begins_s, ends_s] :
        {std::pair(0.5, -0.5), std::pair(18.0, -18.0), std::pair(18.0, 0.0), std::pair(0.0, 18.0), std::pair(25.0, 25.0),
         std::pair(-10.0, -10.0), std::pair(18.0, 30.0)})
     EXPECT_EQ(shifted(begins_s, ends_s), "") << begins_s << " " << ends_s;
+}
+
+// Recorders that were started a second apart hide which of two time scales it is.
+TEST(clock_hint, time_scales_that_cannot_be_told_apart_are_both_named) {
+  for (const double difference_s : {17.5, 18.4, 19.0, 20.4}) {
+    const std::string hint = leap_second_hint(difference_s, 3.0);
+    EXPECT_NE(hint.find("GPS time is 18 s ahead of UTC"), std::string::npos) << difference_s << hint;
+    EXPECT_NE(hint.find("TAI 19 s ahead of GPS time"), std::string::npos) << difference_s << hint;
+  }
+  EXPECT_EQ(leap_second_hint(18.0, 0.5).find("TAI"), std::string::npos);
+  EXPECT_EQ(leap_second_hint(-19.0, 0.5).find("UTC"), std::string::npos);
+  EXPECT_NE(leap_second_hint(-36.8, 0.5).find("TAI is 37 s"), std::string::npos);
+  EXPECT_EQ(leap_second_hint(23.0, 3.0), "");
 }
 
 }  // namespace

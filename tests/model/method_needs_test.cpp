@@ -121,6 +121,25 @@ TEST(method_needs, a_refusal_names_the_methods_that_take_the_sessions) {
   EXPECT_FALSE(contains(said({track}), "--method")) << said({track});
 }
 
+// An antenna can be placed on a vehicle, and beside a sensor it has nothing to say.
+TEST(method_needs, sessions_that_serve_one_by_one_may_not_serve_together) {
+  const auto sensor = session_with({.scans = true, .wheels = true, .imu = true}),
+             antenna = session_with({.gnss = true, .wheels = true, .imu = true});
+  EXPECT_TRUE(contains(refusal(MethodChoice::Pairwise, {antenna, antenna}), "--method vehicle-frame"));
+  for (const auto& sessions : {std::vector{sensor, antenna}, std::vector{antenna, sensor}}) {
+    const std::string paired = refusal(MethodChoice::Pairwise, sessions);
+    EXPECT_FALSE(paired.empty() || contains(paired, "--method")) << paired;
+    const std::string refused = refusal(MethodChoice::VehicleFrame, sessions);
+    EXPECT_TRUE(contains(refused, "neither scans nor poses of the sensor")) << refused;
+  }
+}
+
+TEST(method_needs, the_odometry_names_the_session_without_scans) {
+  const auto scans = session_with({.scans = true}), poses = session_with({.poses = true});
+  const std::string refused = refusal(MethodChoice::FusionOdometry, {scans, poses});
+  EXPECT_TRUE(contains(refused, "has no scans")) << refused;
+}
+
 TEST(method_needs, every_method_has_needs_and_a_word_for_what_it_leaves_out) {
   for (const CalibrationMethod& method : calibration_methods()) EXPECT_FALSE(method.needs.empty()) << method.id;
   const auto fits = method_fits(*session_with({.gnss = true, .wheels = true, .imu = true}));

@@ -14,7 +14,7 @@
 namespace remount {
 namespace {
 
-ResultFile example() {
+ResultFile example_file() {
   ResultFile file;
   CalibrationResult& result = file.result;
   result.status = Status::Degenerate;
@@ -48,7 +48,7 @@ ResultFile read_back(const std::string& text, bool json) {
   return result_from_document(DocumentView(node, "r"));
 }
 
-std::string error_of(const DocumentNode& node) {
+std::string reading_error(const DocumentNode& node) {
   try {
     result_from_document(DocumentView(node, "r"));
   } catch (const Error& error) {
@@ -57,10 +57,10 @@ std::string error_of(const DocumentNode& node) {
   return "";
 }
 
-DocumentNode& at(DocumentNode& node, std::string_view key) { return const_cast<DocumentNode&>(*node.find(key)); }
+DocumentNode& member(DocumentNode& node, std::string_view key) { return const_cast<DocumentNode&>(*node.find(key)); }
 
 TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
-  const ResultFile file = example();
+  const ResultFile file = example_file();
   const std::string json = to_json(result_document(file)), yaml = to_yaml(result_document(file));
   EXPECT_EQ(to_json(result_document(read_back(json, true))), json);
   EXPECT_EQ(to_json(result_document(read_back(yaml, false))), json);
@@ -73,7 +73,7 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
   EXPECT_EQ(settings_text(back.settings), settings_text(file.settings));
   EXPECT_EQ(back.ins_axes, InsAxes::RightForwardUp);
   DocumentNode unknown = result_document(file), older = unknown;
-  at(unknown, "ins_axes") = DocumentNode::null();
+  member(unknown, "ins_axes") = DocumentNode::null();
   const auto place = std::find(older.keys.begin(), older.keys.end(), "ins_axes") - older.keys.begin();
   older.keys.erase(older.keys.begin() + place);
   older.items.erase(older.items.begin() + place);
@@ -82,7 +82,7 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
 }
 
 TEST(result_file, has_the_documented_keys_and_orders) {
-  const DocumentNode node = result_document(example());
+  const DocumentNode node = result_document(example_file());
   const DocumentView root(node, "r");
   EXPECT_EQ(root.at("format").string(), "remount-result/1");
   EXPECT_EQ(root.at("status").string(), "degenerate");
@@ -120,46 +120,46 @@ TEST(result_file, matrix_quaternion_and_angles_agree_for_any_rotation) {
 }
 
 TEST(result_file, damaged_files_are_refused_with_the_place) {
-  const DocumentNode good = result_document(example());
-  ASSERT_EQ(error_of(good), "");
+  const DocumentNode good = result_document(example_file());
+  ASSERT_EQ(reading_error(good), "");
   DocumentNode node = good;
-  at(node, "format").text = "remount-result/9";
-  EXPECT_NE(error_of(node).find("format: expected \"remount-result/1\""), std::string::npos);
+  member(node, "format").text = "remount-result/9";
+  EXPECT_NE(reading_error(node).find("format: expected \"remount-result/1\""), std::string::npos);
   node = good;
-  at(at(node, "ins_from_lidar"), "matrix").items[0].items[0].text = "0.5";
-  EXPECT_NE(error_of(node).find("not orthonormal"), std::string::npos);
+  member(member(node, "ins_from_lidar"), "matrix").items[0].items[0].text = "0.5";
+  EXPECT_NE(reading_error(node).find("not orthonormal"), std::string::npos);
   node = good;
-  at(at(node, "ins_from_lidar"), "matrix").items[0].items[3].text = "0.95";
-  EXPECT_NE(error_of(node).find("contradicts itself"), std::string::npos);
+  member(member(node, "ins_from_lidar"), "matrix").items[0].items[3].text = "0.95";
+  EXPECT_NE(reading_error(node).find("contradicts itself"), std::string::npos);
   node = good;
-  at(at(node, "ins_from_lidar"), "translation_m").items[0].text = ".nan";
-  EXPECT_NE(error_of(node).find("finite number"), std::string::npos);
+  member(member(node, "ins_from_lidar"), "translation_m").items[0].text = ".nan";
+  EXPECT_NE(reading_error(node).find("finite number"), std::string::npos);
   node = good;
-  at(at(node, "sigma"), "translation_m").items[2] = DocumentNode::number(0.1);
-  EXPECT_NE(error_of(node).find("z, which is not observed"), std::string::npos) << error_of(node);
+  member(member(node, "sigma"), "translation_m").items[2] = DocumentNode::number(0.1);
+  EXPECT_NE(reading_error(node).find("z, which is not observed"), std::string::npos) << reading_error(node);
   node = good;
-  at(node, "status").text = "great";
-  EXPECT_NE(error_of(node).find("not a status"), std::string::npos);
+  member(node, "status").text = "great";
+  EXPECT_NE(reading_error(node).find("not a status"), std::string::npos);
   for (const char* key :
        {"format", "status", "ins_from_lidar", "observed", "sigma", "pairs", "error", "candidates", "provenance"}) {
     node = good;
     for (std::size_t i = 0; i < node.keys.size(); ++i)
       if (node.keys[i] == key) node.keys[i] = "other";
-    EXPECT_NE(error_of(node).find(key), std::string::npos) << key;
+    EXPECT_NE(reading_error(node).find(key), std::string::npos) << key;
   }
 }
 
 TEST(result_file, settings_of_another_version_do_not_make_a_result_unreadable) {
-  DocumentNode node = result_document(example());
-  DocumentNode& provenance = at(node, "provenance");
-  at(provenance, "settings").items[0].keys[0] = "setting_of_the_future";
-  EXPECT_NE(error_of(node).find("setting_of_the_future"), std::string::npos) << error_of(node);
-  at(provenance, "version").text = "99.0";
-  EXPECT_EQ(error_of(node), "");
+  DocumentNode node = result_document(example_file());
+  DocumentNode& provenance = member(node, "provenance");
+  member(provenance, "settings").items[0].keys[0] = "setting_of_the_future";
+  EXPECT_NE(reading_error(node).find("setting_of_the_future"), std::string::npos) << reading_error(node);
+  member(provenance, "version").text = "99.0";
+  EXPECT_EQ(reading_error(node), "");
 }
 
 TEST(result_file, mutated_files_never_crash) {
-  const std::string good = to_yaml(result_document(example()));
+  const std::string good = to_yaml(result_document(example_file()));
   std::mt19937 random(11);
   int refused = 0;
   for (int i = 0; i < 300; ++i) {
@@ -175,7 +175,7 @@ TEST(result_file, mutated_files_never_crash) {
 }
 
 TEST(result_file, says_which_topics_of_bags_it_was_made_of) {
-  ResultFile file = example();
+  ResultFile file = example_file();
   file.topics = {{"drive", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}, {"gnss", "none"}}, {{"gnss", "none"}}},
                  {"other", {}, {}}};
   const ResultFile back = read_back(to_yaml(result_document(file)), false);
@@ -184,18 +184,18 @@ TEST(result_file, says_which_topics_of_bags_it_was_made_of) {
   EXPECT_EQ(back.topics[0].topics, file.topics[0].topics);
   EXPECT_EQ(back.topics[0].asked, file.topics[0].asked);
   EXPECT_TRUE(back.topics[1].asked.empty());
-  EXPECT_TRUE(read_back(to_yaml(result_document(example())), false).topics.empty()) << "a former version wrote it";
+  EXPECT_TRUE(read_back(to_yaml(result_document(example_file())), false).topics.empty()) << "a former version wrote it";
   DocumentNode node = result_document(file);
-  DocumentNode& topics = at(at(at(node, "provenance"), "topics").items[0], "topics");
+  DocumentNode& topics = member(member(member(node, "provenance"), "topics").items[0], "topics");
   topics.keys[0] = "camera";
-  EXPECT_NE(error_of(node).find("known are lidar, ins"), std::string::npos) << error_of(node);
+  EXPECT_NE(reading_error(node).find("known are lidar, ins"), std::string::npos) << reading_error(node);
   node = result_document(file);
-  at(at(node, "provenance"), "topics").items[0].keys[0] = "name";
-  EXPECT_NE(error_of(node).find("session"), std::string::npos) << error_of(node);
+  member(member(node, "provenance"), "topics").items[0].keys[0] = "name";
+  EXPECT_NE(reading_error(node).find("session"), std::string::npos) << reading_error(node);
 }
 
 TEST(result_file, usable_needs_a_solution_and_something_observed) {
-  CalibrationResult result = example().result;
+  CalibrationResult result = example_file().result;
   EXPECT_TRUE(is_usable(result));
   EXPECT_EQ(parameter_names(result.observed, false), "z");
   result.observed.fill(false);

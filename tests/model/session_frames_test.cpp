@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/geometry/local_level.h"
+#include "model/metric_poses.h"
 
 namespace remount {
 namespace {
@@ -54,6 +55,15 @@ TEST(session_frames, metric_poses_have_the_axes_of_the_first_sample_everywhere) 
     EXPECT_LT(difference(poses[i].pose, level.enu_from_ins(session.ins[i])).norm(), 1e-9) << i;
   }
   EXPECT_NEAR(poses[2].pose.translation().x(), 88100.0, 200.0);
+  // The same one by one, without those that are invalid.
+  session.ins.insert(session.ins.begin() + 1, session.ins[1]);
+  session.ins[1].quality = InsQuality::Invalid;
+  const MetricPoses one_by_one(session);
+  ASSERT_EQ(one_by_one.size(), poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(one_by_one[i].stamp_ns, poses[i].stamp_ns);
+    EXPECT_EQ(one_by_one[i].pose.matrix(), poses[i].pose.matrix());
+  }
 }
 
 }  // namespace

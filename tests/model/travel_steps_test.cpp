@@ -29,7 +29,6 @@ TEST(travel_steps, lead_the_way_of_the_vehicle_fast_and_slow) {
       EXPECT_GT(step.direction.x(), 0.99);
       EXPECT_NEAR(step.speed_mps, mps, 0.05);
     }
-    EXPECT_NEAR(steps.back().time_s - steps.front().time_s, 58.5, 1.0) << mps;
   }
 }
 

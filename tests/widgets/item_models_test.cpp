@@ -20,32 +20,32 @@ PipelineInput input_of_one_drive() {
   return input;
 }
 
-std::shared_ptr<const PipelineOutput> output_of(int pairs) {
+std::shared_ptr<const PipelineOutput> output_of_one_drive(int pairs) {
   return std::make_shared<const PipelineOutput>(testing::sample_output(input_of_one_drive(), pairs));
 }
 
 TEST(pair_table_model, keeps_the_contract_of_item_models) {
   PairTableModel model;
   const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
-  model.show_output(output_of(20), {"drive1"});
+  model.show_output(output_of_one_drive(20), {"drive1"});
   model.show_output(nullptr, {});
   EXPECT_EQ(model.rowCount(), 0);
 }
 
 TEST(pair_table_model, updates_the_same_pairs_without_a_reset) {
   PairTableModel model;
-  model.show_output(output_of(20), {"drive1"});
+  model.show_output(output_of_one_drive(20), {"drive1"});
   QSignalSpy resets(&model, &QAbstractItemModel::modelReset), changes(&model, &QAbstractItemModel::dataChanged);
-  model.show_output(output_of(20), {"drive1"});
+  model.show_output(output_of_one_drive(20), {"drive1"});
   EXPECT_EQ(resets.count(), 0);
   EXPECT_EQ(changes.count(), 1);
-  model.show_output(output_of(21), {"drive1"});
+  model.show_output(output_of_one_drive(21), {"drive1"});
   EXPECT_EQ(resets.count(), 1);
 }
 
 TEST(pair_table_model, shows_units_of_its_headings) {
   PairTableModel model;
-  auto output = std::make_shared<PipelineOutput>(*output_of(5));
+  auto output = std::make_shared<PipelineOutput>(*output_of_one_drive(5));
   output->pairs[2].residual_translation_m = 0.1234;
   output->pairs[2].rotation_rad = degrees_to_radians(12.5);
   model.show_output(output, {"drive1"});
@@ -56,7 +56,7 @@ TEST(pair_table_model, shows_units_of_its_headings) {
 
 TEST(pair_filter, sorts_by_number_and_not_by_text) {
   PairTableModel model;
-  auto output = std::make_shared<PipelineOutput>(*output_of(3));
+  auto output = std::make_shared<PipelineOutput>(*output_of_one_drive(3));
   output->pairs[0].baseline_m = 10.0;
   output->pairs[1].baseline_m = 9.0;
   output->pairs[2].baseline_m = 2.0;
@@ -70,7 +70,7 @@ TEST(pair_filter, sorts_by_number_and_not_by_text) {
 
 TEST(pair_filter, filters_by_state_and_by_text_together) {
   PairTableModel model;
-  model.show_output(output_of(50), {"drive1"});
+  model.show_output(output_of_one_drive(50), {"drive1"});
   PairFilter filter;
   filter.setSourceModel(&model);
   PairCriteria criteria;
@@ -90,7 +90,7 @@ TEST(pair_filter, filters_by_state_and_by_text_together) {
 TEST(candidate_table_model, shows_why_a_candidate_is_out_of_range) {
   CandidateTableModel model;
   const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
-  model.show_output(output_of(20));
+  model.show_output(output_of_one_drive(20));
   ASSERT_EQ(model.rowCount(), 12);
   EXPECT_TRUE(model.index(11, CandidateTableModel::InRange).data().toString().contains("x above 0.98 m"));
   EXPECT_EQ(model.index(0, CandidateTableModel::Rank).data().toString(), "1");
@@ -186,7 +186,7 @@ TEST(session_list_model, every_code_is_explained) {
 }
 
 TEST(candidate_table_model, the_row_that_became_the_result_is_marked_and_no_other) {
-  auto output = std::make_shared<PipelineOutput>(*output_of(20));
+  auto output = std::make_shared<PipelineOutput>(*output_of_one_drive(20));
   std::swap(output->result.candidates[0], output->result.candidates[3]);
   CandidateTableModel model;
   model.show_output(output);

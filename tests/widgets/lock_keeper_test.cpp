@@ -15,7 +15,7 @@
 namespace remount {
 namespace {
 
-constexpr int kPatience_ms = 20000;
+constexpr int kLockPatience_ms = 20000;
 
 /// Giving a lock back waits as long as the disk hangs.
 struct HangingDisk {
@@ -66,11 +66,11 @@ class hanging_disk : public ::testing::Test {
     if (!answered_) disk_.answers.set_value();
   }
   bool settle() {
-    return QTest::qWaitFor([&] { return !workbench_.opening(); }, kPatience_ms);
+    return QTest::qWaitFor([&] { return !workbench_.opening(); }, kLockPatience_ms);
   }
   bool save(const QString& path) {
     workbench_.save_project(path);
-    return QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kPatience_ms);
+    return QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kLockPatience_ms);
   }
   bool answered_ = false;
   HangingDisk disk_;
@@ -84,7 +84,7 @@ TEST_F(hanging_disk, lets_the_window_go_on_where_another_project_takes_the_place
   const QString first = folder_.filePath("first.remount"), second = folder_.filePath("second.remount");
   ASSERT_TRUE(save(first));
   ASSERT_TRUE(save(second)) << "the lock of the first is given back by a thread that hangs";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return disk_.asked == 1; }, kPatience_ms));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return disk_.asked == 1; }, kLockPatience_ms));
   workbench_.open_project(first);
   QTest::qWait(100);
   EXPECT_TRUE(workbench_.opening()) << "whose lock is on its way is waited for, in the background";

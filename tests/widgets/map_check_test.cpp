@@ -23,7 +23,7 @@ namespace {
 
 using testing::kPatience_ms;
 
-QString verdict_of(const QWidget& view) { return view.findChild<VerdictLabel*>()->text(); }
+QString verdict_on(const QWidget& view) { return view.findChild<VerdictLabel*>()->text(); }
 
 /// A calibrated drive whose map is compared when `go` says so, by `compare`.
 struct Checked {
@@ -50,7 +50,7 @@ struct Checked {
     return engine;
   }
   bool says(const QString& words) {
-    return QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains(words); }, kPatience_ms);
+    return QTest::qWaitFor([&] { return verdict_on(*view.sharpness()).contains(words); }, kPatience_ms);
   }
 
   const testing::LanguageFor english{"en"};
@@ -73,9 +73,9 @@ TEST(map_check, is_made_while_the_result_is_there_already) {
   EXPECT_FALSE(workbench.out_of_date());
   EXPECT_EQ(describe_steps(workbench)[static_cast<std::size_t>(Step::Check)].state, StepState::Running);
   EXPECT_TRUE(export_warning(workbench).contains("still being compared"));
-  EXPECT_TRUE(checked.says("being compared")) << verdict_of(*checked.view.sharpness()).toStdString();
+  EXPECT_TRUE(checked.says("being compared")) << verdict_on(*checked.view.sharpness()).toStdString();
   checked.go = true;
-  EXPECT_TRUE(checked.says("stretch of eight scans")) << verdict_of(*checked.view.sharpness()).toStdString();
+  EXPECT_TRUE(checked.says("stretch of eight scans")) << verdict_on(*checked.view.sharpness()).toStdString();
   EXPECT_FALSE(workbench.checking_map());
   EXPECT_FALSE(export_warning(workbench).contains("still being compared"));
 }
@@ -97,7 +97,7 @@ TEST(map_check, that_fails_says_why) {
   Checked checked(
       [](PipelineOutput&) { throw Error(ErrorCode::Io, "/data/drive1/scan0.pcd", "cannot be read any more"); });
   checked.go = true;
-  EXPECT_TRUE(checked.says("cannot be read any more")) << verdict_of(*checked.view.sharpness()).toStdString();
+  EXPECT_TRUE(checked.says("cannot be read any more")) << verdict_on(*checked.view.sharpness()).toStdString();
   EXPECT_FALSE(checked.workbench.checking_map());
 }
 
@@ -117,7 +117,7 @@ TEST(map_check, that_was_made_before_the_last_decision_says_what_to_do) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !workbench.calibrating(); }, kPatience_ms));
   workbench.decide({1}, PairState::Rejected);
   EXPECT_TRUE(
-      QTest::qWaitFor([&] { return verdict_of(*view.sharpness()).contains("Calibrate again (F5)"); }, kPatience_ms));
+      QTest::qWaitFor([&] { return verdict_on(*view.sharpness()).contains("Calibrate again (F5)"); }, kPatience_ms));
 }
 
 class waiting_report : public ::testing::Test {

@@ -16,7 +16,7 @@
 namespace remount {
 namespace {
 
-constexpr int kPatience_ms = 200000;
+constexpr int kDrivePatience_ms = 200000;
 
 /// Short and coarse, so that it is calibrated in seconds.
 SimulationOptions short_drive() {
@@ -39,7 +39,7 @@ class real_drive : public ::testing::Test {
   }
   bool settle(Workbench& workbench) {
     return QTest::qWaitFor([&] { return !workbench.opening() && !workbench.calibrating() && !workbench.solving(); },
-                           kPatience_ms);
+                           kDrivePatience_ms);
   }
 
   QTemporaryDir folder_;
@@ -71,7 +71,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     found = result.ins_from_lidar;
     EXPECT_LT(rotation_angle_between_rad(found, drive_.ins_from_lidar), degrees_to_radians(0.2))
         << "found in " << timer.elapsed() << " ms";
-    ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() + failed.count() > 0; }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return loaded.count() + failed.count() > 0; }, kDrivePatience_ms));
     EXPECT_EQ(failed.count(), 0) << failed.value(0).value(1).toString().toStdString();
     const QString pictures = qEnvironmentVariable("REMOUNT_SCREENSHOT_DIR");
     if (!pictures.isEmpty() && window.findChild<PairView*>()->has_gl()) {
@@ -85,7 +85,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     EXPECT_TRUE(workbench.has_unsaved_decisions());
     bool saved = false;
     workbench.save_project(project, [&] { saved = true; });
-    ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kPatience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return saved; }, kDrivePatience_ms));
     found = workbench.output()->result.ins_from_lidar;
   }
   Workbench workbench(model_engine());

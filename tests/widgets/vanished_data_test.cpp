@@ -12,7 +12,7 @@
 namespace remount {
 namespace {
 
-constexpr int kPatience_ms = 100000;
+constexpr int kLoadingPatience_ms = 100000;
 
 class vanished_data : public ::testing::Test {
  protected:
@@ -36,7 +36,7 @@ class vanished_data : public ::testing::Test {
   }
   bool settle() {
     return QTest::qWaitFor([&] { return !workbench_.opening() && !workbench_.calibrating() && !workbench_.solving(); },
-                           kPatience_ms);
+                           kLoadingPatience_ms);
   }
   void take_the_disk_out() { ASSERT_TRUE(QDir().rename(drive_, folder_.filePath("elsewhere"))); }
   bool was_said(const QString& part) const { return said_.join('\n').contains(part); }
@@ -59,7 +59,7 @@ TEST_F(vanished_data, before_they_are_needed_are_named_and_the_window_keeps_what
   QTest::qWait(100);  // what was being read before
   failed.clear();
   workbench_.select_pair(static_cast<int>(before->pairs.size()) - 1);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kPatience_ms));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !failed.isEmpty(); }, kLoadingPatience_ms));
   EXPECT_TRUE(failed.last().at(1).toString().contains("drive/")) << failed.last().at(1).toString().toStdString();
   workbench_.calibrate();
   ASSERT_TRUE(settle()) << "it hangs";
@@ -71,7 +71,7 @@ TEST_F(vanished_data, before_they_are_needed_are_named_and_the_window_keeps_what
 TEST_F(vanished_data, while_they_are_read_are_named) {
   QSignalSpy progressed(&workbench_, &Workbench::job_progressed);
   workbench_.calibrate();
-  ASSERT_TRUE(progressed.wait(kPatience_ms));
+  ASSERT_TRUE(progressed.wait(kLoadingPatience_ms));
   take_the_disk_out();
   ASSERT_TRUE(settle()) << "it hangs";
   EXPECT_TRUE(was_said(drive_)) << said_.join('\n').toStdString();

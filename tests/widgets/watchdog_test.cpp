@@ -28,7 +28,7 @@ namespace {
 using testing::ProfiledApplication;
 using testing::thread_cpu_ms;
 
-constexpr int kPatience_ms = 280000;
+constexpr int kTurnPatience_ms = 280000;
 constexpr double kLongestStall_ms = 50.0;
 
 /// How long this thread was ready to run and the machine's cores were taken by others, ms.
@@ -140,10 +140,10 @@ class Day {
   void open_and_calibrate() {
     watchdog_->what = "opening";
     window_.open_paths({folder_ + "/drive"});
-    ASSERT_TRUE(run_until([&] { return settled(); }, kPatience_ms));
+    ASSERT_TRUE(run_until([&] { return settled(); }, kTurnPatience_ms));
     watchdog_->what = "calibrating";
     workbench_.calibrate();
-    ASSERT_TRUE(run_until([&] { return settled(); }, kPatience_ms));
+    ASSERT_TRUE(run_until([&] { return settled(); }, kTurnPatience_ms));
     ASSERT_TRUE(workbench_.output());
     look_on(500);  // the result is shown, its files are hashed, it is autosaved
   }
@@ -162,7 +162,7 @@ class Day {
       asked = true;
       since.start();
       workbench_.decide({7 * i + 3}, PairState::Rejected);
-      run_until([&] { return !asked && settled(); }, kPatience_ms);
+      run_until([&] { return !asked && settled(); }, kTurnPatience_ms);
     }
     QObject::disconnect(watch);
     std::sort(answered_ms.begin(), answered_ms.end());
@@ -178,19 +178,19 @@ class Day {
       }
       workbench_.undo_stack().undo();
     }
-    ASSERT_TRUE(run_until([&] { return settled(); }, kPatience_ms));
+    ASSERT_TRUE(run_until([&] { return settled(); }, kTurnPatience_ms));
     look_on(2000);  // the map is compared again
   }
   void save_and_open_project() {
     const QString project = folder_ + "/job.remount";
     watchdog_->what = "saving";
     workbench_.save_project(project);
-    ASSERT_TRUE(run_until([&] { return !workbench_.unsaved(); }, kPatience_ms));
+    ASSERT_TRUE(run_until([&] { return !workbench_.unsaved(); }, kTurnPatience_ms));
     watchdog_->what = "opening a project";
     for (int again = 0; again < 2; ++again) {
       const int solution = workbench_.solution();
       window_.open_paths({project});
-      ASSERT_TRUE(run_until([&] { return workbench_.solution() > solution && settled(); }, kPatience_ms));
+      ASSERT_TRUE(run_until([&] { return workbench_.solution() > solution && settled(); }, kTurnPatience_ms));
       look_on(500);
     }
   }
@@ -246,7 +246,7 @@ ChildRun run_child() {
   testing::ChildProcess child(QCoreApplication::applicationFilePath().toStdString(),
                               {"--gtest_filter=watchdog.child_loads_and_registers"},
                               {{"REMOUNT_WATCHDOG_CHILD", "1"}, {"QT_QPA_PLATFORM", "offscreen"}});
-  const std::optional<int> exit_code = child.ended(kPatience_ms);
+  const std::optional<int> exit_code = child.ended(kTurnPatience_ms);
   const ChildRun run{exit_code, child.said()};
   if (qEnvironmentVariableIsSet("REMOUNT_PROFILE")) std::printf("%s\n", run.said.c_str());
   std::istringstream lines(run.said);

@@ -155,6 +155,7 @@ bool McapFile::read_summary(Progress& progress) {
   const auto start = ByteReader(content, footer.where).number<std::uint64_t>();
   if (start == 0) return false;
   check_summary(start, content, footer);
+  summary_whole_ = true;
   std::uint64_t promised = 0;
   bool indexed = false;
   for (std::uint64_t offset = start; offset < whole->size() - tail && !progress.cancelled();) {
@@ -309,7 +310,7 @@ void McapFile::scan(const std::string& why_no_summary, Progress& progress) {
       if (offset == at) break;  // where the next record begins is not known
     }
   }
-  if (complete && damaged == 0) {
+  if (complete && damaged == 0 && (why_no_summary.empty() || !summary_whole_)) {
     // That there is no index is nobody's fault; that what the footer promises is not there is somebody's.
     if (!why_no_summary.empty())
       findings_.push_back(

@@ -49,6 +49,7 @@ class McapFile final : public BagFile {
   std::map<std::uint16_t, std::string> schemas_;  // names
   std::map<std::uint16_t, std::size_t> topic_of_channel_;
   std::set<std::uint64_t> chunk_starts_;  // of those that the index has named
+  bool summary_whole_ = false;            // up to what is within it
   bool undescribed_ = false;              // the summary leaves channels to the chunks
 };
 

@@ -10,10 +10,10 @@
 namespace remount {
 namespace {
 
-const RigidTransform kMounting = make_rigid(rotation_from_yaw_pitch_roll({0.2, 0.1, -0.05}), {1.0, -0.6, 0.3});
+const RigidTransform kSlewMounting = make_rigid(rotation_from_yaw_pitch_roll({0.2, 0.1, -0.05}), {1.0, -0.6, 0.3});
 
 RigidTransform turned(double angle_rad) {
-  return make_rigid(so3_exp(angle_rad * Eigen::Vector3d::UnitZ()), Eigen::Vector3d::Zero()) * kMounting;
+  return make_rigid(so3_exp(angle_rad * Eigen::Vector3d::UnitZ()), Eigen::Vector3d::Zero()) * kSlewMounting;
 }
 
 struct Recording {
@@ -50,8 +50,8 @@ TEST(slew_turn, a_full_turn_is_followed_without_drift) {
   std::printf("  worst position %.4f m\n", worst_m);
   EXPECT_LT(worst_m, 0.02);
   const CircleFit circle = fit_circle(positions);
-  EXPECT_LT((circle.centre_m - kMounting.inverse().translation() -
-             kMounting.linear().transpose() * Eigen::Vector3d(0, 0, kMounting.translation().z()))
+  EXPECT_LT((circle.centre_m - kSlewMounting.inverse().translation() -
+             kSlewMounting.linear().transpose() * Eigen::Vector3d(0, 0, kSlewMounting.translation().z()))
                 .norm(),
             0.01);
 }

@@ -39,11 +39,10 @@ TrajectoryState with_border(const TrajectoryState& state, int at, double step) {
   return out;
 }
 
-TEST(trajectory_terms, derivatives_agree_with_perturbation) {
-  const Fixture f;
+void expect_derivatives_agree(const Fixture& f, std::size_t count) {
   constexpr double kStep = 1e-6;
   const std::vector<TrajectoryTerm> terms = trajectory_terms(f.session, 0, f.state);
-  ASSERT_EQ(terms.size(), 3u * 4u + 2u * 3u);
+  ASSERT_EQ(terms.size(), count);
   const auto compare = [&](const TrajectoryState& up, const TrajectoryState& down, const auto& derivative) {
     const std::vector<TrajectoryTerm> above = trajectory_terms(f.session, 0, up),
                                       below = trajectory_terms(f.session, 0, down);
@@ -69,6 +68,25 @@ TEST(trajectory_terms, derivatives_agree_with_perturbation) {
         return Eigen::Vector3d(Eigen::Vector3d::Zero());
       });
     }
+}
+
+TEST(trajectory_terms, derivatives_agree_with_perturbation) { expect_derivatives_agree({}, 3u * 4u + 2u * 3u); }
+
+// The attitude then is a heading and a tilt, each with its own sigma, and every component is in one of them.
+TEST(trajectory_terms, derivatives_of_an_assumed_tilt_agree_with_perturbation) {
+  Fixture f;
+  for (TrajectoryEpoch& epoch : f.session.epochs)
+    if (epoch.ins) epoch.ins->assumed_tilt_sigma_rad = 0.05;
+  expect_derivatives_agree(f, 4u * 4u + 2u * 3u);
+  const std::vector<TrajectoryTerm> terms = trajectory_terms(f.session, 0, f.state);
+  std::size_t tilts = 0;
+  for (std::size_t k = 1; k < terms.size(); ++k) {
+    if (terms[k].kind != TermKind::InsTilt) continue;
+    ++tilts;
+    ASSERT_EQ(terms[k - 1].kind, TermKind::InsAttitude);
+    EXPECT_EQ(Eigen::Vector3d(terms[k].used + terms[k - 1].used), Eigen::Vector3d(Eigen::Vector3d::Ones()));
+  }
+  EXPECT_GT(tilts, 0u);
 }
 
 TEST(trajectory_terms, vanish_at_the_truth) {

@@ -10,13 +10,7 @@ namespace {
 
 using synthetic::Drive;
 using synthetic::lidar_only;
-
-Drive street_drive() {
-  Drive drive;
-  drive.world = synthetic::street();
-  drive.yaw_rate_radps = 0.05;
-  return drive;
-}
+using synthetic::street_drive;
 
 FusionOdometryResult solve(const Drive& drive, const std::vector<OdometryScan>& scans, const SensorStreams& streams,
                            const FusionOptions& options) {

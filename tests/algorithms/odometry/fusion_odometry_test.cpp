@@ -13,6 +13,7 @@ namespace {
 
 using synthetic::Drive;
 using synthetic::lidar_only;
+using synthetic::street_drive;
 
 struct EndError {
   double shift_m, turn_rad;
@@ -26,13 +27,6 @@ EndError end_error(const Drive& drive, const FusionOdometryResult& result) {
             << " deg; last residual " << 1000.0 * result.scans.back().residual_m << " mm, undetermined '"
             << result.scans.back().undetermined << "'\n";
   return error;
-}
-
-Drive street_drive() {
-  Drive drive;
-  drive.world = synthetic::street();
-  drive.yaw_rate_radps = 0.05;
-  return drive;
 }
 
 Drive noisy(Drive drive, std::uint64_t seed) {

@@ -193,4 +193,12 @@ inline FusionOptions lidar_only() {
   return options;
 }
 
+/// A slow turn in a street.
+inline Drive street_drive() {
+  Drive drive;
+  drive.world = street();
+  drive.yaw_rate_radps = 0.05;
+  return drive;
+}
+
 }  // namespace remount::synthetic

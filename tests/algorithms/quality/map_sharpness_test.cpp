@@ -7,10 +7,10 @@
 namespace remount {
 namespace {
 
-const RigidTransform kTruth = rigid_from_six({1.0, 0.3, 1.5, 0.2, 0.02, -0.03});
+const RigidTransform kMapTruth = rigid_from_six({1.0, 0.3, 1.5, 0.2, 0.02, -0.03});
 
 // Walls and ground of a yard, sampled at random from poses of a vehicle that turns and leans.
-MapScans yard() {
+MapScans mapped_yard() {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> along(-10.0, 10.0), up(0.0, 4.0);
   std::normal_distribution<double> noise(0.0, 0.01);
@@ -18,7 +18,7 @@ MapScans yard() {
   for (int scan = 0; scan < 8; ++scan) {
     map.local_from_ins.push_back(
         rigid_from_six({0.8 * scan, 0.2 * scan, 0.5, 0.15 * scan, 0.03 * std::sin(scan), 0.03 * std::cos(2.0 * scan)}));
-    const RigidTransform lidar_from_local = (map.local_from_ins.back() * kTruth).inverse();
+    const RigidTransform lidar_from_local = (map.local_from_ins.back() * kMapTruth).inverse();
     auto& points = map.points_in_lidar.emplace_back();
     for (int i = 0; i < 3000; ++i) {
       const double a = along(random), b = up(random), n = noise(random);
@@ -33,9 +33,9 @@ MapScans yard() {
 
 TEST(map_sharpness, is_best_under_the_truth_and_shows_the_thickness_of_the_walls) {
   const std::vector<RigidTransform> candidates{
-      kTruth, perturbed(kTruth, 0.1 * Vector6d::Unit(0)), perturbed(kTruth, 0.1 * Vector6d::Unit(1)),
-      perturbed(kTruth, 0.02 * Vector6d::Unit(5)), perturbed(kTruth, 0.02 * Vector6d::Unit(3))};
-  const auto found = compare_sharpness({yard()}, candidates, {}, 1, {});
+      kMapTruth, perturbed(kMapTruth, 0.1 * Vector6d::Unit(0)), perturbed(kMapTruth, 0.1 * Vector6d::Unit(1)),
+      perturbed(kMapTruth, 0.02 * Vector6d::Unit(5)), perturbed(kMapTruth, 0.02 * Vector6d::Unit(3))};
+  const auto found = compare_sharpness({mapped_yard()}, candidates, {}, 1, {});
   ASSERT_GT(found[0].points, 500U);
   EXPECT_NEAR(found[0].plane_thickness_m, 0.01, 0.004);
   for (std::size_t i = 1; i < found.size(); ++i) {
@@ -46,18 +46,18 @@ TEST(map_sharpness, is_best_under_the_truth_and_shows_the_thickness_of_the_walls
 }
 
 TEST(map_sharpness, is_the_same_for_any_number_of_threads) {
-  const auto one = compare_sharpness({yard()}, {kTruth}, {}, 1, {}),
-             three = compare_sharpness({yard()}, {kTruth}, {}, 3, {});
+  const auto one = compare_sharpness({mapped_yard()}, {kMapTruth}, {}, 1, {}),
+             three = compare_sharpness({mapped_yard()}, {kMapTruth}, {}, 3, {});
   EXPECT_EQ(one[0].mean_map_entropy, three[0].mean_map_entropy);
   EXPECT_EQ(one[0].plane_thickness_m, three[0].plane_thickness_m);
 }
 
 TEST(map_sharpness, without_overlap_or_scans_there_is_none) {
-  MapScans alone = yard();
+  MapScans alone = mapped_yard();
   alone.points_in_lidar.resize(1);
   alone.local_from_ins.resize(1);
-  EXPECT_TRUE(std::isnan(compare_sharpness({alone}, {kTruth}, {}, 1, {})[0].mean_map_entropy));
-  EXPECT_TRUE(std::isnan(compare_sharpness({}, {kTruth}, {}, 1, {})[0].mean_map_entropy));
+  EXPECT_TRUE(std::isnan(compare_sharpness({alone}, {kMapTruth}, {}, 1, {})[0].mean_map_entropy));
+  EXPECT_TRUE(std::isnan(compare_sharpness({}, {kMapTruth}, {}, 1, {})[0].mean_map_entropy));
   EXPECT_TRUE(compare_sharpness({alone}, {}, {}, 1, {}).empty());
 }
 

@@ -29,12 +29,12 @@ struct Posts {
   }
 };
 
-const RigidTransform kMounting = rigid_from_six({0.9, -0.2, 0.8, 1.6, -0.05, 0.03});
+const RigidTransform kScannerMounting = rigid_from_six({0.9, -0.2, 0.8, 1.6, -0.05, 0.03});
 
 TEST(obstacle_check, measures_from_the_sides_and_from_the_corners_of_the_outline) {
   // Outline: x -1.5 to 3.5, y -1 to 1.
-  const Posts posts({{6.5, 0.0, 0.0}, {0.0, 2.0, 0.0}, {-4.5, -5.0, 0.0}}, kMounting);
-  const ObstacleCheck found = check_obstacles(posts.cloud, posts.objects, kMounting, {});
+  const Posts posts({{6.5, 0.0, 0.0}, {0.0, 2.0, 0.0}, {-4.5, -5.0, 0.0}}, kScannerMounting);
+  const ObstacleCheck found = check_obstacles(posts.cloud, posts.objects, kScannerMounting, {});
   ASSERT_EQ(found.obstacles.size(), 3u);
   EXPECT_EQ(found.obstacles[0].object, 1);
   EXPECT_NEAR(found.obstacles[0].distance_m, 1.0, 1e-5) << "beside";
@@ -45,21 +45,21 @@ TEST(obstacle_check, measures_from_the_sides_and_from_the_corners_of_the_outline
 }
 
 TEST(obstacle_check, decides_by_the_preset_distance) {
-  const Posts posts({{6.0, 0.0, 0.0}}, kMounting);
+  const Posts posts({{6.0, 0.0, 0.0}}, kScannerMounting);
   ObstacleOptions options;
   options.stop_distance_m = 2.6;
-  EXPECT_EQ(check_obstacles(posts.cloud, posts.objects, kMounting, options).decision, ObstacleDecision::Stop);
+  EXPECT_EQ(check_obstacles(posts.cloud, posts.objects, kScannerMounting, options).decision, ObstacleDecision::Stop);
   options.stop_distance_m = 2.4;
-  EXPECT_EQ(check_obstacles(posts.cloud, posts.objects, kMounting, options).decision, ObstacleDecision::Clear);
+  EXPECT_EQ(check_obstacles(posts.cloud, posts.objects, kScannerMounting, options).decision, ObstacleDecision::Clear);
 }
 
 TEST(obstacle_check, a_wrong_mounting_changes_the_decision_and_the_comparison_shows_it) {
-  const Posts posts({{6.0, 0.0, 0.0}, {0.0, 8.0, 0.0}}, kMounting);
-  RigidTransform nominal = kMounting;
+  const Posts posts({{6.0, 0.0, 0.0}, {0.0, 8.0, 0.0}}, kScannerMounting);
+  RigidTransform nominal = kScannerMounting;
   nominal.translation().x() += 1.0;  // believed a metre farther ahead than it is
   ObstacleOptions options;
   options.stop_distance_m = 3.0;
-  const ObstacleComparison both = compare_obstacles(posts.cloud, posts.objects, nominal, kMounting, options);
+  const ObstacleComparison both = compare_obstacles(posts.cloud, posts.objects, nominal, kScannerMounting, options);
   EXPECT_TRUE(both.decision_differs());
   EXPECT_EQ(both.nominal.decision, ObstacleDecision::Clear);
   EXPECT_EQ(both.calibrated.decision, ObstacleDecision::Stop);
@@ -70,18 +70,18 @@ TEST(obstacle_check, a_wrong_mounting_changes_the_decision_and_the_comparison_sh
 }
 
 TEST(obstacle_check, the_vehicle_itself_and_what_hangs_above_are_no_obstacles) {
-  const Posts posts({{1.0, 0.0, 0.0}, {5.0, 0.0, 4.0}, {3.5, 1.0, 0.0}}, kMounting);
+  const Posts posts({{1.0, 0.0, 0.0}, {5.0, 0.0, 4.0}, {3.5, 1.0, 0.0}}, kScannerMounting);
   ObstacleOptions options;
-  EXPECT_EQ(check_obstacles(posts.cloud, {posts.objects[0], posts.objects[1]}, kMounting, options).decision,
+  EXPECT_EQ(check_obstacles(posts.cloud, {posts.objects[0], posts.objects[1]}, kScannerMounting, options).decision,
             ObstacleDecision::Clear);
   options.ignore_inside = false;
-  const ObstacleCheck strict = check_obstacles(posts.cloud, posts.objects, kMounting, options);
+  const ObstacleCheck strict = check_obstacles(posts.cloud, posts.objects, kScannerMounting, options);
   EXPECT_EQ(strict.decision, ObstacleDecision::Stop);
   EXPECT_EQ(strict.nearest_m, 0.0);
 }
 
 TEST(obstacle_check, no_objects_is_clear) {
-  const ObstacleCheck found = check_obstacles({}, {}, kMounting, {});
+  const ObstacleCheck found = check_obstacles({}, {}, kScannerMounting, {});
   EXPECT_EQ(found.decision, ObstacleDecision::Clear);
   EXPECT_TRUE(std::isinf(found.nearest_m));
 }
@@ -89,10 +89,10 @@ TEST(obstacle_check, no_objects_is_clear) {
 TEST(obstacle_check, refuses_an_empty_outline_and_objects_of_another_scan) {
   ObstacleOptions options;
   options.outline_x_min_m = 4.0;
-  EXPECT_THROW(check_obstacles({}, {}, kMounting, options), Error);
+  EXPECT_THROW(check_obstacles({}, {}, kScannerMounting, options), Error);
   SceneObject stray;
   stray.points = {7};
-  EXPECT_THROW(check_obstacles({}, {stray}, kMounting, {}), Error);
+  EXPECT_THROW(check_obstacles({}, {stray}, kScannerMounting, {}), Error);
 }
 
 }  // namespace

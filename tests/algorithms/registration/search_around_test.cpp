@@ -36,15 +36,15 @@ std::vector<Rectangle> colonnade() {
 
 const RigidTransform kTruth = make_rigid(so3_exp({0.01, -0.01, 0.1}), {1.5, 0.3, 0.02});
 
-struct Scans {
-  explicit Scans(const std::vector<Rectangle>& world)
+struct SearchScans {
+  explicit SearchScans(const std::vector<Rectangle>& world)
       : source(scan_of(world, kTruth, 0.01, 1, 40000), {}),
         target(scan_of(world, RigidTransform::Identity(), 0.01, 2, 40000), {}) {}
   PreparedCloud source, target;
 };
 
-const Scans& yard_scans() {
-  static const Scans scans(yard());
+const SearchScans& yard_scans() {
+  static const SearchScans scans(yard());
   return scans;
 }
 
@@ -54,14 +54,14 @@ RigidTransform start_off(const Eigen::Vector3d& shift_m, const Eigen::Vector3d& 
   return perturbed(kTruth, step);
 }
 
-std::string describe(const RegistrationResult& result) {
+std::string describe_search(const RegistrationResult& result) {
   const Vector6d error = difference(kTruth, result.target_from_source);
   return "error " + std::to_string(error.head<3>().norm()) + " m, " +
          std::to_string(radians_to_degrees(error.tail<3>().norm())) + " deg; " + result.quality.failure;
 }
 
 TEST(search_around, finds_a_pair_from_five_metres_and_thirty_degrees) {
-  const Scans& scans = yard_scans();
+  const SearchScans& scans = yard_scans();
   const Eigen::Vector3d shifts[] = {{4.9, 1.0, 0.0}, {-3.5, 3.5, 0.7}, {0.5, -4.9, 0.5}, {-4.9, -0.8, -0.5}};
   const Eigen::Vector3d turns[] = {{0, 0, 30}, {17, 17, -17}, {0, -26, 15}, {5, 0, -29.6}};
   int alone = 0;
@@ -69,9 +69,9 @@ TEST(search_around, finds_a_pair_from_five_metres_and_thirty_degrees) {
     const RigidTransform start = start_off(shifts[i], turns[i]);
     const RegistrationResult result = align_scans(scans.source, scans.target, start, {}, {});
     const Vector6d error = difference(kTruth, result.target_from_source);
-    EXPECT_EQ(result.quality.failure, "") << i << ": " << describe(result);
-    EXPECT_LT(error.head<3>().norm(), 0.02) << i << ": " << describe(result);
-    EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.1)) << i << ": " << describe(result);
+    EXPECT_EQ(result.quality.failure, "") << i << ": " << describe_search(result);
+    EXPECT_LT(error.head<3>().norm(), 0.02) << i << ": " << describe_search(result);
+    EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.1)) << i << ": " << describe_search(result);
     RegistrationOptions without;
     without.search_when_doubtful = false;
     const RegistrationResult plain = align_scans(scans.source, scans.target, start, without, {});
@@ -81,7 +81,7 @@ TEST(search_around, finds_a_pair_from_five_metres_and_thirty_degrees) {
 }
 
 TEST(search_around, leaves_a_good_start_alone) {
-  const Scans& scans = yard_scans();
+  const SearchScans& scans = yard_scans();
   const RigidTransform start = start_off({0.2, 0.1, 0.0}, {0, 0, 1});
   RegistrationOptions without;
   without.search_when_doubtful = false;
@@ -92,17 +92,17 @@ TEST(search_around, leaves_a_good_start_alone) {
 }
 
 TEST(search_around, says_that_repeating_surroundings_are_ambiguous) {
-  const Scans scans(colonnade());
+  const SearchScans scans(colonnade());
   // Between two of the places that fit, and turned: whichever comes out is a guess.
   const RegistrationResult result =
       align_scans(scans.source, scans.target, start_off({2.0, 0.0, 0.0}, {0, 0, 25}), {}, {});
   const double off_m = difference(kTruth, result.target_from_source).head<3>().norm();
   EXPECT_NE(result.quality.failure.find("ambiguous: another alignment"), std::string::npos)
-      << describe(result) << ", off " << off_m << " m";
+      << describe_search(result) << ", off " << off_m << " m";
 }
 
 TEST(search_around, gives_the_same_bytes_again) {
-  const Scans& scans = yard_scans();
+  const SearchScans& scans = yard_scans();
   const RigidTransform start = start_off({-3.5, 3.5, 0.7}, {17, 17, -17});
   const RegistrationResult first = align_scans(scans.source, scans.target, start, {}, {}),
                            second = align_scans(scans.source, scans.target, start, {}, {});

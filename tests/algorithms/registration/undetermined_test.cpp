@@ -12,15 +12,15 @@
 namespace remount {
 namespace {
 
-constexpr double kNoise_m = 0.01;
+constexpr double kPointNoise_m = 0.01;
 
 std::vector<Rectangle> open_field() { return {{{-30, -30, -1.7}, {60, 0, 0}, {0, 60, 0}}}; }
 
 RegistrationResult align_in(const std::vector<Rectangle>& world, const Eigen::Matrix3d& turned_sensor) {
   const RigidTransform mounting = make_rigid(turned_sensor, Eigen::Vector3d::Zero());
   const RigidTransform there = make_rigid(so3_exp({0.0, 0.0, 0.03}), {0.4, 0.1, 0.0});
-  const PreparedCloud source(scan_of(world, there * mounting, kNoise_m, 1), {}),
-      target(scan_of(world, mounting, kNoise_m, 2), {});
+  const PreparedCloud source(scan_of(world, there * mounting, kPointNoise_m, 1), {}),
+      target(scan_of(world, mounting, kPointNoise_m, 2), {});
   return align_scans(source, target, mounting.inverse() * there * mounting, {}, {});
 }
 

@@ -15,14 +15,14 @@
 namespace remount {
 namespace {
 
-struct Drive {
+struct SearchDrive {
   Eigen::Vector3d axes, travel;
 };
-const Drive kGeneral{{1, 1, 1}, {1, 1, 1}}, kWeakTilt{{0.1, 0.1, 1}, {1, 1, 1}}, kPlanar{{0, 0, 1}, {1, 1, 0}},
+const SearchDrive kGeneral{{1, 1, 1}, {1, 1, 1}}, kWeakTilt{{0.1, 0.1, 1}, {1, 1, 1}}, kPlanar{{0, 0, 1}, {1, 1, 0}},
     kStraight{{0, 0, 0}, {1, 0, 0}};
 
-std::vector<MotionPair> pairs_of(std::mt19937_64& random, const RigidTransform& truth, const Drive& drive, double noise,
-                                 double outliers, int count = 60) {
+std::vector<MotionPair> pairs_of(std::mt19937_64& random, const RigidTransform& truth, const SearchDrive& drive,
+                                 double noise, double outliers, int count = 60) {
   std::vector<MotionPair> pairs = exact_pairs(random, truth, count, drive.axes, drive.travel);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     RigidTransform& measured = pairs[i].lidar_b_from_lidar_a;
@@ -168,7 +168,7 @@ TEST(certified_search, near_half_turns_of_yaw_and_near_vertical_pitch) {
 
 TEST(certified_search, the_bound_holds_and_an_exhaustive_grid_finds_nothing_better) {
   std::mt19937_64 random(3);
-  const Drive drives[] = {kGeneral, kPlanar, kWeakTilt, kStraight};
+  const SearchDrive drives[] = {kGeneral, kPlanar, kWeakTilt, kStraight};
   double slowest = 0.0;
   int regions = 0;
   for (int trial = 0; trial < 16; ++trial) {
@@ -198,7 +198,7 @@ TEST(certified_search, the_bound_holds_and_an_exhaustive_grid_finds_nothing_bett
 TEST(certified_search, random_ranges_are_certified_too) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> share(0.0, 1.0);
-  const Drive drives[] = {kGeneral, kPlanar, kWeakTilt, kStraight};
+  const SearchDrive drives[] = {kGeneral, kPlanar, kWeakTilt, kStraight};
   const auto interval = [&](double& low, double& high, double reach) {
     const double a = (2.0 * share(random) - 1.0) * reach, b = (2.0 * share(random) - 1.0) * reach;
     if (share(random) < 0.4) return;
@@ -242,7 +242,7 @@ TEST(certified_search, forty_percent_outliers_still_give_the_global_optimum_of_t
 TEST(certified_search, planar_and_straight_driving_are_certified_and_said_not_to_be_unique) {
   std::mt19937_64 random(6);
   const SearchRange range;
-  for (const Drive& drive : {kPlanar, kStraight})
+  for (const SearchDrive& drive : {kPlanar, kStraight})
     for (const double noise : {0.0, 1.0}) {
       const RigidTransform truth = make_rigid(so3_exp({0.2, -0.1, 2.0}), {1.0, 0.5, 1.5});
       const QuadraticForm form(pairs_of(random, truth, drive, noise, 0.0), 1.0);

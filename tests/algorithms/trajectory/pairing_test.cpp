@@ -5,14 +5,14 @@
 namespace remount {
 namespace {
 
-struct Drive {
+struct PairedDrive {
   std::vector<Keyframe> keyframes;
   std::vector<RigidTransform> poses;
 };
 
 // Keyframes `step_m` and `step_s` apart, straight on.
-Drive straight(int count, double step_m, double step_s, int session = 0) {
-  Drive drive;
+PairedDrive straight(int count, double step_m, double step_s, int session = 0) {
+  PairedDrive drive;
   for (int i = 0; i < count; ++i) {
     drive.keyframes.push_back({session, i, static_cast<std::int64_t>(i * step_s * 1e9), i * step_m});
     drive.poses.push_back(make_rigid(Eigen::Matrix3d::Identity(), {i * step_m, 0, 0}));
@@ -27,7 +27,7 @@ PairingOptions generous() {
 }
 
 TEST(pairing, the_motion_of_a_pair_is_that_of_its_two_poses) {
-  Drive drive = straight(2, 1.0, 0.5);
+  PairedDrive drive = straight(2, 1.0, 0.5);
   drive.poses[0] = make_rigid(so3_exp({0.1, 0.2, 0.3}), {1, 2, 3});
   drive.poses[1] = make_rigid(so3_exp({0.1, 0.2, 0.5}), {2, 2, 3});
   const std::vector<Pair> pairs = propose_pairs(drive.keyframes, drive.poses, generous());
@@ -42,11 +42,11 @@ TEST(pairing, the_motion_of_a_pair_is_that_of_its_two_poses) {
 }
 
 TEST(pairing, each_limit_is_kept_and_either_is_the_union) {
-  const Drive fast = straight(60, 2.0, 0.1), slow = straight(60, 0.5, 0.4);
+  const PairedDrive fast = straight(60, 2.0, 0.1), slow = straight(60, 0.5, 0.4);
   PairingOptions options = generous();
   options.max_gap_s = 1.0;
   options.max_distance_m = 6.0;
-  for (const Drive* drive : {&fast, &slow}) {
+  for (const PairedDrive* drive : {&fast, &slow}) {
     std::size_t counts[3] = {};
     for (const PairLimit limit : {PairLimit::Time, PairLimit::Distance, PairLimit::Either}) {
       options.limit = limit;
@@ -65,7 +65,7 @@ TEST(pairing, each_limit_is_kept_and_either_is_the_union) {
 }
 
 TEST(pairing, a_pair_must_have_moved_or_turned) {
-  Drive still = straight(10, 0.01, 0.1);
+  PairedDrive still = straight(10, 0.01, 0.1);
   EXPECT_TRUE(propose_pairs(still.keyframes, still.poses, generous()).empty());
   for (std::size_t i = 0; i < still.poses.size(); ++i)
     still.poses[i].linear() = so3_exp({0, 0, degrees_to_radians(1.01 * static_cast<double>(i))});
@@ -73,7 +73,7 @@ TEST(pairing, a_pair_must_have_moved_or_turned) {
 }
 
 TEST(pairing, partners_are_limited_and_spread_over_short_and_long_gaps) {
-  const Drive drive = straight(30, 0.5, 10.0);
+  const PairedDrive drive = straight(30, 0.5, 10.0);
   PairingOptions options;
   options.max_partners = 4;
   const std::vector<Pair> pairs = propose_pairs(drive.keyframes, drive.poses, options);
@@ -91,8 +91,8 @@ TEST(pairing, partners_are_limited_and_spread_over_short_and_long_gaps) {
 }
 
 TEST(pairing, sessions_are_never_mixed) {
-  Drive drive = straight(10, 1.0, 0.1, 0);
-  const Drive second = straight(10, 1.0, 0.1, 1);
+  PairedDrive drive = straight(10, 1.0, 0.1, 0);
+  const PairedDrive second = straight(10, 1.0, 0.1, 1);
   drive.keyframes.insert(drive.keyframes.end(), second.keyframes.begin(), second.keyframes.end());
   drive.poses.insert(drive.poses.end(), second.poses.begin(), second.poses.end());
   const std::vector<Pair> pairs = propose_pairs(drive.keyframes, drive.poses, generous());

@@ -139,7 +139,8 @@ TEST_F(fleet_rows_of, a_failure_from_before_a_change_counts_no_more) {
   FleetVehicle& vehicle = fleet_.vehicles[job.vehicle];
   vehicle.topics = {{"lidar", "/a"}};
   make_job_folder(job);
-  save_failure(fleet_, job, "/a: cannot serve as lidar\nsecond line");
+  note_failure(fleet_, job, "/a: cannot serve as lidar\nsecond line");
+  ASSERT_TRUE(is_file(job.failure));
   const auto row = [&] { return fleet_rows(fleet_)[3]; };
   EXPECT_EQ(row().state, JobState::Failed);
   EXPECT_EQ(row().message, "/a: cannot serve as lidar\nsecond line") << "what it was asked for is not part of it";
@@ -175,7 +176,8 @@ TEST_F(fleet_rows_of, a_failure_from_before_a_change_counts_no_more) {
 TEST_F(fleet_rows_of, a_failure_is_old_where_a_session_was_written_since) {
   const FleetJob& job = fleet_.jobs[3];
   make_job_folder(job);
-  save_failure(fleet_, job, "mon: does not exist");
+  note_failure(fleet_, job, "mon: does not exist");
+  ASSERT_TRUE(is_file(job.failure));
   EXPECT_EQ(fleet_rows(fleet_)[3].state, JobState::Failed) << "still not there";
   std::filesystem::create_directories(job.sessions[0]);
   std::ofstream(job.sessions[0] / "ins.csv") << "time\n";
@@ -188,7 +190,8 @@ TEST_F(fleet_rows_of, a_failure_is_old_where_a_session_was_written_since) {
 TEST_F(fleet_rows_of, the_table_names_result_files_that_are_there) {
   make(0, result(1.0, 10.0, 0.001));
   make(1, result(1.0, 10.0, 0.001));
-  save_failure(fleet_, fleet_.jobs[1], "tue: does not exist");
+  note_failure(fleet_, fleet_.jobs[1], "tue: does not exist");
+  ASSERT_TRUE(is_file(fleet_.jobs[1].failure));
   const std::string csv = fleet_csv(fleet_, fleet_rows(fleet_));
   EXPECT_NE(csv.find(fleet_.jobs[0].result.string()), std::string::npos);
   for (const std::size_t job : {1U, 2U, 3U})

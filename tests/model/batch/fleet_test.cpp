@@ -33,10 +33,10 @@ class fleet_file : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
-constexpr const char* kHead = "format: remount-fleet/1\n";
+constexpr const char* kFleetHead = "format: remount-fleet/1\n";
 
 TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
-  const Fleet fleet = read(std::string(kHead) +
+  const Fleet fleet = read(std::string(kFleetHead) +
                            "results: made\n"
                            "drift: {sigmas: 4, translation_m: 0.05, rotation_deg: 0.5}\n"
                            "settings: {pairing: {max_gap_s: 3}}\n"
@@ -72,7 +72,7 @@ TEST_F(fleet_file, every_entry_of_sessions_is_a_job_with_files_of_its_own) {
 }
 
 TEST_F(fleet_file, a_job_keeps_its_files_when_others_are_added_before_it) {
-  const std::string vehicle = std::string(kHead) + "vehicles:\n  - name: v\n    sessions: ";
+  const std::string vehicle = std::string(kFleetHead) + "vehicles:\n  - name: v\n    sessions: ";
   const Fleet before = read(vehicle + "[b/drive]\n"), after = read(vehicle + "[a/drive, b/drive, [b/drive, c]]\n");
   EXPECT_EQ(before.jobs[0].result, after.jobs[1].result);
   EXPECT_EQ(before.jobs[0].result.extension(), ".yaml");
@@ -80,7 +80,7 @@ TEST_F(fleet_file, a_job_keeps_its_files_when_others_are_added_before_it) {
 }
 
 TEST_F(fleet_file, topics_of_a_vehicle_change_those_of_the_fleet_role_by_role) {
-  const Fleet fleet = read(std::string(kHead) +
+  const Fleet fleet = read(std::string(kFleetHead) +
                            "topics: {lidar: /front/points, ins: /novatel/oem7/inspvax, gnss: none}\n"
                            "vehicles:\n"
                            "  - {name: front, sessions: [drive.bag]}\n"
@@ -89,11 +89,11 @@ TEST_F(fleet_file, topics_of_a_vehicle_change_those_of_the_fleet_role_by_role) {
   EXPECT_EQ(fleet.vehicles[0].topics, front);
   EXPECT_EQ(fleet.vehicles[1].topics, (TopicChoice{{"lidar", "/rear/points"}, {"ins", "/novatel/oem7/inspvax"}}));
   EXPECT_NE(fleet.jobs[0].result, fleet.jobs[1].result) << "two LiDARs of one bag";
-  EXPECT_TRUE(read(std::string(kHead) + "vehicles: [{name: v, sessions: [a]}]\n").vehicles[0].topics.empty());
+  EXPECT_TRUE(read(std::string(kFleetHead) + "vehicles: [{name: v, sessions: [a]}]\n").vehicles[0].topics.empty());
 }
 
 TEST_F(fleet_file, errors_name_file_line_and_expectation) {
-  const std::string head = kHead, one = "  - name: v\n    sessions: [a]\n";
+  const std::string head = kFleetHead, one = "  - name: v\n    sessions: [a]\n";
   refuses("vehicles: []\n", ":1", "\"format\" is missing");
   refuses("[1, 2]\n", ":1", "format: remount-fleet/1");
   refuses("format: remount-session/1\n", ":1", "expected \"remount-fleet/1\"");
@@ -144,7 +144,7 @@ TEST_F(fleet_file, any_fleet_reads_back_as_it_was_written) {
     Fleet written;
     TopicChoice of_all;
     written.drift = {random.between(0.1, 9.0), random.between(0.0, 1.0), random.between(0.0, 5.0)};
-    std::string text = std::string(kHead) + "drift: {sigmas: " + shortest(written.drift.sigmas) +
+    std::string text = std::string(kFleetHead) + "drift: {sigmas: " + shortest(written.drift.sigmas) +
                        ", translation_m: " + shortest(written.drift.translation_m) +
                        ", rotation_deg: " + shortest(written.drift.rotation_deg) + "}\n" + topics_text(of_all) +
                        "vehicles:\n";
@@ -192,7 +192,7 @@ TEST_F(fleet_file, any_fleet_reads_back_as_it_was_written) {
 
 TEST_F(fleet_file, names_become_plain_file_names_whatever_sessions_are_called) {
   const Fleet fleet =
-      read(std::string(kHead) + "vehicles:\n  - name: ü-Bahn\n    sessions: ['../../../etc/x y;$(z)', " + "'" +
+      read(std::string(kFleetHead) + "vehicles:\n  - name: ü-Bahn\n    sessions: ['../../../etc/x y;$(z)', " + "'" +
            std::string(300, 'q') + "/drive', '...']\n");
   for (const FleetJob& job : fleet.jobs) {
     const std::string name = job.result.filename().string();

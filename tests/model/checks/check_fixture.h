@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "model/checks/data_check.h"
@@ -33,6 +34,12 @@ inline Session good_drive(double turn_deg = 90.0, double tilt_deg = 3.0) {
 inline std::vector<Finding> found_by(const DataCheck& check, const Session& session) {
   std::vector<Finding> findings;
   check.look({session, MetricPoses(session)}, findings, Progress());
+  return findings;
+}
+
+/// The same, and printed.
+inline std::vector<Finding> printed(std::vector<Finding> findings) {
+  for (const Finding& finding : findings) std::printf("[%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
   return findings;
 }
 

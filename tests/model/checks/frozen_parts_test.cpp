@@ -35,35 +35,31 @@ void freeze(Session& session, std::size_t first, std::size_t last, bool attitude
   }
 }
 
-std::vector<Finding> found(const Session& session) {
-  std::vector<Finding> findings = found_by(frozen_part_check(), session);
-  for (const Finding& finding : findings) std::printf("[%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
-  return findings;
-}
+std::vector<Finding> found_frozen(const Session& session) { return printed(found_by(frozen_part_check(), session)); }
 
 TEST(frozen_part_check, an_attitude_that_stands_still_in_a_turn_is_named) {
   Session session = circles();
   freeze(session, 500, 800, true);
-  EXPECT_EQ(said_of(found(session), "ins-attitude-frozen"),
+  EXPECT_EQ(said_of(found_frozen(session), "ins-attitude-frozen"),
             "The INS repeats one attitude for 6.0 s, while its positions run through a turn.");
   Session all = circles();
   freeze(all, 0, all.ins.size(), true);
-  EXPECT_TRUE(has_code(found(all), "ins-attitude-frozen")) << "over all of the drive";
-  EXPECT_FALSE(has_code(found(all), "ins-position-frozen"));
+  EXPECT_TRUE(has_code(found_frozen(all), "ins-attitude-frozen")) << "over all of the drive";
+  EXPECT_FALSE(has_code(found_frozen(all), "ins-position-frozen"));
   EXPECT_FALSE(has_code(found_by(ins_solution_check(), session), "ins-frozen")) << "the pose as a whole moves";
 }
 
 TEST(frozen_part_check, a_position_that_stands_still_while_the_attitude_turns_is_named) {
   Session session = circles();
   freeze(session, 500, 650, false);
-  EXPECT_EQ(said_of(found(session), "ins-position-frozen"),
+  EXPECT_EQ(said_of(found_frozen(session), "ins-position-frozen"),
             "The INS repeats one position for 3.0 s, while its attitude changes and the vehicle drives on.");
   Session all = circles();
   freeze(all, 0, all.ins.size(), false);
-  EXPECT_TRUE(has_code(found(all), "ins-position-frozen")) << "over all of the drive";
+  EXPECT_TRUE(has_code(found_frozen(all), "ins-position-frozen")) << "over all of the drive";
   Session end = circles();
   freeze(end, 1500, end.ins.size(), false);
-  EXPECT_TRUE(has_code(found(end), "ins-position-frozen")) << "to its end";
+  EXPECT_TRUE(has_code(found_frozen(end), "ins-position-frozen")) << "to its end";
 }
 
 TEST(frozen_part_check, poses_are_judged_as_samples_are) {
@@ -73,7 +69,7 @@ TEST(frozen_part_check, poses_are_judged_as_samples_are) {
   poses.world_from_ins = metric_poses(samples);
   for (std::size_t i = 0; i < poses.world_from_ins.size(); ++i)
     poses.world_from_ins[i].pose.linear() = samples.ins[i].enu_from_ins.toRotationMatrix();
-  const std::vector<Finding> findings = found(poses);
+  const std::vector<Finding> findings = found_frozen(poses);
   EXPECT_TRUE(has_code(findings, "ins-attitude-frozen"));
   EXPECT_TRUE(has_code(findings, "ins-position-frozen"));
 }
@@ -94,7 +90,7 @@ TEST(frozen_part_check, a_vehicle_that_stands_is_not_frozen) {
         sample.enu_from_ins = stop.enu_from_ins * Eigen::Quaterniond(rotation_from_yaw_pitch_roll({tremble, 0, 0}));
       if (session == &pinned && i < 1500) sample.latitude_rad += 3.0 * tremble * 1e3 / 6.37e6;
     }
-    EXPECT_TRUE(found(*session).empty());
+    EXPECT_TRUE(found_frozen(*session).empty());
   }
 }
 
@@ -106,8 +102,8 @@ TEST(frozen_part_check, halves_that_are_logged_at_different_rates_are_not_frozen
     slow_position.ins[i].longitude_rad = slow_position.ins[held].longitude_rad;
     slow_attitude.ins[i].enu_from_ins = slow_attitude.ins[held].enu_from_ins;
   }
-  EXPECT_TRUE(found(slow_position).empty());
-  EXPECT_TRUE(found(slow_attitude).empty());
+  EXPECT_TRUE(found_frozen(slow_position).empty());
+  EXPECT_TRUE(found_frozen(slow_attitude).empty());
 }
 
 TEST(frozen_part_check, a_rounded_attitude_on_a_straight_road_there_and_back_is_not_frozen) {
@@ -117,10 +113,10 @@ TEST(frozen_part_check, a_rounded_attitude_on_a_straight_road_there_and_back_is_
     session.ins[i].latitude_rad = session.ins[count - i].latitude_rad;
     session.ins[i].longitude_rad = session.ins[count - i].longitude_rad;
   }
-  EXPECT_TRUE(found(session).empty());
-  EXPECT_TRUE(found(good_drive(0.0, 0.0)).empty());
-  EXPECT_TRUE(found(good_drive()).empty());
-  EXPECT_TRUE(found(Session{}).empty());
+  EXPECT_TRUE(found_frozen(session).empty());
+  EXPECT_TRUE(found_frozen(good_drive(0.0, 0.0)).empty());
+  EXPECT_TRUE(found_frozen(good_drive()).empty());
+  EXPECT_TRUE(found_frozen(Session{}).empty());
 }
 
 }  // namespace

@@ -36,27 +36,24 @@ Session held(Session session, std::size_t samples, Part part) {
   return session;
 }
 
-std::vector<Finding> found(const Session& session) {
-  std::vector<Finding> findings = found_by(held_part_check(), session);
-  for (const Finding& finding : findings) std::printf("[%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
-  return findings;
-}
+std::vector<Finding> found_held(const Session& session) { return printed(found_by(held_part_check(), session)); }
 
 TEST(held_part_check, attitudes_that_are_held_are_named_with_the_step) {
-  const std::vector<Finding> findings = found(held(simulated(), 20, Part::Attitude));
+  const std::vector<Finding> findings = found_held(held(simulated(), 20, Part::Attitude));
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].code, "ins-attitude-held");
   EXPECT_NE(findings[0].explanation.find("for 0.200 s at a time (20 samples)"), std::string::npos);
-  EXPECT_TRUE(has_code(found(held(simulated(), 5, Part::Attitude)), "ins-attitude-held"));
-  EXPECT_TRUE(has_code(found(held(simulated(ScenarioKind::FigureEight), 10, Part::Attitude)), "ins-attitude-held"));
+  EXPECT_TRUE(has_code(found_held(held(simulated(), 5, Part::Attitude)), "ins-attitude-held"));
+  EXPECT_TRUE(
+      has_code(found_held(held(simulated(ScenarioKind::FigureEight), 10, Part::Attitude)), "ins-attitude-held"));
 }
 
 TEST(held_part_check, positions_that_are_held_are_named_with_the_step) {
-  const std::vector<Finding> findings = found(held(simulated(), 20, Part::Position));
+  const std::vector<Finding> findings = found_held(held(simulated(), 20, Part::Position));
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].code, "ins-position-held");
   EXPECT_NE(findings[0].explanation.find("for 0.200 s at a time (20 samples)"), std::string::npos);
-  EXPECT_EQ(found(held(held(simulated(), 10, Part::Position), 10, Part::Attitude)).size(), 2U) << "both";
+  EXPECT_EQ(found_held(held(held(simulated(), 10, Part::Position), 10, Part::Attitude)).size(), 2U) << "both";
 }
 
 TEST(held_part_check, poses_are_judged_as_samples_are) {
@@ -65,7 +62,7 @@ TEST(held_part_check, poses_are_judged_as_samples_are) {
   poses.world_from_ins = metric_poses(samples);
   for (std::size_t i = 0; i < poses.world_from_ins.size(); ++i)
     poses.world_from_ins[i].pose.linear() = samples.ins[i].enu_from_ins.toRotationMatrix();
-  EXPECT_TRUE(has_code(found(poses), "ins-attitude-held"));
+  EXPECT_TRUE(has_code(found_held(poses), "ins-attitude-held"));
 }
 
 TEST(held_part_check, what_is_only_rounded_or_repeated_now_and_then_is_not_held) {
@@ -79,14 +76,14 @@ TEST(held_part_check, what_is_only_rounded_or_repeated_now_and_then_is_not_held)
     sample.latitude_rad = place * std::round(sample.latitude_rad / place);
     sample.longitude_rad = place * std::round(sample.longitude_rad / place);
   }
-  EXPECT_TRUE(found(rounded).empty());
+  EXPECT_TRUE(found_held(rounded).empty());
   for (std::size_t i = 1; i < dropped.ins.size(); ++i)
     if (i % 7 == 0) {
       const std::int64_t stamp_ns = dropped.ins[i].stamp_ns;
       dropped.ins[i] = dropped.ins[i - 1];
       dropped.ins[i].stamp_ns = stamp_ns;
     }
-  EXPECT_TRUE(found(dropped).empty());
+  EXPECT_TRUE(found_held(dropped).empty());
 }
 
 TEST(held_part_check, sound_drives_are_silent) {
@@ -94,17 +91,18 @@ TEST(held_part_check, sound_drives_are_silent) {
                                       ScenarioKind::FigureEight, ScenarioKind::ParkingRamp, ScenarioKind::Hill,
                                       ScenarioKind::Highway, ScenarioKind::Tunnel, ScenarioKind::SlewYard})
     for (const double rate_hz : {1.0, 10.0, 200.0})
-      EXPECT_TRUE(found(simulated(scenario, 15.0, rate_hz)).empty()) << static_cast<int>(scenario) << " " << rate_hz;
-  EXPECT_TRUE(found(held(simulated(ScenarioKind::Straight), 20, Part::Attitude)).empty())
+      EXPECT_TRUE(found_held(simulated(scenario, 15.0, rate_hz)).empty())
+          << static_cast<int>(scenario) << " " << rate_hz;
+  EXPECT_TRUE(found_held(held(simulated(ScenarioKind::Straight), 20, Part::Attitude)).empty())
       << "on a straight road a held attitude does no harm";
-  EXPECT_TRUE(found(good_drive()).empty());
-  EXPECT_TRUE(found(Session{}).empty());
+  EXPECT_TRUE(found_held(good_drive()).empty());
+  EXPECT_TRUE(found_held(Session{}).empty());
   SimulationOptions standing;
   standing.duration_s = 8.0;
   standing.standstill_s = 8.0;
   standing.ins_position_noise_m = 0.0;
   standing.ins_attitude_noise_deg = 0.0;
-  EXPECT_TRUE(found(simulate_drive(standing).session).empty()) << "a vehicle that stands repeats its pose";
+  EXPECT_TRUE(found_held(simulate_drive(standing).session).empty()) << "a vehicle that stands repeats its pose";
 }
 
 TEST(held_part_check, inspect_names_an_attitude_that_is_held) {

@@ -41,11 +41,11 @@ struct Log {
 constexpr double kDegree = kPi / 180.0, kRadian = 1.0;
 
 double winding(double t) { return 30.0 + 80.0 * std::sin(0.2 * t); }
-double circles(double t) { return 12.0 * t; }
+double circling(double t) { return 12.0 * t; }
 double straight(double) { return 40.0; }
 
 TEST(angle_unit, right_units_pass_without_a_word) {
-  for (const auto& heading : {winding, circles, straight})
+  for (const auto& heading : {winding, circling, straight})
     for (const double mounted_deg : {0.0, 90.0, 180.0}) {
       Log degrees(heading, 1.0, 0.5, mounted_deg), radians(heading, kDegree, 0.5, mounted_deg);
       degrees.check(kDegree);
@@ -56,7 +56,7 @@ TEST(angle_unit, right_units_pass_without_a_word) {
 }
 
 TEST(angle_unit, degrees_declared_as_radians_are_refused_with_what_to_declare) {
-  for (const auto& heading : {winding, circles}) {
+  for (const auto& heading : {winding, circling}) {
     Log log(heading, 1.0);
     EXPECT_ERROR(log.check(kRadian), "ins.csv: the angles are declared as unit: rad");
     EXPECT_ERROR(log.check(kRadian), "{unit: deg} in session.yaml");
@@ -66,7 +66,7 @@ TEST(angle_unit, degrees_declared_as_radians_are_refused_with_what_to_declare) {
 }
 
 TEST(angle_unit, radians_declared_as_degrees_are_refused_with_what_to_declare) {
-  for (const auto& heading : {winding, circles}) {
+  for (const auto& heading : {winding, circling}) {
     Log log(heading, kDegree);
     EXPECT_ERROR(log.check(kDegree), "the angles are declared as unit: deg");
     EXPECT_ERROR(log.check(kDegree), "{unit: rad} in session.yaml");
@@ -76,7 +76,7 @@ TEST(angle_unit, radians_declared_as_degrees_are_refused_with_what_to_declare) {
 double bend(double t) { return 10.0 + 0.5 * t; }
 
 TEST(angle_unit, angles_that_were_converted_once_too_often_are_refused_with_how_much) {
-  for (const auto& heading : {winding, circles, bend}) {
+  for (const auto& heading : {winding, circling, bend}) {
     Log smaller(heading, kDegree * kDegree), larger(heading, 1.0 / kDegree), radians(heading, kDegree * kDegree);
     EXPECT_ERROR(smaller.check(kDegree), "3283 times larger");
     EXPECT_ERROR(larger.check(kDegree), "57.3 times smaller: they were converted once too often");

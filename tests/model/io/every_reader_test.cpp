@@ -50,7 +50,7 @@ TEST_P(every_reader, reads_its_samples_which_are_seeds_of_its_fuzz_target) {
 TEST_P(every_reader, makes_the_same_of_the_same_bytes_and_names_what_it_refuses) {
   std::size_t count = 0, refused = 0;
   for (const fs::directory_entry& seed : fs::directory_iterator(corpus(reader()))) {
-    const std::string bytes = bags::bytes_of(seed.path());
+    const std::string bytes = bytes_of(seed.path());
     const Outcome one = outcome_of(reader(), bytes), other = outcome_of(reader(), bytes);
     EXPECT_EQ(one.text, other.text) << seed.path();
     EXPECT_TRUE(one.named) << seed.path() << ": " << one.text;

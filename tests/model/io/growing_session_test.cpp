@@ -8,17 +8,13 @@
 #include "model/io/native_session_writer.h"
 #include "model/io/session_reader.h"
 #include "model/simulator/simulator.h"
+#include "tests/model/io/nmea_text.h"
 #include "tests/model/io/temporary_folder.h"
 
 namespace remount {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 /// Scans whose names are their stamps, an INS and fixes.
 void write_whole(const fs::path& folder, double duration_s) {
@@ -129,20 +125,12 @@ TEST(growing_session, what_is_written_anew_is_read_anew) {
   EXPECT_GT(now->ins.size(), all / 4);
 }
 
-std::string sentence(const std::string& words) {
-  unsigned sum = 0;
-  for (const char letter : words) sum ^= static_cast<unsigned char>(letter);
-  char end[8];
-  std::snprintf(end, sizeof end, "*%02X\r\n", sum);
-  return "$" + words + end;
-}
-
 TEST(growing_session, another_format_is_opened_as_a_whole) {
   const TemporaryFolder folder;
   const fs::path log = folder.path() / "drive.nmea";
-  std::string text = sentence("GPZDA,123510.00,15,03,2021,00,00");
+  std::string text = nmea_line("GPZDA,123510.00,15,03,2021,00,00");
   for (int second = 0; second < 9; ++second)
-    text += sentence("GPGGA,12351" + std::to_string(second) + ".00,4807.038,N,01131.000,E,4,08,0.9,545.4,M,46.9,M,,");
+    text += nmea_line("GPGGA,12351" + std::to_string(second) + ".00,4807.038,N,01131.000,E,4,08,0.9,545.4,M,46.9,M,,");
   GrowingSession growing(folder.path(), {});
   EXPECT_FALSE(growing.look());
   EXPECT_FALSE(growing.problem().empty());

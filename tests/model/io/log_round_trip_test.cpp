@@ -6,6 +6,7 @@
 #include "model/io/inspvax_log.h"
 #include "model/io/nmea_log.h"
 #include "model/io/time_stamp.h"
+#include "tests/model/io/nmea_text.h"
 #include "tests/model/io/temporary_folder.h"
 #include "tests/model/io/written_logs.h"
 
@@ -105,14 +106,6 @@ TEST(log_round_trip, inspvax_tables_with_their_time_in_any_unit) {
   }
 }
 
-std::string sentence(const std::string& body) {
-  unsigned sum = 0;
-  for (const char c : body) sum ^= static_cast<unsigned char>(c);
-  char end[8];
-  std::snprintf(end, sizeof end, "*%02X\r\n", sum);
-  return "$" + body + end;
-}
-
 /// "4807.0380000,N": a multiple of 1e-n minutes, so that nothing is rounded to 60.
 std::string minutes_text(double angle_deg, int width, int decimals, const char* sides) {
   const double units = std::pow(10.0, decimals);
@@ -132,8 +125,8 @@ std::string clock_text(std::int64_t stamp_ns, int decimals) {
 std::string date_sentence(RandomValues& random, std::int64_t stamp_ns, int decimals) {
   const std::string date = format_date_ns(stamp_ns), day = date.substr(8, 2), month = date.substr(5, 2);
   const std::string time = clock_text(stamp_ns, decimals);
-  if (random.flip()) return sentence("GNZDA," + time + "," + day + "," + month + "," + date.substr(0, 4) + ",00,00");
-  return sentence("GNRMC," + time + ",A,,,,,0.1,10.0," + day + month + date.substr(2, 2) + ",,,A");
+  if (random.flip()) return nmea_line("GNZDA," + time + "," + day + "," + month + "," + date.substr(0, 4) + ",00,00");
+  return nmea_line("GNRMC," + time + ",A,,,,,0.1,10.0," + day + month + date.substr(2, 2) + ",,,A");
 }
 
 /// The sentences of each sample in any order, now and then one behind those of the next, and the date somewhere.
@@ -145,14 +138,14 @@ std::string nmea_text(RandomValues& random, const std::vector<InsLine>& lines, c
     const InsLine& line = lines[i];
     const std::string time = clock_text(line.stamp_ns, time_decimals);
     std::vector<std::string>& epoch = epochs.emplace_back();
-    epoch.push_back(sentence("GNGGA," + time + "," + minutes_text(line.at.latitude_deg, 2, digits.place, "NS") + "," +
-                             minutes_text(line.at.longitude_deg, 3, digits.place, "EW") + ",4,12,0.8," +
-                             fixed(line.height_m, digits.height) + ",M," + fixed(line.undulation_m, digits.height) +
-                             ",M,,"));
-    epoch.push_back(sentence("GNGST," + time + ",0.1,,,,0.01,0.01,0.02"));
-    epoch.push_back(sentence("PASHR," + time + "," + fixed(line.heading_deg, digits.angle) + ",T," +
-                             fixed(line.roll_deg, digits.angle) + "," + fixed(line.pitch_deg, digits.angle) +
-                             ",0.00,0.1,0.1,0.1,2"));
+    epoch.push_back(nmea_line("GNGGA," + time + "," + minutes_text(line.at.latitude_deg, 2, digits.place, "NS") + "," +
+                              minutes_text(line.at.longitude_deg, 3, digits.place, "EW") + ",4,12,0.8," +
+                              fixed(line.height_m, digits.height) + ",M," + fixed(line.undulation_m, digits.height) +
+                              ",M,,"));
+    epoch.push_back(nmea_line("GNGST," + time + ",0.1,,,,0.01,0.01,0.02"));
+    epoch.push_back(nmea_line("PASHR," + time + "," + fixed(line.heading_deg, digits.angle) + ",T," +
+                              fixed(line.roll_deg, digits.angle) + "," + fixed(line.pitch_deg, digits.angle) +
+                              ",0.00,0.1,0.1,0.1,2"));
     if (i == dated) epoch.push_back(date_sentence(random, line.stamp_ns, time_decimals));
     for (std::size_t k = epoch.size() - 1; k > 0; --k) std::swap(epoch[k], epoch[random.below(k + 1)]);
   }

@@ -100,7 +100,7 @@ std::string bag_of(std::unique_ptr<BagWriter> writer, const fs::path& path, cons
     writer->write(fix, stamp_ns, fix_message({stamp_ns, 0.7, 0.2, 100.0, {}}, 2, "ins", MessageEncoding::Ros1));
   }
   writer->finish();
-  return bags::bytes_of(path);
+  return bytes_of(path);
 }
 
 /// Twenty megabytes: three seconds of a sensor of 32 beams.

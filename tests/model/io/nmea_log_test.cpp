@@ -9,18 +9,11 @@
 #include "model/io/gnss_log_reader.h"
 #include "model/io/gpx_track.h"
 #include "model/io/time_stamp.h"
+#include "tests/model/io/nmea_text.h"
 #include "tests/model/io/temporary_folder.h"
 
 namespace remount {
 namespace {
-
-std::string sentence(const std::string& body) {
-  unsigned sum = 0;
-  for (const char c : body) sum ^= static_cast<unsigned char>(c);
-  char text[8];
-  std::snprintf(text, sizeof text, "*%02X\r\n", sum);
-  return "$" + body + text;
-}
 
 std::string text_of(const char* pattern, auto... values) {
   char text[200];
@@ -30,17 +23,17 @@ std::string text_of(const char* pattern, auto... values) {
 
 /// A turn to the right at 10 Hz that begins `seconds` after midnight, northern and western hemisphere.
 std::string log_of(int samples, double seconds, bool attitude, bool heading, const std::string& quality = "4") {
-  std::string log = sentence("GPRMC,235958.00,A,,,,,,,211126,,,A");
+  std::string log = nmea_line("GPRMC,235958.00,A,,,,,,,211126,,,A");
   for (int i = 0; i < samples; ++i) {
     const double now = std::fmod(seconds + 0.1 * i, 86400.0);
     const std::string time =
         text_of("%02d%02d%05.2f", static_cast<int>(now / 3600), static_cast<int>(now / 60) % 60, std::fmod(now, 60.0));
-    log += sentence("GNGGA," + time + text_of(",4846.%05d,N,00911.50000,W,", 10000 + 10 * i) + quality +
-                    ",12,0.8,250.0,M,48.0,M,,");
-    log += sentence("GNGST," + time + ",,,,,0.011,0.012,0.023");
+    log += nmea_line("GNGGA," + time + text_of(",4846.%05d,N,00911.50000,W,", 10000 + 10 * i) + quality +
+                     ",12,0.8,250.0,M,48.0,M,,");
+    log += nmea_line("GNGST," + time + ",,,,,0.011,0.012,0.023");
     if (attitude)
-      log += sentence("PASHR," + time + text_of(",%06.2f,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1", 350.0 + 0.5 * i));
-    if (heading) log += sentence("GNHDT," + text_of("%.2f", 350.0 + 0.5 * i) + ",T");
+      log += nmea_line("PASHR," + time + text_of(",%06.2f,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1", 350.0 + 0.5 * i));
+    if (heading) log += nmea_line("GNHDT," + text_of("%.2f", 350.0 + 0.5 * i) + ",T");
   }
   return log;
 }
@@ -97,13 +90,13 @@ std::vector<std::vector<std::string>> turning_epochs(int samples, int headings_e
   std::vector<std::vector<std::string>> epochs;
   for (int i = 0; i < samples; ++i) {
     const std::string time = text_of("1200%05.2f", 0.1 * i);
-    const std::string heading = sentence("GNHDT," + text_of("%.2f", 10.0 + 3.0 * i) + ",T");
+    const std::string heading = nmea_line("GNHDT," + text_of("%.2f", 10.0 + 3.0 * i) + ",T");
     const bool has_heading = i % headings_each == 0;
     std::vector<std::string> epoch;
     if (leads && has_heading) epoch.push_back(heading);
-    epoch.push_back(sentence("GNGGA," + time + ",4846.10000,N,00911.50000,E,4,12,0.8,250.0,M,48.0,M,,"));
+    epoch.push_back(nmea_line("GNGGA," + time + ",4846.10000,N,00911.50000,E,4,12,0.8,250.0,M,48.0,M,,"));
     for (const std::string& type : more)
-      epoch.push_back(sentence(type == "GNGST" ? "GNGST," + time + ",,,,,0.011,0.012,0.023" : type + ",1,2,3"));
+      epoch.push_back(nmea_line(type == "GNGST" ? "GNGST," + time + ",,,,,0.011,0.012,0.023" : type + ",1,2,3"));
     if (!leads && has_heading) epoch.push_back(heading);
     epochs.push_back(epoch);
   }
@@ -131,7 +124,7 @@ double worst_heading_deg(const NmeaLog& log) {
 }
 
 TEST_F(nmea_log, headings_belong_to_the_epoch_that_they_are_written_with) {
-  const std::string date = sentence("GPRMC,115959.90,A,,,,,,,211126,,,A");
+  const std::string date = nmea_line("GPRMC,115959.90,A,,,,,,,211126,,,A");
   for (const bool leads : {false, true})
     for (const int each : {1, 2, 10})
       for (const std::vector<std::string>& more :
@@ -148,7 +141,7 @@ TEST_F(nmea_log, headings_belong_to_the_epoch_that_they_are_written_with) {
 }
 
 TEST_F(nmea_log, a_log_that_does_not_show_where_its_headings_belong_says_so) {
-  const std::string date = sentence("GPRMC,115959.90,A,,,,,,,211126,,,A");
+  const std::string date = nmea_line("GPRMC,115959.90,A,,,,,,,211126,,,A");
   std::vector<std::vector<std::string>> epochs = turning_epochs(50, 1, true, {"GNGST"});
   epochs.back().resize(1);  // cut behind a heading
   EXPECT_FALSE(read(date + joined(epochs)).ins.empty());
@@ -156,13 +149,13 @@ TEST_F(nmea_log, a_log_that_does_not_show_where_its_headings_belong_says_so) {
 }
 
 TEST_F(nmea_log, attitudes_too_far_apart_say_why_no_ins_comes_out) {
-  std::string text = sentence("GPRMC,115959.90,A,,,,,,,211126,,,A");
+  std::string text = nmea_line("GPRMC,115959.90,A,,,,,,,211126,,,A");
   for (int i = 0; i < 50; ++i) {
     text +=
-        sentence("GNGGA," + text_of("1200%05.2f", 0.1 * i) + ",4846.10000,N,00911.50000,E,4,12,0.8,250.0,M,48.0,M,,");
+        nmea_line("GNGGA," + text_of("1200%05.2f", 0.1 * i) + ",4846.10000,N,00911.50000,E,4,12,0.8,250.0,M,48.0,M,,");
     if (i % 10 == 0)  // between two positions
-      text += sentence("PASHR," + text_of("1200%05.2f", 0.1 * i + 0.05) +
-                       ",010.00,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1");
+      text += nmea_line("PASHR," + text_of("1200%05.2f", 0.1 * i + 0.05) +
+                        ",010.00,T,+02.00,-01.00,+0.00,0.10,0.11,0.20,2,1");
   }
   EXPECT_TRUE(read(text).ins.empty());
   ASSERT_TRUE(told("attitude-sparse"));
@@ -184,8 +177,8 @@ TEST_F(nmea_log, damage_is_named_and_the_rest_is_read) {
   std::string undated = log_of(20, 100.0, true, false);
   undated.erase(0, undated.find('\n') + 1);
   EXPECT_ERROR(read(undated), "holds no date: GGA tells the time of day alone");
-  EXPECT_ERROR(read(sentence("GPRMC,000000.00,A,,,,,,,221126,,,A")), "holds no GGA sentence with a fix");
-  EXPECT_ERROR(read(sentence("GPGGA,000000.00,4860.0,N,00911.0,E,4,12,0.8,250.0,M,48.0,M,,")), "GGA without usable");
+  EXPECT_ERROR(read(nmea_line("GPRMC,000000.00,A,,,,,,,221126,,,A")), "holds no GGA sentence with a fix");
+  EXPECT_ERROR(read(nmea_line("GPGGA,000000.00,4860.0,N,00911.0,E,4,12,0.8,250.0,M,48.0,M,,")), "GGA without usable");
 }
 
 // "250" of a height that lost its last digit is a height, too: a sentence without its end says nothing.
@@ -223,6 +216,12 @@ TEST_F(nmea_log, logs_without_checksums_are_read_to_their_end) {
   bare.resize(bare.size() - 3);
   read(bare);
   EXPECT_TRUE(told("log-cut")) << "a field is missing";
+  const std::string other =
+      without_checksums(log_of(20, 100.0, false, true)) + "$GPVTG,054.7,T,034.4,M,005.5,N,010.2,K";
+  EXPECT_EQ(read(other).ins.size(), 20U);
+  EXPECT_FALSE(told("log-cut")) << "a kind that is not read, and whole";
+  read(log_of(20, 100.0, false, true) + "$GPVTG,054.7,T,034.4");
+  EXPECT_TRUE(told("log-cut")) << "the others have a checksum";
   // Of a log that has them, a sentence without one was cut where the recorder lost bytes.
   std::string broken = log_of(20, 100.0, false, true);
   const std::size_t at = broken.find("*", broken.find("$GNGGA", broken.size() / 2));
@@ -236,7 +235,7 @@ TEST_F(nmea_log, a_damaged_date_is_named) {
   text[text.find("211126")] = '1';
   EXPECT_ERROR(read(text), "the sentences that tell it (RMC, ZDA) are damaged");
   EXPECT_ERROR(read(text), "log.nmea:1: the checksum is wrong");
-  EXPECT_EQ(read(text + sentence("GPZDA,000200.00,21,11,2026,00,00")).fixes.size(), 20U) << "another one is there";
+  EXPECT_EQ(read(text + nmea_line("GPZDA,000200.00,21,11,2026,00,00")).fixes.size(), 20U) << "another one is there";
 }
 
 TEST_F(nmea_log, gpx_tracks_are_fixes_with_an_assumed_error) {
@@ -267,7 +266,7 @@ TEST_F(nmea_log, opens_as_a_session_alone_with_poses_and_from_a_manifest) {
   for (int i = 0; i < 40; ++i) poses += text_of("%.3f %d 0 0 0 0 0 1\n", start_s + 0.05 * i, i);
   folder_.write("drive/odometry.txt", poses);
   std::string text = log_of(40, 100.0, true, false);
-  text.replace(0, text.find('\n') + 1, sentence("GPRMC,000100.00,A,,,,,,,221126,,,A"));
+  text.replace(0, text.find('\n') + 1, nmea_line("GPRMC,000100.00,A,,,,,,,221126,,,A"));
   const auto log = folder_.write("drive/gnss.log", text);
   const Session alone = open_session(log, progress);
   EXPECT_EQ(alone.format, "gnss-log");

@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-constexpr std::int64_t kStamp_ns = 1'600'000'000'123'456'789;
+constexpr std::int64_t kScanStamp_ns = 1'600'000'000'123'456'789;
 constexpr double kStamp_s = 1'600'000'000.123456789;
 
 /// As drivers write a sweep, in the unit of the column: from `start` on, at random within `sweep`.
@@ -72,7 +72,7 @@ TEST(point_times, have_the_unit_that_drivers_mean_on_every_clock) {
   for (const Driver& driver : kDrivers)
     for (const std::size_t points : {std::size_t{2000}, std::size_t{driver.type == ScalarType::U32 ? 300U : 3U}}) {
       const PointTimeScale scale =
-          find_time_scale(sweep_of(driver.start, driver.sweep, points), points, {driver.type, {}}, kStamp_ns);
+          find_time_scale(sweep_of(driver.start, driver.sweep, points), points, {driver.type, {}}, kScanStamp_ns);
       EXPECT_EQ(scale.unit_s, driver.unit_s) << driver.what << ", " << points << " points";
       EXPECT_EQ(scale.another_clock, driver.clock == On::SensorClock) << driver.what << ", " << points << " points";
       right += scale.unit_s == driver.unit_s;
@@ -89,7 +89,7 @@ TEST(point_times, of_no_scan_are_left_out_and_decide_nothing) {
         if (!far) continue;  // a zero is where the sweep begins
         std::vector<double> times = sweep_of(driver.start, driver.sweep, 400);
         times.insert(times.begin() + 17, count, wild);
-        const PointTimeScale scale = find_time_scale(times, times.size(), {driver.type, {}}, kStamp_ns);
+        const PointTimeScale scale = find_time_scale(times, times.size(), {driver.type, {}}, kScanStamp_ns);
         const auto kept = std::count_if(times.begin(), times.end(),
                                         [&](double time) { return time >= scale.low && time <= scale.high; });
         EXPECT_EQ(scale.unit_s, driver.unit_s) << driver.what << ", " << wild;
@@ -104,19 +104,20 @@ TEST(point_times, without_a_sweep_are_near_the_stamp) {
   for (const double time : {0.0, 0.05, 1234.5, 2.0e11, kStamp_s, kStamp_s * 1e9, -0.1, 5e7})
     for (const ScalarType type : {ScalarType::F32, ScalarType::F64, ScalarType::U32})
       for (const std::size_t points : {1U, 500U}) {
-        const PointTimeScale scale = find_time_scale(std::vector<double>(points, time), points, {type, {}}, kStamp_ns);
+        const PointTimeScale scale =
+            find_time_scale(std::vector<double>(points, time), points, {type, {}}, kScanStamp_ns);
         EXPECT_TRUE(time >= scale.low && time <= scale.high);
         const double from_stamp_s = (time - scale.zero.value_or(time)) * scale.unit_s;
         EXPECT_LE(std::abs(from_stamp_s), 1.0) << time;
       }
-  const PointTimeScale dated = find_time_scale({kStamp_s + 0.05}, 1, {ScalarType::F64, {}}, kStamp_ns);
+  const PointTimeScale dated = find_time_scale({kStamp_s + 0.05}, 1, {ScalarType::F64, {}}, kScanStamp_ns);
   ASSERT_TRUE(dated.zero);
   EXPECT_NEAR(kStamp_s + 0.05 - *dated.zero, 0.05, 1e-6);
 }
 
 TEST(point_times, of_the_first_columns_of_ouster_are_nanoseconds) {
   for (const double second : {48'828.0, 97'656.0, 1e6})
-    EXPECT_EQ(find_time_scale({0.0, second}, 2, {ScalarType::U32, {}}, kStamp_ns).unit_s, 1e-9);
+    EXPECT_EQ(find_time_scale({0.0, second}, 2, {ScalarType::U32, {}}, kScanStamp_ns).unit_s, 1e-9);
 }
 
 // A scan of which little is left must not be smeared over the sweep, nor seem to have another clock.
@@ -130,7 +131,7 @@ TEST(point_times, of_a_column_or_two_are_in_the_unit_of_a_whole_sweep) {
                                  {ScalarType::F32, 50.0, 0.055, 1e-3},
                                  {ScalarType::F32, 0.05, 55e-6, 1.0}}) {
     const PointTimeScale scale =
-        find_time_scale({columns.first, columns.first + columns.step}, 64, {columns.type, {}}, kStamp_ns);
+        find_time_scale({columns.first, columns.first + columns.step}, 64, {columns.type, {}}, kScanStamp_ns);
     EXPECT_EQ(scale.unit_s, columns.unit_s) << columns.first;
     EXPECT_FALSE(scale.another_clock) << columns.first;
     ASSERT_TRUE(scale.zero) << columns.first;

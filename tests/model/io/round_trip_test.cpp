@@ -111,7 +111,7 @@ TEST(round_trip, scans_in_every_file_format_and_with_any_columns) {
   const auto written_by = [&](auto write) {
     return [&folder, write](const PointCloud& cloud) {
       write(folder.path() / "written", cloud);
-      return bags::bytes_of(folder.path() / "written");
+      return bytes_of(folder.path() / "written");
     };
   };
   const std::vector<std::tuple<const char*, const char*, Encoder>> formats{

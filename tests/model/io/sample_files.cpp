@@ -235,7 +235,7 @@ Bytes project() {
   project.output = output;
   project.basis.session_count = 1;
   save_project(project, folder.path() / "p.remount");
-  return bags::bytes_of(folder.path() / "p.remount");
+  return bytes_of(folder.path() / "p.remount");
 }
 
 }  // namespace remount::samples

@@ -35,7 +35,7 @@ std::string packed_folder(const fs::path& folder, const std::vector<PackedFile>&
   std::vector<PackedFile> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file() && entry.path().filename() != "truth.yaml")
-      files.push_back({fs::relative(entry.path(), folder).string(), bags::bytes_of(entry.path())});
+      files.push_back({fs::relative(entry.path(), folder).string(), bytes_of(entry.path())});
   std::sort(files.begin(), files.end(), [](const PackedFile& a, const PackedFile& b) { return a.name < b.name; });
   files.insert(files.end(), more.begin(), more.end());
   return pack_files(files);
@@ -93,13 +93,13 @@ class Rebagged {
       writer->write(message.topic, message.time_ns,
                     packed ? pack_chunk(ChunkCompression::Zstd, message.bytes) : message.bytes);
     writer->finish();
-    return bags::bytes_of(path);
+    return bytes_of(path);
   }
   std::string database(bool packed) {
     const fs::path path = folder_.path() / "again.db3";
     fs::remove(path);
     bags::write_database(path, topics_, messages_, packed);
-    return bags::bytes_of(path);
+    return bytes_of(path);
   }
 
  private:

@@ -14,14 +14,14 @@
 namespace remount {
 namespace {
 
-constexpr std::int64_t kStart = 1'600'000'000'123'456'789;
+constexpr std::int64_t kTableStart = 1'600'000'000'123'456'789;
 
 /// Every stream but the LiDAR's and the INS's.
 Session made_session() {
   Session session;
   session.name = "sensors";
   for (int i = 0; i < 50; ++i) {
-    const std::int64_t stamp_ns = kStart + i * 10'000'001LL;
+    const std::int64_t stamp_ns = kTableStart + i * 10'000'001LL;
     session.imu.push_back({stamp_ns, {0.1 / 3.0 * i, -1e-7, 2.0}, {0.01, -0.02 / 7.0, 9.8}});
     Eigen::Matrix3d root = Eigen::Matrix3d::Identity() * 0.02;
     root(1, 0) = 0.001 / 3.0 * i;

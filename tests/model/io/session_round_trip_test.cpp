@@ -256,7 +256,7 @@ TEST(session_round_trip, projects) {
       EXPECT_EQ(read.verdicts[i].reason, written.verdicts[i].reason);
     EXPECT_EQ(settings_text(read.settings), settings_text(written.settings));
     save_project(read, folder.path() / "two.remount");
-    EXPECT_EQ(bags::bytes_of(folder.path() / "one.remount"), bags::bytes_of(folder.path() / "two.remount"));
+    EXPECT_EQ(bytes_of(folder.path() / "one.remount"), bytes_of(folder.path() / "two.remount"));
   }
 }
 

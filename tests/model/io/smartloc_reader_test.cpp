@@ -15,7 +15,7 @@ const std::string kOdometry =
     "odom3 0 5.85 0 0 0 0 -0.005 0.0025 0.0009 0.0009 4e-06 4e-06 4e-06   \n"
     "pseudorange3 0 2e7 1 1 2 3 4 1 45 40\n"
     "odom3 0.30000001 6.5 0 0 0 0.25 -0.016 0.0025 0.0009 0.0009 4e-06 4e-06 4e-06\n";
-const std::string kTruth = "point3 0 3785108.1107158 899901.49390314 5037234.4571748 0 0 0 0 0 0 0 0 0\n";
+const std::string kPublishedTruth = "point3 0 3785108.1107158 899901.49390314 5037234.4571748 0 0 0 0 0 0 0 0 0\n";
 
 Session open(const std::filesystem::path& path) {
   Progress progress;
@@ -24,7 +24,7 @@ Session open(const std::filesystem::path& path) {
 
 TEST(smartloc, speed_and_turn_rate_become_wheels_and_imu_and_the_truth_stands_in_for_gnss) {
   const TemporaryFolder folder;
-  folder.write("City_GT.txt", kTruth);
+  folder.write("City_GT.txt", kPublishedTruth);
   const Session session = open(folder.write("City_Input.txt", kOdometry));
   EXPECT_EQ(session.format, "smartloc");
   EXPECT_EQ(session.name, "City");
@@ -43,9 +43,9 @@ TEST(smartloc, speed_and_turn_rate_become_wheels_and_imu_and_the_truth_stands_in
 
 TEST(smartloc, a_folder_with_one_drive_is_that_drive) {
   const TemporaryFolder folder;
-  folder.write("City_GT.txt", kTruth);
+  folder.write("City_GT.txt", kPublishedTruth);
   folder.write("City_Input.txt", kOdometry);
-  folder.write("Other_GT.txt", kTruth);
+  folder.write("Other_GT.txt", kPublishedTruth);
   const Session session = open(folder.path());
   EXPECT_EQ(session.format, "smartloc");
   EXPECT_EQ(session.name, "City");

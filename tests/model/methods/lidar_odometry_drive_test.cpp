@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-SimulatedDrive street(double duration_s) {
+SimulatedDrive street_of(double duration_s) {
   SimulationOptions options;
   options.duration_s = duration_s;
   options.beams = 16;
@@ -44,7 +44,7 @@ double drift_percent(const SimulatedDrive& drive, const std::vector<OdometryPose
 }
 
 TEST(lidar_odometry_drive, drifts_by_less_than_a_percent_of_the_distance) {
-  const SimulatedDrive drive = street(12.0);
+  const SimulatedDrive drive = street_of(12.0);
   const std::vector<OdometryPose> poses = odometry_of(drive, true);
   ASSERT_EQ(poses.size(), drive.session.scans->size());
   EXPECT_LT(drift_percent(drive, poses), 1.0);
@@ -63,7 +63,7 @@ TEST(lidar_odometry_drive, drifts_by_less_than_a_percent_of_the_distance) {
 }
 
 TEST(lidar_odometry_drive, motion_within_the_scans_is_compensated_by_its_own_motion) {
-  const SimulatedDrive drive = street(5.0);
+  const SimulatedDrive drive = street_of(5.0);
   const std::vector<OdometryPose> with = odometry_of(drive, true), without = odometry_of(drive, false);
   double residual = 0.0, residual_without = 0.0;
   for (std::size_t i = 1; i < with.size(); ++i) {
@@ -76,14 +76,14 @@ TEST(lidar_odometry_drive, motion_within_the_scans_is_compensated_by_its_own_mot
 }
 
 TEST(lidar_odometry_drive, the_same_scans_give_the_same_poses) {
-  const SimulatedDrive drive = street(1.0);
+  const SimulatedDrive drive = street_of(1.0);
   const std::vector<OdometryPose> first = odometry_of(drive, true), second = odometry_of(drive, true);
   for (std::size_t i = 0; i < first.size(); ++i)
     EXPECT_EQ(first[i].odometry_from_lidar.matrix(), second[i].odometry_from_lidar.matrix());
 }
 
 TEST(lidar_odometry_drive, empty_scans_keep_the_prediction_and_say_so) {
-  const SimulatedDrive drive = street(1.0);
+  const SimulatedDrive drive = street_of(1.0);
   LidarOdometry odometry({}, {});
   const PointCloud first = drive.session.scans->load(0), second = drive.session.scans->load(1);
   odometry.push(first, first.time_from_stamp_s, 100, {});
@@ -96,7 +96,7 @@ TEST(lidar_odometry_drive, empty_scans_keep_the_prediction_and_say_so) {
 }
 
 TEST(lidar_odometry_drive, point_times_that_make_it_worse_do_not_cost_the_alignment) {
-  const SimulatedDrive drive = street(1.0);
+  const SimulatedDrive drive = street_of(1.0);
   LidarOdometry odometry({}, {});
   const auto& scans = *drive.session.scans;
   const PointCloud first = scans.load(0), second = scans.load(1), third = scans.load(2);
@@ -118,7 +118,7 @@ TEST(lidar_odometry_drive, point_times_that_make_it_worse_do_not_cost_the_alignm
 }
 
 TEST(lidar_odometry_drive, a_map_that_begins_anew_has_a_number_of_its_own) {
-  const SimulatedDrive drive = street(1.0);
+  const SimulatedDrive drive = street_of(1.0);
   LidarOdometry odometry({}, {});
   const PointCloud first = drive.session.scans->load(0);
   EXPECT_EQ(odometry.push(first, {}, 0, {}).map, 0);
@@ -130,7 +130,7 @@ TEST(lidar_odometry_drive, a_map_that_begins_anew_has_a_number_of_its_own) {
 }
 
 TEST(lidar_odometry_drive, cancelled_calls_return_the_prediction) {
-  const SimulatedDrive drive = street(1.0);
+  const SimulatedDrive drive = street_of(1.0);
   std::stop_source stop;
   const Progress progress(stop.get_token());
   LidarOdometry odometry({}, {});

@@ -19,13 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string bytes_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// A native session of LiDAR poses and an INS.
-void write_whole(const fs::path& folder) {
+void write_poses(const fs::path& folder) {
   SimulationOptions options;
   options.duration_s = 40.0;
   options.ins_position_noise_m = 0.02;
@@ -72,7 +67,7 @@ void write_in_pieces(const fs::path& from, const fs::path& to, int pieces, const
 TEST(trajectory_follow, a_growing_session_is_answered_on_the_way_and_ends_as_the_batch) {
   const TemporaryFolder folder;
   const fs::path whole = folder.path() / "whole", growing = folder.path() / "growing";
-  write_whole(whole);
+  write_poses(whole);
   std::atomic<int> answers = 0;
   std::vector<TrajectorySnapshot> told;
   std::jthread writer([&] { write_in_pieces(whole, growing, 12, answers); });
@@ -103,7 +98,7 @@ TEST(trajectory_follow, a_growing_session_is_answered_on_the_way_and_ends_as_the
 TEST(trajectory_follow, goes_on_where_the_recording_is_begun_again) {
   const TemporaryFolder folder;
   const fs::path whole = folder.path() / "whole", growing = folder.path() / "growing";
-  write_whole(whole);
+  write_poses(whole);
   std::atomic<int> answers = 0;
   std::jthread writer([&] {
     fs::copy(whole, growing, fs::copy_options::recursive);
@@ -135,7 +130,7 @@ TEST(trajectory_follow, goes_on_where_the_recording_is_begun_again) {
 
 TEST(trajectory_follow, ends_at_once_when_it_is_stopped_and_still_solves) {
   const TemporaryFolder folder;
-  write_whole(folder.path() / "whole");
+  write_poses(folder.path() / "whole");
   std::stop_source stop;
   Progress following(stop.get_token()), finishing;
   FollowOptions options;

@@ -181,5 +181,15 @@ TEST(trajectory_method, three_recorded_drives_agree_with_their_reference) {
   expect_plots(output, 3);
 }
 
+TEST(trajectory_method, no_result_stands_on_an_attitude_that_contradicts_itself) {
+  Session session = with_poses(simulate_drive(street(20.0)), 0.0);
+  EXPECT_TRUE(is_usable(run({session}).result));
+  session.findings.push_back({Severity::Problem, "attitude-columns", session.name, "Pitch and roll are exchanged."});
+  const CalibrationResult result = run({session}).result;
+  EXPECT_EQ(result.status, Status::Inconsistent) << result.message;
+  ASSERT_FALSE(result.advice.empty());
+  EXPECT_NE(result.advice[0].find("correct columns, signs and units"), std::string::npos) << result.advice[0];
+}
+
 }  // namespace
 }  // namespace remount

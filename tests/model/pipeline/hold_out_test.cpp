@@ -14,15 +14,15 @@ namespace {
 constexpr int kKeyframes = 40, kPartners = 3;
 constexpr double kStep_s = 0.4;
 const SixParameters kTruth{1.2, -0.3, 1.6, 0.03, -0.02, 0.015};
-constexpr std::size_t kZ = 2, kYaw = 3;
+constexpr std::size_t kHeldOutZ = 2, kYaw = 3;
 
-struct Drive {
+struct HeldOutDrive {
   RigidTransform ins_from_lidar = rigid_from_six(kTruth);
   bool flat = false;
   double noise = 1.0;  // of INS and registration, as a multiple of what the pairs declare
 };
 
-RigidTransform true_pose(const Drive& drive, double time_s) {
+RigidTransform true_pose(const HeldOutDrive& drive, double time_s) {
   const double hills = drive.flat ? 0.0 : 1.0;
   return rigid_from_six({5.0 * time_s, 12.0 * std::sin(0.15 * time_s), hills * 0.3 * std::sin(0.4 * time_s),
                          0.9 * std::sin(0.15 * time_s), hills * 0.05 * std::sin(0.9 * time_s),
@@ -40,16 +40,16 @@ struct World {
   PipelineOutput output;
   std::mt19937 random{11};
 
-  explicit World(const std::vector<Drive>& drives) {
+  explicit World(const std::vector<HeldOutDrive>& drives) {
     input.nominal_ins_from_lidar = rigid_from_six({1.0, 0, 1.5, 0, 0, 0});
     output.nominal_known = output.initial_known = true;
     output.initial_ins_from_lidar = *input.nominal_ins_from_lidar;
-    for (const Drive& drive : drives) add(drive);
+    for (const HeldOutDrive& drive : drives) add(drive);
     Progress progress;
     solve_again(input, output, progress);
   }
 
-  void add(const Drive& drive) {
+  void add(const HeldOutDrive& drive) {
     auto session = std::make_shared<Session>();
     const int number = static_cast<int>(input.sessions.size()), first = static_cast<int>(output.keyframes.size());
     session->name = "drive" + std::to_string(number + 1);
@@ -65,7 +65,7 @@ struct World {
       for (int b = a + 1; b <= std::min(a + kPartners, kKeyframes - 1); ++b) add_pair(drive, first, a, b);
   }
 
-  void add_pair(const Drive& drive, int first, int a, int b) {
+  void add_pair(const HeldOutDrive& drive, int first, int a, int b) {
     const auto pose = [&](int k) { return true_pose(drive, 1.0 + kStep_s * k); };
     const RigidTransform p = pose(b).inverse() * pose(a);
     Pair pair;
@@ -88,7 +88,7 @@ struct World {
 };
 
 TEST(hold_out, sessions_without_errors_agree_exactly) {
-  Drive exact;
+  HeldOutDrive exact;
   exact.noise = 0.0;
   const World world({exact, exact});
   const HoldOut found = world.check();
@@ -104,7 +104,7 @@ TEST(hold_out, sessions_without_errors_agree_exactly) {
 }
 
 TEST(hold_out, noise_alone_makes_no_disagreement) {
-  const World world({Drive{}, Drive{}});
+  const World world({HeldOutDrive{}, HeldOutDrive{}});
   const HoldOut found = world.check();
   ASSERT_EQ(found.differences.size(), 1U);
   const auto largest = largest_difference(found.differences[0]);
@@ -122,10 +122,10 @@ TEST(hold_out, noise_alone_makes_no_disagreement) {
 }
 
 TEST(hold_out, a_lidar_that_was_turned_between_the_sessions_is_seen) {
-  Drive turned;
+  HeldOutDrive turned;
   turned.ins_from_lidar =
       rigid_from_six({kTruth.x_m, kTruth.y_m, kTruth.z_m, kTruth.yaw_rad + 0.01, kTruth.pitch_rad, kTruth.roll_rad});
-  const World world({Drive{}, turned});
+  const World world({HeldOutDrive{}, turned});
   const HoldOut found = world.check();
   ASSERT_EQ(found.differences.size(), 1U);
   const auto largest = largest_difference(found.differences[0]);
@@ -139,36 +139,36 @@ TEST(hold_out, a_lidar_that_was_turned_between_the_sessions_is_seen) {
 }
 
 TEST(hold_out, nothing_is_claimed_of_what_a_flat_session_does_not_observe) {
-  Drive flat;
+  HeldOutDrive flat;
   flat.flat = true;
-  const World world({Drive{}, flat});
+  const World world({HeldOutDrive{}, flat});
   const HoldOut found = world.check();
   ASSERT_EQ(found.sessions.size(), 2U);
-  EXPECT_TRUE(found.sessions[0].result.observed[kZ]);
-  EXPECT_FALSE(found.sessions[1].result.observed[kZ]);
-  EXPECT_TRUE(std::isnan(found.differences[0].difference[kZ]));
-  EXPECT_TRUE(std::isnan(found.differences[0].sigma[kZ]));
+  EXPECT_TRUE(found.sessions[0].result.observed[kHeldOutZ]);
+  EXPECT_FALSE(found.sessions[1].result.observed[kHeldOutZ]);
+  EXPECT_TRUE(std::isnan(found.differences[0].difference[kHeldOutZ]));
+  EXPECT_TRUE(std::isnan(found.differences[0].sigma[kHeldOutZ]));
   EXPECT_TRUE(std::isfinite(found.differences[0].difference[kYaw]));
   // The hills are scored with their own height, not with the nominal one of the flat drive.
   const HeldOutScore& on_hills = found.scores[1];
   ASSERT_EQ(on_hills.solved_on, 1);
-  EXPECT_TRUE(on_hills.lent[kZ]);
+  EXPECT_TRUE(on_hills.lent[kHeldOutZ]);
   EXPECT_LT(on_hills.residual.translation_m, 1.3 * found.sessions[0].own.translation_m);
 }
 
 TEST(hold_out, what_was_measured_by_hand_is_no_agreement) {
-  Drive flat;
+  HeldOutDrive flat;
   flat.flat = true;
   World world({flat, flat});
   world.input.settings.measured.z_m = kTruth.z_m;
   world.input.settings.measured.z_sigma_m = 0.01;
   const HoldOut found = world.check();
   ASSERT_EQ(found.differences.size(), 1U);
-  EXPECT_TRUE(std::isnan(found.differences[0].difference[kZ]));
+  EXPECT_TRUE(std::isnan(found.differences[0].difference[kHeldOutZ]));
 }
 
 TEST(hold_out, a_session_without_pairs_has_no_numbers_and_says_why) {
-  World world({Drive{}, Drive{}});
+  World world({HeldOutDrive{}, HeldOutDrive{}});
   for (Pair& pair : world.output.pairs)
     if (pair.keyframe_a >= kKeyframes) {
       pair.state = PairState::Rejected;
@@ -184,8 +184,8 @@ TEST(hold_out, a_session_without_pairs_has_no_numbers_and_says_why) {
 }
 
 TEST(hold_out, needs_two_sessions_and_can_be_cancelled) {
-  EXPECT_TRUE(World(std::vector<Drive>(1)).check().sessions.empty());
-  const World world({Drive{}, Drive{}});
+  EXPECT_TRUE(World(std::vector<HeldOutDrive>(1)).check().sessions.empty());
+  const World world({HeldOutDrive{}, HeldOutDrive{}});
   std::stop_source stop;
   stop.request_stop();
   Progress progress(stop.get_token());

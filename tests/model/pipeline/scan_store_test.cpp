@@ -12,9 +12,9 @@
 namespace remount {
 namespace {
 
-constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
+constexpr std::int64_t kStoreStart_ns = 1'700'000'000'000'000'000;
 constexpr double kSpeed_mps = 10.0, kTurn_radps = 0.6;
-constexpr int kScans = 8;
+constexpr int kStoredScans = 8;
 
 /// On a circle, forwards.
 RigidTransform world_from_ins(double time_s) {
@@ -34,9 +34,9 @@ double stamp_s(std::size_t scan) { return 0.3 + 0.2 * static_cast<double>(scan);
 class SweptFloor : public ScanSource {
  public:
   explicit SweptFloor(bool with_times) : with_times_(with_times) {}
-  std::size_t size() const override { return kScans; }
+  std::size_t size() const override { return kStoredScans; }
   std::int64_t stamp_ns(std::size_t scan) const override {
-    return kStart_ns + static_cast<std::int64_t>(std::llround(stamp_s(scan) * 1e9));
+    return kStoreStart_ns + static_cast<std::int64_t>(std::llround(stamp_s(scan) * 1e9));
   }
   std::string name(std::size_t scan) const override { return std::to_string(scan) + ".pcd"; }
   PointCloud load(std::size_t scan) const override {
@@ -60,12 +60,12 @@ class SweptFloor : public ScanSource {
   bool with_times_;
 };
 
-struct Drive {
-  explicit Drive(ScanTiming timing) : floor(std::make_shared<SweptFloor>(timing == ScanTiming::PerPoint)) {
+struct StoredDrive {
+  explicit StoredDrive(ScanTiming timing) : floor(std::make_shared<SweptFloor>(timing == ScanTiming::PerPoint)) {
     Session made;
     made.name = "drive";
     for (int i = 0; i <= 300; ++i)
-      made.world_from_ins.push_back({kStart_ns + i * 10'000'000LL, world_from_ins(0.01 * i)});
+      made.world_from_ins.push_back({kStoreStart_ns + i * 10'000'000LL, world_from_ins(0.01 * i)});
     made.scans = floor;
     made.scan_timing = timing;
     made.sweep = {0.1, 0.0, false, true};
@@ -95,7 +95,7 @@ double worst_error_m(const PointCloud& cloud) {
 }
 
 TEST(scan_store, a_compensated_scan_is_as_if_taken_at_its_stamp) {
-  const Drive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(ScanTiming::PerPoint);
   ScanStore store = drive.store();
   EXPECT_GT(worst_error_m(store.load(drive.keyframe(2))), 0.4) << "without a call scans are used as they are";
   store.compensate_motion(truth(), {false});
@@ -105,7 +105,7 @@ TEST(scan_store, a_compensated_scan_is_as_if_taken_at_its_stamp) {
 }
 
 TEST(scan_store, the_sweep_gives_times_only_where_the_session_uses_it) {
-  const Drive drive(ScanTiming::SweepAzimuth);
+  const StoredDrive drive(ScanTiming::SweepAzimuth);
   ScanStore store = drive.store();
   store.compensate_motion(truth(), {false});
   EXPECT_GT(worst_error_m(store.load(drive.keyframe(2))), 0.4);
@@ -115,7 +115,7 @@ TEST(scan_store, the_sweep_gives_times_only_where_the_session_uses_it) {
 }
 
 TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
-  const Drive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(ScanTiming::PerPoint);
   ScanStore store = drive.store();
   std::vector<std::shared_ptr<const PreparedCloud>> seen(8);
   {
@@ -128,7 +128,7 @@ TEST(scan_store, a_scan_is_prepared_once_for_all_its_pairs_and_threads) {
 }
 
 TEST(scan_store, beyond_the_bound_the_least_recently_used_goes_first) {
-  const Drive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(ScanTiming::PerPoint);
   const std::size_t one =
       ScanStore(*drive.motion, RegistrationOptions{}, 0).prepared(0, drive.keyframe(0), {})->bytes();
   ScanStore store = drive.store(2 * one + one / 2);
@@ -142,7 +142,7 @@ TEST(scan_store, beyond_the_bound_the_least_recently_used_goes_first) {
 }
 
 TEST(scan_store, an_unreadable_scan_fails_for_every_pair_with_its_name) {
-  const Drive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(ScanTiming::PerPoint);
   ScanStore store = drive.store();
   for (int pair = 0; pair < 2; ++pair) {
     try {
@@ -156,7 +156,7 @@ TEST(scan_store, an_unreadable_scan_fails_for_every_pair_with_its_name) {
 }
 
 TEST(scan_store, what_was_cancelled_is_not_kept) {
-  const Drive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(ScanTiming::PerPoint);
   ScanStore store = drive.store();
   std::stop_source stop;
   stop.request_stop();
@@ -165,7 +165,7 @@ TEST(scan_store, what_was_cancelled_is_not_kept) {
 }
 
 TEST(scan_store, points_within_a_box_are_left_out) {
-  const Drive drive(ScanTiming::PerPoint);
+  const StoredDrive drive(ScanTiming::PerPoint);
   ScanStore store = drive.store();
   const LidarBox ahead{{0.0F, -20.0F, -5.0F}, {20.0F, 20.0F, 5.0F}};
   const auto cloud = store.prepared(1, drive.keyframe(1), {ahead});
@@ -175,7 +175,7 @@ TEST(scan_store, points_within_a_box_are_left_out) {
 
 // What the window shows of a pair is what was aligned: whether by the sweep is remembered, not judged anew.
 TEST(load_pair_clouds, compensates_as_the_calibration_did) {
-  const Drive drive(ScanTiming::SweepAzimuth);
+  const StoredDrive drive(ScanTiming::SweepAzimuth);
   PipelineInput input;
   input.sessions = {drive.session};
   PipelineOutput output;
@@ -194,7 +194,7 @@ TEST(load_pair_clouds, compensates_as_the_calibration_did) {
 
 // Under the true mounting every scan of the map lies on the one floor there is.
 TEST(load_map_scans, brings_all_scans_of_a_session_to_one_place_within_the_number_of_points) {
-  const Drive drive(ScanTiming::SweepAzimuth);
+  const StoredDrive drive(ScanTiming::SweepAzimuth);
   PipelineInput input;
   input.sessions = {drive.session};
   PipelineOutput output;
@@ -224,7 +224,7 @@ TEST(load_map_scans, brings_all_scans_of_a_session_to_one_place_within_the_numbe
 }
 
 TEST(load_map_scans, cancelled_is_empty_and_unreadable_throws) {
-  const Drive drive(ScanTiming::SweepAzimuth);
+  const StoredDrive drive(ScanTiming::SweepAzimuth);
   PipelineInput input;
   input.sessions = {drive.session};
   PipelineOutput output;

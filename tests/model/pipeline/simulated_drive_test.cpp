@@ -16,8 +16,8 @@ struct Calibrated {
   PipelineOutput output;
 };
 
-Calibrated calibrate(SimulationOptions options, const Settings& settings = {},
-                     std::optional<RigidTransform> nominal = {}) {
+Calibrated calibrate_simulated(SimulationOptions options, const Settings& settings = {},
+                               std::optional<RigidTransform> nominal = {}) {
   Calibrated run{simulate_drive(options), {}};
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(run.drive.session));
@@ -37,7 +37,7 @@ SimulationOptions small(ScenarioKind scenario) {
 }
 
 TEST(simulated_street, reaches_the_stated_accuracy_with_64_beams_and_no_nominal) {
-  const Calibrated run = calibrate({});
+  const Calibrated run = calibrate_simulated({});
   const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
   EXPECT_EQ(run.output.result.status, Status::Ok) << run.output.result.message;
   EXPECT_LE(error.rotation_deg, 0.02);
@@ -51,7 +51,7 @@ TEST(simulated_street, reaches_the_stated_accuracy_with_64_beams_and_no_nominal)
 TEST(simulated_street, is_solved_for_a_sensor_turned_by_180_degrees) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.ins_from_lidar = rigid_from_six({-0.4, 0.3, 0.9, degrees_to_radians(179.0), 0.02, -0.03});
-  const Calibrated run = calibrate(options);
+  const Calibrated run = calibrate_simulated(options);
   const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
   EXPECT_LE(error.rotation_deg, 0.03);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
@@ -60,7 +60,7 @@ TEST(simulated_street, is_solved_for_a_sensor_turned_by_180_degrees) {
 TEST(simulated_street, is_solved_for_a_sensor_turned_by_90_degrees) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.ins_from_lidar = rigid_from_six({0.2, 0.1, 0.8, degrees_to_radians(-90.0), 0.0, 0.03});
-  const Calibrated run = calibrate(options);
+  const Calibrated run = calibrate_simulated(options);
   const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
   EXPECT_LE(error.rotation_deg, 0.03);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
@@ -75,7 +75,7 @@ TEST(simulated_flat_ground, leaves_height_unobserved_and_the_rest_accurate_with_
   nominal.yaw_rad += 0.02;
   nominal.pitch_rad -= 0.02;
   nominal.roll_rad += 0.015;
-  const Calibrated run = calibrate(options, {}, rigid_from_six(nominal));
+  const Calibrated run = calibrate_simulated(options, {}, rigid_from_six(nominal));
   const CalibrationResult& result = run.output.result;
   const CalibrationError error = error_of(result, run.drive.ins_from_lidar);
   EXPECT_EQ(result.status, Status::Degenerate);
@@ -90,7 +90,7 @@ TEST(simulated_flat_ground, leaves_height_unobserved_and_the_rest_accurate_with_
 }
 
 TEST(simulated_straight_drive, claims_no_translation_and_no_roll) {
-  const Calibrated run = calibrate(small(ScenarioKind::Straight));
+  const Calibrated run = calibrate_simulated(small(ScenarioKind::Straight));
   const CalibrationResult& result = run.output.result;
   error_of(result, run.drive.ins_from_lidar);
   for (const std::size_t i : {0, 1, 2, 5}) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
@@ -103,7 +103,7 @@ TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anyw
   options.latitude_deg = 55.0;
   options.longitude_deg = 11.9997;
   options.heading_deg = 0.0;
-  const Calibrated run = calibrate(options);
+  const Calibrated run = calibrate_simulated(options);
   const auto& ins = run.drive.session.ins;
   ASSERT_TRUE(ins.front().longitude_rad < degrees_to_radians(12.0) &&
               ins.back().longitude_rad > degrees_to_radians(12.0))
@@ -116,14 +116,14 @@ TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anyw
 TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.lidar_clock_offset_s = 0.04;
-  const Calibrated without = calibrate(options);
+  const Calibrated without = calibrate_simulated(options);
   expect_within_sigma(without.output.result, without.drive.ins_from_lidar, 3.5);
   const CalibrationError before = error_of(without.output.result, without.drive.ins_from_lidar);
   EXPECT_NEAR(without.output.result.time_offset.offset_s, 0.04, 0.005);
   EXPECT_FALSE(without.output.result.time_offset.applied);
   Settings settings;
   settings.solve.apply_time_offset = true;
-  const Calibrated with = calibrate(options, settings);
+  const Calibrated with = calibrate_simulated(options, settings);
   const CalibrationError after = error_of(with.output.result, with.drive.ins_from_lidar);
   EXPECT_NEAR(with.output.result.time_offset.offset_s, 0.04, 0.005);
   EXPECT_TRUE(with.output.result.time_offset.applied);
@@ -209,7 +209,7 @@ TEST(solving_again, leaves_the_output_as_it_was_when_cancelled) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.beams = 16;
   options.duration_s = 4.0;
-  const Calibrated run = calibrate(options);
+  const Calibrated run = calibrate_simulated(options);
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(run.drive.session));
   PipelineOutput output = run.output;
@@ -230,7 +230,7 @@ TEST(solving_again, leaves_no_map_check_of_the_former_x_and_it_can_be_made_again
   SimulationOptions options = small(ScenarioKind::Street);
   options.beams = 16;
   options.duration_s = 6.0;
-  const Calibrated run = calibrate(options);
+  const Calibrated run = calibrate_simulated(options);
   ASSERT_EQ(run.output.map_check, MapCheck::Made);
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(run.drive.session));
@@ -258,7 +258,7 @@ TEST(the_pipeline, says_why_there_is_no_map_check) {
   options.duration_s = 4.0;
   Settings settings;
   settings.run.map_check = false;
-  EXPECT_EQ(calibrate(options, settings).output.map_check, MapCheck::SwitchedOff);
+  EXPECT_EQ(calibrate_simulated(options, settings).output.map_check, MapCheck::SwitchedOff);
 }
 
 TEST(the_pipeline, cancelled_in_its_second_pass_keeps_the_pairs_of_the_first) {

@@ -10,8 +10,6 @@
 namespace remount {
 namespace {
 
-SimulatedDrive simulated(const SimulationOptions& options) { return simulate_drive(options); }
-
 std::string said(const std::vector<Finding>& findings, const std::string& code) {
   for (const Finding& finding : findings)
     if (finding.code == code) return finding.explanation;
@@ -25,7 +23,7 @@ std::vector<Finding> clocks_of(ScenarioKind scenario, double offset_s) {
   options.duration_s = 60.0;
   options.beams = 4;
   options.azimuth_steps = 20;
-  const SimulatedDrive drive = simulated(options);
+  const SimulatedDrive drive = simulate_drive(options);
   const DriveMotion motion({std::make_shared<const Session>(drive.session)});
   std::vector<StampedPose> poses;
   for (const StampedPose& pose : drive.enu_from_ins)
@@ -83,6 +81,22 @@ TEST(suspect_stage, without_a_result_the_clock_is_the_only_advice) {
   EXPECT_EQ(other.advice, std::vector<std::string>{"Drive turns."});
 }
 
+TEST(suspect_stage, a_result_stands_on_clocks_that_are_far_apart_only_where_they_were_brought_together) {
+  const auto blamed = [](Severity severity, std::vector<double> applied_s) {
+    CalibrationResult result;
+    result.status = Status::Ok;
+    result.time_offset.applied = !applied_s.empty();
+    result.session_time_offset_s = std::move(applied_s);
+    blame_recording({{severity, "clock-far", "drive", ""}}, result);
+    EXPECT_EQ(result.advice.size(), 1U);
+    return result.status;
+  };
+  EXPECT_EQ(blamed(Severity::Problem, {}), Status::Inconsistent);
+  EXPECT_EQ(blamed(Severity::Problem, {0.05}), Status::Inconsistent) << "that is not the offset that was found";
+  EXPECT_EQ(blamed(Severity::Problem, {0.001, -0.4}), Status::Ok);
+  EXPECT_EQ(blamed(Severity::Warning, {}), Status::Ok);
+}
+
 PipelineOutput calibrated(const SimulatedDrive& drive, bool nominal) {
   PipelineInput input;
   input.sessions = {std::make_shared<const Session>(drive.session)};
@@ -107,16 +121,16 @@ SimulationOptions small_drive() {
 TEST(suspect_stage, a_calibration_without_nominal_names_the_clock_that_is_off) {
   SimulationOptions options = small_drive();
   options.lidar_clock_offset_s = 0.5;
-  const PipelineOutput output = calibrated(simulated(options), false);
+  const PipelineOutput output = calibrated(simulate_drive(options), false);
   EXPECT_NE(said(output.findings, "clock-far"), "");
   ASSERT_FALSE(output.result.advice.empty());
   EXPECT_NE(output.result.advice[0].find("bring the clocks"), std::string::npos) << output.result.advice[0];
   options.lidar_clock_offset_s = 0.0;
-  EXPECT_EQ(said(calibrated(simulated(options), false).findings, "clock-far"), "");
+  EXPECT_EQ(said(calibrated(simulate_drive(options), false).findings, "clock-far"), "");
 }
 
 TEST(suspect_stage, scans_that_turn_otherwise_than_pitch_and_roll_say_give_no_result) {
-  SimulatedDrive drive = simulated(small_drive());
+  SimulatedDrive drive = simulate_drive(small_drive());
   EXPECT_EQ(said(calibrated(drive, true).findings, "attitude-columns"), "");
   for (InsSample& sample : drive.session.ins) {
     YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());

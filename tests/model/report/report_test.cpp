@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-Report example() {
+Report example_report() {
   Report report;
   CalibrationResult& result = report.file.result;
   result.status = Status::Degenerate;
@@ -58,7 +58,7 @@ Cells row_of(const std::string& html, const std::string& heading, const std::str
 }
 
 TEST(report, parameters_have_their_value_sigma_and_change) {
-  const std::string html = report_html(example());
+  const std::string html = report_html(example_report());
   const char* const table = "<h2>LiDAR in the INS frame";
   EXPECT_EQ(row_of(html, table, "x"), (Cells{"x", "0.9000 m", "± 0.0020 m", "–", "1.0000 m", "-0.1000 m"}));
   EXPECT_EQ(row_of(html, table, "y"), (Cells{"y", "-0.2500 m", "± 0.0020 m", "–", "0.0000 m", "-0.2500 m"}));
@@ -68,7 +68,7 @@ TEST(report, parameters_have_their_value_sigma_and_change) {
 }
 
 TEST(report, the_place_of_an_antenna_does_not_pass_for_the_pose_of_a_lidar) {
-  Report report = example();
+  Report report = example_report();
   CalibrationResult& result = report.file.result;
   result.reference_frame = "vehicle";
   result.calibrated = "antenna";
@@ -84,7 +84,7 @@ TEST(report, the_place_of_an_antenna_does_not_pass_for_the_pose_of_a_lidar) {
 }
 
 TEST(report, pairs_are_listed_with_what_was_found) {
-  const std::string html = report_html(example());
+  const std::string html = report_html(example_report());
   const Cells accepted = row_of(html, "<h2>Pairs</h2>", "3"), rejected = row_of(html, "<h2>Pairs</h2>", "7");
   ASSERT_EQ(accepted.size(), 12U);
   EXPECT_EQ(accepted[3], "1.0 s") << "from scan to scan";
@@ -98,7 +98,7 @@ TEST(report, pairs_are_listed_with_what_was_found) {
 }
 
 TEST(report, says_what_it_is_made_from) {
-  const std::string html = report_html(example());
+  const std::string html = report_html(example_report());
   EXPECT_EQ(row_of(html, "<h2>Data</h2>", "drive1"), (Cells{"drive1", "ins.csv", "12", "0123abcd"}));
   EXPECT_EQ(row_of(html, "<h2>Check by", "result"), (Cells{"result", "-3.5000", "21.0 mm", "400"}));
   EXPECT_EQ(row_of(html, "<h2>Check by", "nominal"), (Cells{"nominal", "-3.1000", "34.0 mm", "400"}));
@@ -110,7 +110,7 @@ TEST(report, says_what_it_is_made_from) {
 }
 
 TEST(report, each_session_has_a_chart_of_its_own) {
-  Report report = example();
+  Report report = example_report();
   const auto charts = [&] {
     const std::string html = report_html(report);
     static const std::regex kChart("<svg");
@@ -122,13 +122,13 @@ TEST(report, each_session_has_a_chart_of_its_own) {
 }
 
 TEST(report, needs_no_other_file) {
-  const std::string html = report_html(example());
+  const std::string html = report_html(example_report());
   for (const char* outside : {"https://", "<script", "src=\"/", "href="})
     EXPECT_EQ(html.find(outside), std::string::npos) << outside;
 }
 
 TEST(report, without_a_usable_result_no_number_passes_for_one) {
-  Report report = example();
+  Report report = example_report();
   report.file.result.status = Status::TooFewPairs;
   report.file.result.observed.fill(false);
   const std::string html = report_html(report);
@@ -143,20 +143,20 @@ TEST(report, an_empty_result_has_a_page_too) {
 }
 
 TEST(report, pictures_the_worst_accepted_pairs_first) {
-  const auto chosen = pairs_to_picture(example().file.pairs, 2, 1);
+  const auto chosen = pairs_to_picture(example_report().file.pairs, 2, 1);
   ASSERT_EQ(chosen.size(), 3U);
   EXPECT_EQ(chosen[0], 3U) << "residual 7 cm";
   EXPECT_EQ(chosen[1], 6U) << "6 cm";
   EXPECT_EQ(chosen[2], 0U) << "none";
   EXPECT_TRUE(pairs_to_picture({}, 3, 2).empty());
-  EXPECT_EQ(pairs_to_picture(example().file.pairs, 100, 5).size(), 7U) << "each pair once";
+  EXPECT_EQ(pairs_to_picture(example_report().file.pairs, 100, 5).size(), 7U) << "each pair once";
 }
 
 TEST(report, every_word_can_be_in_another_language) {
   ReportStyle style;
   style.phrase = [](const char*, const char*) { return std::string("W"); };
   style.sentence = [](const std::string&) { return std::string("S"); };
-  const std::string html = report_html(example(), style);
+  const std::string html = report_html(example_report(), style);
   for (const char* english : {"Residual", "Pairs", "Correlation", "overlap", "nominal", "observable"})
     EXPECT_EQ(html.substr(0, html.find("<pre>")).find(english), std::string::npos) << english;
 }

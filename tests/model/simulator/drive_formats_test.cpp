@@ -15,7 +15,7 @@
 namespace remount {
 namespace {
 
-SimulationOptions small_options() {
+SimulationOptions small_format_options() {
   SimulationOptions options;
   options.duration_s = 3.0;
   options.beams = 8;
@@ -55,7 +55,7 @@ Solved solved(const SimulationOptions& options, const std::string& format) {
 }
 
 SimulationOptions parking_ramp() {
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_format_options();
   options.scenario = ScenarioKind::ParkingRamp;
   options.duration_s = 40.0;
   return options;
@@ -73,7 +73,7 @@ TEST(drive_formats, every_session_format_that_is_read_is_written) {
 }
 
 TEST(drive_formats, every_format_is_opened_by_the_reader_that_the_list_names) {
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_format_options();
   options.duration_s = 1.0;
   for (const DriveFormat& format : drive_format_list()) {
     options.clockwise = format.id != "kitti-raw";
@@ -89,7 +89,7 @@ TEST(drive_formats, every_format_is_opened_by_the_reader_that_the_list_names) {
 }
 
 TEST(drive_formats, nmea_logs_hold_positions_attitudes_and_their_errors) {
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_format_options();
   options.latitude_deg = -33.9;  // south and west: letters, not signs
   options.longitude_deg = -70.6;
   const SimulatedDrive drive = simulate_drive(options);
@@ -112,7 +112,7 @@ TEST(drive_formats, nmea_logs_hold_positions_attitudes_and_their_errors) {
 }
 
 TEST(drive_formats, nmea_logs_run_over_midnight_and_say_when_corrections_are_lost) {
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_format_options();
   options.ins_trouble.degraded_start_s = 1.0;
   options.ins_trouble.degraded_s = 1.0;
   SimulatedDrive drive = simulate_drive(options);
@@ -143,7 +143,7 @@ TEST(drive_formats, nmea_drives_give_the_mounting_that_stands_beside_them) {
 // A fix with every sample of the INS, a short drive and a free antenna: much is hardly shown, and steps along that stay
 // long. That is a result with wide sigmas, not a failure.
 TEST(drive_formats, nmea_drives_that_show_little_are_solved_all_the_same) {
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_format_options();
   options.scenario = ScenarioKind::Hill;
   options.duration_s = 4.0;
   for (unsigned seed = 1; seed <= 2; ++seed) {
@@ -157,7 +157,7 @@ TEST(drive_formats, nmea_drives_that_show_little_are_solved_all_the_same) {
 }
 
 TEST(drive_formats, gpx_tracks_hold_the_fixes_of_the_antenna) {
-  const SimulatedDrive drive = simulate_drive(small_options());
+  const SimulatedDrive drive = simulate_drive(small_format_options());
   const TemporaryFolder folder;
   const Session session = read_back(drive, "gpx", folder);
   ASSERT_EQ(session.gnss.size(), drive.session.gnss.size());
@@ -171,14 +171,14 @@ TEST(drive_formats, gpx_tracks_hold_the_fixes_of_the_antenna) {
   EXPECT_LT(pose_error(session, drive), 1e-9);
   const DocumentNode truth = truth_in(folder);
   ASSERT_NE(truth.find("antenna_in_lidar_m"), nullptr);
-  SimulationOptions without = small_options();
+  SimulationOptions without = small_format_options();
   without.gnss.rate_hz = 0.0;
   Progress progress;
   EXPECT_ERROR(write_drive(simulate_drive(without), folder.path() / "a", "gpx", 1, progress), "gnss_rate_hz");
 }
 
 TEST(drive_formats, apollo_odometry_is_on_the_grid_with_attitudes_of_true_north) {
-  const SimulatedDrive drive = simulate_drive(small_options());
+  const SimulatedDrive drive = simulate_drive(small_format_options());
   const TemporaryFolder folder;
   const Session session = read_back(drive, "apollo-csv", folder);
   ASSERT_EQ(session.world_from_ins.size(), drive.session.ins.size());
@@ -206,7 +206,7 @@ TEST(drive_formats, apollo_drives_in_the_middle_of_a_zone_give_the_mounting_in_t
 }
 
 TEST(drive_formats, scans_in_las_are_those_of_the_drive_but_for_their_rings) {
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_format_options();
   options.duration_s = 1.0;
   const SimulatedDrive drive = simulate_drive(options);
   const TemporaryFolder folder;

@@ -14,7 +14,7 @@
 namespace remount {
 namespace {
 
-SimulationOptions small_options() {
+SimulationOptions small_peer_options() {
   SimulationOptions options;
   options.duration_s = 3.0;
   options.beams = 8;
@@ -46,7 +46,7 @@ double largest_contradiction(const Session& session, const SimulatedDrive& drive
 }
 
 TEST(peer_formats, poses_and_novatel_logs_fit_the_truth_that_stands_beside_them) {
-  const SimulatedDrive drive = simulate_drive(small_options());
+  const SimulatedDrive drive = simulate_drive(small_peer_options());
   for (const char* format : {"poses", "novatel-inspvax"}) {
     const TemporaryFolder folder;
     const Session session = read_back(drive, format, folder);
@@ -57,7 +57,7 @@ TEST(peer_formats, poses_and_novatel_logs_fit_the_truth_that_stands_beside_them)
 }
 
 TEST(peer_formats, novatel_logs_hold_the_samples_of_the_drive) {
-  const SimulatedDrive drive = simulate_drive(small_options());
+  const SimulatedDrive drive = simulate_drive(small_peer_options());
   const TemporaryFolder folder;
   const Session session = read_back(drive, "novatel-inspvax", folder);
   ASSERT_EQ(session.ins.size(), drive.session.ins.size());
@@ -74,7 +74,7 @@ TEST(peer_formats, novatel_logs_hold_the_samples_of_the_drive) {
 }
 
 TEST(peer_formats, opencalib_folders_hold_scans_and_poses) {
-  const SimulatedDrive drive = simulate_drive(small_options());
+  const SimulatedDrive drive = simulate_drive(small_peer_options());
   const TemporaryFolder folder;
   const Session session = read_back(drive, "opencalib", folder);
   ASSERT_EQ(session.scans->size(), 30u);
@@ -90,7 +90,7 @@ TEST(peer_formats, opencalib_folders_hold_scans_and_poses) {
 }
 
 TEST(peer_formats, smartloc_files_hold_speed_and_turn_rates_of_the_vehicle_and_the_true_antenna) {
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_peer_options();
   options.wheels.noise_mps = options.wheels.slip = options.imu.gyro_noise_dps = options.imu.gyro_bias_dps = 0.0;
   const SimulatedDrive drive = simulate_drive(options);
   const TemporaryFolder folder;
@@ -116,7 +116,7 @@ TEST(peer_formats, smartloc_files_hold_speed_and_turn_rates_of_the_vehicle_and_t
 }
 
 TEST(peer_formats, smartloc_drives_show_where_the_antenna_is) {
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_peer_options();
   options.scenario = ScenarioKind::FigureEight;
   options.duration_s = 90.0;
   const SimulatedDrive drive = simulate_drive(options);
@@ -137,7 +137,7 @@ TEST(peer_formats, smartloc_drives_show_where_the_antenna_is) {
 TEST(peer_formats, smartloc_refuses_a_machine_without_wheels) {
   const TemporaryFolder folder;
   Progress progress;
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_peer_options();
   options.wheels.rate_hz = 0.0;
   EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "a", "smartloc", 1, progress), "wheels and IMU");
 }
@@ -145,10 +145,10 @@ TEST(peer_formats, smartloc_refuses_a_machine_without_wheels) {
 TEST(peer_formats, opencalib_refuses_what_it_cannot_say) {
   const TemporaryFolder folder;
   Progress progress;
-  SimulationOptions options = small_options();
+  SimulationOptions options = small_peer_options();
   options.per_point_time = false;
   EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "a", "opencalib", 1, progress), "per_point_time");
-  options = small_options();
+  options = small_peer_options();
   options.scan_rate_hz = 7.0;
   EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "b", "opencalib", 1, progress), "milliseconds");
   EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "c", "bag", 1, progress), "is not a format");

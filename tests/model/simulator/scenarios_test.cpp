@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-SimulationOptions exact_options(ScenarioKind scenario) {
+SimulationOptions exact_scenario(ScenarioKind scenario) {
   SimulationOptions options;
   options.scenario = scenario;
   options.beams = 16;
@@ -27,7 +27,7 @@ SimulationOptions exact_options(ScenarioKind scenario) {
 
 TEST(scenarios, hill_has_slopes_of_five_degrees_up_and_down_over_two_kilometres) {
   for (int seed = 1; seed <= 5; ++seed) {
-    SimulationOptions options = exact_options(ScenarioKind::Hill);
+    SimulationOptions options = exact_scenario(ScenarioKind::Hill);
     options.seed = seed;
     const Road road(options.scenario, options.speed_mps);
     const Ground ground = scenario_ground(options.scenario, seed);
@@ -48,7 +48,7 @@ TEST(scenarios, hill_has_slopes_of_five_degrees_up_and_down_over_two_kilometres)
 }
 
 TEST(scenarios, highway_is_straight_and_has_something_to_see_all_along) {
-  SimulationOptions options = exact_options(ScenarioKind::Highway);
+  SimulationOptions options = exact_scenario(ScenarioKind::Highway);
   options.speed_mps = 30.0;
   options.duration_s = 60.0;
   const SimulatedScanSource source(std::make_shared<const Scene>(options));
@@ -82,7 +82,7 @@ double differing_share(const SimulatedScanSource& source, std::size_t a, std::si
 }
 
 TEST(scenarios, tunnel_looks_the_same_everywhere_but_near_its_portals) {
-  SimulationOptions options = exact_options(ScenarioKind::Tunnel);
+  SimulationOptions options = exact_scenario(ScenarioKind::Tunnel);
   options.speed_mps = 15.0;
   options.duration_s = 80.0;
   options.max_range_m = 40.0;
@@ -123,7 +123,7 @@ TEST(scenarios, vehicle_touches_nothing_on_hill_highway_and_in_the_tunnel) {
 
 TEST(scenarios, excavator_turns_by_its_arc_about_its_axis) {
   for (const double arc_deg : {360.0, 90.0, -180.0}) {
-    SimulationOptions options = exact_options(ScenarioKind::SlewYard);
+    SimulationOptions options = exact_scenario(ScenarioKind::SlewYard);
     options.slew_yard.arc_deg = arc_deg;
     const Scene scene(options);
     const RigidTransform body_from_lidar = scene.vehicle_from_ins() * options.ins_from_lidar;
@@ -142,7 +142,7 @@ TEST(scenarios, excavator_turns_by_its_arc_about_its_axis) {
 
 TEST(scenarios, excavator_stands_still_in_the_other_recordings) {
   for (const SlewRecording recording : {SlewRecording::Ground, SlewRecording::ArmSweep}) {
-    SimulationOptions options = exact_options(ScenarioKind::SlewYard);
+    SimulationOptions options = exact_scenario(ScenarioKind::SlewYard);
     options.slew_yard.recording = recording;
     const Scene scene(options);
     EXPECT_TRUE(scene.road_from_vehicle(3.0).isApprox(RigidTransform::Identity(), 1e-15));
@@ -153,7 +153,7 @@ TEST(scenarios, excavator_stands_still_in_the_other_recordings) {
 }
 
 TEST(scenarios, arm_sweeps_in_its_plane_and_the_lidar_sees_it) {
-  SimulationOptions options = exact_options(ScenarioKind::SlewYard);
+  SimulationOptions options = exact_scenario(ScenarioKind::SlewYard);
   options.slew_yard.recording = SlewRecording::ArmSweep;
   options.beams = 64;
   const SimulatedScanSource source(std::make_shared<const Scene>(options));
@@ -173,7 +173,7 @@ TEST(scenarios, arm_sweeps_in_its_plane_and_the_lidar_sees_it) {
 }
 
 TEST(scenarios, yard_slopes_with_the_machine_or_without_it) {
-  SimulationOptions options = exact_options(ScenarioKind::SlewYard);
+  SimulationOptions options = exact_scenario(ScenarioKind::SlewYard);
   options.slew_yard.slope_deg = 2.0;
   const Scene sloped(options);
   const auto axis_from_up_deg = [](const RigidTransform& frame) {
@@ -216,7 +216,7 @@ TEST(scenarios, lidar_models_have_their_beams_evenly_within_their_field_of_view)
     EXPECT_NEAR(radians_to_degrees(elevations.back()), high_deg, 1e-9);
     for (std::size_t i = 1; i < elevations.size(); ++i)
       EXPECT_NEAR(elevations[i] - elevations[i - 1], elevations[1] - elevations[0], 1e-12);
-    SimulationOptions options = exact_options(ScenarioKind::Street);
+    SimulationOptions options = exact_scenario(ScenarioKind::Street);
     options.beams = static_cast<int>(beams);
     const PointCloud cloud = SimulatedScanSource(std::make_shared<const Scene>(options)).load(0);
     for (std::size_t i = 0; i < cloud.size(); ++i)

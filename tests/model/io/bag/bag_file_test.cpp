@@ -32,8 +32,6 @@ std::string mcap_bytes(const TemporaryFolder& folder, const std::vector<TestMess
   return bytes;
 }
 
-std::string packed(const std::string& bytes) { return pack_chunk(ChunkCompression::Zstd, bytes); }
-
 TEST(bag_file, that_is_an_mcap_compressed_as_a_whole_is_unpacked_and_read_under_its_own_name) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);

@@ -44,10 +44,7 @@ inline std::shared_ptr<const BagFile> open_quietly(const fs::path& path) {
   return open_bag(path, progress);
 }
 
-inline std::string bytes_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+inline std::string packed(const std::string& bytes) { return pack_chunk(ChunkCompression::Zstd, bytes); }
 
 inline const Finding* find(const BagFile& bag, const std::string& code) {
   for (const Finding& finding : bag.findings())

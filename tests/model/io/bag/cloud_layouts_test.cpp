@@ -76,24 +76,24 @@ class Serialiser {
   std::string bytes_;
 };
 
-struct Field {
+struct LaidField {
   std::string name;
   std::uint8_t type = kF32;
   std::uint32_t count = 1, offset = 0;
 };
 
-struct Layout {
-  std::vector<Field> fields;
+struct LaidCloud {
+  std::vector<LaidField> fields;
   std::uint32_t height = 1, width = 0, point_bytes = 0, row_bytes = 0;
   bool big_endian = false, dense = true;
 };
 
-std::string serialised(const Layout& layout, const std::string& data, MessageEncoding encoding, bool big_endian) {
+std::string serialised(const LaidCloud& layout, const std::string& data, MessageEncoding encoding, bool big_endian) {
   Serialiser out(encoding, big_endian);
   if (encoding == MessageEncoding::Ros1) out.number<std::uint32_t>(7);  // a counter, of ROS 1 alone
   out.number(static_cast<std::uint32_t>(kStart_ns / 1'000'000'000)).number<std::uint32_t>(0).string("lidar");
   out.number(layout.height).number(layout.width).number(static_cast<std::uint32_t>(layout.fields.size()));
-  for (const Field& field : layout.fields)
+  for (const LaidField& field : layout.fields)
     out.string(field.name).number(field.offset).number(field.type).number(field.count);
   out.number(static_cast<std::uint8_t>(layout.big_endian)).number(layout.point_bytes).number(layout.row_bytes);
   return out.data(data).number(static_cast<std::uint8_t>(layout.dense)).bytes();
@@ -107,7 +107,7 @@ ReadCloud read(const std::string& bytes, MessageEncoding encoding) {
 // ---- Made by hand
 
 TEST(cloud_layouts, a_whole_big_endian_message_is_read) {
-  Layout layout{{{"x", kF32, 1, 0}, {"y", kF32, 1, 4}, {"z", kF32, 1, 8}, {"t", kU32, 1, 12}}, 1, 2, 16, 32, true};
+  LaidCloud layout{{{"x", kF32, 1, 0}, {"y", kF32, 1, 4}, {"z", kF32, 1, 8}, {"t", kU32, 1, 12}}, 1, 2, 16, 32, true};
   std::string data;
   for (const float sign : {1.0f, -1.0f}) {
     for (const float value : {1.0f, 2.0f, 3.0f}) data += ordered(sign * value, true);
@@ -126,18 +126,18 @@ TEST(cloud_layouts, a_whole_big_endian_message_is_read) {
 /// As drivers publish an image of the sensor: rows are beams, and what has no return is not a number.
 TEST(cloud_layouts, organised_clouds_lose_their_padding_and_keep_the_rest_in_order) {
   constexpr std::uint32_t kRows = 16, kColumns = 50;
-  Layout layout{{{"x", kF32, 1, 0},
-                 {"y", kF32, 1, 4},
-                 {"z", kF32, 1, 8},
-                 {"intensity", kF32, 1, 16},
-                 {"t", kU32, 1, 20},
-                 {"ring", kU8, 1, 24}},
-                kRows,
-                kColumns,
-                32,
-                kColumns * 32,
-                false,
-                false};
+  LaidCloud layout{{{"x", kF32, 1, 0},
+                    {"y", kF32, 1, 4},
+                    {"z", kF32, 1, 8},
+                    {"intensity", kF32, 1, 16},
+                    {"t", kU32, 1, 20},
+                    {"ring", kU8, 1, 24}},
+                   kRows,
+                   kColumns,
+                   32,
+                   kColumns * 32,
+                   false,
+                   false};
   std::string data;
   std::size_t returns = 0;
   for (std::uint32_t row = 0; row < kRows; ++row)
@@ -185,18 +185,18 @@ constexpr TimeKind kTimes[] = {
 };
 
 struct RandomMessage {
-  Layout layout;
+  LaidCloud layout;
   std::string data;
   PointCloud expected;
   bool another_clock = false;
 };
 
 /// Gives the fields offsets in another order than they are listed, with room between them.
-void place(std::vector<Field>& fields, RandomValues& random, std::uint32_t& point_bytes) {
-  std::vector<Field*> order;
-  for (Field& field : fields) order.push_back(&field);
+void place(std::vector<LaidField>& fields, RandomValues& random, std::uint32_t& point_bytes) {
+  std::vector<LaidField*> order;
+  for (LaidField& field : fields) order.push_back(&field);
   for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-  for (Field* field : order) {
+  for (LaidField* field : order) {
     point_bytes += static_cast<std::uint32_t>(random.below(2) * random.below(5));
     field->offset = point_bytes;
     point_bytes += static_cast<std::uint32_t>(bytes_of_type(field->type) * std::max<std::uint32_t>(1, field->count));
@@ -204,11 +204,11 @@ void place(std::vector<Field>& fields, RandomValues& random, std::uint32_t& poin
   point_bytes += static_cast<std::uint32_t>(random.below(9));
 }
 
-std::vector<Field> random_fields(RandomValues& random, const TimeKind& time) {
+std::vector<LaidField> random_fields(RandomValues& random, const TimeKind& time) {
   const std::uint8_t coordinates[] = {kI16, kI32, kF32, kF64}, any[] = {kI8, kU8, kI16, kU16, kI32, kU32, kF32, kF64};
   const char* intensities[] = {"intensity", "I", "reflectivity"};
   const char* times[] = {"time", "T", "timestamp", "offset_time"};
-  std::vector<Field> fields;
+  std::vector<LaidField> fields;
   for (const char* name : {"x", "Y", "z"}) fields.push_back({name, coordinates[random.below(4)]});
   if (random.flip()) fields.push_back({intensities[random.below(3)], any[random.below(8)]});
   if (random.flip()) fields.push_back({"ring", any[1 + random.below(7)]});
@@ -216,7 +216,7 @@ std::vector<Field> random_fields(RandomValues& random, const TimeKind& time) {
   if (random.flip()) fields.push_back({"normal", kF32, 3});
   if (random.flip()) fields.push_back({"x", kF64, 2});  // several values: no coordinate
   for (std::size_t i = fields.size(); i > 1; --i) std::swap(fields[i - 1], fields[random.below(i)]);
-  for (Field& field : fields)
+  for (LaidField& field : fields)
     if (field.count == 1 && random.below(4) == 0) field.count = 0;  // as some drivers write one value
   return fields;
 }
@@ -225,7 +225,7 @@ std::vector<Field> random_fields(RandomValues& random, const TimeKind& time) {
 RandomMessage random_message(RandomValues& random) {
   const TimeKind& time = kTimes[random.below(std::size(kTimes))];
   RandomMessage message;
-  Layout& layout = message.layout;
+  LaidCloud& layout = message.layout;
   layout.fields = random_fields(random, time);
   place(layout.fields, random, layout.point_bytes);
   layout.height = random.flip() ? 1 : 2 + static_cast<std::uint32_t>(random.below(5));
@@ -242,7 +242,7 @@ RandomMessage random_message(RandomValues& random) {
     double ring = 0.0, intensity = 0.0, since_stamp_s = 0.0;
     Eigen::Vector3f point = Eigen::Vector3f::Zero();
     bool has_ring = false, has_intensity = false, has_time = false;
-    for (const Field& field : layout.fields) {
+    for (const LaidField& field : layout.fields) {
       if (field.count > 1) continue;
       double value = 0.0;
       const bool real = field.type >= kF32;

@@ -10,7 +10,8 @@ namespace {
 
 using namespace bags;
 
-constexpr ChunkCompression kCompressions[] = {ChunkCompression::Bzip2, ChunkCompression::Lz4, ChunkCompression::Zstd};
+constexpr ChunkCompression kGrowingCompressions[] = {ChunkCompression::Bzip2, ChunkCompression::Lz4,
+                                                     ChunkCompression::Zstd};
 
 /// Half of it packs, half does not.
 std::string chunk_bytes() {
@@ -33,7 +34,7 @@ std::unique_ptr<const ChunkStore> store_of(const fs::path& path, const std::stri
 TEST(growing_chunk, gives_the_same_bytes_wherever_it_is_read) {
   const TemporaryFolder folder;
   const std::string bytes = chunk_bytes();
-  for (const ChunkCompression compression : kCompressions) {
+  for (const ChunkCompression compression : kGrowingCompressions) {
     const auto store =
         store_of(folder.path() / "a", pack_chunk(compression, bytes), compression, crc32(bytes), bytes.size());
     const auto chunk = store->source(0);
@@ -57,7 +58,7 @@ TEST(growing_chunk, of_two_frames_is_both_of_them) {
 TEST(growing_chunk, that_is_damaged_or_cut_is_refused_from_there_on_and_once) {
   const TemporaryFolder folder;
   const std::string bytes = chunk_bytes();
-  for (const ChunkCompression compression : kCompressions) {
+  for (const ChunkCompression compression : kGrowingCompressions) {
     const std::string packed = pack_chunk(compression, bytes);
     std::string broken = packed;
     broken.replace(broken.size() * 3 / 4, 5000, 5000, '\xff');

@@ -2,23 +2,18 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cstdio>
 #include <iostream>
 
 #include "tests/model/io/bag/bag_maker.h"
+#include "tests/support/peak_memory.h"
 #include "tests/support/sanitized.h"
 
 namespace remount::bags {
 
-/// Peak memory of the process, MB.
-inline double peak_mb() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
+inline constexpr MessageEncoding kCdr = MessageEncoding::Cdr;
 
 /// A file that is written from its beginning to its end, with holes.
 class SparseFile {

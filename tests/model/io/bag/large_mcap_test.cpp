@@ -6,29 +6,27 @@ namespace {
 
 using namespace bags;
 
-constexpr MessageEncoding kCdr = MessageEncoding::Cdr;
-
 std::string head(std::uint8_t op, std::uint64_t bytes) { return raw(op) + raw(bytes); }
-std::string record(std::uint8_t op, const std::string& content) { return head(op, content.size()) + content; }
+std::string sparse_record(std::uint8_t op, const std::string& content) { return head(op, content.size()) + content; }
 
 /// Chunks that are not compressed, their indexes and a summary.
 class SparseMcap {
  public:
   SparseMcap(const fs::path& path, int chunks, std::uint64_t scan_bytes) : file_(path) {
     const std::string magic("\x89MCAP0\r\n", 8);
-    file_.put(magic + record(1, counted("ros2") + counted("by hand")));
+    file_.put(magic + sparse_record(1, counted("ros2") + counted("by hand")));
     for (int i = 0; i < chunks; ++i) add_chunk(i, scan_bytes);
-    file_.put(record(15, raw<std::uint32_t>(0)));
+    file_.put(sparse_record(15, raw<std::uint32_t>(0)));
     const std::uint64_t summary = file_.at();
     for (std::uint16_t id = 0; id < 3; ++id) {
       std::string type = kLargeTypes[id];
       type.insert(type.find('/'), "/msg");
-      file_.put(
-          record(3, raw<std::uint16_t>(id + 1) + counted(type) + counted("ros2msg") + counted("")) +
-          record(4, raw(id) + raw<std::uint16_t>(id + 1) + counted(kLargeTopics[id]) + counted("cdr") + counted("")));
+      file_.put(sparse_record(3, raw<std::uint16_t>(id + 1) + counted(type) + counted("ros2msg") + counted("")) +
+                sparse_record(4, raw(id) + raw<std::uint16_t>(id + 1) + counted(kLargeTopics[id]) + counted("cdr") +
+                                     counted("")));
     }
     file_.put(infos_);
-    file_.put(record(2, raw(summary) + raw<std::uint64_t>(0) + raw<std::uint32_t>(0)) + magic);
+    file_.put(sparse_record(2, raw(summary) + raw<std::uint64_t>(0) + raw<std::uint32_t>(0)) + magic);
   }
 
  private:
@@ -59,11 +57,12 @@ class SparseMcap {
     std::string indexes, offsets;
     for (std::uint16_t id = 0; id < 3; ++id) {
       offsets += raw(id) + raw<std::uint64_t>(file_.at() + indexes.size());
-      indexes += record(7, raw(id) + counted(index[id]));
+      indexes += sparse_record(7, raw(id) + counted(index[id]));
     }
     file_.put(indexes);
-    infos_ += record(8, raw(scan.stamp_ns) + raw(scan.stamp_ns) + raw(start) + raw(length) + counted(offsets) +
-                            raw<std::uint64_t>(indexes.size()) + counted("") + raw(chunk_bytes) + raw(chunk_bytes));
+    infos_ +=
+        sparse_record(8, raw(scan.stamp_ns) + raw(scan.stamp_ns) + raw(start) + raw(length) + counted(offsets) +
+                             raw<std::uint64_t>(indexes.size()) + counted("") + raw(chunk_bytes) + raw(chunk_bytes));
   }
 
   SparseFile file_;

@@ -11,8 +11,6 @@ namespace {
 
 using namespace bags;
 
-constexpr MessageEncoding kCdr = MessageEncoding::Cdr;
-
 /// SQLite's own files, but that zeros at the end of a page are not written where the file grows. Each page of a long
 /// value begins with the number of the next: one block of the file system for each of the largest pages, 64 KB, is as
 /// sparse as a database can be, and twenty gigabytes would take more than one.

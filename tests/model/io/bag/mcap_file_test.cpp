@@ -10,11 +10,12 @@ namespace {
 
 using namespace bags;
 
-constexpr ChunkCompression kCompressions[] = {ChunkCompression::None, ChunkCompression::Lz4, ChunkCompression::Zstd};
+constexpr ChunkCompression kMcapCompressions[] = {ChunkCompression::None, ChunkCompression::Lz4,
+                                                  ChunkCompression::Zstd};
 const std::string kMagic("\x89MCAP0\r\n", 8);
 
-std::string written(const TemporaryFolder& folder, ChunkCompression compression,
-                    const std::vector<TestMessage>& messages) {
+std::string written_mcap(const TemporaryFolder& folder, ChunkCompression compression,
+                         const std::vector<TestMessage>& messages) {
   const fs::path path = folder.path() / "written.mcap";
   write_messages(*make_mcap_writer(path, MessageEncoding::Cdr, compression, 300), messages);
   const std::string bytes = bytes_of(path);
@@ -93,8 +94,8 @@ TEST(mcap_file, is_read_as_its_format_is_described) {
 TEST(mcap_file, is_written_and_read_in_every_compression) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
-  for (const ChunkCompression compression : kCompressions) {
-    const auto bag = open_quietly(folder.write("a.mcap", written(folder, compression, messages)));
+  for (const ChunkCompression compression : kMcapCompressions) {
+    const auto bag = open_quietly(folder.write("a.mcap", written_mcap(folder, compression, messages)));
     EXPECT_EQ(count_and_check(*bag, messages), messages.size());
     EXPECT_TRUE(bag->findings().empty());
   }
@@ -103,8 +104,8 @@ TEST(mcap_file, is_written_and_read_in_every_compression) {
 TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(30);
-  for (const ChunkCompression compression : kCompressions) {
-    const std::string bytes = written(folder, compression, messages);
+  for (const ChunkCompression compression : kMcapCompressions) {
+    const std::string bytes = written_mcap(folder, compression, messages);
     std::size_t most = 0, refused = 0, warned = 0;
     for (std::size_t length = 0; length < bytes.size(); length += 13) {
       const fs::path path = folder.write("a.mcap", bytes.substr(0, length));
@@ -139,8 +140,8 @@ TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
 TEST(mcap_file, that_lacks_a_few_bytes_at_its_end_says_so) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(30);
-  for (const ChunkCompression compression : kCompressions) {
-    const std::string bytes = written(folder, compression, messages);
+  for (const ChunkCompression compression : kMcapCompressions) {
+    const std::string bytes = written_mcap(folder, compression, messages);
     for (std::size_t missing = 1; missing <= 60; ++missing) {
       const auto bag = open_quietly(folder.write("a.mcap", bytes.substr(0, bytes.size() - missing)));
       EXPECT_EQ(count_and_check(*bag, messages), messages.size()) << missing;
@@ -254,8 +255,8 @@ std::size_t readable(const BagFile& bag) {
 TEST(mcap_file, whose_chunk_has_a_wrong_checksum_gives_the_other_chunks) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
-  for (const ChunkCompression compression : kCompressions) {
-    std::string bytes = written(folder, compression, messages);
+  for (const ChunkCompression compression : kMcapCompressions) {
+    std::string bytes = written_mcap(folder, compression, messages);
     // The second chunk's checksum, behind its times and its size; by the index first, then without one.
     std::size_t offset = kMagic.size(), chunks = 0;
     while (bytes[offset] != 6 || ++chunks < 2) {
@@ -283,7 +284,7 @@ TEST(mcap_file, whose_chunk_has_a_wrong_checksum_gives_the_other_chunks) {
 TEST(mcap_file, whose_summary_has_a_wrong_checksum_is_read_from_its_beginning) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
-  std::string bytes = written(folder, ChunkCompression::Zstd, messages);
+  std::string bytes = written_mcap(folder, ChunkCompression::Zstd, messages);
   bytes[bytes.size() - kMagic.size() - 1] ^= 1;
   const auto bag = open_quietly(folder.write("a.mcap", bytes));
   EXPECT_EQ(count_and_check(*bag, messages), messages.size());
@@ -308,6 +309,31 @@ TEST(mcap_file, whose_data_or_attachment_has_a_wrong_checksum_is_read_with_a_war
     ASSERT_NE(finding, nullptr);
     EXPECT_TRUE(contains(finding->explanation, data ? "data" : "Attachments")) << finding->explanation;
   }
+}
+
+TEST(mcap_file, whose_index_is_damaged_between_whole_chunks_does_not_claim_that_its_end_is_missing) {
+  const TemporaryFolder folder;
+  const std::vector<TestMessage> messages = test_messages(30);
+  std::string bytes = written_mcap(folder, ChunkCompression::Lz4, messages);
+  // The first record of a message index, behind the first chunk: its array promises more than the record holds.
+  std::size_t offset = kMagic.size();
+  const auto length_at = [&](std::size_t at) {
+    std::uint64_t length = 0;
+    std::memcpy(&length, bytes.data() + at + 1, sizeof length);
+    return length;
+  };
+  while (bytes[offset] != 7) {
+    offset += 9 + length_at(offset);
+    ASSERT_LT(offset, bytes.size());
+  }
+  char& highest = bytes[offset + 9 + 2 + 3];  // of the length, behind the channel
+  highest = static_cast<char>(highest ^ 0x40);
+  const auto bag = open_quietly(folder.write("a.mcap", bytes));
+  EXPECT_EQ(count_and_check(*bag, messages), messages.size());
+  EXPECT_EQ(find(*bag, "bag-cut-end"), nullptr);
+  ASSERT_NE(find(*bag, "bag-unindexed"), nullptr);
+  EXPECT_TRUE(contains(find(*bag, "bag-unindexed")->explanation, "30 messages were found; 0 bytes"))
+      << find(*bag, "bag-unindexed")->explanation;
 }
 
 }  // namespace

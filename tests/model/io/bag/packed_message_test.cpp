@@ -26,8 +26,6 @@ std::string promise(std::uint64_t bytes) {
   return "\x28\xb5\x2f\xfd\xe0" + raw(bytes) + "what follows is not looked at";
 }
 
-std::string packed(const std::string& bytes) { return pack_chunk(ChunkCompression::Zstd, bytes); }
-
 /// Bytes that do not pack.
 std::string noise(std::size_t count) {
   std::string bytes(count, '\0');

@@ -9,10 +9,11 @@ namespace {
 
 using namespace bags;
 
-constexpr ChunkCompression kCompressions[] = {ChunkCompression::None, ChunkCompression::Bzip2, ChunkCompression::Lz4};
+constexpr ChunkCompression kRosbag1Compressions[] = {ChunkCompression::None, ChunkCompression::Bzip2,
+                                                     ChunkCompression::Lz4};
 
-std::string written(const TemporaryFolder& folder, ChunkCompression compression,
-                    const std::vector<TestMessage>& messages) {
+std::string written_rosbag1(const TemporaryFolder& folder, ChunkCompression compression,
+                            const std::vector<TestMessage>& messages) {
   const fs::path path = folder.path() / "written.bag";
   write_messages(*make_rosbag1_writer(path, compression, 300), messages);
   const std::string bytes = bytes_of(path);
@@ -76,8 +77,8 @@ TEST(rosbag1_file, is_read_as_its_format_is_described) {
 TEST(rosbag1_file, is_written_and_read_in_every_compression) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
-  for (const ChunkCompression compression : kCompressions) {
-    const auto bag = open_quietly(folder.write("a.bag", written(folder, compression, messages)));
+  for (const ChunkCompression compression : kRosbag1Compressions) {
+    const auto bag = open_quietly(folder.write("a.bag", written_rosbag1(folder, compression, messages)));
     EXPECT_EQ(count_and_check(*bag, messages), messages.size());
     EXPECT_TRUE(bag->findings().empty());
   }
@@ -86,8 +87,8 @@ TEST(rosbag1_file, is_written_and_read_in_every_compression) {
 TEST(rosbag1_file, that_was_not_closed_is_read_from_its_beginning) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
-  for (const ChunkCompression compression : kCompressions) {
-    std::string bytes = written(folder, compression, messages);
+  for (const ChunkCompression compression : kRosbag1Compressions) {
+    std::string bytes = written_rosbag1(folder, compression, messages);
     const std::size_t value = bytes.find("index_pos=") + 10;
     std::uint64_t index_pos = 0;
     std::memcpy(&index_pos, bytes.data() + value, 8);
@@ -104,8 +105,8 @@ TEST(rosbag1_file, that_was_not_closed_is_read_from_its_beginning) {
 TEST(rosbag1_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(30);
-  for (const ChunkCompression compression : kCompressions) {
-    const std::string bytes = written(folder, compression, messages);
+  for (const ChunkCompression compression : kRosbag1Compressions) {
+    const std::string bytes = written_rosbag1(folder, compression, messages);
     std::size_t most = 0, refused = 0, warned = 0;
     for (std::size_t length = 0; length < bytes.size(); length += length < 4100 ? 500 : 23) {
       const fs::path path = folder.write("a.bag", bytes.substr(0, length));
@@ -134,7 +135,7 @@ TEST(rosbag1_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
 TEST(rosbag1_file, with_a_damaged_chunk_keeps_the_others) {
   const TemporaryFolder folder;
   const std::vector<TestMessage> messages = test_messages(60);
-  std::string bytes = written(folder, ChunkCompression::Bzip2, messages);
+  std::string bytes = written_rosbag1(folder, ChunkCompression::Bzip2, messages);
   bytes.replace(bytes.find("BZh9", bytes.find("BZh9") + 4) + 6, 4, "evil");
   const auto bag = open_quietly(folder.write("a.bag", bytes));
   std::size_t good = 0;

@@ -10,7 +10,7 @@ namespace {
 
 using namespace bags;
 
-void write_metadata(const fs::path& folder, const std::vector<std::string>& files) {
+void write_sqlite_metadata(const fs::path& folder, const std::vector<std::string>& files) {
   std::string text =
       "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: sqlite3\n  relative_file_paths:\n";
   for (const std::string& file : files) text += "    - " + file + "\n";
@@ -38,7 +38,7 @@ TEST(sqlite_bag, in_a_folder_with_metadata_is_read_with_all_its_parts) {
   const std::vector<TestMessage> messages = test_messages(60);
   write_database(bag_folder / "bag_0.db3", {messages.begin(), messages.begin() + 25});
   write_database(bag_folder / "bag_1.db3", {messages.begin() + 25, messages.end()});
-  write_metadata(bag_folder, {"bag_0.db3", "bag_1.db3"});
+  write_sqlite_metadata(bag_folder, {"bag_0.db3", "bag_1.db3"});
   const auto bag = open_quietly(bag_folder);
   EXPECT_EQ(count_and_check(*bag, messages), messages.size());
   EXPECT_EQ(bag->topics().size(), 2u);
@@ -50,7 +50,7 @@ TEST(sqlite_bag, in_a_folder_with_metadata_is_read_with_all_its_parts) {
   EXPECT_EQ(count_and_check(*half, messages), 25u);
   ASSERT_TRUE(find(*half, "bag-part-missing"));
   EXPECT_TRUE(contains(find(*half, "bag-part-missing")->explanation, "bag_1.db3"));
-  write_metadata(bag_folder, {"bag_0.db3.zstd"});  // unpacked by hand
+  write_sqlite_metadata(bag_folder, {"bag_0.db3.zstd"});  // unpacked by hand
   EXPECT_EQ(count_and_check(*open_quietly(bag_folder), messages), 25u);
   fs::remove(bag_folder / "bag_0.db3");
   EXPECT_ERROR(open_quietly(bag_folder), "are not here");
@@ -63,7 +63,7 @@ TEST(sqlite_bag, that_is_compressed_as_a_whole_is_unpacked_into_a_temporary_file
   const std::string bytes = bytes_of(folder.path() / "plain.db3");
   const std::string packed = pack_chunk(ChunkCompression::Zstd, bytes);
   const fs::path path = folder.write("bag/drive_0.db3.zstd", packed);
-  write_metadata(path.parent_path(), {"drive_0.db3.zstd"});
+  write_sqlite_metadata(path.parent_path(), {"drive_0.db3.zstd"});
   fs::create_directory(folder.path() / "temporary");
   const testing::TemporaryFilesIn unpacked(folder.path() / "temporary");
   for (const fs::path& input : {path, path.parent_path()}) {

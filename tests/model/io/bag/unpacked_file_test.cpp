@@ -19,7 +19,7 @@ TEST(unpacked_file, of_any_length_is_whole) {
     for (std::size_t i = 0; i < size; i += 4096) bytes[i] = static_cast<char>(i >> 12);
     const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, bytes));
     const UnpackedFile unpacked(packed, progress);
-    EXPECT_TRUE(bags::bytes_of(unpacked.path()) == bytes) << size;
+    EXPECT_TRUE(bytes_of(unpacked.path()) == bytes) << size;
   }
 }
 
@@ -29,7 +29,7 @@ TEST(unpacked_file, of_two_frames_is_both_of_them) {
   const std::string one(std::size_t{4} << 20, 'a'), other = "the end";
   const auto packed =
       folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, one) + pack_chunk(ChunkCompression::Zstd, other));
-  EXPECT_TRUE(bags::bytes_of(UnpackedFile(packed, progress).path()) == one + other);
+  EXPECT_TRUE(bytes_of(UnpackedFile(packed, progress).path()) == one + other);
 }
 
 TEST(unpacked_file, left_by_a_process_that_was_killed_is_removed_by_the_next) {
@@ -45,7 +45,7 @@ TEST(unpacked_file, left_by_a_process_that_was_killed_is_removed_by_the_next) {
   EXPECT_FALSE(std::filesystem::exists(left));
   EXPECT_TRUE(std::filesystem::exists(other));
   const UnpackedFile second(packed, progress);
-  EXPECT_EQ(bags::bytes_of(living.path()), "some bytes") << "the first is still in use";
+  EXPECT_EQ(bytes_of(living.path()), "some bytes") << "the first is still in use";
 }
 
 TEST(unpacked_file, without_a_folder_for_it_says_which_to_set) {

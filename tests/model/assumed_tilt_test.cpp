@@ -9,7 +9,9 @@
 #include "model/checks/data_check.h"
 #include "model/io/input_file.h"
 #include "model/methods/calibration_method.h"
+#include "model/methods/trajectory_feed.h"
 #include "model/motion_outlook.h"
+#include "tests/model/io/nmea_text.h"
 #include "tests/model/simulator/written_drive.h"
 #include "tests/support/calibration_checks.h"
 
@@ -17,14 +19,6 @@ namespace remount {
 namespace {
 
 constexpr std::size_t kZ = 2, kYaw = 3, kPitch = 4, kRoll = 5;
-
-std::string sentence(const std::string& body) {
-  unsigned sum = 0;
-  for (const char c : body) sum ^= static_cast<unsigned char>(c);
-  char end[8];
-  std::snprintf(end, sizeof end, "*%02X\r\n", sum);
-  return "$" + body + end;
-}
 
 /// Each PASHR as the HDT of the same heading.
 void keep_headings_alone(const std::filesystem::path& log) {
@@ -37,7 +31,7 @@ void keep_headings_alone(const std::filesystem::path& log) {
     }
     std::vector<std::string_view> fields;
     split_csv(line, fields);
-    text += sentence("GPHDT," + std::string(fields[2].substr(0, 8)) + ",T");
+    text += nmea_line("GPHDT," + std::string(fields[2].substr(0, 8)) + ",T");
   }
   std::ofstream(log, std::ios::binary) << text;
 }
@@ -53,12 +47,12 @@ SimulationOptions hilly(ScenarioKind scenario, unsigned seed) {
   return options;
 }
 
-struct Drive {
+struct TiltedDrive {
   std::shared_ptr<const Session> session;
   RigidTransform truth;
 };
 
-Drive drive_of(const SimulationOptions& options, bool headings_alone) {
+TiltedDrive drive_of(const SimulationOptions& options, bool headings_alone) {
   const TemporaryFolder folder;
   Progress progress;
   write_drive(simulate_drive(options), drive_in(folder), "nmea", 1, progress);
@@ -66,11 +60,11 @@ Drive drive_of(const SimulationOptions& options, bool headings_alone) {
   return {std::make_shared<Session>(open_session(drive_in(folder), progress)), true_mounting(folder)};
 }
 
-CalibrationResult calibrated(const std::vector<Drive>& drives, const std::string& method, bool nominal,
+CalibrationResult calibrated(const std::vector<TiltedDrive>& drives, const std::string& method, bool nominal,
                              const Settings& settings = {}) {
   PipelineInput input;
   input.settings = settings;
-  for (const Drive& drive : drives) input.sessions.push_back(drive.session);
+  for (const TiltedDrive& drive : drives) input.sessions.push_back(drive.session);
   // A mounting that is known as well as people know it.
   if (nominal)
     input.nominal_ins_from_lidar = drives.front().truth * rigid_from_six({0.2, -0.2, -0.3, 0.03, -0.03, 0.02});
@@ -95,7 +89,7 @@ TEST(assumed_tilt, of_headings_alone_leaves_pitch_and_roll_open_and_covers_the_r
       for (const bool nominal : {true, false}) {
         SCOPED_TRACE(method + (nominal ? ", with a nominal" : ", without") + ", scenario " +
                      std::to_string(static_cast<int>(scenario)));
-        const Drive drive = drive_of(hilly(scenario, 3), true);
+        const TiltedDrive drive = drive_of(hilly(scenario, 3), true);
         const CalibrationResult result = calibrated({drive}, method, nominal);
         error_of(result, drive.truth);
         EXPECT_TRUE(is_usable(result)) << result.message;
@@ -111,7 +105,7 @@ TEST(assumed_tilt, of_headings_alone_leaves_pitch_and_roll_open_and_covers_the_r
 }
 
 TEST(assumed_tilt, is_told_before_anything_is_calibrated) {
-  const Drive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 1), true);
+  const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 1), true);
   const MotionOutlook outlook = motion_outlook(*drive.session, {}, {});
   EXPECT_TRUE(outlook.determinable[kYaw]);
   for (const std::size_t open : {kZ, kPitch, kRoll}) EXPECT_FALSE(outlook.determinable[open]) << kParameterNames[open];
@@ -121,8 +115,8 @@ TEST(assumed_tilt, is_told_before_anything_is_calibrated) {
 }
 
 TEST(assumed_tilt, does_not_spoil_a_drive_that_measured_it) {
-  const Drive measured = drive_of(hilly(ScenarioKind::ParkingRamp, 5), false);
-  const Drive headings = drive_of(hilly(ScenarioKind::ParkingRamp, 6), true);
+  const TiltedDrive measured = drive_of(hilly(ScenarioKind::ParkingRamp, 5), false);
+  const TiltedDrive headings = drive_of(hilly(ScenarioKind::ParkingRamp, 6), true);
   for (const std::string method : {"pairwise", "trajectory"}) {
     SCOPED_TRACE(method);
     const CalibrationResult alone = calibrated({measured}, method, true);
@@ -138,7 +132,7 @@ TEST(assumed_tilt, does_not_spoil_a_drive_that_measured_it) {
 }
 
 TEST(assumed_tilt, that_was_measured_by_hand_is_known) {
-  const Drive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 2), true);
+  const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 2), true);
   const SixParameters truth = six_from_rigid(drive.truth);
   Settings settings;
   settings.measured.pitch_deg = radians_to_degrees(truth.pitch_rad);
@@ -157,8 +151,8 @@ TEST(assumed_tilt, that_was_measured_by_hand_is_known) {
 }
 
 TEST(assumed_tilt, is_only_that_of_logs_that_are_level_throughout_and_say_how_little_that_means) {
-  const Drive headings = drive_of(hilly(ScenarioKind::Hill, 1), true),
-              measured = drive_of(hilly(ScenarioKind::Hill, 1), false);
+  const TiltedDrive headings = drive_of(hilly(ScenarioKind::Hill, 1), true),
+                    measured = drive_of(hilly(ScenarioKind::Hill, 1), false);
   EXPECT_DOUBLE_EQ(assumed_tilt_sigma_rad(headings.session->ins), kAssumedTilt_rad);
   EXPECT_EQ(assumed_tilt_sigma_rad(measured.session->ins), 0.0);
   EXPECT_EQ(assumed_tilt_sigma_rad({}), 0.0);
@@ -170,6 +164,24 @@ TEST(assumed_tilt, is_only_that_of_logs_that_are_level_throughout_and_say_how_li
   ins.back().enu_from_ins =
       ins.back().enu_from_ins * Eigen::Quaterniond(Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX()));
   EXPECT_EQ(assumed_tilt_sigma_rad(ins), 0.0) << "somebody measured";
+}
+
+// Every answer on the way has more poses of the same assumption.
+TEST(assumed_tilt, is_not_believed_more_by_answers_on_the_way_that_have_seen_it_longer) {
+  const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 2), true);
+  Settings settings;
+  settings.solve.max_rotation_sigma_deg = 2.5;  // a little less than what is assumed
+  TrajectoryFeed feed(settings, drive.truth, 1);
+  Progress progress;
+  int answers = 0;
+  const auto tell = [&](const TrajectorySnapshot& snapshot) {
+    answers += snapshot.known ? 1 : 0;
+    EXPECT_FALSE(snapshot.observed[kPitch] || snapshot.observed[kRoll]) << "after " << snapshot.time_s << " s";
+  };
+  feed.begin(*drive.session);
+  feed.offer(*drive.session, true, 0.0, tell, progress);
+  EXPECT_GT(answers, 5);
+  EXPECT_TRUE(feed.history().back().observed[kYaw]) << "where all is open, nothing is shown";
 }
 
 }  // namespace
