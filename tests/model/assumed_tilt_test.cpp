@@ -166,22 +166,27 @@ TEST(assumed_tilt, is_only_that_of_logs_that_are_level_throughout_and_say_how_li
   EXPECT_EQ(assumed_tilt_sigma_rad(ins), 0.0) << "somebody measured";
 }
 
-// Every answer on the way has more poses of the same assumption.
+// Every answer on the way has more poses of the same assumption; the last is about as sure as the batch.
 TEST(assumed_tilt, is_not_believed_more_by_answers_on_the_way_that_have_seen_it_longer) {
   const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 2), true);
   Settings settings;
-  settings.solve.max_rotation_sigma_deg = 2.5;  // a little less than what is assumed
+  settings.solve.max_rotation_sigma_deg = 44.0;  // so that a sigma is shown
   TrajectoryFeed feed(settings, drive.truth, 1);
   Progress progress;
   int answers = 0;
-  const auto tell = [&](const TrajectorySnapshot& snapshot) {
-    answers += snapshot.known ? 1 : 0;
-    EXPECT_FALSE(snapshot.observed[kPitch] || snapshot.observed[kRoll]) << "after " << snapshot.time_s << " s";
-  };
   feed.begin(*drive.session);
-  feed.offer(*drive.session, true, 0.0, tell, progress);
+  feed.offer(
+      *drive.session, true, 0.0, [&](const TrajectorySnapshot& snapshot) { answers += snapshot.known ? 1 : 0; },
+      progress);
   EXPECT_GT(answers, 5);
-  EXPECT_TRUE(feed.history().back().observed[kYaw]) << "where all is open, nothing is shown";
+  const CalibrationResult batch = calibrated({drive}, "trajectory", true, settings);
+  const TrajectorySnapshot& last = feed.history().back();
+  for (const std::size_t tilt : {kPitch, kRoll}) {
+    ASSERT_TRUE(last.observed[tilt] && batch.sigma(tilt)) << kParameterNames[tilt];
+    std::printf("%s: %.2f deg on the way, %.2f deg in the end\n", kParameterNames[tilt].data(),
+                radians_to_degrees(last.sigma[tilt]), radians_to_degrees(*batch.sigma(tilt)));
+    EXPECT_GT(last.sigma[tilt], 0.85 * *batch.sigma(tilt)) << kParameterNames[tilt];
+  }
 }
 
 }  // namespace

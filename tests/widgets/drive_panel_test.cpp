@@ -11,6 +11,7 @@
 #include <QSignalSpy>
 #include <QWheelEvent>
 
+#include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/window_fixture.h"
 #include "widgets/charts/drive_map.h"
 #include "widgets/charts/drive_timeline.h"
@@ -22,6 +23,7 @@ namespace {
 using testing::kPatience_ms;
 
 TEST(drive_overview, tells_gaps_and_the_worst_fix_of_each_stretch) {
+  const testing::LanguageFor english{"en"};  // of one thing there is no plural
   Session session = testing::sample_session("drive1");
   session.ins.erase(session.ins.begin() + 200, session.ins.begin() + 260);
   const DriveOverview drive = drive_overview(session, 50);

@@ -326,7 +326,7 @@ void McapFile::scan(const std::string& why_no_summary, Progress& progress) {
   findings_.push_back(make_finding(
       Severity::Warning, "bag-unindexed", files_[0].string(),
       "The bag has no usable index (" + why + "). It was read from the beginning: " + std::to_string(entry_count()) +
-          " messages were found; " + std::to_string(whole->size() - std::min(offset, whole->size())) +
+          " messages were found; " + std::to_string(complete ? 0 : whole->size() - std::min(offset, whole->size())) +
           " bytes at the end are not readable." + end));
 }
 

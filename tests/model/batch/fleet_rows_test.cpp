@@ -70,7 +70,7 @@ TEST_F(fleet_rows_of, a_change_is_drift_where_it_exceeds_both_the_combined_sigma
 
 TEST_F(fleet_rows_of, a_result_of_other_topics_is_out_of_date) {
   ResultFile front = result(1.0, 10.0, 0.001);
-  front.topics = {{"mon", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}}}};
+  front.topics = {{"mon", {{"lidar", "/front/points"}, {"ins", "/ins/imu"}}, {}}};
   make(0, front);
   make(1, result(1.0, 10.0, 0.001));
   const auto message = [&](std::size_t job, const TopicChoice& topics) {

@@ -85,6 +85,7 @@ TEST(suspect_stage, a_result_stands_on_clocks_that_are_far_apart_only_where_they
   const auto blamed = [](Severity severity, std::vector<double> applied_s) {
     CalibrationResult result;
     result.status = Status::Ok;
+    result.observed.fill(true);
     result.time_offset.applied = !applied_s.empty();
     result.session_time_offset_s = std::move(applied_s);
     blame_recording({{severity, "clock-far", "drive", ""}}, result);
