@@ -26,7 +26,8 @@ using FileTime = std::filesystem::file_time_type;
 
 std::vector<std::string> command_of(const Fleet& fleet, std::size_t job, int threads) {
   return {"remount-cli", "batch",     fleet.path.string(),     "--job", std::to_string(job + 1),
-          "--quiet",     "--threads", std::to_string(threads), "--log", fleet.jobs[job].log.string()};
+          "--quiet",     "--threads", std::to_string(threads), "--log", fleet.jobs[job].log.string(),
+          "--append-log"};  // of a job that is done already, its calibration's log stays
 }
 
 /// In the child, between fork and exec: system calls alone.

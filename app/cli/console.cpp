@@ -65,7 +65,7 @@ double Console::elapsed_s() const { return seconds(Clock::now() - started_); }
 void Console::start(const std::string& command_line) {
   if (options_.log_file.empty()) return;
   check_replaces_its_like(options_.log_file, "remount-cli ");
-  log_.open(options_.log_file, std::ios::trunc);
+  log_.open(options_.log_file, options_.append_log ? std::ios::app : std::ios::trunc);
   if (!log_)
     throw Error(ErrorCode::Io, options_.log_file, std::string("the log cannot be written: ") + std::strerror(errno));
   log("remount-cli " + std::string(kVersion) + "\n" + command_line);

@@ -26,6 +26,7 @@ int exit_code_of(const Error& error);
 struct ConsoleOptions {
   bool quiet = false;
   std::string log_file;
+  bool append_log = false;
   int threads = 0;  ///< 0: one per core
 };
 

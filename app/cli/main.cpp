@@ -19,6 +19,7 @@ constexpr const char* kFooter =
 void add_common_options(CLI::App& app, Console& console) {
   app.add_flag("-q,--quiet", console.options().quiet, "Print errors only");
   app.add_option("--log", console.options().log_file, "Write a log of the run to this file")->type_name("FILE");
+  app.add_flag("--append-log", console.options().append_log, "Add to the file of --log instead of replacing it");
   app.add_option("-j,--threads", console.options().threads,
                  "Threads; 0: one per core. The result does not depend on it")
       ->check(CLI::Range(0, 1024))

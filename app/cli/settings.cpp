@@ -24,6 +24,7 @@ void add_settings(CLI::App& app, Console& console, Run& run) {
         std::cout << text << std::flush;
         return std::cout ? kSolved : kUnreadable;
       }
+      check_replaces_its_like(*output, "# Settings of Remount");
       save_atomically(*output, text);
       console.print("settings: " + *output);
       return kSolved;

@@ -86,6 +86,8 @@ Rosbag1File::Rosbag1File(const std::filesystem::path& path, Progress& progress) 
   files_ = {path};
   const RandomAccessFile& file = chunks_.file();
   const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), kMagic.size()));
+  if (head.size() < kMagic.size() && is_rosbag1(head))
+    throw Error(ErrorCode::Format, path.string(), "the bag holds no readable message (it was not closed).");
   if (head != kMagic)
     throw Error(ErrorCode::Unsupported, path.string(),
                 is_rosbag1(head) ? "is a bag of an older version; 'rosbag fix' makes one of version 2.0"

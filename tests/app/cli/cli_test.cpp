@@ -301,6 +301,14 @@ TEST_F(cli, negative_numbers_are_values_and_settings_round_trip) {
   const Outcome checked = run("settings --config " + path("all.yaml"));
   EXPECT_EQ(checked.code, 0) << checked.err;
   EXPECT_EQ(checked.out, text_of(path("all.yaml")));
+  EXPECT_EQ(run("settings -o " + path("all.yaml")).code, 0) << "settings replace settings";
+}
+
+TEST_F(cli, settings_replace_nothing_but_settings) {
+  const std::string session = path("drive") + "/session.yaml", before = text_of(session);
+  ASSERT_FALSE(before.empty());
+  EXPECT_EQ(run("settings -o " + session).code, 1);
+  EXPECT_EQ(text_of(session), before);
 }
 
 TEST_F(cli, inspect_says_what_a_session_is) {

@@ -7,14 +7,13 @@
 
 #include "model/io/bag/cloud_message.h"
 #include "tests/model/io/bag/bag_fixtures.h"
+#include "tests/model/io/bag/field_types.h"
 #include "tests/model/io/random_values.h"
 
 namespace remount {
 namespace {
 
 using namespace bags;
-
-enum : std::uint8_t { kI8 = 1, kU8, kI16, kU16, kI32, kU32, kF32, kF64 };
 
 std::size_t bytes_of_type(std::uint8_t type) { return type <= kU8 ? 1 : type <= kU16 ? 2 : type <= kF32 ? 4 : 8; }
 

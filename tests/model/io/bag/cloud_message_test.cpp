@@ -6,13 +6,12 @@
 
 #include "model/io/bag/message_writer.h"
 #include "tests/model/io/bag/bag_fixtures.h"
+#include "tests/model/io/bag/field_types.h"
 
 namespace remount {
 namespace {
 
 using namespace bags;
-
-enum : std::uint8_t { kU8 = 2, kU16 = 4, kU32 = 6, kF32 = 7, kF64 = 8 };
 
 struct Field {
   std::string name;
@@ -41,8 +40,8 @@ std::string message(const Layout& layout, const std::string& data, MessageEncodi
   return writer.byte_sequence(data).number<std::uint8_t>(1).bytes();
 }
 
-ReadCloud read(const std::string& bytes, MessageEncoding encoding = MessageEncoding::Ros1,
-               MessageKind kind = MessageKind::PointCloud2) {
+ReadCloud read_cloud(const std::string& bytes, MessageEncoding encoding = MessageEncoding::Ros1,
+                     MessageKind kind = MessageKind::PointCloud2) {
   MessageReader reader(bytes, encoding, "a.bag: /points, message 1");
   return read_cloud(reader, kind, kStart_ns);
 }
@@ -91,11 +90,11 @@ std::vector<Field> xyz_and(std::vector<Field> more) {
 TEST(cloud_message, of_velodyne_has_seconds_from_the_stamp) {
   const Layout layout{xyz_and({{"intensity", 12}, {"ring", 16, kU16}, {"time", 18}}), 22};
   for (const MessageEncoding encoding : {MessageEncoding::Ros1, MessageEncoding::Cdr}) {
-    expect_two_points(read(message(layout, two_points(layout, "time", 0.0f, 0.09f), encoding), encoding).cloud, 0.0f,
-                      0.09f);
+    expect_two_points(read_cloud(message(layout, two_points(layout, "time", 0.0f, 0.09f), encoding), encoding).cloud,
+                      0.0f, 0.09f);
     // Stamped at the end of the turn: times go back from there.
-    expect_two_points(read(message(layout, two_points(layout, "time", -0.09f, 0.0f), encoding), encoding).cloud, -0.09f,
-                      0.0f);
+    expect_two_points(read_cloud(message(layout, two_points(layout, "time", -0.09f, 0.0f), encoding), encoding).cloud,
+                      -0.09f, 0.0f);
   }
 }
 
@@ -107,25 +106,28 @@ TEST(cloud_message, of_ouster_has_nanoseconds_from_the_stamp) {
                                {"ambient", 28, kU16},
                                {"range", 32, kU32}}),
                       48};
-  expect_two_points(read(message(layout, two_points(layout, "t", 100'000U, 99'900'000U))).cloud, 0.0001f, 0.0999f);
+  expect_two_points(read_cloud(message(layout, two_points(layout, "t", 100'000U, 99'900'000U))).cloud, 0.0001f,
+                    0.0999f);
 }
 
 TEST(cloud_message, of_hesai_and_robosense_has_seconds_since_1970) {
   const double stamp_s = static_cast<double>(kStart_ns) * 1e-9;
   const Layout hesai{xyz_and({{"intensity", 16}, {"timestamp", 24, kF64}, {"ring", 32, kU16}}), 48};
-  expect_two_points(read(message(hesai, two_points(hesai, "timestamp", stamp_s, stamp_s + 0.0999))).cloud, 0.0f,
+  expect_two_points(read_cloud(message(hesai, two_points(hesai, "timestamp", stamp_s, stamp_s + 0.0999))).cloud, 0.0f,
                     0.0999f);
   const Layout robosense{xyz_and({{"intensity", 12}, {"ring", 16, kU16}, {"timestamp", 18, kF64}}), 26};
-  expect_two_points(read(message(robosense, two_points(robosense, "timestamp", stamp_s - 0.1, stamp_s))).cloud, -0.1f,
-                    0.0f);
+  expect_two_points(read_cloud(message(robosense, two_points(robosense, "timestamp", stamp_s - 0.1, stamp_s))).cloud,
+                    -0.1f, 0.0f);
 }
 
 TEST(cloud_message, of_livox_has_nanoseconds_since_1970_or_from_the_stamp) {
   const Layout layout{xyz_and({{"intensity", 12}, {"tag", 16, kU8}, {"line", 17, kU8}, {"timestamp", 18, kF64}}), 26};
   const auto stamp = static_cast<double>(kStart_ns);
-  expect_two_points(read(message(layout, two_points(layout, "timestamp", stamp, stamp + 5e7))).cloud, 0.0f, 0.05f);
+  expect_two_points(read_cloud(message(layout, two_points(layout, "timestamp", stamp, stamp + 5e7))).cloud, 0.0f,
+                    0.05f);
   const Layout offsets{xyz_and({{"offset_time", 12, kU32}, {"line", 16, kU8}}), 17};
-  expect_two_points(read(message(offsets, two_points(offsets, "offset_time", 0U, 50'000'000U))).cloud, 0.0f, 0.05f);
+  expect_two_points(read_cloud(message(offsets, two_points(offsets, "offset_time", 0U, 50'000'000U))).cloud, 0.0f,
+                    0.05f);
 }
 
 TEST(cloud_message, of_livox_own_kind_is_read_in_both_serialisations) {
@@ -139,7 +141,7 @@ TEST(cloud_message, of_livox_own_kind_is_read_in_both_serialisations) {
       writer.number(sign * 1.0f).number(2.0f).number(3.0f);
       writer.number<std::uint8_t>(40).number<std::uint8_t>(16).number<std::uint8_t>(sign > 0 ? 0 : 5);
     }
-    const PointCloud cloud = read(writer.bytes(), encoding, MessageKind::LivoxCustom).cloud;
+    const PointCloud cloud = read_cloud(writer.bytes(), encoding, MessageKind::LivoxCustom).cloud;
     ASSERT_EQ(cloud.size(), 2u);
     EXPECT_EQ(cloud.points[1], Eigen::Vector3f(-1, 2, 3));
     EXPECT_EQ(cloud.ring[1], 5);
@@ -161,7 +163,7 @@ TEST(cloud_message, is_read_in_either_byte_order_and_any_order_of_fields) {
                   .set("time", static_cast<float>(z / 100.0))
                   .set<std::uint8_t>("ring", 9)
                   .bytes();
-    const PointCloud cloud = read(message(layout, data)).cloud;
+    const PointCloud cloud = read_cloud(message(layout, data)).cloud;
     expect_two_points(cloud, 0.03f, 0.06f);
     EXPECT_EQ(cloud.ring[0], 9);
   }
@@ -171,7 +173,7 @@ TEST(cloud_message, has_rows_with_a_rest_at_their_end) {
   Layout layout{xyz_and({}), 12, 2, 1, 20};
   std::string data = Point(layout).set("x", 1.0f).bytes() + std::string(8, 'x');
   data += Point(layout).set("x", 2.0f).bytes();  // the last row may end with its last point
-  const PointCloud cloud = read(message(layout, data)).cloud;
+  const PointCloud cloud = read_cloud(message(layout, data)).cloud;
   ASSERT_EQ(cloud.size(), 2u);
   EXPECT_EQ(cloud.points[1].x(), 2.0f);
 }
@@ -180,12 +182,12 @@ TEST(cloud_message, with_times_of_another_clock_starts_at_its_stamp) {
   const double stamp_s = static_cast<double>(kStart_ns) * 1e-9;
   const Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20};
   // The leap seconds between UTC and TAI, as a sensor on PTP has them.
-  const ReadCloud apart = read(message(layout, two_points(layout, "timestamp", stamp_s + 37.0, stamp_s + 37.09)));
+  const ReadCloud apart = read_cloud(message(layout, two_points(layout, "timestamp", stamp_s + 37.0, stamp_s + 37.09)));
   EXPECT_TRUE(apart.points_have_another_clock);
   EXPECT_NEAR(apart.cloud.time_from_stamp_s[0], 0.0f, 1e-4);
   EXPECT_NEAR(apart.cloud.time_from_stamp_s[1], 0.09f, 1e-4);
   EXPECT_FALSE(
-      read(message(layout, two_points(layout, "timestamp", stamp_s, stamp_s + 0.1))).points_have_another_clock);
+      read_cloud(message(layout, two_points(layout, "timestamp", stamp_s, stamp_s + 0.1))).points_have_another_clock);
 }
 
 /// A hundred points from `first` on, one time each.
@@ -210,7 +212,7 @@ TEST(cloud_message, with_times_since_power_up_keeps_its_sweep) {
         for (int i = 0; i <= 100; ++i) times.push_back(first + sweep * (backwards ? 100 - i : i) / 100.0);
         if (zero_among_them) times[40] = 0.0;
         Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20, 1, 101};
-        const ReadCloud cloud = read(message(layout, points_with_times(layout, times)));
+        const ReadCloud cloud = read_cloud(message(layout, points_with_times(layout, times)));
         EXPECT_TRUE(cloud.points_have_another_clock) << what;
         ASSERT_EQ(cloud.cloud.size(), zero_among_them ? 100u : 101u) << what;
         EXPECT_EQ(cloud.cloud.dropped_points, zero_among_them ? 1u : 0u) << what;
@@ -228,7 +230,7 @@ TEST(cloud_message, with_a_zero_among_dates_is_on_the_clock_of_its_stamp) {
   for (int i = 0; i < 100; ++i) times.push_back(stamp + 1e6 * i);
   times[0] = times[50] = 0.0;
   Layout layout{xyz_and({{"timestamp", 12, kF64}}), 20, 1, 100};
-  const ReadCloud cloud = read(message(layout, points_with_times(layout, times)));
+  const ReadCloud cloud = read_cloud(message(layout, points_with_times(layout, times)));
   EXPECT_FALSE(cloud.points_have_another_clock);
   ASSERT_EQ(cloud.cloud.size(), 98u);
   EXPECT_EQ(cloud.cloud.dropped_points, 2u);
@@ -239,16 +241,16 @@ TEST(cloud_message, with_a_zero_among_dates_is_on_the_clock_of_its_stamp) {
 TEST(cloud_message, of_columns_on_the_same_bytes_is_refused) {
   Layout one{{}, 1};
   for (const char* name : {"x", "y", "z", "intensity", "ring", "time"}) one.fields.push_back({name, 0, kU8});
-  EXPECT_TRUE(contains(error_of([&] { read(message(one, "ab")); }), "the coordinate x has one byte"));
+  EXPECT_TRUE(contains(error_of([&] { read_cloud(message(one, "ab")); }), "the coordinate x has one byte"));
   for (Field& field : one.fields) field.type = kU16;
   one.point_bytes = 2;
-  EXPECT_TRUE(contains(error_of([&] { read(message(one, "abcd")); }), "lie on the same bytes"));
+  EXPECT_TRUE(contains(error_of([&] { read_cloud(message(one, "abcd")); }), "lie on the same bytes"));
   const Layout half{{{"x", 0}, {"y", 4}, {"z", 8}, {"time", 10}}, 16};
-  EXPECT_TRUE(contains(error_of([&] { read(message(half, std::string(32, 'a'))); }),
+  EXPECT_TRUE(contains(error_of([&] { read_cloud(message(half, std::string(32, 'a'))); }),
                        "fields z and time lie on the same bytes of a point"));
   // What is not used may lie anywhere: colours are often there twice.
   const Layout colours{xyz_and({{"rgb", 12}, {"rgba", 12, kU32}, {"intensity", 16}}), 20};
-  EXPECT_EQ(read(message(colours, std::string(40, '@'))).cloud.size(), 2u);
+  EXPECT_EQ(read_cloud(message(colours, std::string(40, '@'))).cloud.size(), 2u);
 }
 
 TEST(cloud_message, of_lies_is_refused) {
@@ -257,7 +259,7 @@ TEST(cloud_message, of_lies_is_refused) {
   const auto refusal = [&](auto&& change) {
     Layout layout = good;
     change(layout);
-    return error_of([&] { read(message(layout, data)); });
+    return error_of([&] { read_cloud(message(layout, data)); });
   };
   EXPECT_EQ(refusal([](Layout&) {}), "");
   EXPECT_TRUE(contains(refusal([](Layout& l) { l.width = 3; }), "48 bytes"));
@@ -279,7 +281,8 @@ TEST(cloud_message, of_lies_is_refused) {
   EXPECT_TRUE(contains(refusal([](Layout& l) { l.point_bytes = 0; }), "of a point of 0 bytes"));
   const std::string bytes = message(good, data);
   for (std::size_t length = 0; length < bytes.size() - 1; ++length)
-    EXPECT_TRUE(contains(error_of([&] { read(bytes.substr(0, length)); }), "a.bag: /points, message 1")) << length;
+    EXPECT_TRUE(contains(error_of([&] { read_cloud(bytes.substr(0, length)); }), "a.bag: /points, message 1"))
+        << length;
 }
 
 TEST(cloud_message, is_written_and_read) {
@@ -291,7 +294,7 @@ TEST(cloud_message, is_written_and_read) {
     cloud.time_from_stamp_s.push_back(static_cast<float>(i) * 0.001f);
   }
   for (const MessageEncoding encoding : {MessageEncoding::Ros1, MessageEncoding::Cdr}) {
-    const PointCloud back = read(cloud_message(cloud, kStart_ns, "lidar", encoding), encoding).cloud;
+    const PointCloud back = read_cloud(cloud_message(cloud, kStart_ns, "lidar", encoding), encoding).cloud;
     EXPECT_EQ(back.points, cloud.points);
     EXPECT_EQ(back.intensity, cloud.intensity);
     EXPECT_EQ(back.ring, cloud.ring);

@@ -164,6 +164,7 @@ TEST(rosbag1_file, of_lies_is_refused_with_the_place) {
   EXPECT_ERROR(open_bytes(hand_made(0xf0000000U).bytes), "promises");   // a chunk of four gigabytes
   EXPECT_ERROR(open_bytes(hand_made(0, 1, 1'000'000).bytes), "a.bag");  // an entry beyond its chunk
   EXPECT_ERROR(open_bytes("#ROSBAG V1.2\n" + std::string(5000, ' ')), "older version");
+  EXPECT_ERROR(open_bytes("#ROSBAG V2"), "no readable message (it was not closed)");
   EXPECT_ERROR(open_bytes("#ROSBAG V2.0\n"), "a.bag");
   std::string header_lie = hand_made().bytes;
   header_lie.replace(13, 4, raw<std::uint32_t>(0x7fffffff));
