@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "algorithms/calibration/observability.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "model/attitude_columns.h"
 #include "model/io/attitude_convention.h"
@@ -237,6 +238,7 @@ void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& res
                          ? "The INS contradicts itself: its heading follows its travel only under another convention."
                          : "The INS contradicts itself: a column of its log is not what it is taken for.";
     result.advice.clear();
+    claim_nothing("the INS contradicts itself", result);
   }
   result.advice.insert(result.advice.begin(),
                        convention

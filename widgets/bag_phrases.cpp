@@ -6,6 +6,18 @@ namespace remount {
 
 const std::vector<const char*>& bag_phrases() {
   static const std::vector<const char*> phrases{
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The bag has no usable index (%1). It was read from the beginning: %2 messages were found; the "
+                        "last record is cut, %3 of its %4 bytes are there."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The bag has no usable index (%1). It was read from the beginning: %2 messages were found; the "
+                        "last record is cut, %3 of its %4 bytes are there. First that cannot be read: %5."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The database is damaged: %1 messages were found, %2 belong to no topic. What lies behind the "
+                        "damage may be saved by the database's own tool: sqlite3 FILE .recover"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The database is damaged (%1): %2 messages were found, %3 belong to no topic. What lies behind "
+                        "the damage may be saved by the database's own tool: sqlite3 FILE .recover"),
       // bags as a whole, and their topics
       QT_TRANSLATE_NOOP("remount::model", "holds no bag"),
       QT_TRANSLATE_NOOP("remount::model", "holds %1 bags and no metadata.yaml; open them one by one:%2"),
@@ -196,7 +208,6 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "the file is shorter than the database"),
       QT_TRANSLATE_NOOP("remount::model", "the bag holds no readable message"),
       QT_TRANSLATE_NOOP("remount::model", "the bag holds no readable message: %1"),
-      QT_TRANSLATE_NOOP("remount::model", "The database is damaged: %1 messages were found, %2 belong to no topic."),
       QT_TRANSLATE_NOOP("remount::model", "promises %1 bytes, more than the file has"),
       QT_TRANSLATE_NOOP(
           "remount::model",

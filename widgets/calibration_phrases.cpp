@@ -7,6 +7,22 @@ namespace remount {
 
 const std::vector<const char*>& calibration_phrases() {
   static const std::vector<const char*> phrases{
+      QT_TRANSLATE_NOOP("remount::model", "Nothing is known: hardly any pairs go together."),
+      QT_TRANSLATE_NOOP("remount::model", "too few of the pairs go together"),
+      QT_TRANSLATE_NOOP("remount::model", "the clocks are apart"),
+      QT_TRANSLATE_NOOP("remount::model", "the INS contradicts itself"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Without a nominal mounting, what so few pairs agree on may be chance: give one (some 10 "
+                        "degrees are enough)."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "x, y and z count from where the positions are: that may be an antenna, and not the INS (see the findings)."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Between the pairs of scans that were registered the LiDAR turned as the INS did %1 s later. %2"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Between the pairs of scans that were registered the LiDAR turned as the INS did %1 s earlier. %2"),
       QT_TRANSLATE_NOOP("remount::model",
                         "Nothing is known: without a nominal mounting yaw is open, and everything else depends on it."),
       QT_TRANSLATE_NOOP("remount::model", "yaw may be anything"),

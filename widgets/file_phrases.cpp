@@ -68,8 +68,6 @@ const std::vector<const char*>& file_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "The bag has no usable index (%1). It was read from the beginning: %2 messages were found; %3 "
                         "bytes at the end are not readable.%4"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "The database is damaged (%1): %2 messages were found, %3 belong to no topic."),
       QT_TRANSLATE_NOOP("remount::model", "Parts of the bag are missing: %1."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The points have no times of their own: scans are taken to be compensated for motion already."),

@@ -82,6 +82,19 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
     result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
 }
 
+// After the covariance has grown: what is no longer observed by it.
+void withdraw_unobserved(const SolveOptions& options, CalibrationResult& result) {
+  const Vector6d limits = observation_limits(options);
+  for (int i = 0; i < 6; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (!result.observed[at] || result.covariance(i, i) < limits[i] * limits[i]) continue;
+    result.observed[at] = false;
+    result.bootstrap_sigma[at] = std::numeric_limits<double>::quiet_NaN();
+    result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+    result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
 }  // namespace
 
 Vector6d observation_limits(const SolveOptions& options) {
@@ -240,18 +253,16 @@ bool yaw_is_open(const CalibrationResult& result) {
   return !result.observed[kYaw];
 }
 
+void widen_angles(const Eigen::Vector3d& off_rad, const SolveOptions& options, CalibrationResult& result) {
+  result.covariance.diagonal().tail<3>() += off_rad.cwiseAbs2();
+  withdraw_unobserved(options, result);
+}
+
 void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
                CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);
   result.covariance += parameter_covariance(result.ins_from_lidar, doubt * doubt.transpose());
-  for (int i = 0; i < 6; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    if (!result.observed[at] || result.covariance(i, i) < limits[i] * limits[i]) continue;
-    result.observed[at] = false;
-    result.bootstrap_sigma[at] = std::numeric_limits<double>::quiet_NaN();
-    result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-    result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
+  withdraw_unobserved(options, result);
   for (ObservabilityDirection& direction : result.directions) {
     if (!direction.observed) continue;
     direction.sigma = std::hypot(direction.sigma, limits.cwiseInverse().cwiseProduct(direction.direction).dot(doubt));

@@ -80,6 +80,10 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
 void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
                CalibrationResult& result);
 
+/// Widens yaw, pitch and roll of a judged result by as much as they may be off, each for itself. The directions stay:
+/// they are turns about axes of the INS, and not of what the angles count from.
+void widen_angles(const Eigen::Vector3d& off_rad, const SolveOptions& options, CalibrationResult& result);
+
 /// Whether some parameter was held near a value measured by hand.
 bool is_any_measured(const CalibrationResult& result);
 

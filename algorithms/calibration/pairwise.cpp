@@ -117,16 +117,15 @@ void trim_candidates(int limit, CalibrationResult& result) {
 
 bool is_solved(Status status) { return status == Status::Ok || status == Status::Degenerate; }
 
-void set_status(const PairwiseInput& input, CalibrationResult& result) {
+void set_status(const PairwiseInput& input, const std::string& lost, CalibrationResult& result) {
   const auto observed = static_cast<int>(std::count(result.observed.begin(), result.observed.end(), true));
   const std::string outside = outside_range(result.ins_from_lidar, input.range);
   if (observed == 0) {
     result.status = Status::Degenerate;
-    result.message =
-        input.clock_bias ? "Nothing is known: the clocks of lidar and INS differ by more than X can bear."
-        : input.nominal_ins_from_lidar
-            ? "Nothing is observed: the motion of this drive does not determine any component of X."
-            : "Nothing is known: without a nominal mounting yaw is open, and everything else depends on it.";
+    result.message = input.clock_bias ? "Nothing is known: the clocks of lidar and INS differ by more than X can bear."
+                     : lost.empty()
+                         ? "Nothing is observed: the motion of this drive does not determine any component of X."
+                         : lost;
   } else if (!outside.empty()) {
     result.status = Status::OutOfRange;
     result.message = "The solution lies outside the search range: " + outside + ".";
@@ -228,14 +227,36 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
   return session_answers(problem, details, progress);
 }
 
-// Without a nominal, a yaw that is not observed may be anything: X then lies anywhere on an arc, and what is stated of
-// the other parameters holds at one place of it only.
-void claim_nothing_at_unknown_yaw(CalibrationResult& result) {
-  if (!yaw_is_open(result)) return;
-  claim_nothing("yaw may be anything", result);
-  result.advice.emplace_back(
-      "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are "
-      "enough), or drive longer, with turns to both sides.");
+// Whether the accepted pairs are so few of all that they may agree by chance: a first X that is far off makes nearly
+// all registrations fail.
+bool chance_few(const std::vector<Pair>& pairs) {
+  constexpr double kLeastShare = 0.05;
+  int accepted = 0, judged = 0;
+  for (const Pair& pair : pairs) {
+    if (pair.state == PairState::Rejected && pair.decided_by == DecidedBy::User) continue;
+    ++judged;
+    accepted += pair.state == PairState::Accepted ? 1 : 0;
+  }
+  return accepted < kLeastShare * judged;
+}
+
+// Without a nominal, X may lie far from where it was linearised: what is stated of the parameters then holds at one
+// place only. Returns why nothing is known; empty where something is.
+std::string claim_nothing_where_lost(const std::vector<Pair>& pairs, CalibrationResult& result) {
+  if (chance_few(pairs)) {
+    claim_nothing("too few of the pairs go together", result);
+    result.advice.emplace_back(
+        "Without a nominal mounting, what so few pairs agree on may be chance: give one (some 10 degrees are enough).");
+    return "Nothing is known: hardly any pairs go together.";
+  }
+  if (yaw_is_open(result)) {
+    claim_nothing("yaw may be anything", result);
+    result.advice.emplace_back(
+        "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are "
+        "enough), or drive longer, with turns to both sides.");
+    return "Nothing is known: without a nominal mounting yaw is open, and everything else depends on it.";
+  }
+  return "";
 }
 
 // Two mountings in one calibration have no common X; a session that is bad in itself can be left out.
@@ -307,7 +328,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   }
   if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
   const Matrix6d believed = describe_uncertainty(input, pairs, problem, answers, details, progress, result);
-  if (!input.nominal_ins_from_lidar) claim_nothing_at_unknown_yaw(result);
+  const std::string lost = input.nominal_ins_from_lidar ? "" : claim_nothing_where_lost(pairs, result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
         solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);
@@ -317,10 +338,13 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   trim_candidates(input.options.max_listed_candidates, result);
   count_pairs(pairs, result);
   summarise_errors(pairs, input.options, result);
-  set_status(input, result);
-  if (!details.joint.converged && result.status != Status::OutOfRange) {
-    result.status = Status::NotConverged;
-    result.message = "The joint solution did not converge.";
+  set_status(input, lost, result);
+  if (!details.joint.converged) {
+    claim_nothing("the solution did not converge", result);
+    if (result.status != Status::OutOfRange) {
+      result.status = Status::NotConverged;
+      result.message = "The joint solution did not converge.";
+    }
   }
   report_rejected_sessions(context, usable, pairs, result);
   // A stop on the way leaves numbers that look complete and are not.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/core/symmetric_eigen.h"
@@ -37,12 +38,10 @@ std::vector<MotionPair> weighted_pairs(const std::vector<NoisyPair>& pairs, cons
   return out;
 }
 
-// Turns X about the axis that the pairs do not determine, as close to the reference as that allows.
+// X turned about the axis that the pairs determine least, as close to the reference as that allows.
 RigidTransform settled(const RigidTransform& x, const QuadraticForm& form, const RotationReference& reference,
                        const Eigen::Vector3d& near_m) {
-  constexpr double kUndetermined = 1e-3;  // of the largest curvature: noise of attitude is a thousand times below turns
   const auto eigen = symmetric_eigen(Eigen::Matrix3d(form.reduced(x.linear()).curvature));
-  if (eigen.eigenvalues()[0] > kUndetermined * eigen.eigenvalues()[2]) return x;
   const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
   // The best turn about an axis maximises the trace of reference' Exp(angle axis) R: a sine and a cosine term.
   Eigen::Matrix3d correlation;
@@ -58,11 +57,41 @@ RigidTransform settled(const RigidTransform& x, const QuadraticForm& form, const
   return make_rigid(rotation, form.best_translation_m(rotation, near_m, 1e-4));
 }
 
-// One reweighted Gauss-Newton step on X alone.
-RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vector<double>& weights,
-                             const RigidTransform& x) {
-  Matrix6d hessian = Matrix6d::Zero();
-  Vector6d side = Vector6d::Zero();
+// An X and how it does: its cost counts `allowance` times.
+struct Trial {
+  RigidTransform ins_from_lidar;
+  std::vector<double> d2;
+  double allowance = 1.0;
+};
+
+// Pairs overrule a reference where they fit this much better without it. A plain threshold on what counts as determined
+// would depend on their noise.
+constexpr double kReferenceAllowance = 0.9;
+
+// Of those from `first` on, with all compared at the scale of the smallest residuals.
+const Trial& best_of(const std::vector<Trial>& tried, std::size_t first) {
+  double scale2 = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first; i < tried.size(); ++i) scale2 = std::min(scale2, residual_scale2(tried[i].d2));
+  std::size_t best = first;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = first; i < tried.size(); ++i) {
+    const double cost = tried[i].allowance * truncated_cost(tried[i].d2, scale2);
+    if (cost < least) best = i;
+    least = std::min(least, cost);
+  }
+  return tried[best];
+}
+
+// One reweighted Gauss-Newton step on X alone, held near `likely` by the weak prior. Many pairs overlap or were chained
+// and err alike: what a straight road does not show would follow them far away, if the prior did not count as a
+// tenth of them. A few lie apart, and need it only where they show nothing at all.
+RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vector<double>& weights, double scale2,
+                             const RigidTransform& likely, const Matrix6d& prior, const RigidTransform& x) {
+  constexpr double kErrAlike = 10.0, kApart = 30.0, kLeast = 1e-6;
+  const auto count = static_cast<double>(pairs.size());
+  const Matrix6d held = scale2 * std::max(kLeast * count, (count - kApart) / kErrAlike) * prior;
+  Matrix6d hessian = held;
+  Vector6d side = held * difference(x, likely);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const NoisyPair& pair = pairs[k];
     const MountingEquation equation = linearise_in_mounting(pair.ins_b_from_ins_a, pair.lidar_b_from_lidar_a, x);
@@ -70,18 +99,7 @@ RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vec
     hessian.noalias() += weighted * equation.d_x;
     side.noalias() -= weighted * equation.residual;
   }
-  // Only along directions that stand out of the noise: a metre of translation weighs like 0.1 rad of rotation.
-  constexpr double kUndetermined = 3e-4;
-  Vector6d scale;
-  scale << Eigen::Vector3d::Ones(), Eigen::Vector3d::Constant(0.1);
-  const auto eigen = symmetric_eigen(Matrix6d(scale.asDiagonal() * hessian * scale.asDiagonal()));
-  Vector6d step = Vector6d::Zero();
-  for (int i = 0; i < 6; ++i) {
-    const double value = eigen.eigenvalues()[i];
-    if (value > kUndetermined * eigen.eigenvalues()[5])
-      step += eigen.eigenvectors().col(i) * (eigen.eigenvectors().col(i).dot(scale.cwiseProduct(side)) / value);
-  }
-  return perturbed(x, scale.cwiseProduct(step));
+  return perturbed(x, hessian.ldlt().solve(side));
 }
 
 }  // namespace
@@ -91,33 +109,34 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
                          const Eigen::Vector3d& near_m, const Progress& progress, const PairTilts& tilts_rad) {
   RobustStart start;
   const std::vector<NoisyPair> noisy = noisy_pairs(pairs, usable, noise, tilts_rad);
-  std::vector<RigidTransform> tried;
-  std::vector<std::vector<double>> tried_d2;
-  const auto consider = [&](const RigidTransform& x) {
-    tried.push_back(x);
-    tried_d2.push_back(distances2(noisy, x));
+  std::vector<Trial> tried;
+  const auto consider = [&](const RigidTransform& x, double allowance) {
+    tried.push_back({x, distances2(noisy, x), allowance});
     ++start.passes;
   };
-  if (nominal) consider(*nominal);
+  if (nominal) consider(*nominal, 1.0);
   std::vector<double> weights;
   for (const int i : usable) weights.push_back(pairs[static_cast<std::size_t>(i)].screw.passed ? 1.0 : 0.0);
   if (std::count(weights.begin(), weights.end(), 1.0) < 3) std::fill(weights.begin(), weights.end(), 1.0);
   for (int round = 0; round < 8 && !progress.cancelled(); ++round) {
     const QuadraticForm form(weighted_pairs(noisy, weights), 10.0);
-    consider(settled(joint_quadratic(form, near_m), form, reference, near_m));
-    weights = kernel_weights(tried_d2.back(), residual_scale2(tried_d2.back()));
+    const std::size_t first = tried.size();
+    const RigidTransform x = joint_quadratic(form, near_m);
+    consider(x, 1.0);
+    if (reference.ins_from_lidar || reference.up_in_lidar)
+      consider(settled(x, form, reference, near_m), kReferenceAllowance);
+    const std::vector<double>& d2 = best_of(tried, first).d2;
+    weights = kernel_weights(d2, residual_scale2(d2));
   }
-  double scale2 = std::numeric_limits<double>::infinity(), least = scale2;
-  for (const std::vector<double>& d2 : tried_d2) scale2 = std::min(scale2, residual_scale2(d2));
-  for (std::size_t i = 0; i < tried.size(); ++i) {
-    const double cost = truncated_cost(tried_d2[i], scale2);
-    if (cost < least) start.ins_from_lidar = tried[i];
-    least = std::min(least, cost);
-  }
+  if (!tried.empty()) start.ins_from_lidar = best_of(tried, 0).ins_from_lidar;
+  double scale2 = std::numeric_limits<double>::infinity();
+  const RigidTransform likely = make_rigid(start.ins_from_lidar.linear(), near_m);
+  const Matrix6d prior = weak_prior(nominal.has_value());
   for (int iteration = 0; iteration < 20 && !progress.cancelled(); ++iteration) {
     const std::vector<double> d2 = distances2(noisy, start.ins_from_lidar);
     scale2 = residual_scale2(d2);
-    const RigidTransform next = weighted_step(noisy, kernel_weights(d2, scale2), start.ins_from_lidar);
+    const RigidTransform next =
+        weighted_step(noisy, kernel_weights(d2, scale2), scale2, likely, prior, start.ins_from_lidar);
     ++start.passes;
     const Vector6d step = difference(start.ins_from_lidar, next);
     if (!step.allFinite()) break;

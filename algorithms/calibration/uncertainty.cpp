@@ -11,6 +11,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/session_agreement.h"
 #include "algorithms/calibration/shared_errors.h"
+#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -146,6 +147,45 @@ void add_disagreement_advice(CalibrationResult& result) {
 
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
 
+// What else than the pairs says where about an open axis X lies: measurements, and the ground, which the first X stands
+// on, where the solution stayed with it.
+Matrix6d settled_by_start(const PairwiseInput& input, const RigidTransform& x) {
+  constexpr double kStayed_rad = 0.3, kGround_rad = 0.1;
+  Matrix6d information = input.measured.information(x);
+  if (input.initial_ins_from_lidar && rotation_angle_between_rad(*input.initial_ins_from_lidar, x) < kStayed_rad)
+    information.diagonal().tail<3>().array() += 1.0 / (kGround_rad * kGround_rad);
+  return information;
+}
+
+// What yaw, pitch and roll may be off by where, without a nominal, a rotation is open (roll on a straight road): all of
+// X turns with it, far beyond what holds to first order. A LiDAR whose axis lies 2 degrees off the road's has yaw and
+// pitch of anything up to that.
+Eigen::Vector3d turned_by_open_rotation(const RigidTransform& x, const Matrix6d& information) {
+  constexpr double kOpen_rad = 0.1;  // up to which the weak prior holds, and first order with it
+  constexpr int kSteps = 36;
+  Matrix6d bounded = information;
+  bounded.diagonal().head<3>().array() += 1e-6;
+  bounded.diagonal().tail<3>().array() += 1.0 / (kPi * kPi);
+  const auto eigen = symmetric_eigen(Eigen::Matrix3d(inverse(bounded).bottomRightCorner<3, 3>()));
+  const auto angles_of = [](const Eigen::Matrix3d& rotation) {
+    const YawPitchRoll angles = yaw_pitch_roll_from_rotation(rotation);
+    return Eigen::Vector3d(angles.yaw_rad, angles.pitch_rad, angles.roll_rad);
+  };
+  const Eigen::Vector3d here = angles_of(x.linear());
+  Eigen::Vector3d off = Eigen::Vector3d::Zero();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double sigma_rad = std::sqrt(std::max(0.0, eigen.eigenvalues()[axis]));
+    if (sigma_rad < kOpen_rad) continue;
+    const double reach_rad = std::min(kPi, 2.0 * sigma_rad);
+    for (int k = -kSteps; k <= kSteps; ++k) {
+      const Eigen::Vector3d there =
+          angles_of(so3_exp(reach_rad * k / kSteps * eigen.eigenvectors().col(axis)) * x.linear());
+      for (int i = 0; i < 3; ++i) off[i] = std::max(off[i], std::abs(std::remainder(there[i] - here[i], 2.0 * kPi)));
+    }
+  }
+  return off;
+}
+
 }  // namespace
 
 // Measured on simulated drives (docs/adr/0006-honest-sigma.md). Most about the direction of travel, across which the
@@ -190,6 +230,11 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   judge_parameters(with_limits(inflated_by_bootstrap(covariance, bootstrap),
                                responses_to_common_errors(input, problem, details, progress), sessions_used(problem)),
                    motion, input.options, result);
+  // Where the INS is taken to be level, that is what the distrust of small turns is about; its error is in the
+  // solution.
+  const Matrix6d& by_turns = motion.tilt_assumed ? details.joint.information : by_pairs;
+  if (!input.nominal_ins_from_lidar)
+    widen_angles(turned_by_open_rotation(x, by_turns + settled_by_start(input, x)), input.options, result);
   add_disagreement_advice(result);
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));

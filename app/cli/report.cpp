@@ -3,6 +3,8 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <set>
+#include <tuple>
 
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
@@ -20,6 +22,19 @@ struct ReportArguments {
   TopicArguments topics;
 };
 
+/// Tracks of another drive would pass for those that the result was made of.
+void check_is_of_result(const ResultFile& result, const std::shared_ptr<const Session>& session) {
+  std::set<std::tuple<std::string, std::string, std::uint64_t>> made_of;
+  for (const InputFile& file : result.inputs)
+    if (!file.session.empty()) made_of.emplace(file.session, file.file, file.bytes);
+  if (made_of.empty()) return;  // of motions, or without a list
+  for (const InputFile& file : list_inputs({session}))
+    if (!made_of.contains({file.session, file.file, file.bytes}))
+      throw Error(ErrorCode::Contract, path_or_name(*session),
+                  "is not what the result was made of: there is no " + file.session + "/" + file.file + " of " +
+                      std::to_string(file.bytes) + " bytes among its inputs; leave it out, or calibrate again");
+}
+
 int write_report(const ReportArguments& arguments, Console& console) {
   const std::string ending = std::filesystem::path(arguments.output).extension().string();
   if (ending != ".html" && ending != ".htm")
@@ -31,8 +46,12 @@ int write_report(const ReportArguments& arguments, Console& console) {
   if (std::filesystem::equivalent(arguments.result, arguments.output, none))
     throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which a report must not replace");
   check_replaces_its_like(arguments.output, "<!DOCTYPE html>");
-  for (const std::string& path : arguments.sessions)
-    report.tracks.push_back(track_of(open_session(path, arguments.topics.choice(), console.progress())));
+  for (const std::string& path : arguments.sessions) {
+    const auto session =
+        std::make_shared<const Session>(open_session(path, arguments.topics.choice(), console.progress()));
+    check_is_of_result(report.file, session);
+    report.tracks.push_back(track_of(*session));
+  }
   report.created =
       utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
                    .count());

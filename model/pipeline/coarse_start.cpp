@@ -10,7 +10,7 @@
 #include "algorithms/registration/registration.h"
 #include "algorithms/trajectory/pairing.h"
 #include "model/pipeline/stages.h"
-#include "model/pipeline/suspect_stage.h"
+#include "model/pipeline/step_finder.h"
 
 namespace remount {
 namespace {
@@ -49,8 +49,8 @@ RegistrationOptions coarse_options(const RegistrationOptions& options) {
 }
 
 std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, int session,
-                                 const RegistrationOptions& options, int& key, CoarseStart& out, int threads,
-                                 Progress& progress) {
+                                 const RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar, int& key,
+                                 CoarseStart& out, int threads, Progress& progress) {
   const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
   // Names of their own: clang 14 gives those of a structured binding to no lambda.
   const auto stretch = busiest_stretch(motion, session, stamps);
@@ -58,8 +58,9 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
   const int first_key = key;
   key += static_cast<int>(end - begin);
   std::vector<Chain> chains;
-  RigidTransform last_step = RigidTransform::Identity();
+  StepFinder steps(options, up_in_lidar, progress);
   std::shared_ptr<const PreparedCloud> previous;
+  RigidTransform previous_local_from_ins = RigidTransform::Identity();
   // Preparation is what takes time and needs no order: a few scans ahead on all workers.
   constexpr std::size_t kAhead = 16;
   for (std::size_t i = begin; i < end && !progress.cancelled(); ++i) {
@@ -85,26 +86,27 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
       previous.reset();
       continue;
     }
-    if (!motion.local_from_ins(session, stamps[i])) {
+    const std::optional<RigidTransform> local_from_ins = motion.local_from_ins(session, stamps[i]);
+    if (!local_from_ins) {
       previous.reset();
       continue;
     }
     bool linked = false;
     if (previous) {
-      const RegistrationResult step = align_scans(*current, *previous, last_step, options, progress);
+      const RegistrationResult step =
+          steps.find(*current, *previous, previous_local_from_ins.inverse() * *local_from_ins);
       ++out.registrations;
       linked = step.quality.failure.empty();
       if (linked) {
-        last_step = step.target_from_source;
-        chains.back().first_from_lidar.push_back(chains.back().first_from_lidar.back() * last_step);
+        chains.back().first_from_lidar.push_back(chains.back().first_from_lidar.back() * step.target_from_source);
         chains.back().keyframes.push_back(keyframe_of(i));
       } else {
         ++out.failures;
-        last_step = RigidTransform::Identity();
       }
     }
     if (!linked) chains.push_back({{keyframe_of(i)}, {RigidTransform::Identity()}});
     previous = std::move(current);
+    previous_local_from_ins = *local_from_ins;
   }
   return chains;
 }
@@ -119,6 +121,7 @@ std::vector<Pair> pairs_of_chain(const DriveMotion& motion, const Chain& chain, 
     pair.lidar_b_from_lidar_a = chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_b)].inverse() *
                                 chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_a)];
     pair.registration.attempted = pair.registration.converged = true;
+    pair.screw.passed = as_long_as(pair.lidar_b_from_lidar_a, pair.ins_b_from_ins_a);
     // Chained odometry: a few centimetres and a quarter of a degree are enough for a start.
     pair.registration.information.diagonal() << Eigen::Vector3d::Constant(1.0 / (0.03 * 0.03)),
         Eigen::Vector3d::Constant(1.0 / (0.004 * 0.004));
@@ -135,7 +138,7 @@ void judge_clock(const DriveMotion& motion, int session, const std::vector<Chain
   std::vector<StampedPose> poses;
   for (std::size_t i = 0; i < longest->keyframes.size(); ++i)
     poses.push_back({longest->keyframes[i].stamp_ns, longest->first_from_lidar[i]});
-  report_far_clock(motion, session, poses, out.findings);
+  if (auto far = find_far_clock(motion, session, poses)) out.far_clocks.push_back(*std::move(far));
 }
 
 // Away from the ground in the lidar frame, from the first readable scan: settles roll on a drive without turns.
@@ -166,10 +169,12 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   pairing.min_distance_m = 0.5;
   pairing.max_partners = 4;
   std::vector<Pair> pairs;
+  const std::optional<Eigen::Vector3d> ground_up = up_of_first_scans(motion);
   int key = -1'000'000;  // apart from the keyframes' keys
   for (int session = 0; session < motion.session_count() && !progress.cancelled(); ++session) {
     if (!motion.session(session).scans) continue;
-    const std::vector<Chain> chains = chain_session(motion, scans, session, options, key, out, threads, progress);
+    const std::vector<Chain> chains = chain_session(
+        motion, scans, session, options, ground_up.value_or(Eigen::Vector3d::UnitZ()), key, out, threads, progress);
     judge_clock(motion, session, chains, out);
     for (const Chain& chain : chains) {
       const std::vector<Pair> more = pairs_of_chain(motion, chain, pairing);
@@ -183,7 +188,6 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   }
   std::vector<int> usable(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) usable[i] = static_cast<int>(i);
-  const std::optional<Eigen::Vector3d> ground_up = up_of_first_scans(motion);
   NoiseModel noise;
   noise.registration_scale = 1.0;
   noise.registration_floor_m = 0.02;

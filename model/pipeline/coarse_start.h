@@ -7,6 +7,7 @@
 
 #include "algorithms/core/progress.h"
 #include "model/pipeline/scan_store.h"
+#include "model/pipeline/suspect_stage.h"
 #include "model/settings.h"
 
 namespace remount {
@@ -17,8 +18,8 @@ struct CoarseStart {
   int failures = 0;
   std::size_t readable = 0, unreadable = 0;  ///< scans that were tried
   std::string first_unreadable;
-  std::string problem;            ///< why there is none, in words
-  std::vector<Finding> findings;  ///< clocks that are far apart
+  std::string problem;               ///< why there is none, in words
+  std::vector<FarClock> far_clocks;  ///< as the chained scans have it
 };
 
 /// Registers neighbouring scans, which lie so close that no start value is needed, chains them to a lidar trajectory

@@ -302,11 +302,13 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   }
 
   PairwiseDetails details;
+  std::vector<FarClock> far_clocks;
   if (any_scans(input)) {
     if (!input.nominal_ins_from_lidar) {
       const CoarseStart coarse = find_coarse_start(motion, input.settings, input.threads, progress);
-      output.findings.insert(output.findings.end(), coarse.findings.begin(), coarse.findings.end());
+      far_clocks = coarse.far_clocks;
       if (!coarse.ins_from_lidar) {
+        report_far_clocks(motion, far_clocks, output);
         output.result = progress.cancelled() ? cancelled_result(output.pairs) : without_start(coarse);
         blame_recording(output.findings, output.result);
         return output;
@@ -328,6 +330,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
   report_columns(motion, output);
+  report_far_clocks(motion, far_clocks, output);
   blame_recording(output.findings, output.result);
   drop_clock_of_failed(output);
   report_clock(output.result, output.findings);

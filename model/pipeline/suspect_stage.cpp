@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/calibration/observability.h"
+#include "algorithms/core/median.h"
 #include "algorithms/trajectory/clock_alignment.h"
 #include "model/attitude_check.h"
 #include "model/attitude_columns.h"
@@ -24,10 +26,63 @@ bool bridged(const CalibrationResult& result) {
          std::any_of(applied_s.begin(), applied_s.end(), [](double offset_s) { return std::abs(offset_s) > kFar_s; });
 }
 
+/// Between UTC, GPS time and TAI.
+constexpr double kTimeScales_s[] = {17.0, 18.0, 19.0, 37.0};
+
+/// Misfit of how far the LiDAR turned between the scans of registered pairs to how far the INS did `offset_s` later,
+/// over that at their own stamps, in the median; nothing where too few pairs tell.
+std::optional<double> misfit_ratio(const DriveMotion& motion, const PipelineOutput& output, int session,
+                                   double offset_s) {
+  constexpr std::size_t kFewest = 8;
+  // What is asked for counts from the stamps as they were logged.
+  const std::int64_t applied_ns = std::llround(1e9 * motion.offset_s(session));
+  std::vector<double> now_rad, then_rad;
+  for (const Pair& pair : output.pairs) {
+    const Keyframe& a = output.keyframes[static_cast<std::size_t>(pair.keyframe_a)];
+    const Keyframe& b = output.keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+    if (a.session != session || !pair.registration.attempted || !unusable_reason(pair).empty()) continue;
+    const double turned_rad = so3_log(pair.lidar_b_from_lidar_a.linear()).norm();
+    const auto misfit_rad = [&](std::int64_t shift_ns) -> std::optional<double> {
+      const auto at_a = motion.local_from_ins(session, a.stamp_ns + shift_ns);
+      const auto at_b = motion.local_from_ins(session, b.stamp_ns + shift_ns);
+      if (!at_a || !at_b) return std::nullopt;
+      return std::abs(turned_rad - rotation_angle_between_rad(*at_a, *at_b));
+    };
+    const auto now = misfit_rad(-applied_ns), then = misfit_rad(std::llround(1e9 * offset_s) - applied_ns);
+    if (!now || !then) continue;
+    now_rad.push_back(*now);
+    then_rad.push_back(*then);
+  }
+  if (now_rad.size() < kFewest) return std::nullopt;
+  return median_of(std::move(then_rad)) / std::max(1e-9, median_of(std::move(now_rad)));
+}
+
+constexpr double kClearlyBetter = 0.5;  ///< ratio of misfits
+
+/// Of the differences between time scales that are as large as that between the beginnings of scans and INS, the one
+/// under which the turns fit best; nothing where none fits clearly better than none at all.
+std::optional<double> offset_of_time_scales(const DriveMotion& motion, const PipelineOutput& output, int session) {
+  constexpr double kTogether_s = 2.0;  ///< recorders begin within
+  const std::vector<std::int64_t> scans_ns = motion.lidar_stamps_ns(session);
+  const std::vector<StampedPose>& ins = motion.track(session).samples();
+  if (scans_ns.empty() || ins.empty()) return std::nullopt;
+  const double begins_s = 1e-9 * static_cast<double>(ins.front().stamp_ns - scans_ns.front());
+  std::optional<double> best_s;
+  double least = kClearlyBetter;
+  for (const double size_s : kTimeScales_s) {
+    const double offset_s = std::copysign(size_s, begins_s);
+    if (std::abs(offset_s - begins_s) > kTogether_s) continue;
+    const double ratio = misfit_ratio(motion, output, session, offset_s).value_or(1.0);
+    if (ratio < least) best_s = offset_s;
+    least = std::min(least, ratio);
+  }
+  return best_s;
+}
+
 }  // namespace
 
-void report_far_clock(const DriveMotion& motion, int session, const std::vector<StampedPose>& first_from_lidar,
-                      std::vector<Finding>& findings) {
+std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
+                                       const std::vector<StampedPose>& first_from_lidar) {
   constexpr double kTooFar_s = 0.3;  ///< pairs are proposed, and objects looked for, in the wrong places then
   constexpr double kNear_s = 3.0;
   constexpr double kAlike = 0.8;  ///< correlation of the rates
@@ -39,10 +94,10 @@ void report_far_clock(const DriveMotion& motion, int session, const std::vector<
   const ClockAlignment near = align_clocks(ins, first_from_lidar, within), any = align_clocks(ins, first_from_lidar);
   const bool near_will_do = near.found && 1.0 - near.correlation < 3.0 * (1.0 - any.correlation) + 0.02;
   const ClockAlignment& clock = near_will_do ? near : any;
-  if (near_will_do && std::abs(near.offset_s) > 0.9 * kNear_s) return;  // no summit, only the rim
+  if (near_will_do && std::abs(near.offset_s) > 0.9 * kNear_s) return {};  // no summit, only the rim
   const double apart_s = std::abs(clock.offset_s);
   if (!clock.found || clock.ambiguous || clock.correlation < kAlike || apart_s < std::max(kFar_s, 5.0 * clock.sigma_s))
-    return;
+    return {};
   // Scans that are bent by their motion are of no one instant: to a part of their sweep it is not known better.
   char text[240];
   std::snprintf(text, sizeof text,
@@ -51,8 +106,31 @@ void report_far_clock(const DriveMotion& motion, int session, const std::vector<
                 apart_s, clock.offset_s > 0.0 ? "later" : "earlier", clock.correlation,
                 clock.offset_s > 0.0 ? "early" : "late");
   const std::string leap = leap_second_hint(clock.offset_s, 0.5);
-  findings.push_back({apart_s < kTooFar_s ? Severity::Warning : Severity::Problem, kFarClock, name,
-                      text + (leap.empty() ? "" : " " + leap)});
+  return FarClock{session,
+                  clock.offset_s,
+                  {apart_s < kTooFar_s ? Severity::Warning : Severity::Problem, kFarClock, name,
+                   text + (leap.empty() ? "" : " " + leap)}};
+}
+
+void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& found, PipelineOutput& output) {
+  for (const FarClock& far : found)
+    if (misfit_ratio(motion, output, far.session, far.offset_s).value_or(0.0) < kClearlyBetter)
+      output.findings.push_back(far.finding);
+  for (int s = 0; s < motion.session_count(); ++s) {
+    const std::string& name = motion.session(s).name;
+    const auto named = [&](const char* code) {
+      return std::any_of(output.findings.begin(), output.findings.end(),
+                         [&](const Finding& finding) { return finding.code == code && finding.where == name; });
+    };
+    if (!named("clock-leap-seconds") || named(kFarClock)) continue;
+    const std::optional<double> offset_s = offset_of_time_scales(motion, output, s);
+    if (!offset_s) continue;
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "Between the pairs of scans that were registered the LiDAR turned as the INS did %.0f s %s. ",
+                  std::abs(*offset_s), *offset_s > 0.0 ? "later" : "earlier");
+    output.findings.push_back({Severity::Problem, kFarClock, name, text + leap_second_hint(*offset_s, 0.5)});
+  }
 }
 
 void blame_recording(const std::vector<Finding>& findings, CalibrationResult& result) {
@@ -62,6 +140,7 @@ void blame_recording(const std::vector<Finding>& findings, CalibrationResult& re
     if (!is_usable(result) || (far->severity == Severity::Problem && !bridged(result))) {
       result.status = Status::Inconsistent;
       result.message = "The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.";
+      claim_nothing("the clocks are apart", result);
       result.advice.clear();
     }
     result.advice.insert(result.advice.begin(),
@@ -69,6 +148,11 @@ void blame_recording(const std::vector<Finding>& findings, CalibrationResult& re
                          "meet at another offset (see the findings).");
   }
   blame_attitude(findings, result);
+  const bool of_antenna = std::any_of(findings.begin(), findings.end(),
+                                      [](const Finding& finding) { return finding.code == "antenna-position"; });
+  if (of_antenna && is_usable(result))
+    result.advice.emplace_back(
+        "x, y and z count from where the positions are: that may be an antenna, and not the INS (see the findings).");
 }
 
 void report_columns(const DriveMotion& motion, PipelineOutput& output) {

@@ -1,6 +1,7 @@
 // What registered scans reveal about the recording: clocks that are far apart, angles of the INS in wrong columns.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/pipeline.h"
@@ -8,11 +9,22 @@
 
 namespace remount {
 
-/// Where the chained poses of a session's LiDAR turn as the INS did at other times: finding "clock-far" with the
-/// offset, and whether leap seconds explain it. Nothing where the offset is one that the solution copes with, or is not
-/// clear.
-void report_far_clock(const DriveMotion& motion, int session, const std::vector<StampedPose>& first_from_lidar,
-                      std::vector<Finding>& findings);
+/// An offset of a session's clocks that the solution does not cope with, and the finding "clock-far" that names it.
+struct FarClock {
+  int session = 0;
+  double offset_s = 0.0;  ///< t_ins = t_lidar + offset
+  Finding finding;
+};
+
+/// Where the chained poses of a session's LiDAR turn as the INS did at other times, and whether leap seconds explain
+/// it. Nothing where the offset is one that the solution copes with, or is not clear.
+std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
+                                       const std::vector<StampedPose>& first_from_lidar);
+
+/// Findings of clocks that are far apart, as the registered pairs see it: of those `found` in chained scans, which a
+/// log with faults can mislead, what they do not refute; of recordings that lie apart by leap seconds
+/// ("clock-leap-seconds"), what they confirm.
+void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& found, PipelineOutput& output);
 
 /// Where clocks are too far apart there is no result, whatever was solved, unless the offset was applied: the message
 /// and the advice say so, and blame nothing else. Then blame_attitude.

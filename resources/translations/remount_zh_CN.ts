@@ -6884,10 +6884,6 @@ Save under another name, or close it there first.</source>
         <translation>bag 没有可用的索引（%1）。已从头读取：找到 %2 条消息；末尾 %3 字节无法读取。%4</translation>
     </message>
     <message>
-        <source>The database is damaged (%1): %2 messages were found, %3 belong to no topic.</source>
-        <translation>数据库已损坏（%1）：找到 %2 条消息，%3 条不属于任何话题。</translation>
-    </message>
-    <message>
         <source>Parts of the bag are missing: %1.</source>
         <translation>bag 缺少部分文件：%1。</translation>
     </message>
@@ -8054,10 +8050,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>the bag holds no readable message: %1</source>
         <translation>bag 不含可读取的消息：%1</translation>
-    </message>
-    <message>
-        <source>The database is damaged: %1 messages were found, %2 belong to no topic.</source>
-        <translation>数据库已损坏：找到 %1 条消息，%2 条不属于任何话题。</translation>
     </message>
     <message>
         <source>promises %1 bytes, more than the file has</source>
@@ -10178,6 +10170,54 @@ Save under another name, or close it there first.</source>
     <message>
         <source>if it is a recording of an excavator</source>
         <translation>若它是挖掘机的记录</translation>
+    </message>
+    <message>
+        <source>The bag has no usable index (%1). It was read from the beginning: %2 messages were found; the last record is cut, %3 of its %4 bytes are there.</source>
+        <translation>bag 没有可用的索引（%1）。已从头读取：找到 %2 条消息；最后一条记录被截断，其 %4 字节中只有 %3 字节。</translation>
+    </message>
+    <message>
+        <source>The bag has no usable index (%1). It was read from the beginning: %2 messages were found; the last record is cut, %3 of its %4 bytes are there. First that cannot be read: %5.</source>
+        <translation>bag 没有可用的索引（%1）。已从头读取：找到 %2 条消息；最后一条记录被截断，其 %4 字节中只有 %3 字节。首个无法读取的：%5。</translation>
+    </message>
+    <message>
+        <source>The database is damaged: %1 messages were found, %2 belong to no topic. What lies behind the damage may be saved by the database&apos;s own tool: sqlite3 FILE .recover</source>
+        <translation>数据库已损坏：找到 %1 条消息，%2 条不属于任何话题。损坏处之后的内容也许可以用数据库自带的工具挽救：sqlite3 FILE .recover</translation>
+    </message>
+    <message>
+        <source>The database is damaged (%1): %2 messages were found, %3 belong to no topic. What lies behind the damage may be saved by the database&apos;s own tool: sqlite3 FILE .recover</source>
+        <translation>数据库已损坏（%1）：找到 %2 条消息，%3 条不属于任何话题。损坏处之后的内容也许可以用数据库自带的工具挽救：sqlite3 FILE .recover</translation>
+    </message>
+    <message>
+        <source>Nothing is known: hardly any pairs go together.</source>
+        <translation>一无所知：几乎没有相互一致的点云对。</translation>
+    </message>
+    <message>
+        <source>too few of the pairs go together</source>
+        <translation>相互一致的点云对太少</translation>
+    </message>
+    <message>
+        <source>the clocks are apart</source>
+        <translation>时钟相差太远</translation>
+    </message>
+    <message>
+        <source>the INS contradicts itself</source>
+        <translation>INS 自相矛盾</translation>
+    </message>
+    <message>
+        <source>Without a nominal mounting, what so few pairs agree on may be chance: give one (some 10 degrees are enough).</source>
+        <translation>没有标称安装位姿时，这么少的点云对所一致之处可能只是巧合：请给出一个（精确到约 10 度即可）。</translation>
+    </message>
+    <message>
+        <source>x, y and z count from where the positions are: that may be an antenna, and not the INS (see the findings).</source>
+        <translation>x、y 和 z 从位置所在之处算起：那可能是天线，而不是 INS（见检查结果）。</translation>
+    </message>
+    <message>
+        <source>Between the pairs of scans that were registered the LiDAR turned as the INS did %1 s later. %2</source>
+        <translation>在已配准的点云对之间，激光雷达的转动与 INS 晚 %1 s 的转动一致。%2</translation>
+    </message>
+    <message>
+        <source>Between the pairs of scans that were registered the LiDAR turned as the INS did %1 s earlier. %2</source>
+        <translation>在已配准的点云对之间，激光雷达的转动与 INS 早 %1 s 的转动一致。%2</translation>
     </message>
 </context>
 <context>

@@ -12,19 +12,19 @@
 namespace remount {
 namespace {
 
-enum class Road { Straight, Flat, Hilly, Parked };
+enum class RoadKind { Straight, Flat, Hilly, Parked };
 
 /// Poses of an INS at 100 Hz and of a LiDAR at 10 Hz, ten seconds at 6 m/s along a road; both clocks the same but for
 /// `lidar_late_ns`.
-Session example(std::int64_t lidar_late_ns = 0, Road road = Road::Straight) {
+Session example(std::int64_t lidar_late_ns = 0, RoadKind road = RoadKind::Straight) {
   Session session;
   session.name = "drive";
   session.format = "poses";
   Eigen::Vector2d position(0, 0);
   for (int i = 0; i <= 1000; ++i) {
-    const double time_s = 0.01 * i, speed_mps = road == Road::Parked ? 0.0 : 6.0;
-    const double yaw = road == Road::Flat || road == Road::Hilly ? std::sin(0.8 * time_s) : 0.0;
-    const double tilt = road == Road::Hilly ? 0.08 : 0.0;
+    const double time_s = 0.01 * i, speed_mps = road == RoadKind::Parked ? 0.0 : 6.0;
+    const double yaw = road == RoadKind::Flat || road == RoadKind::Hilly ? std::sin(0.8 * time_s) : 0.0;
+    const double tilt = road == RoadKind::Hilly ? 0.08 : 0.0;
     position += 0.01 * speed_mps * Eigen::Vector2d(std::cos(yaw), std::sin(yaw));
     session.world_from_ins.push_back(
         {i * 10'000'000LL, rigid_from_six({position.x(), position.y(), 0, yaw, tilt * std::sin(1.3 * time_s),
@@ -64,31 +64,31 @@ TEST(session_report, a_good_session_is_usable) {
 // What the calibration of such drives comes to observe: tests/model/pipeline/simulated_drive_test.cpp.
 TEST(session_report, says_in_words_what_the_motion_can_tell) {
   Progress progress;
-  const std::vector<std::pair<Road, std::string>> cases{
-      {Road::Straight, "usable: in part, for yaw, pitch; not for x, y, z, roll"},
-      {Road::Flat, "usable: in part, for x, y, yaw, pitch, roll; not for z"},
-      {Road::Hilly, "the motion can tell: x, y, z, yaw, pitch, roll\n  usable: yes\n"},
-      {Road::Parked, "usable: no"}};
+  const std::vector<std::pair<RoadKind, std::string>> cases{
+      {RoadKind::Straight, "usable: in part, for yaw, pitch; not for x, y, z, roll"},
+      {RoadKind::Flat, "usable: in part, for x, y, yaw, pitch, roll; not for z"},
+      {RoadKind::Hilly, "the motion can tell: x, y, z, yaw, pitch, roll\n  usable: yes\n"},
+      {RoadKind::Parked, "usable: no"}};
   for (const auto& [road, said] : cases) {
     const Session session = example(0, road);
     const SessionReport report = report_session(session, progress);
     EXPECT_NE(describe(session, report).find(said), std::string::npos) << said << "\n" << describe(session, report);
-    EXPECT_EQ(report.usable, road != Road::Parked) << said;
-    if (road == Road::Straight) {
+    EXPECT_EQ(report.usable, road != RoadKind::Parked) << said;
+    if (road == RoadKind::Straight) {
       EXPECT_FALSE(report.outlook.advice.empty());
     }
   }
 }
 
 TEST(session_report, the_way_the_lidar_is_turned_does_not_change_what_can_be_told) {
-  Session session = example(0, Road::Flat);
+  Session session = example(0, RoadKind::Flat);
   session.nominal_ins_from_lidar = rigid_from_six({1, 0, 2, kPi / 2, 0, kPi / 6});
   EXPECT_EQ(motion_outlook(session).determinable, (std::array<bool, 6>{true, true, false, true, true, true}));
 }
 
 // As the calibration says: tests/algorithms/calibration.
 TEST(session_report, while_yaw_is_open_nothing_can_be_told_without_a_nominal) {
-  Session session = example(0, Road::Flat);
+  Session session = example(0, RoadKind::Flat);
   for (StampedPose& pose : session.world_from_ins) pose.pose.translation() *= 0.05;  // hardly moves, but turns
   const MotionOutlook outlook = motion_outlook(session);
   ASSERT_FALSE(outlook.determinable[3]) << parameter_names(outlook.determinable, true);
@@ -172,7 +172,7 @@ TEST(session_report, names_the_methods_that_a_session_serves_and_what_the_others
 
 // An angle of which the sigma that is foreseen lies at the limit comes out either way.
 TEST(session_report, what_lies_close_to_the_limit_is_neither_promised_nor_denied) {
-  Session session = example(0, Road::Hilly);
+  Session session = example(0, RoadKind::Hilly);
   int open = 0, sure = 0;
   bool was_sure = false;
   for (double tilt = 0.002; tilt < 0.3; tilt *= 1.25) {

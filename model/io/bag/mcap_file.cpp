@@ -293,12 +293,14 @@ void McapFile::scan(const std::string& why_no_summary, Progress& progress) {
   std::size_t damaged = 0;
   std::string first_damage;
   std::uint64_t offset = kMagic.size();
+  std::optional<Record> cut_record;
   while (offset < whole->size() && !complete && !progress.cancelled()) {
     progress.report("reading a bag without an index, MB", offset >> 20, whole->size() >> 20);
     const std::uint64_t at = offset;
     try {
       const Record record = read_record(*whole, at, false);
       const bool cut = record.bytes > whole->size() - record.offset;
+      if (cut) cut_record = record;
       offset = cut ? whole->size() : record.end();
       complete = record.op == kDataEnd || record.op == kFooter;
       if (record.op == kChunk)
@@ -321,13 +323,15 @@ void McapFile::scan(const std::string& why_no_summary, Progress& progress) {
     return;
   }
   const std::string end = damaged > 0 ? " First that cannot be read: " + first_damage + "." : "";
+  const std::string lost =
+      cut_record ? "the last record is cut, " + std::to_string(whole->size() - cut_record->offset) + " of its " +
+                       std::to_string(cut_record->bytes) + " bytes are there"
+                 : std::to_string(complete ? 0 : whole->size() - offset) + " bytes at the end are not readable";
   if (entry_count() == 0)
     throw Error(ErrorCode::Format, files_[0].string(), "the bag holds no readable message (" + why + ")." + end);
-  findings_.push_back(make_finding(
-      Severity::Warning, "bag-unindexed", files_[0].string(),
-      "The bag has no usable index (" + why + "). It was read from the beginning: " + std::to_string(entry_count()) +
-          " messages were found; " + std::to_string(complete ? 0 : whole->size() - std::min(offset, whole->size())) +
-          " bytes at the end are not readable." + end));
+  findings_.push_back(make_finding(Severity::Warning, "bag-unindexed", files_[0].string(),
+                                   "The bag has no usable index (" + why + "). It was read from the beginning: " +
+                                       std::to_string(entry_count()) + " messages were found; " + lost + "." + end));
 }
 
 std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const {

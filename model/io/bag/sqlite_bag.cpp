@@ -141,7 +141,9 @@ void SqliteBag::read_rows(bool cut, Progress& progress) {
     findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
                                      "The database is damaged" + (damaged ? " (" + why + ")" : std::string()) + ": " +
                                          std::to_string(entry_count()) + " messages were found, " +
-                                         std::to_string(unknown) + " belong to no topic."));
+                                         std::to_string(unknown) +
+                                         " belong to no topic. What lies behind the damage may be saved by the "
+                                         "database's own tool: sqlite3 FILE .recover"));
 }
 
 std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const {

@@ -256,6 +256,60 @@ TEST(pairwise, without_a_nominal_nothing_is_claimed_while_yaw_is_unknown) {
     EXPECT_FALSE(direction.observed || direction.words.ends_with("observed")) << direction.words;
 }
 
+// The same drive with a LiDAR that is turned on its mount until X has these angles.
+SimulatedDrive turned(SimulatedDrive drive, const YawPitchRoll& angles) {
+  const Eigen::Matrix3d old_from_new = drive.ins_from_lidar.linear().transpose() * rotation_from_yaw_pitch_roll(angles);
+  const RigidTransform turn = make_rigid(old_from_new, Eigen::Vector3d::Zero());
+  for (JointTerm& term : drive.problem.terms)
+    term.lidar_b_from_lidar_a = turn.inverse() * term.lidar_b_from_lidar_a * turn;
+  drive.ins_from_lidar = drive.ins_from_lidar * turn;
+  return drive;
+}
+
+TEST(pairwise, yaw_and_pitch_are_no_better_known_than_the_roll_that_they_turn_with) {
+  DriveOptions options;
+  options.tilt_rad = options.turn_rad = 0.0;
+  for (const double askew_rad : {0.003, 0.03, 0.3}) {
+    int claimed = 0;
+    double most_sigma = 0.0;
+    for (int seed = 1; seed <= 8; ++seed) {
+      const SimulatedDrive drive = turned(simulate(options, seed), {askew_rad, -0.7 * askew_rad, 0.1});
+      const CalibrationResult result = solve(drive, options, pairs_of(drive), false).result;
+      const SixParameters is = six_from_rigid(result.ins_from_lidar), truth = six_from_rigid(drive.ins_from_lidar);
+      const double off_rad[] = {is.yaw_rad - truth.yaw_rad, is.pitch_rad - truth.pitch_rad};
+      for (const std::size_t i : {3U, 4U}) {
+        claimed += result.observed[i];
+        if (result.observed[i]) most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.sigma(i));
+      }
+      EXPECT_FALSE(result.observed[5]) << "roll: " << result.message;
+    }
+    std::printf("  %.3f rad askew: claimed %d of 16, off by up to %.2f sigma\n", askew_rad, claimed, most_sigma);
+    EXPECT_LT(most_sigma, 2.5) << askew_rad;
+    EXPECT_EQ(claimed, askew_rad < 0.01 ? 16 : 0) << askew_rad;
+  }
+}
+
+TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nominal) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 6);
+  std::vector<Pair> pairs = pairs_of(drive);
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (i % 25 != 0) pairs[i].registration.failure = "overlap too small";
+  const CalibrationResult lost = solve(drive, options, pairs, false).result;
+  EXPECT_EQ(lost.status, Status::Degenerate);
+  EXPECT_EQ(lost.message, "Nothing is known: hardly any pairs go together.");
+  EXPECT_EQ(parameter_names(lost.observed, true), "") << lost.pairs_accepted << " of " << pairs.size();
+  const CalibrationResult guided = solve(drive, options, pairs, true).result;
+  EXPECT_NE(parameter_names(guided.observed, true), "") << guided.message;
+  // Those that the user took out were not tried in vain.
+  for (Pair& pair : pairs)
+    if (!pair.registration.failure.empty()) {
+      pair.state = PairState::Rejected;
+      pair.decided_by = DecidedBy::User;
+    }
+  EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed, true), "");
+}
+
 TEST(pairwise, too_few_pairs_is_a_result_with_advice) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 6);

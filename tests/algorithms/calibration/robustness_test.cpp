@@ -124,6 +124,24 @@ TEST(robust_start, straight_driving_turns_about_the_track_as_the_reference_says)
   EXPECT_LT(error_deg(start.ins_from_lidar), 0.01);
 }
 
+TEST(robust_start, stays_near_where_a_nearly_straight_road_shows_little) {
+  DriveOptions options = two_hundred_pairs();
+  options.tilt_rad = options.turn_rad = 0.01;
+  options.noise.registration_scale = 10.0;
+  RotationReference reference;
+  reference.up_in_lidar = mounting().linear().transpose() * Eigen::Vector3d::UnitZ();
+  double most_m = 0.0, most_deg = 0.0;
+  for (int seed = 1; seed <= 5; ++seed) {
+    const std::vector<Pair> pairs = with_outliers(pairs_of(simulate(options, seed)), 0.3, 20 + seed);
+    const RobustStart start = robust_start(pairs, all_of(pairs), options.noise, std::nullopt, reference, {0, 0, 0});
+    most_m = std::max(most_m, start.ins_from_lidar.translation().norm());
+    most_deg = std::max(most_deg, error_deg(start.ins_from_lidar));
+  }
+  std::printf("  at most %.2f m and %.2f deg\n", most_m, most_deg);
+  EXPECT_LT(most_m, 6.0);
+  EXPECT_LT(most_deg, 15.0);
+}
+
 TEST(robust_start, the_noise_scale_says_how_far_the_model_is_off) {
   DriveOptions options = two_hundred_pairs();
   const SimulatedDrive drive = simulate(options, 6);

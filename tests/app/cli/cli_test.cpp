@@ -15,6 +15,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "model/exporters/exporter.h"
+#include "model/io/session_reader.h"
 #include "model/project.h"
 #include "tests/app/cli/program_fixture.h"
 
@@ -219,6 +220,22 @@ TEST_F(cli, a_report_is_one_page_and_replaces_only_its_like) {
   EXPECT_EQ(run("report " + path("reported.yaml") + " -o " + path("page.html")).code, 0) << "a page may be replaced";
   EXPECT_EQ(run("report " + path("reported.yaml") + " -o " + path("reported.yaml")).code, 1);
   EXPECT_EQ(run("report " + path("reported.yaml") + " -o " + path("drive/ins.csv")).code, 1);
+}
+
+TEST_F(cli, a_report_takes_no_session_that_the_result_was_not_made_of) {
+  ASSERT_EQ(run("solve " + pairs_file("made.csv", false) + " -o " + path("made.yaml")).code, 0);
+  ResultFile made = load_result(path("made.yaml"));
+  Progress progress;
+  made.inputs = list_inputs({std::make_shared<const Session>(open_session(path("drive"), progress))});
+  ASSERT_FALSE(made.inputs.empty());
+  save_result(made, path("made.yaml"));
+  ASSERT_EQ(run("report " + path("made.yaml") + " " + path("drive") + " -o " + path("made.html")).code, 0);
+  made.inputs.back().bytes += 1;
+  save_result(made, path("made.yaml"));
+  const Outcome other = run("report " + path("made.yaml") + " " + path("drive") + " -o " + path("other.html"));
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.err.find("is not what the result was made of: there is no "), std::string::npos) << other.err;
+  EXPECT_FALSE(std::filesystem::exists(path("other.html")));
 }
 
 TEST_F(cli, a_result_is_a_nominal_an_export_and_an_obstacle_check) {

@@ -31,7 +31,7 @@ std::vector<Finding> clocks_of(ScenarioKind scenario, double offset_s) {
         {pose.stamp_ns - std::llround(offset_s * 1e9),
          (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse() * pose.pose * drive.ins_from_lidar});
   std::vector<Finding> findings;
-  report_far_clock(motion, 0, poses, findings);
+  if (const auto far = find_far_clock(motion, 0, poses)) findings.push_back(far->finding);
   for (const Finding& finding : findings) std::printf("[%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
   return findings;
 }
@@ -55,7 +55,7 @@ TEST(suspect_stage, leap_seconds_are_named_where_the_road_never_repeats_itself) 
   }
   const DriveMotion motion({std::make_shared<const Session>(session)});
   std::vector<Finding> findings;
-  report_far_clock(motion, 0, poses, findings);
+  if (const auto far = find_far_clock(motion, 0, poses)) findings.push_back(far->finding);
   EXPECT_NE(said(findings, "clock-far").find("18.00 s later"), std::string::npos) << said(findings, "clock-far");
   EXPECT_NE(said(findings, "clock-far").find("GPS time is 18 s ahead of UTC"), std::string::npos);
 }
@@ -66,6 +66,79 @@ TEST(suspect_stage, clocks_that_agree_or_cannot_be_told_are_silent) {
         ScenarioKind::ParkingRamp, ScenarioKind::Hill, ScenarioKind::Highway, ScenarioKind::Tunnel})
     for (const double offset_s : {0.0, 0.03, -0.1})
       EXPECT_TRUE(clocks_of(scenario, offset_s).empty()) << static_cast<int>(scenario) << " " << offset_s;
+}
+
+/// A drive whose pairs of scans were registered without error; its INS is logged `ins_early_s` too early.
+struct RegisteredDrive {
+  DriveMotion motion;
+  PipelineOutput output;
+};
+RegisteredDrive registered(double ins_early_s) {
+  SimulationOptions options;
+  options.scenario = ScenarioKind::FigureEight;
+  options.duration_s = 40.0;
+  options.beams = 4;
+  options.azimuth_steps = 20;
+  SimulatedDrive drive = simulate_drive(options);
+  for (InsSample& sample : drive.session.ins) sample.stamp_ns -= std::llround(1e9 * ins_early_s);
+  RegisteredDrive out{DriveMotion({std::make_shared<const Session>(drive.session)}), {}};
+  for (std::size_t k = 0; k < drive.enu_from_ins.size(); k += 5) {
+    const StampedPose& pose = drive.enu_from_ins[k];
+    out.output.keyframes.push_back({0, static_cast<int>(k), pose.stamp_ns, 0.0});
+    if (k == 0) continue;
+    Pair pair;
+    pair.keyframe_a = static_cast<int>(out.output.keyframes.size()) - 2;
+    pair.keyframe_b = pair.keyframe_a + 1;
+    pair.lidar_b_from_lidar_a =
+        (pose.pose * drive.ins_from_lidar).inverse() * drive.enu_from_ins[k - 5].pose * drive.ins_from_lidar;
+    pair.registration.attempted = pair.registration.converged = true;
+    pair.registration.information.setIdentity();
+    out.output.pairs.push_back(pair);
+  }
+  return out;
+}
+
+TEST(suspect_stage, registered_pairs_refute_a_clock_that_chained_scans_suspect) {
+  const auto findings_of = [](double ins_early_s, double suspected_s) {
+    RegisteredDrive drive = registered(ins_early_s);
+    report_far_clocks(drive.motion, {{0, suspected_s, {Severity::Problem, "clock-far", "drive", "suspected"}}},
+                      drive.output);
+    return said(drive.output.findings, "clock-far");
+  };
+  EXPECT_EQ(findings_of(0.0, 3.0), "") << "the pairs turn as the INS does at their own stamps";
+  EXPECT_EQ(findings_of(-3.0, 3.0), "suspected");
+  EXPECT_EQ(findings_of(0.0, 100.0), "suspected") << "the INS was not recorded then: nothing refutes it";
+}
+
+TEST(suspect_stage, registered_pairs_confirm_leap_seconds_between_recordings_that_lie_apart) {
+  for (const double ins_early_s : {0.0, 18.0, -19.0}) {
+    RegisteredDrive drive = registered(ins_early_s);
+    report_far_clocks(drive.motion, {}, drive.output);
+    EXPECT_EQ(said(drive.output.findings, "clock-far"), "") << "the recordings do not lie apart";
+    drive.output.findings = {{Severity::Warning, "clock-leap-seconds", drive.motion.session(0).name, ""}};
+    report_far_clocks(drive.motion, {}, drive.output);
+    const std::string far = said(drive.output.findings, "clock-far");
+    if (ins_early_s == 0.0)
+      EXPECT_EQ(far, "");
+    else
+      EXPECT_NE(far.find(ins_early_s > 0.0 ? "18 s earlier" : "19 s later"), std::string::npos) << far;
+  }
+}
+
+TEST(suspect_stage, nothing_is_claimed_of_a_drive_whose_clocks_are_apart) {
+  CalibrationResult result;
+  result.status = Status::Ok;
+  result.observed.fill(true);
+  result.covariance = Matrix6d::Identity();
+  blame_recording({{Severity::Problem, "clock-far", "drive", ""}}, result);
+  EXPECT_EQ(parameter_names(result.observed, true), "");
+  result = {};
+  result.status = Status::Ok;
+  result.observed.fill(true);
+  blame_recording({{Severity::Warning, "antenna-position", "drive", ""}}, result);
+  EXPECT_EQ(result.status, Status::Ok);
+  ASSERT_EQ(result.advice.size(), 1U);
+  EXPECT_NE(result.advice[0].find("antenna"), std::string::npos);
 }
 
 TEST(suspect_stage, without_a_result_the_clock_is_the_only_advice) {

@@ -1,0 +1,75 @@
+#include "model/pipeline/step_finder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace remount {
+
+bool as_long_as(const RigidTransform& lidar_motion, const RigidTransform& ins_motion) {
+  constexpr double kLongestArm_m = 5.0, kNoise_m = 0.3, kNoiseShare = 0.1;
+  const double travelled_m = ins_motion.translation().norm();
+  return std::abs(lidar_motion.translation().norm() - travelled_m) <
+         kNoise_m + kNoiseShare * travelled_m + kLongestArm_m * so3_log(ins_motion.linear()).norm();
+}
+
+namespace {
+
+bool fits(const RegistrationResult& step, const RigidTransform& ins_step) {
+  return step.quality.failure.empty() && as_long_as(step.target_from_source, ins_step);
+}
+
+}  // namespace
+
+StepFinder::StepFinder(const RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar, const Progress& progress)
+    : options_(options), up_in_lidar_(up_in_lidar), progress_(progress) {}
+
+RegistrationResult StepFinder::find(const PreparedCloud& source, const PreparedCloud& target,
+                                    const RigidTransform& ins_step) {
+  constexpr int kSearches = 6;
+  RegistrationResult step = align_scans(source, target, last_, options_, progress_);
+  const bool searching = searches_ > 0 && searches_ < kSearches;
+  if (searching || !fits(step, ins_step))
+    if (auto longer = searches_ < kSearches ? search(source, target, ins_step, step.quality.overlap)
+                                            : again_as_before(source, target, ins_step))
+      step = *std::move(longer);
+  last_ = step.quality.failure.empty() ? step.target_from_source : RigidTransform::Identity();
+  if (fits(step, ins_step)) fitting_ = last_;
+  return step;
+}
+
+std::optional<RegistrationResult> StepFinder::search(const PreparedCloud& source, const PreparedCloud& target,
+                                                     const RigidTransform& ins_step, double overlap) {
+  // Lengths that never fit are another fault than a wrong start: of clocks, units or the INS.
+  constexpr int kMostFruitless = 10;
+  // The right step aligns nearly as well as one that is favoured because all places look alike.
+  constexpr double kNearlyAsWell = 0.7;
+  if (fruitless_ == kMostFruitless) return std::nullopt;
+  const Eigen::Vector3d ahead = up_in_lidar_.unitOrthogonal(), aside = up_in_lidar_.cross(ahead);
+  std::array<RegistrationResult, kDirections> found;
+  bool any = false;
+  for (std::size_t k = 0; k < kDirections && !progress_.cancelled(); ++k) {
+    const double angle_rad = 2.0 * kPi * static_cast<double>(k) / kDirections;
+    RigidTransform start = RigidTransform::Identity();
+    start.translation() = ins_step.translation().norm() * (std::cos(angle_rad) * ahead + std::sin(angle_rad) * aside);
+    found[k] = align_scans(source, target, start, options_, progress_);
+    if (!fits(found[k], ins_step) || found[k].quality.overlap < kNearlyAsWell * overlap) continue;
+    scores_[k] += found[k].quality.overlap;
+    any = true;
+  }
+  fruitless_ = any ? 0 : fruitless_ + 1;
+  if (!any) return std::nullopt;
+  ++searches_;
+  const auto best = static_cast<std::size_t>(std::max_element(scores_.begin(), scores_.end()) - scores_.begin());
+  if (!fits(found[best], ins_step)) return std::nullopt;
+  return found[best];
+}
+
+std::optional<RegistrationResult> StepFinder::again_as_before(const PreparedCloud& source, const PreparedCloud& target,
+                                                              const RigidTransform& ins_step) {
+  if (!fitting_) return std::nullopt;
+  RegistrationResult again = align_scans(source, target, *fitting_, options_, progress_);
+  if (!fits(again, ins_step)) return std::nullopt;
+  return again;
+}
+
+}  // namespace remount
