@@ -278,8 +278,7 @@ CalibrationResult cancelled_result(const std::vector<Pair>& pairs) {
 }
 
 bool any_scans(const PipelineInput& input) {
-  return std::any_of(input.sessions.begin(), input.sessions.end(),
-                     [](const auto& session) { return session->scans != nullptr; });
+  return std::ranges::any_of(input.sessions, [](const auto& session) { return session->scans != nullptr; });
 }
 
 }  // namespace
@@ -293,22 +292,20 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
   output.pairs = propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
   keep_independent_odometry(motion, output.keyframes, output.pairs);
-  output.nominal_known = input.nominal_ins_from_lidar.has_value();
-  output.initial_known = output.nominal_known;
-  if (input.nominal_ins_from_lidar) output.initial_ins_from_lidar = *input.nominal_ins_from_lidar;
+  output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
+  output.initial_ins_from_lidar = input.nominal_ins_from_lidar.value_or(RigidTransform::Identity());
   if (output.pairs.empty()) {
     output.result = result_without_pairs(motion, output.keyframes, input.settings);
     return output;
   }
 
   PairwiseDetails details;
-  std::vector<FarClock> far_clocks;
+  CoarseStart coarse;
   if (any_scans(input)) {
     if (!input.nominal_ins_from_lidar) {
-      const CoarseStart coarse = find_coarse_start(motion, input.settings, input.threads, progress);
-      far_clocks = coarse.far_clocks;
+      coarse = find_coarse_start(motion, input.settings, input.threads, progress);
       if (!coarse.ins_from_lidar) {
-        report_far_clocks(motion, far_clocks, output);
+        report_far_clocks(motion, coarse.far_clocks, output);
         output.result = progress.cancelled() ? cancelled_result(output.pairs) : without_start(coarse);
         blame_recording(output.findings, output.result);
         return output;
@@ -330,7 +327,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   }
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
   report_columns(motion, output);
-  report_far_clocks(motion, far_clocks, output);
+  report_far_clocks(motion, coarse.far_clocks, output);
   blame_recording(output.findings, output.result);
   drop_clock_of_failed(output);
   report_clock(output.result, output.findings);
