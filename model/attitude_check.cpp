@@ -238,8 +238,8 @@ void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& res
                          ? "The INS contradicts itself: its heading follows its travel only under another convention."
                          : "The INS contradicts itself: a column of its log is not what it is taken for.";
     result.advice.clear();
-    claim_nothing("the INS contradicts itself", result);
   }
+  claim_nothing("the INS contradicts itself", result);
   result.advice.insert(result.advice.begin(),
                        convention
                            ? "Before anything else correct the convention of the INS attitude: its heading does "

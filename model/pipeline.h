@@ -47,6 +47,8 @@ struct PipelineOutput {
   /// The X under which objects and starts of registrations were predicted: the nominal, or the coarse X found without
   /// one.
   RigidTransform initial_ins_from_lidar = RigidTransform::Identity();
+  /// Away from the ground, unit length, as the first scans show it; where there was no nominal and they do.
+  std::optional<Eigen::Vector3d> up_in_lidar;
   /// The X through which motion within scans was compensated in the end.
   RigidTransform compensation_ins_from_lidar = RigidTransform::Identity();
   /// Whether motion within the scans of each session was compensated by the sweep's azimuth; empty before that is

@@ -113,6 +113,8 @@ DocumentNode calibration_document(const Project& project) {
   node.add("compensation_ins_from_lidar", transform_document(output.compensation_ins_from_lidar));
   node.add("initial_known", DocumentNode::boolean(output.initial_known));
   node.add("nominal_known", DocumentNode::boolean(output.nominal_known));
+  if (output.up_in_lidar)
+    node.add("up_in_lidar", DocumentNode::numbers({output.up_in_lidar->begin(), output.up_in_lidar->end()}));
   if (output.clock_bias)
     node.add("clock_bias", DocumentNode::numbers({output.clock_bias->begin(), output.clock_bias->end()}));
   if (output.ground) node.add("ground", ground_document(*output.ground));
@@ -151,6 +153,8 @@ void read_calibration(const DocumentView& view, Project& project) {
   output.compensation_ins_from_lidar = transform_from_document(view.at("compensation_ins_from_lidar"));
   output.initial_known = view.at("initial_known").boolean();
   output.nominal_known = view.at("nominal_known").boolean();
+  if (view.has("up_in_lidar"))
+    output.up_in_lidar = Eigen::Map<const Eigen::Vector3d>(view.at("up_in_lidar").numbers(3).data());
   if (view.has("clock_bias")) output.clock_bias = Eigen::Map<const Vector6d>(view.at("clock_bias").numbers(6).data());
   if (view.has("ground")) output.ground = ground_from_document(view.at("ground"));
   if (view.has("session_uses_sweep"))

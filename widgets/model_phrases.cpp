@@ -112,8 +112,9 @@ const std::vector<const char*>& model_phrases() {
                         "pitch and roll of the mounting cannot be told from it. Log roll and pitch as well, or "
                         "give what you measured: z, pitch and roll, or the height of the INS above the ground."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 "
-                        "degrees are enough), or drive longer, with turns to both sides."),
+                        "Without a nominal mounting nothing can be said while yaw is not observed (where roll is open, "
+                        "yaw turns with it): give one (some 10 degrees are enough), or drive longer, with turns to "
+                        "both sides."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set "
                         "solve.apply_time_offset: X is then no longer biased."),

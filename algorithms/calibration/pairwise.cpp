@@ -233,7 +233,8 @@ bool chance_few(const std::vector<Pair>& pairs) {
   constexpr double kLeastShare = 0.05;
   int accepted = 0, judged = 0;
   for (const Pair& pair : pairs) {
-    if (pair.state == PairState::Rejected && pair.decided_by == DecidedBy::User) continue;
+    if (pair.state == PairState::Rejected && (pair.decided_by == DecidedBy::User || pair.reason == kPairNotReached))
+      continue;
     ++judged;
     accepted += pair.state == PairState::Accepted ? 1 : 0;
   }
@@ -250,10 +251,10 @@ std::string claim_nothing_where_lost(const std::vector<Pair>& pairs, Calibration
     return "Nothing is known: hardly any pairs go together.";
   }
   if (yaw_is_open(result)) {
-    claim_nothing("yaw may be anything", result);
+    claim_nothing("without a nominal yaw is open", result);
     result.advice.emplace_back(
-        "Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are "
-        "enough), or drive longer, with turns to both sides.");
+        "Without a nominal mounting nothing can be said while yaw is not observed (where roll is open, yaw turns with "
+        "it): give one (some 10 degrees are enough), or drive longer, with turns to both sides.");
     return "Nothing is known: without a nominal mounting yaw is open, and everything else depends on it.";
   }
   return "";
@@ -275,6 +276,7 @@ void report_rejected_sessions(const Context& context, const std::vector<int>& us
     if (one.coherent && verdicts.kept < 2 && is_solved(result.status)) {
       result.status = Status::Inconsistent;
       result.message = "The sessions say different mountings: session " + title + " against the rest.";
+      claim_nothing("the sessions say different mountings", result);
     }
   }
 }

@@ -34,6 +34,9 @@ struct PairwiseInput {
   std::optional<RigidTransform> nominal_ins_from_lidar;
   /// An earlier estimate where there is no nominal: settles rotations that the motion does not determine.
   std::optional<RigidTransform> initial_ins_from_lidar;
+  /// Away from the ground as scans show it, unit length: without a nominal it bounds roll and pitch of sigma's worst
+  /// case, for vehicles stand level to some degrees and so do their INS axes. Nothing where no ground was seen.
+  std::optional<Eigen::Vector3d> up_in_lidar;
   Measured measured;
   /// How far X is off, under `perturbed`, by a clock offset that was found and is not applied: it joins the sigmas.
   std::optional<Vector6d> clock_bias;

@@ -147,13 +147,16 @@ void add_disagreement_advice(CalibrationResult& result) {
 
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
 
-// What else than the pairs says where about an open axis X lies: measurements, and the ground, which the first X stands
-// on, where the solution stayed with it.
-Matrix6d settled_by_start(const PairwiseInput& input, const RigidTransform& x) {
-  constexpr double kStayed_rad = 0.3, kGround_rad = 0.1;
+constexpr double kGround_rad = 0.1;  ///< to which a road is level, and an INS on its vehicle
+
+// What else than the pairs says where about an open axis X lies: measurements, and roll and pitch by the ground in the
+// scans. Where X says that the ground leans, one of the two is wrong by as much.
+Matrix6d settled_beside_pairs(const PairwiseInput& input, const RigidTransform& x) {
   Matrix6d information = input.measured.information(x);
-  if (input.initial_ins_from_lidar && rotation_angle_between_rad(*input.initial_ins_from_lidar, x) < kStayed_rad)
-    information.diagonal().tail<3>().array() += 1.0 / (kGround_rad * kGround_rad);
+  if (!input.up_in_lidar) return information;
+  const Eigen::Vector3d up_in_ins = x.linear() * *input.up_in_lidar;
+  const double sigma_rad = std::max(kGround_rad, std::atan2(up_in_ins.head<2>().norm(), up_in_ins.z()));
+  information.diagonal().segment<2>(3).array() += 1.0 / (sigma_rad * sigma_rad);
   return information;
 }
 
@@ -161,7 +164,7 @@ Matrix6d settled_by_start(const PairwiseInput& input, const RigidTransform& x) {
 // X turns with it, far beyond what holds to first order. A LiDAR whose axis lies 2 degrees off the road's has yaw and
 // pitch of anything up to that.
 Eigen::Vector3d turned_by_open_rotation(const RigidTransform& x, const Matrix6d& information) {
-  constexpr double kOpen_rad = 0.1;  // up to which the weak prior holds, and first order with it
+  constexpr double kOpen_rad = 1.2 * kGround_rad;  // the ground alone leaves less; there, first order holds
   constexpr int kSteps = 36;
   Matrix6d bounded = information;
   bounded.diagonal().head<3>().array() += 1e-6;
@@ -232,9 +235,9 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
                    motion, input.options, result);
   // Where the INS is taken to be level, that is what the distrust of small turns is about; its error is in the
   // solution.
-  const Matrix6d& by_turns = motion.tilt_assumed ? details.joint.information : by_pairs;
+  const Matrix6d by_turns = motion.tilt_assumed ? Matrix6d(details.joint.information / (wider * wider)) : by_pairs;
   if (!input.nominal_ins_from_lidar)
-    widen_angles(turned_by_open_rotation(x, by_turns + settled_by_start(input, x)), input.options, result);
+    widen_angles(turned_by_open_rotation(x, by_turns + settled_beside_pairs(input, x)), input.options, result);
   add_disagreement_advice(result);
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));

@@ -20,6 +20,9 @@ struct Keyframe {
 /// The failure of a registration that was stopped.
 inline constexpr const char* kRegistrationCancelled = "cancelled";
 
+/// Why a pair is rejected that a cancelled calibration never came to: it says nothing, for or against.
+inline constexpr const char* kPairNotReached = "not aligned: the calibration was cancelled";
+
 /// How a registration went.
 struct RegistrationQuality {
   bool attempted = false;

@@ -156,16 +156,28 @@ const OdometryPose& nearest_pose(const std::vector<OdometryPose>& poses, std::in
   return stamp_ns - (after - 1)->stamp_ns < after->stamp_ns - stamp_ns ? *(after - 1) : *after;
 }
 
+// Between the poses before and after.
+double poses_apart_s(const std::vector<OdometryPose>& poses, std::int64_t stamp_ns) {
+  if (poses.size() < 2) return 0.0;
+  const auto after =
+      std::lower_bound(poses.begin() + 1, poses.end() - 1, stamp_ns,
+                       [](const OdometryPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
+  return static_cast<double>(after->stamp_ns - (after - 1)->stamp_ns) * 1e-9;
+}
+
 // Of the motion between two epochs: the errors of both poses and of what was lost between them, what grows with the
-// distance, and the walk of the INS, which no step can tell from that of the odometry.
-void set_step(const Matrix6d& of_poses, double distance_m, double time_s, const InsNoise& ins,
+// distance, and the walk of the INS, which no step can tell from that of the odometry. A step that is only a `part` of
+// the way between two poses has that part of the variance of the whole: however many fixes come between the poses, all
+// steps together are as uncertain.
+void set_step(const Matrix6d& of_poses, double distance_m, double time_s, double part, const InsNoise& ins,
               const TrajectoryOptions& options, TrajectoryEpoch& epoch) {
   const double drift = 0.01 * options.odometry_drift_percent * distance_m;
   const double turn = degrees_to_radians(options.odometry_drift_deg) * distance_m;
-  epoch.step_translation_m2 = of_poses.topLeftCorner<3, 3>();
-  epoch.step_translation_m2.diagonal().array() += drift * drift + ins.position_drift * ins.position_drift * time_s;
-  epoch.step_rotation_rad2 = of_poses.bottomRightCorner<3, 3>();
-  epoch.step_rotation_rad2.diagonal().array() += turn * turn + ins.attitude_drift * ins.attitude_drift * time_s;
+  epoch.step_translation_m2 = part * of_poses.topLeftCorner<3, 3>();
+  epoch.step_translation_m2.diagonal().array() +=
+      drift * drift / part + ins.position_drift * ins.position_drift * time_s;
+  epoch.step_rotation_rad2 = part * of_poses.bottomRightCorner<3, 3>();
+  epoch.step_rotation_rad2.diagonal().array() += turn * turn / part + ins.attitude_drift * ins.attitude_drift * time_s;
 }
 
 // Makes the epochs of one session.
@@ -247,8 +259,10 @@ class EpochMaker {
         (epoch.odometry_from_lidar.translation() - before.odometry_from_lidar.translation()).norm();
     const OdometryPose& from = nearest_pose(poses_, before_ns);
     const OdometryPose& to = nearest_pose(poses_, stamp_ns);
-    set_step(from.covariance + to.covariance + lost_between(poses_, from.stamp_ns, to.stamp_ns), distance_m,
-             epoch.time_s - before.time_s, noise_, options_, epoch);
+    const double time_s = epoch.time_s - before.time_s;
+    const double part = std::min(1.0, time_s / poses_apart_s(poses_, stamp_ns));
+    set_step(from.covariance + to.covariance + lost_between(poses_, from.stamp_ns, to.stamp_ns), distance_m, time_s,
+             part, noise_, options_, epoch);
   }
 
   const std::vector<OdometryPose>& poses_;

@@ -121,6 +121,7 @@ std::vector<Pair> pairs_of_chain(const DriveMotion& motion, const Chain& chain, 
     pair.lidar_b_from_lidar_a = chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_b)].inverse() *
                                 chain.first_from_lidar[static_cast<std::size_t>(pair.keyframe_a)];
     pair.registration.attempted = pair.registration.converged = true;
+    // A step of the wrong length is no part of the same screw motion: the first round is to do without it.
     pair.screw.passed = as_long_as(pair.lidar_b_from_lidar_a, pair.ins_b_from_ins_a);
     // Chained odometry: a few centimetres and a quarter of a degree are enough for a start.
     pair.registration.information.diagonal() << Eigen::Vector3d::Constant(1.0 / (0.03 * 0.03)),
@@ -141,13 +142,14 @@ void judge_clock(const DriveMotion& motion, int session, const std::vector<Chain
   if (auto far = find_far_clock(motion, session, poses)) out.far_clocks.push_back(*std::move(far));
 }
 
-// Away from the ground in the lidar frame, from the first readable scan: settles roll on a drive without turns.
+// Away from the ground in the lidar frame, from the first scan that shows one: settles roll on a drive without turns.
 std::optional<Eigen::Vector3d> up_of_first_scans(const DriveMotion& motion) {
   for (int session = 0; session < motion.session_count(); ++session) {
     const auto& source = motion.session(session).scans;
     for (std::size_t scan = 0; source && scan < std::min<std::size_t>(source->size(), 10); ++scan) {
       try {
-        return estimate_up(source->load(scan), Eigen::Vector3f::Zero()).cast<double>();
+        const GroundPlane ground = estimate_ground_plane(source->load(scan), Eigen::Vector3f::Zero());
+        if (ground.found) return ground.up_in_lidar.cast<double>();
       } catch (const Error&) {
         // Unreadable scans are reported where keyframes are read.
       }
@@ -169,12 +171,14 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   pairing.min_distance_m = 0.5;
   pairing.max_partners = 4;
   std::vector<Pair> pairs;
-  const std::optional<Eigen::Vector3d> ground_up = up_of_first_scans(motion);
+  out.up_in_lidar = up_of_first_scans(motion);
+  // Most stand upright; of a start, not of what is known, that is a fair guess.
+  const Eigen::Vector3d likely_up = out.up_in_lidar.value_or(Eigen::Vector3d::UnitZ());
   int key = -1'000'000;  // apart from the keyframes' keys
   for (int session = 0; session < motion.session_count() && !progress.cancelled(); ++session) {
     if (!motion.session(session).scans) continue;
-    const std::vector<Chain> chains = chain_session(
-        motion, scans, session, options, ground_up.value_or(Eigen::Vector3d::UnitZ()), key, out, threads, progress);
+    const std::vector<Chain> chains =
+        chain_session(motion, scans, session, options, likely_up, key, out, threads, progress);
     judge_clock(motion, session, chains, out);
     for (const Chain& chain : chains) {
       const std::vector<Pair> more = pairs_of_chain(motion, chain, pairing);
@@ -193,7 +197,7 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   noise.registration_floor_m = 0.02;
   noise.registration_floor_rad = 0.002;
   out.ins_from_lidar =
-      robust_start(pairs, usable, noise, std::nullopt, {std::nullopt, ground_up}, Eigen::Vector3d::Zero(), progress)
+      robust_start(pairs, usable, noise, std::nullopt, {std::nullopt, likely_up}, Eigen::Vector3d::Zero(), progress)
           .ins_from_lidar;
   return out;
 }

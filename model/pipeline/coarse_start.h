@@ -14,6 +14,7 @@ namespace remount {
 
 struct CoarseStart {
   std::optional<RigidTransform> ins_from_lidar;  ///< nothing where the drive does not show it
+  std::optional<Eigen::Vector3d> up_in_lidar;    ///< away from the ground, unit length; nothing where none was seen
   int registrations = 0;
   int failures = 0;
   std::size_t readable = 0, unreadable = 0;  ///< scans that were tried

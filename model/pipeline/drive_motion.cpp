@@ -91,4 +91,24 @@ void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyf
   pairs = std::move(kept);
 }
 
+void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs) {
+  // No odometry states its errors: a centimetre and a twentieth of a degree, growing with the distance; the noise
+  // model's scale is estimated from the residuals.
+  constexpr double kTranslation_m = 0.01, kRotation_rad = 0.001, kDrift = 0.002;
+  for (Pair& pair : pairs) {
+    const Keyframe& a = keyframes[static_cast<std::size_t>(pair.keyframe_a)];
+    const Keyframe& b = keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+    const Session& session = motion.session(a.session);
+    if (session.scans) continue;
+    pair.lidar_b_from_lidar_a = session.odometry_from_lidar[static_cast<std::size_t>(b.scan)].pose.inverse() *
+                                session.odometry_from_lidar[static_cast<std::size_t>(a.scan)].pose;
+    const double translation_m = std::hypot(kTranslation_m, kDrift * pair.baseline_m);
+    const double rotation_rad = std::hypot(kRotation_rad, kDrift * 0.05 * pair.baseline_m);
+    pair.registration.attempted = pair.registration.converged = true;
+    pair.registration.overlap = 1.0;
+    pair.registration.information.diagonal() << Eigen::Vector3d::Constant(1.0 / (translation_m * translation_m)),
+        Eigen::Vector3d::Constant(1.0 / (rotation_rad * rotation_rad));
+  }
+}
+
 }  // namespace remount

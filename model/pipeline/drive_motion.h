@@ -48,4 +48,7 @@ class DriveMotion {
 void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
                                std::vector<Pair>& pairs);
 
+/// Sets Q of the pairs of sessions that have poses of somebody's odometry instead of scans: the motion between two.
+void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs);
+
 }  // namespace remount

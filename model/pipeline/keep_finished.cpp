@@ -10,7 +10,6 @@ namespace remount {
 namespace {
 
 constexpr const char* kCancelled = "cancelled";  // code of the finding
-constexpr const char* kNotReached = "not aligned: the calibration was cancelled";
 
 bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
 
@@ -40,8 +39,8 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
     } else if (not_reached(pair) && (pair.state != PairState::Rejected || pair.registration.attempted)) {
       pair.state = PairState::Rejected;
       pair.decided_by = DecidedBy::Program;
-      pair.reason = kNotReached;
-      if (pair.registration.attempted) pair.registration.failure = kNotReached;
+      pair.reason = kPairNotReached;
+      if (pair.registration.attempted) pair.registration.failure = kPairNotReached;
     }
   }
   output.findings.push_back({Severity::Warning, kCancelled, "calibration",

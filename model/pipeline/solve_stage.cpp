@@ -71,6 +71,7 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
   for (const auto& session : input.sessions) out.session_names.push_back(session->name);
   out.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   if (output.initial_known) out.initial_ins_from_lidar = output.initial_ins_from_lidar;
+  out.up_in_lidar = output.up_in_lidar;
   out.range = input.settings.range;
   out.options = input.settings.solve;
   out.measured = Measured(input.settings.measured, output.ground);

@@ -25,25 +25,30 @@ StepFinder::StepFinder(const RegistrationOptions& options, const Eigen::Vector3d
 
 RegistrationResult StepFinder::find(const PreparedCloud& source, const PreparedCloud& target,
                                     const RigidTransform& ins_step) {
-  constexpr int kSearches = 6;
   RegistrationResult step = align_scans(source, target, last_, options_, progress_);
-  const bool searching = searches_ > 0 && searches_ < kSearches;
-  if (searching || !fits(step, ins_step))
-    if (auto longer = searches_ < kSearches ? search(source, target, ins_step, step.quality.overlap)
-                                            : again_as_before(source, target, ins_step))
+  // Of a shorter way neighbours are matched over all of it, and a direction shows in none.
+  const bool far = ins_step.translation().norm() > options_.max_correspondence_m;
+  const bool searching = searches_ > 0 && may_search();
+  if (far && (searching || !fits(step, ins_step)))
+    if (auto longer = may_search() ? search(source, target, ins_step, step.quality.overlap)
+                                   : again_as_before(source, target, ins_step))
       step = *std::move(longer);
   last_ = step.quality.failure.empty() ? step.target_from_source : RigidTransform::Identity();
   if (fits(step, ins_step)) fitting_ = last_;
   return step;
 }
 
-std::optional<RegistrationResult> StepFinder::search(const PreparedCloud& source, const PreparedCloud& target,
-                                                     const RigidTransform& ins_step, double overlap) {
+bool StepFinder::may_search() const {
+  constexpr int kSearches = 6;
   // Lengths that never fit are another fault than a wrong start: of clocks, units or the INS.
   constexpr int kMostFruitless = 10;
+  return searches_ < kSearches && fruitless_ < kMostFruitless;
+}
+
+std::optional<RegistrationResult> StepFinder::search(const PreparedCloud& source, const PreparedCloud& target,
+                                                     const RigidTransform& ins_step, double overlap) {
   // The right step aligns nearly as well as one that is favoured because all places look alike.
   constexpr double kNearlyAsWell = 0.7;
-  if (fruitless_ == kMostFruitless) return std::nullopt;
   const Eigen::Vector3d ahead = up_in_lidar_.unitOrthogonal(), aside = up_in_lidar_.cross(ahead);
   std::array<RegistrationResult, kDirections> found;
   bool any = false;
@@ -56,6 +61,7 @@ std::optional<RegistrationResult> StepFinder::search(const PreparedCloud& source
     scores_[k] += found[k].quality.overlap;
     any = true;
   }
+  if (progress_.cancelled()) return std::nullopt;  // not every direction was tried
   fruitless_ = any ? 0 : fruitless_ + 1;
   if (!any) return std::nullopt;
   ++searches_;

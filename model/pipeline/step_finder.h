@@ -17,9 +17,11 @@ bool as_long_as(const RigidTransform& lidar_motion, const RigidTransform& ins_mo
 /// long as the INS says, steps of that length along the ground are tried in all directions.
 class StepFinder {
  public:
-  /// @param up_in_lidar away from the ground, unit length
+  /// @param up_in_lidar away from the ground, unit length @param progress outlives this
   StepFinder(const RegistrationOptions& options, const Eigen::Vector3d& up_in_lidar, const Progress& progress);
 
+  /// The step that was found. Where none has the length of the INS's it is the one from the step before, right or
+  /// wrong; where there is none at all, its quality says why.
   /// @param target the scan before `source`
   /// @param ins_step target_from_source of the INS
   RegistrationResult find(const PreparedCloud& source, const PreparedCloud& target, const RigidTransform& ins_step);
@@ -27,6 +29,7 @@ class StepFinder {
  private:
   static constexpr std::size_t kDirections = 12;
 
+  bool may_search() const;
   // Tries steps in all directions. A single pair of scans may fit backwards or across as well: the direction counts
   // that did best over all searches so far.
   std::optional<RegistrationResult> search(const PreparedCloud& source, const PreparedCloud& target,

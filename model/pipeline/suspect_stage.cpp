@@ -30,10 +30,12 @@ bool bridged(const CalibrationResult& result) {
 constexpr double kTimeScales_s[] = {17.0, 18.0, 19.0, 37.0};
 
 /// Misfit of how far the LiDAR turned between the scans of registered pairs to how far the INS did `offset_s` later,
-/// over that at their own stamps, in the median; nothing where too few pairs tell.
+/// over that at their own stamps, in the median; nothing where too few pairs tell, for the INS must have turned by
+/// another angle then: of a straight, or an even bend, the ratio would be one of noise.
 std::optional<double> misfit_ratio(const DriveMotion& motion, const PipelineOutput& output, int session,
                                    double offset_s) {
   constexpr std::size_t kFewest = 8;
+  constexpr double kTold_rad = 0.01;
   // What is asked for counts from the stamps as they were logged.
   const std::int64_t applied_ns = std::llround(1e9 * motion.offset_s(session));
   std::vector<double> now_rad, then_rad;
@@ -42,16 +44,16 @@ std::optional<double> misfit_ratio(const DriveMotion& motion, const PipelineOutp
     const Keyframe& b = output.keyframes[static_cast<std::size_t>(pair.keyframe_b)];
     if (a.session != session || !pair.registration.attempted || !unusable_reason(pair).empty()) continue;
     const double turned_rad = so3_log(pair.lidar_b_from_lidar_a.linear()).norm();
-    const auto misfit_rad = [&](std::int64_t shift_ns) -> std::optional<double> {
+    const auto ins_turned_rad = [&](std::int64_t shift_ns) -> std::optional<double> {
       const auto at_a = motion.local_from_ins(session, a.stamp_ns + shift_ns);
       const auto at_b = motion.local_from_ins(session, b.stamp_ns + shift_ns);
       if (!at_a || !at_b) return std::nullopt;
-      return std::abs(turned_rad - rotation_angle_between_rad(*at_a, *at_b));
+      return rotation_angle_between_rad(*at_a, *at_b);
     };
-    const auto now = misfit_rad(-applied_ns), then = misfit_rad(std::llround(1e9 * offset_s) - applied_ns);
-    if (!now || !then) continue;
-    now_rad.push_back(*now);
-    then_rad.push_back(*then);
+    const auto now = ins_turned_rad(-applied_ns), then = ins_turned_rad(std::llround(1e9 * offset_s) - applied_ns);
+    if (!now || !then || std::abs(*now - *then) < kTold_rad) continue;
+    now_rad.push_back(std::abs(turned_rad - *now));
+    then_rad.push_back(std::abs(turned_rad - *then));
   }
   if (now_rad.size() < kFewest) return std::nullopt;
   return median_of(std::move(then_rad)) / std::max(1e-9, median_of(std::move(now_rad)));
@@ -114,7 +116,7 @@ std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
 
 void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& found, PipelineOutput& output) {
   for (const FarClock& far : found)
-    if (misfit_ratio(motion, output, far.session, far.offset_s).value_or(0.0) < kClearlyBetter)
+    if (misfit_ratio(motion, output, far.session, far.offset_s).value_or(0.0) < 1.0 / kClearlyBetter)
       output.findings.push_back(far.finding);
   for (int s = 0; s < motion.session_count(); ++s) {
     const std::string& name = motion.session(s).name;
@@ -134,10 +136,14 @@ void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& f
 }
 
 void blame_recording(const std::vector<Finding>& findings, CalibrationResult& result) {
-  const auto far =
-      std::find_if(findings.begin(), findings.end(), [](const Finding& finding) { return finding.code == kFarClock; });
-  if (far != findings.end() && result.status != Status::Cancelled) {
-    if (!is_usable(result) || (far->severity == Severity::Problem && !bridged(result))) {
+  bool named = false, too_far = false;
+  for (const Finding& finding : findings) {
+    if (finding.code != kFarClock) continue;
+    named = true;
+    too_far = too_far || finding.severity == Severity::Problem;
+  }
+  if (named && result.status != Status::Cancelled) {
+    if (!is_usable(result) || (too_far && !bridged(result))) {
       result.status = Status::Inconsistent;
       result.message = "The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.";
       claim_nothing("the clocks are apart", result);

@@ -4020,10 +4020,6 @@ Save under another name, or close it there first.</source>
         <translation>横滚需要转弯或坡道：直线行驶看不出来。</translation>
     </message>
     <message>
-        <source>Without a nominal mounting nothing can be said while yaw is not observed: give one (some 10 degrees are enough), or drive longer, with turns to both sides.</source>
-        <translation>没有名义安装，且偏航不可观测时，什么也不能断定：请给出名义安装（精度 10 度左右即可），或行驶更久并向两侧转弯。</translation>
-    </message>
-    <message>
         <source>The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: X is then no longer biased.</source>
         <translation>激光雷达与 INS 的时钟不一致，使 X 有偏；标准差已计入。设置 solve.apply_time_offset 后 X 不再有偏。</translation>
     </message>
@@ -7352,10 +7348,6 @@ Save under another name, or close it there first.</source>
         <translation>一无所知：没有名义安装时偏航角不定，其余各量都取决于它。</translation>
     </message>
     <message>
-        <source>yaw may be anything</source>
-        <translation>偏航角可以是任意值</translation>
-    </message>
-    <message>
         <source>its session contradicts all others, which agree (with it they scatter %1 times their errors)</source>
         <translation>其所属数据与彼此一致的其他数据都矛盾（计入它时离散程度为误差的 %1 倍）</translation>
     </message>
@@ -10218,6 +10210,18 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Between the pairs of scans that were registered the LiDAR turned as the INS did %1 s earlier. %2</source>
         <translation>在已配准的点云对之间，激光雷达的转动与 INS 早 %1 s 的转动一致。%2</translation>
+    </message>
+    <message>
+        <source>without a nominal yaw is open</source>
+        <translation>没有名义安装，偏航未定</translation>
+    </message>
+    <message>
+        <source>the sessions say different mountings</source>
+        <translation>各次会话给出的安装不同</translation>
+    </message>
+    <message>
+        <source>Without a nominal mounting nothing can be said while yaw is not observed (where roll is open, yaw turns with it): give one (some 10 degrees are enough), or drive longer, with turns to both sides.</source>
+        <translation>没有名义安装，且偏航不可观测时（横滚未定时偏航随之转动），什么也不能断定：请给出名义安装（精度 10 度左右即可），或行驶更久并向两侧转弯。</translation>
     </message>
 </context>
 <context>

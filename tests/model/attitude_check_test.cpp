@@ -144,10 +144,12 @@ TEST(attitude_check, no_result_stands_on_another_convention) {
   CalibrationResult bad = good, failed = good, cancelled = good, other = good;
   blame_attitude(findings, bad);
   EXPECT_EQ(bad.status, Status::Inconsistent);
+  EXPECT_EQ(parameter_names(bad.observed, true), "") << "nothing is claimed of it";
   ASSERT_EQ(bad.advice.size(), 1U);
   EXPECT_NE(bad.advice[0].find("convention"), std::string::npos);
   failed.status = Status::TooFewPairs;
   blame_attitude(findings, failed);
+  EXPECT_EQ(parameter_names(failed.observed, true), "") << "whatever else went wrong";
   EXPECT_EQ(failed.status, Status::TooFewPairs);
   ASSERT_EQ(failed.advice.size(), 2U) << "another cause stays known";
   EXPECT_NE(failed.advice[0].find("convention"), std::string::npos);

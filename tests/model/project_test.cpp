@@ -64,6 +64,7 @@ Project example(const std::filesystem::path& folder) {
   output.nominal_known = true;
   output.session_uses_sweep = {true, false};
   output.clock_bias = Vector6d::Constant(0.25);
+  output.up_in_lidar = Eigen::Vector3d(0.0, 0.6, 0.8);
   project.output = output;
   project.basis = {2, project.settings, project.nominal_ins_from_lidar};
   project.inputs.push_back({"one", "ins.csv", 5, "abc"});
@@ -86,6 +87,7 @@ TEST_F(project, reads_back_what_it_saved) {
   EXPECT_EQ(back.output->findings.at(0).code, "ins-gap");
   EXPECT_EQ(back.output->session_uses_sweep, (std::vector<bool>{true, false}));
   EXPECT_EQ(back.output->clock_bias, example(folder_).output->clock_bias);
+  EXPECT_EQ(back.output->up_in_lidar, example(folder_).output->up_in_lidar);
   EXPECT_EQ(back.inputs.at(0).sha256, "abc");
   const std::string first = read_regular_file(path);
   save_project(back, path);

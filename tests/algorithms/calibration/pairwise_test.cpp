@@ -289,6 +289,45 @@ TEST(pairwise, yaw_and_pitch_are_no_better_known_than_the_roll_that_they_turn_wi
   }
 }
 
+TEST(pairwise, the_ground_bounds_how_far_yaw_and_pitch_turn_with_roll_where_it_was_seen) {
+  DriveOptions options;
+  options.tilt_rad = options.turn_rad = 0.0;
+  constexpr double kInsLeans_rad = 0.05;
+  int claimed = 0, claimed_of_a_wall = 0, claimed_of_nothing = 0;
+  double most_sigma = 0.0;
+  for (int seed = 1; seed <= 8; ++seed) {
+    const SimulatedDrive drive = turned(simulate(options, seed), {0.03, -0.02, 0.1});
+    const auto claims = [&](std::optional<Eigen::Vector3d> up_in_lidar) {
+      PairwiseInput input = input_of(drive, options);
+      input.initial_ins_from_lidar = drive.ins_from_lidar;
+      input.initial_ins_from_lidar->linear() =
+          so3_exp({kInsLeans_rad, 0.0, 0.0}) * input.initial_ins_from_lidar->linear();
+      input.up_in_lidar = up_in_lidar;
+      std::vector<Pair> pairs = pairs_of(drive);
+      return solve_pairwise(input, pairs, {});
+    };
+    const Eigen::Vector3d up = drive.ins_from_lidar.linear().transpose() * Eigen::Vector3d::UnitZ();
+    const CalibrationResult result = claims(up);
+    const SixParameters is = six_from_rigid(result.ins_from_lidar), truth = six_from_rigid(drive.ins_from_lidar);
+    const double off_rad[] = {is.yaw_rad - truth.yaw_rad, is.pitch_rad - truth.pitch_rad};
+    for (const std::size_t i : {3U, 4U}) {
+      claimed += result.observed[i];
+      if (result.observed[i]) most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.sigma(i));
+    }
+    const CalibrationResult wall = claims(so3_exp({0.6, 0.0, 0.0}) * up), nothing = claims(std::nullopt);
+    for (const std::size_t i : {3U, 4U}) {
+      claimed_of_a_wall += wall.observed[i];
+      claimed_of_nothing += nothing.observed[i];
+    }
+  }
+  std::printf("  claimed %d of 16, off by up to %.2f sigma; %d by a wall, %d without ground\n", claimed, most_sigma,
+              claimed_of_a_wall, claimed_of_nothing);
+  EXPECT_EQ(claimed, 16);
+  EXPECT_LT(most_sigma, 2.5);
+  EXPECT_EQ(claimed_of_a_wall, 0) << "X and what is taken for the ground contradict each other";
+  EXPECT_EQ(claimed_of_nothing, 0) << "a first X that rests on nothing settles nothing";
+}
+
 TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nominal) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 6);
@@ -306,6 +345,14 @@ TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nomi
     if (!pair.registration.failure.empty()) {
       pair.state = PairState::Rejected;
       pair.decided_by = DecidedBy::User;
+    }
+  EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed, true), "");
+  // Nor were those that a cancelled calibration never came to.
+  for (Pair& pair : pairs)
+    if (!pair.registration.failure.empty()) {
+      pair.decided_by = DecidedBy::Program;
+      pair.reason = kPairNotReached;
+      pair.registration.failure = kPairNotReached;
     }
   EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed, true), "");
 }

@@ -90,6 +90,30 @@ TEST(trajectory_epochs, frequent_fixes_do_not_multiply_the_ins) {
   EXPECT_GT(with_pose_of_ins(session), 15u);
 }
 
+TEST(trajectory_epochs, however_frequent_the_fixes_the_odometry_is_as_uncertain) {
+  const auto summed = [](double rate_hz) {
+    SimulationOptions options;
+    options.duration_s = 6.0;
+    options.gnss.rate_hz = rate_hz;
+    Session session = simulate_drive(options).session;
+    session.ins.clear();
+    SessionOdometry odometry = ten_a_second(6.0);
+    for (OdometryPose& pose : odometry.poses) pose.stamp_ns += session.scans->stamp_ns(0);
+    std::pair<double, double> sum;
+    for (const TrajectoryEpoch& epoch : trajectory_session(session, odometry, {}, 0.0).epochs) {
+      if (epoch.time_s < 1.0 || epoch.time_s > 5.0) continue;
+      sum.first += epoch.step_translation_m2(0, 0);
+      sum.second += epoch.step_rotation_rad2(2, 2);
+    }
+    return sum;
+  };
+  const auto [slow_m2, slow_rad2] = summed(10.0);
+  const auto [fast_m2, fast_rad2] = summed(100.0);
+  ASSERT_GT(slow_m2, 0.0);
+  EXPECT_NEAR(fast_m2 / slow_m2, 1.0, 0.1);
+  EXPECT_NEAR(fast_rad2 / slow_rad2, 1.0, 0.1);
+}
+
 TEST(trajectory_epochs, without_an_ins_no_walk_of_an_ins_is_in_the_steps) {
   SimulationOptions options;
   options.duration_s = 6.0;

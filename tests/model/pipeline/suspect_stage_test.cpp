@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "model/result_file.h"
 #include "model/simulator/simulator.h"
@@ -68,14 +69,16 @@ TEST(suspect_stage, clocks_that_agree_or_cannot_be_told_are_silent) {
       EXPECT_TRUE(clocks_of(scenario, offset_s).empty()) << static_cast<int>(scenario) << " " << offset_s;
 }
 
-/// A drive whose pairs of scans were registered without error; its INS is logged `ins_early_s` too early.
+/// A drive whose pairs of scans were registered to a thirtieth of a degree; its INS is logged `ins_early_s` too early.
 struct RegisteredDrive {
   DriveMotion motion;
   PipelineOutput output;
 };
-RegisteredDrive registered(double ins_early_s) {
+RegisteredDrive registered(double ins_early_s, ScenarioKind scenario = ScenarioKind::FigureEight) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, 5e-4);
   SimulationOptions options;
-  options.scenario = ScenarioKind::FigureEight;
+  options.scenario = scenario;
   options.duration_s = 40.0;
   options.beams = 4;
   options.azimuth_steps = 20;
@@ -91,6 +94,7 @@ RegisteredDrive registered(double ins_early_s) {
     pair.keyframe_b = pair.keyframe_a + 1;
     pair.lidar_b_from_lidar_a =
         (pose.pose * drive.ins_from_lidar).inverse() * drive.enu_from_ins[k - 5].pose * drive.ins_from_lidar;
+    pair.lidar_b_from_lidar_a.rotate(so3_exp({noise(random), noise(random), noise(random)}));
     pair.registration.attempted = pair.registration.converged = true;
     pair.registration.information.setIdentity();
     out.output.pairs.push_back(pair);
@@ -99,8 +103,9 @@ RegisteredDrive registered(double ins_early_s) {
 }
 
 TEST(suspect_stage, registered_pairs_refute_a_clock_that_chained_scans_suspect) {
-  const auto findings_of = [](double ins_early_s, double suspected_s) {
-    RegisteredDrive drive = registered(ins_early_s);
+  const auto findings_of = [](double ins_early_s, double suspected_s,
+                              ScenarioKind scenario = ScenarioKind::FigureEight) {
+    RegisteredDrive drive = registered(ins_early_s, scenario);
     report_far_clocks(drive.motion, {{0, suspected_s, {Severity::Problem, "clock-far", "drive", "suspected"}}},
                       drive.output);
     return said(drive.output.findings, "clock-far");
@@ -108,6 +113,7 @@ TEST(suspect_stage, registered_pairs_refute_a_clock_that_chained_scans_suspect) 
   EXPECT_EQ(findings_of(0.0, 3.0), "") << "the pairs turn as the INS does at their own stamps";
   EXPECT_EQ(findings_of(-3.0, 3.0), "suspected");
   EXPECT_EQ(findings_of(0.0, 100.0), "suspected") << "the INS was not recorded then: nothing refutes it";
+  EXPECT_EQ(findings_of(0.0, 3.0, ScenarioKind::Straight), "suspected") << "one stretch turns like any other";
 }
 
 TEST(suspect_stage, registered_pairs_confirm_leap_seconds_between_recordings_that_lie_apart) {
@@ -131,8 +137,22 @@ TEST(suspect_stage, nothing_is_claimed_of_a_drive_whose_clocks_are_apart) {
   result.observed.fill(true);
   result.covariance = Matrix6d::Identity();
   blame_recording({{Severity::Problem, "clock-far", "drive", ""}}, result);
+  EXPECT_EQ(result.status, Status::Inconsistent);
   EXPECT_EQ(parameter_names(result.observed, true), "");
-  result = {};
+  EXPECT_FALSE(result.sigma(0));
+}
+
+TEST(suspect_stage, of_several_sessions_the_worst_clock_decides) {
+  CalibrationResult result;
+  result.status = Status::Ok;
+  result.observed.fill(true);
+  blame_recording({{Severity::Warning, "clock-far", "first", ""}, {Severity::Problem, "clock-far", "second", ""}},
+                  result);
+  EXPECT_EQ(result.status, Status::Inconsistent);
+}
+
+TEST(suspect_stage, positions_of_an_antenna_are_advice_of_the_result) {
+  CalibrationResult result;
   result.status = Status::Ok;
   result.observed.fill(true);
   blame_recording({{Severity::Warning, "antenna-position", "drive", ""}}, result);
