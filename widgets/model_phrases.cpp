@@ -48,6 +48,7 @@ const std::vector<const char*>& model_phrases() {
                         "contradicts the INS motion by %1 m, %2 deg (%3 sigma); turn or advance of INS and LiDAR "
                         "differ"),
       QT_TRANSLATE_NOOP("remount::model", "does not determine %1"),
+      QT_TRANSLATE_NOOP("remount::model", "aligned %1 m, %2 deg from where the INS was; does not determine %3"),
       QT_TRANSLATE_NOOP("remount::model", "its scans determine nothing"),
       QT_TRANSLATE_NOOP("remount::model", "its scans were not aligned"),
       QT_TRANSLATE_NOOP("remount::model", "not aligned: the calibration was cancelled"),

@@ -26,6 +26,23 @@ std::string open_directions(const Pair& pair) {
   return pair.registration.undetermined.empty() ? "" : "does not determine " + pair.registration.undetermined;
 }
 
+// Whether scans that leave directions open were aligned at a place where they never were: along an open direction a
+// registration stays about where it starts, and one that lies metres off began wrongly or slid. What its surfaces seem
+// to determine then are not the same surfaces.
+bool slid_away(const Pair& pair) {
+  constexpr double kFar_m = 1.0, kFarShare = 0.1, kFar_rad = degrees_to_radians(10.0);
+  return !pair.registration.undetermined.empty() &&
+         (pair.residual_translation_m > std::max(kFar_m, kFarShare * pair.baseline_m) ||
+          pair.residual_rotation_rad > kFar_rad);
+}
+
+std::string slid_reason(const Pair& pair) {
+  char text[120];
+  std::snprintf(text, sizeof text, "aligned %.3f m, %.3f deg from where the INS was; does not determine ",
+                pair.residual_translation_m, radians_to_degrees(pair.residual_rotation_rad));
+  return text + pair.registration.undetermined;
+}
+
 double tilt_of(const PairTilts& tilts_rad, int pair) {
   const auto at = static_cast<std::size_t>(pair);
   return at < tilts_rad.size() ? tilts_rad[at] : 0.0;
@@ -161,13 +178,16 @@ int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const 
     pair.residual_translation_m = residual.head<3>().norm();
     pair.residual_rotation_rad = residual.tail<3>().norm();
     const double score = sigma_equivalent(d2[k] / scale2);
-    pair.weight = pair.decided_by == DecidedBy::User ? 1.0 : score <= threshold ? 1.0 : 0.0;
+    const bool slid = slid_away(pair);
+    pair.weight = pair.decided_by == DecidedBy::User ? 1.0 : score <= threshold && !slid ? 1.0 : 0.0;
     if (pair.decided_by == DecidedBy::User) continue;
     const PairState state = pair.weight > 0.0 ? PairState::Accepted : PairState::Rejected;
     changed += state != pair.state ? 1 : 0;
     pair.state = state;
     pair.decided_by = DecidedBy::Program;
-    pair.reason = state == PairState::Accepted ? open_directions(pair) : outlier_reason(pair, score);
+    pair.reason = state == PairState::Accepted ? open_directions(pair)
+                  : score <= threshold         ? slid_reason(pair)
+                                               : outlier_reason(pair, score);
   }
   return changed;
 }

@@ -10223,6 +10223,10 @@ Save under another name, or close it there first.</source>
         <source>Without a nominal mounting nothing can be said while yaw is not observed (where roll is open, yaw turns with it): give one (some 10 degrees are enough), or drive longer, with turns to both sides.</source>
         <translation>没有名义安装，且偏航不可观测时（横滚未定时偏航随之转动），什么也不能断定：请给出名义安装（精度 10 度左右即可），或行驶更久并向两侧转弯。</translation>
     </message>
+    <message>
+        <source>aligned %1 m, %2 deg from where the INS was; does not determine %3</source>
+        <translation>对齐位置偏离 INS 所示 %1 m、%2 度；不能确定 %3</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

@@ -35,5 +35,31 @@ TEST(pair_judgement, distances_marginalise_the_ins_errors_also_where_a_registrat
   }
 }
 
+TEST(pair_judgement, of_what_scans_leave_open_a_registration_may_be_off_by_a_tenth_of_the_way_and_no_more) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 3);
+  const auto judged = [&](double baseline_m, double slid_m, double turned_rad, bool open) {
+    std::vector<Pair> pairs = pairs_of(drive);
+    pairs.resize(20);
+    std::vector<int> all;
+    for (std::size_t i = 0; i < pairs.size(); ++i) all.push_back(static_cast<int>(i));
+    Pair& pair = pairs[7];
+    pair.baseline_m = baseline_m;
+    pair.registration.information.setZero();
+    if (open) pair.registration.undetermined = "x, yaw (axes of the lidar)";
+    pair.lidar_b_from_lidar_a.translation().x() += slid_m;
+    pair.lidar_b_from_lidar_a.rotate(so3_exp({0.0, 0.0, turned_rad}));
+    judge_pairs(pairs, all, drive.ins_from_lidar, options.noise, 4.0);
+    return pair.state;
+  };
+  EXPECT_EQ(judged(5.0, 0.8, 0.0, true), PairState::Accepted);
+  EXPECT_EQ(judged(5.0, 1.4, 0.0, true), PairState::Rejected);
+  EXPECT_EQ(judged(30.0, 2.5, 0.0, true), PairState::Accepted) << "a nominal may be off by degrees";
+  EXPECT_EQ(judged(30.0, 3.5, 0.0, true), PairState::Rejected);
+  EXPECT_EQ(judged(5.0, 0.0, 0.1, true), PairState::Accepted);
+  EXPECT_EQ(judged(5.0, 0.0, 0.3, true), PairState::Rejected);
+  EXPECT_EQ(judged(5.0, 1.4, 0.0, false), PairState::Accepted) << "what is known of it decides alone";
+}
+
 }  // namespace
 }  // namespace remount
