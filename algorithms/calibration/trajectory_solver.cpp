@@ -109,7 +109,7 @@ enum class Improved { Moved, AtMinimum, Stuck };
 // One step with as much of it as lowers the cost.
 Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
                  double widened, TrajectorySolution& solution) {
-  constexpr double kShared = 1e-7, kPoses = 1e-5, kNoDecrease = 1e-9;
+  constexpr double kShared = 1e-7, kPoses = 1e-5, kNoDecrease = 1e-5, kNoShare = 1e-9;
   constexpr int kMostHalvings = 12;
   const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise, widened);
   const TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
@@ -123,8 +123,9 @@ Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& opti
   if (!std::isfinite(size.shared + size.poses)) return Improved::Stuck;
   // Judged by the whole step: the part that is left after halving is small wherever the search fails.
   const bool at_minimum = size.shared < kShared && size.poses < kPoses;
-  // Along what the drive hardly shows, steps stay long however little they change: a fraction of a sigma.
-  const bool nothing_left = step.predicted_decrease < kNoDecrease * (1.0 + before);
+  // Along what the drive hardly shows, steps stay long however little they change: three thousandths of a sigma, whose
+  // square is this decrease.
+  const bool nothing_left = step.predicted_decrease < std::max(kNoDecrease, kNoShare * before);
   double share = 1.0;
   for (int halved = 0; halved < kMostHalvings; ++halved, share *= 0.5) {
     const TrajectoryState next = moved(solution.state, step.moves, share);

@@ -167,7 +167,8 @@ Eigen::Vector3d turned_by_open_rotation(const RigidTransform& x, const Matrix6d&
   constexpr double kOpen_rad = 1.2 * kGround_rad;  // the ground alone leaves less; there, first order holds
   constexpr int kSteps = 36;
   Matrix6d bounded = information;
-  bounded.diagonal().head<3>().array() += 1e-6;
+  // On an arc X turns about the middle of the arc, as far as a LiDAR may be from the INS: a little, to first order.
+  bounded.topLeftCorner<3, 3>() += weak_prior(false).topLeftCorner<3, 3>();
   bounded.diagonal().tail<3>().array() += 1.0 / (kPi * kPi);
   const auto eigen = symmetric_eigen(Eigen::Matrix3d(inverse(bounded).bottomRightCorner<3, 3>()));
   const auto angles_of = [](const Eigen::Matrix3d& rotation) {
