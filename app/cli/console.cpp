@@ -35,13 +35,20 @@ sigset_t stop_signals() {
   return set;
 }
 
-/// Waits for Ctrl-C in a thread of its own: nothing has to be done within a signal handler.
+/// Waits for Ctrl-C in a thread of its own: nothing has to be done within a signal handler. The first one asks for a
+/// stop, and what was finished is kept; another ends the program, but not one that comes with the first: timeout(1),
+/// and shells with job control, signal the process and its group.
 void watch_signals(const std::stop_token& done, std::stop_source& stop) {
+  constexpr std::chrono::seconds kOneWish{1};
   const sigset_t set = stop_signals();
   const timespec wait{0, 100'000'000};
+  Clock::time_point asked;
   while (!done.stop_requested()) {
     if (::sigtimedwait(&set, nullptr, &wait) < 0) continue;
-    if (stop.stop_requested()) ::_exit(kNoResult);
+    if (!stop.stop_requested())
+      asked = Clock::now();
+    else if (Clock::now() - asked > kOneWish)
+      ::_exit(kNoResult);
     stop.request_stop();
   }
 }

@@ -26,18 +26,21 @@ void check_positions(const std::vector<InsSample>& ins, std::vector<Finding>& fi
                                  latitude_deg, longitude_deg)});
 }
 
-/// Root mean square over the stretch that both cover; NaN where there is none.
-double rms_rate(const MetricPoses& poses) {
+/// How much the rate of rotation varies about its mean, rad/s; NaN where there is none.
+double varying_rate(const MetricPoses& poses) {
   double sum = 0.0, time_s = 0.0;
+  Eigen::Vector3d turned_rad = Eigen::Vector3d::Zero();
   for (std::size_t from = 0, i = 1; i < poses.size(); ++i) {
     const double step_s = seconds_between(poses[from].stamp_ns, poses[i].stamp_ns);
     if (step_s < 0.2) continue;
-    const double turn = so3_log(poses[from].pose.linear().transpose() * poses[i].pose.linear()).norm();
-    sum += turn * turn / step_s;
+    const Eigen::Vector3d turn_rad = so3_log(poses[from].pose.linear().transpose() * poses[i].pose.linear());
+    sum += turn_rad.squaredNorm() / step_s;
+    turned_rad += turn_rad;
     time_s += step_s;
     from = i;
   }
-  return time_s > 0.0 ? std::sqrt(sum / time_s) : std::nan("");
+  if (!(time_s > 0.0)) return std::nan("");
+  return std::sqrt(std::max(0.0, sum / time_s - (turned_rad / time_s).squaredNorm()));
 }
 
 void check_imu(const CheckedSession& checked, std::vector<Finding>& findings) {
@@ -51,8 +54,9 @@ void check_imu(const CheckedSession& checked, std::vector<Finding>& findings) {
     rates += (sample.angular_rate_radps - mean).squaredNorm() / static_cast<double>(imu.size());
     if (const double force = sample.specific_force_mps2.norm(); std::isfinite(force)) forces.push_back(force);
   }
-  const double imu_rate = std::sqrt(rates), ins_rate = rms_rate(checked.poses);
-  // A vehicle that hardly turns tells nothing: noise is all that the IMU has.
+  // Means are left out, for an IMU has a bias: an even bend then tells as little as no turn at all, where noise is all
+  // that the IMU has.
+  const double imu_rate = std::sqrt(rates), ins_rate = varying_rate(checked.poses);
   const double ratio = ins_rate > 0.05 ? imu_rate / ins_rate : 1.0;
   if (ratio > 0.4 * kDegreesPerRadian || ratio < 2.5 / kDegreesPerRadian)
     findings.push_back(

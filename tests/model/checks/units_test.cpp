@@ -47,5 +47,22 @@ TEST(unit_check, rates_in_degrees_and_forces_in_g_are_named) {
   EXPECT_FALSE(has_code(found_by(unit_check(), in_g), "imu-rate-unit"));
 }
 
+TEST(unit_check, the_beginning_of_a_bend_is_no_other_unit) {
+  Session bend = drive_with_imu();
+  bend.ins.clear();
+  for (std::size_t i = 0; i < bend.imu.size(); ++i) {
+    ImuSample& imu = bend.imu[i];
+    const double time_s = 1e-9 * static_cast<double>(imu.stamp_ns - bend.imu.front().stamp_ns);
+    imu.angular_rate_radps = {0.0, 0.0, 0.5 + 0.004 * (i % 2 == 0 ? 1.0 : -1.0)};
+    InsSample ins;
+    ins.stamp_ns = imu.stamp_ns;
+    ins.latitude_rad = 0.85;
+    ins.longitude_rad = 0.2;
+    ins.enu_from_ins = Eigen::AngleAxisd(0.5 * time_s, Eigen::Vector3d::UnitZ());
+    bend.ins.push_back(ins);
+  }
+  EXPECT_FALSE(has_code(found_by(unit_check(), bend), "imu-rate-unit"));
+}
+
 }  // namespace
 }  // namespace remount
