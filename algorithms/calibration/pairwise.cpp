@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "algorithms/calibration/joint_problem.h"
+#include "algorithms/calibration/motion_agreement.h"
 #include "algorithms/calibration/noise_prior.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
@@ -348,6 +349,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
       result.message = "The joint solution did not converge.";
     }
   }
+  judge_motions(problem, pairs, details, input.options, progress, result);
   report_rejected_sessions(context, usable, pairs, result);
   // A stop on the way leaves numbers that look complete and are not.
   if (progress.cancelled()) return cancelled(result);

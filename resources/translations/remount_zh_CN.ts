@@ -10227,6 +10227,26 @@ Save under another name, or close it there first.</source>
         <source>aligned %1 m, %2 deg from where the INS was; does not determine %3</source>
         <translation>对齐位置偏离 INS 所示 %1 m、%2 度；不能确定 %3</translation>
     </message>
+    <message>
+        <source>LiDAR and INS contradict each other under every mounting: their motions differ by %1 m on ways of %2 m.</source>
+        <translation>在任何安装下激光雷达与 INS 都互相矛盾：在 %2 m 的路程上，二者的运动相差 %1 m。</translation>
+    </message>
+    <message>
+        <source>the motions of LiDAR and INS contradict each other</source>
+        <translation>激光雷达与 INS 的运动互相矛盾</translation>
+    </message>
+    <message>
+        <source>Look whether poses of the LiDAR are what they are taken for: of this drive, in metres, from the LiDAR to the world, with the parts of the quaternion in that order. Then look at clock and attitude of the INS.</source>
+        <translation>请检查激光雷达位姿是否符合约定：属于本次行驶、以米为单位、从激光雷达到世界、四元数分量顺序正确。然后检查 INS 的时钟与姿态。</translation>
+    </message>
+    <message>
+        <source>the distances of LiDAR and INS differ</source>
+        <translation>激光雷达与 INS 的距离不一致</translation>
+    </message>
+    <message>
+        <source>The LiDAR moves %1 times as far as the INS: one of them measures distances wrongly, which biases X; the sigmas include it. Correct the scale, or use the method trajectory, which estimates it.</source>
+        <translation>激光雷达移动的距离是 INS 的 %1 倍：二者之一的距离测量有误，使 X 产生偏差；sigma 已计入。请修正尺度，或使用会估计尺度的 trajectory 方法。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

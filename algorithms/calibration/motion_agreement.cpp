@@ -1,0 +1,92 @@
+#include "algorithms/calibration/motion_agreement.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/pair_equation.h"
+
+namespace remount {
+namespace {
+
+bool is_solved_result(const CalibrationResult& result) {
+  return result.status == Status::Ok || result.status == Status::Degenerate;
+}
+
+// X with the distances of the LiDAR divided by how many times too far they are. X takes a part of a wrong scale, so
+// that what the first X shows of it falls short.
+struct Rescaled {
+  double lidar_per_ins = 1.0;
+  RigidTransform ins_from_lidar;
+};
+Rescaled rescaled(const JointProblem& problem, std::vector<Pair> pairs, const PairwiseDetails& details,
+                  double lidar_per_ins, const Progress& progress) {
+  constexpr int kRounds = 3, kIterations = 10;
+  Rescaled out{1.0, details.joint.ins_from_lidar};
+  JointProblem shorter = problem;
+  for (int round = 0; round < kRounds && !progress.cancelled(); ++round) {
+    for (JointTerm& term : shorter.terms) term.lidar_b_from_lidar_a.translation() /= lidar_per_ins;
+    for (Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() /= lidar_per_ins;
+    out.lidar_per_ins *= lidar_per_ins;
+    out.ins_from_lidar = solve_joint(shorter, details.noise, out.ins_from_lidar, kIterations, progress).ins_from_lidar;
+    lidar_per_ins = motion_agreement(pairs, out.ins_from_lidar).lidar_per_ins;
+  }
+  return out;
+}
+
+}  // namespace
+
+MotionAgreement motion_agreement(const std::vector<Pair>& pairs, const RigidTransform& ins_from_lidar) {
+  double count = 0.0, travelled2 = 0.0, along = 0.0, moved2 = 0.0;
+  for (const Pair& pair : pairs) {
+    if (pair.state != PairState::Accepted || !pair.registration.undetermined.empty()) continue;
+    const Eigen::Vector3d by_ins = predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar).translation();
+    const Eigen::Vector3d by_lidar = pair.lidar_b_from_lidar_a.translation();
+    ++count;
+    travelled2 += by_ins.squaredNorm();
+    along += by_ins.dot(by_lidar);
+    moved2 += by_lidar.squaredNorm();
+  }
+  MotionAgreement out;
+  out.lidar_per_ins_sigma = std::numeric_limits<double>::infinity();
+  if (count < 3.0 || !(travelled2 > 0.0)) return out;
+  out.travel_m = std::sqrt(travelled2 / count);
+  out.apart_m = std::sqrt(std::max(0.0, moved2 - 2.0 * along + travelled2) / count);
+  out.lidar_per_ins = along / travelled2;
+  const double left2 = std::max(0.0, moved2 - along * along / travelled2);
+  out.lidar_per_ins_sigma = std::sqrt(left2 / (3.0 * count - 1.0) / travelled2);
+  return out;
+}
+
+void judge_motions(const JointProblem& problem, const std::vector<Pair>& pairs, const PairwiseDetails& details,
+                   const SolveOptions& options, const Progress& progress, CalibrationResult& result) {
+  constexpr double kApart_m = 0.3, kApartShare = 0.15, kScale = 0.002, kSigmas = 5.0;
+  const MotionAgreement motions = motion_agreement(pairs, details.joint.ins_from_lidar);
+  char text[280];
+  if (motions.apart_m > std::max(kApart_m, kApartShare * motions.travel_m)) {
+    if (!is_solved_result(result)) return;
+    result.status = Status::Inconsistent;
+    std::snprintf(text, sizeof text,
+                  "LiDAR and INS contradict each other under every mounting: their motions differ by %.2f m on ways of "
+                  "%.2f m.",
+                  motions.apart_m, motions.travel_m);
+    result.message = text;
+    claim_nothing("the motions of LiDAR and INS contradict each other", result);
+    result.advice = {
+        "Look whether poses of the LiDAR are what they are taken for: of this drive, in metres, from the LiDAR to the "
+        "world, with the parts of the quaternion in that order. Then look at clock and attitude of the INS."};
+    return;
+  }
+  const double scale_error = std::abs(motions.lidar_per_ins - 1.0);
+  if (!is_solved_result(result) || !(scale_error > std::max(kScale, kSigmas * motions.lidar_per_ins_sigma))) return;
+  const Rescaled fitting = rescaled(problem, pairs, details, motions.lidar_per_ins, progress);
+  add_doubt(difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), "the distances of LiDAR and INS differ",
+            options, result);
+  std::snprintf(text, sizeof text,
+                "The LiDAR moves %.4f times as far as the INS: one of them measures distances wrongly, which biases X; "
+                "the sigmas include it. Correct the scale, or use the method trajectory, which estimates it.",
+                fitting.lidar_per_ins);
+  result.advice.emplace_back(text);
+}
+
+}  // namespace remount
