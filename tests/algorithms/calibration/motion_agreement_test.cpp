@@ -43,6 +43,7 @@ TEST(motion_agreement, an_odometry_that_measures_distances_wrongly_is_named_and_
     const Eigen::Vector3d off_m = result.ins_from_lidar.translation() - drive.ins_from_lidar.translation();
     std::printf("  %.2f: off by %.3f %.3f %.3f m\n", scale, off_m.x(), off_m.y(), off_m.z());
     EXPECT_TRUE(advises(result, "times as far")) << scale << " " << result.message;
+    ASSERT_TRUE(result.sigma(0)) << result.message;
     for (std::size_t i = 0; i < 3; ++i)
       if (result.sigma(i))
         EXPECT_LT(std::abs(off_m[static_cast<Eigen::Index>(i)]), 3.5 * *result.sigma(i)) << kParameterNames[i];
