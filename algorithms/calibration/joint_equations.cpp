@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <cmath>
 
+#include "algorithms/calibration/keyframe_blocks.h"
 #include "algorithms/calibration/pair_equation.h"
 
 namespace remount {
@@ -47,28 +48,21 @@ Eigen::MatrixXd shared_jacobian(const PairEquation& equation, const JointNode& a
   return jacobian;
 }
 
-using Entries = std::vector<Eigen::Triplet<double>>;
-
-void add_block(int row, int column, const Matrix6d& block, Entries& entries) {
-  for (int c = 0; c < 6; ++c)
-    for (int r = 0; r < 6; ++r) entries.emplace_back(row + r, column + c, block(r, c));
-}
-
 // The drift walks from each keyframe to the next; that of a session's first is zero, for only differences matter.
 void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
-                     NormalEquations& equations, Entries& entries) {
+                     NormalEquations& equations, KeyframeBlocks& blocks) {
   for (std::size_t k = 0; k < problem.nodes.size(); ++k) {
     const bool first = is_first_of_session(problem, k);
     const Vector6d information = drift_step_information(problem, noise, k);
     const Vector6d change = first ? state.drifts[k] : Vector6d(state.drifts[k] - state.drifts[k - 1]);
     const int here = layout.node_at(k) + 6;
-    const Matrix6d block = information.asDiagonal();
-    add_block(here, here, block, entries);
+    const int node = static_cast<int>(k);
+    blocks.at(node, node).bottomRightCorner<6, 6>().diagonal() += information;
     equations.keyframe_side.segment<6>(here) -= information.cwiseProduct(change);
     if (!first) {
       const int before = layout.node_at(k - 1) + 6;
-      add_block(before, before, block, entries);
-      add_block(here, before, -block, entries);
+      blocks.at(node - 1, node - 1).bottomRightCorner<6, 6>().diagonal() += information;
+      blocks.at(node, node - 1).bottomRightCorner<6, 6>().diagonal() -= information;
       equations.keyframe_side.segment<6>(before) += information.cwiseProduct(change);
     }
     equations.cost += change.dot(information.cwiseProduct(change));
@@ -77,18 +71,19 @@ void add_drift_prior(const JointProblem& problem, const NoiseModel& noise, const
 }
 
 void add_priors(const JointProblem& problem, const NoiseModel& noise, const State& state, const Layout& layout,
-                NormalEquations& equations, Entries& entries) {
+                NormalEquations& equations, KeyframeBlocks& blocks) {
   for (std::size_t k = 0; k < state.errors.size(); ++k) {
+    const int node = static_cast<int>(k);
     const Eigen::LDLT<Matrix6d> covariance(node_covariance(problem, noise, k));
     const Matrix6d information = covariance.solve(Matrix6d::Identity());
     const Vector6d weighted = information * state.errors[k];
     const int at = layout.node_at(k);
-    add_block(at, at, information, entries);
+    blocks.at(node, node).topLeftCorner<6, 6>() += information;
     equations.keyframe_side.segment<6>(at) -= weighted;
     equations.cost += state.errors[k].dot(weighted);
     equations.log_information -= covariance.vectorD().array().log().sum();
   }
-  if (layout.drift) add_drift_prior(problem, noise, state, layout, equations, entries);
+  if (layout.drift) add_drift_prior(problem, noise, state, layout, equations, blocks);
   const auto prior = [&](int at, double sigma, double value) {
     const double information = 1.0 / (sigma * sigma);
     equations.shared(at, at) += information;
@@ -127,22 +122,25 @@ NodePart node_part(const JointNode& node, std::size_t index, const Matrix6d& bod
   return part;
 }
 
-// The lower triangle of J' L J for two parts.
-void add_parts(const NodePart& row, const NodePart& column, const Matrix6d& information, Entries& entries) {
-  const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> weighted = information * column.jacobian;
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 12> block = row.jacobian.transpose() * weighted;
-  for (int c = 0; c < block.cols(); ++c)
-    for (int r = 0; r < block.rows(); ++r)
-      if (row.at + r >= column.at + c) entries.emplace_back(row.at + r, column.at + c, block(r, c));
+// J' L J of a term's two keyframes.
+void add_parts(const LinearTerm& linear, const Matrix6d& information, KeyframeBlocks& blocks) {
+  const auto add = [&](int row, const NodePart& of_row, int column, const NodePart& of_column) {
+    const Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 12> weighted = information * of_column.jacobian;
+    blocks.at(row, column).noalias() += of_row.jacobian.transpose().lazyProduct(weighted);
+  };
+  const int a = linear.term->node_a, b = linear.term->node_b;
+  add(a, linear.a, a, linear.a);
+  add(b, linear.b, b, linear.b);
+  if (a > b)
+    add(a, linear.a, b, linear.b);
+  else
+    add(b, linear.b, a, linear.a);
 }
 
 void add_term(const LinearTerm& linear, const NoiseModel& noise, const Layout& layout, NormalEquations& equations,
-              Entries& entries) {
+              KeyframeBlocks& blocks) {
   const Matrix6d information = term_information(linear, noise);
-  add_parts(linear.a, linear.a, information, entries);
-  add_parts(linear.b, linear.b, information, entries);
-  const bool a_later = linear.a.at > linear.b.at;
-  add_parts(a_later ? linear.a : linear.b, a_later ? linear.b : linear.a, information, entries);
+  add_parts(linear, information, blocks);
   const Vector6d weighted = information * linear.residual;
   const Eigen::MatrixXd weighted_shared = information * linear.shared;
   for (const NodePart* part : {&linear.a, &linear.b}) {
@@ -237,18 +235,21 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
   equations.shared = Eigen::MatrixXd::Zero(layout.size(), layout.size());
   equations.keyframe_side = Eigen::VectorXd::Zero(unknowns);
   equations.shared_side = Eigen::VectorXd::Zero(layout.size());
-  Entries entries;
-  entries.reserve(terms.size() * 300 + problem.nodes.size() * 120);
-  for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, entries);
-  add_priors(problem, noise, state, layout, equations, entries);
-  equations.keyframes.resize(unknowns, unknowns);
-  // Only the lower half is filled in: it is what the factorisation reads.
-  equations.keyframes.setFromTriplets(entries.begin(), entries.end());
+  std::vector<std::pair<int, int>> links;
+  for (const LinearTerm& term : terms) links.emplace_back(term.term->node_a, term.term->node_b);
+  for (std::size_t k = 1; layout.drift && k < problem.nodes.size(); ++k)
+    if (!is_first_of_session(problem, k)) links.emplace_back(static_cast<int>(k) - 1, static_cast<int>(k));
+  KeyframeBlocks blocks(static_cast<int>(problem.nodes.size()), layout.node_size(), std::move(links));
+  for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, blocks);
+  add_priors(problem, noise, state, layout, equations, blocks);
+  equations.keyframes = blocks.take();
   return equations;
 }
 
 void eliminate(const NormalEquations& equations, Eliminated& out) {
-  out.factors.compute(equations.keyframes);
+  if (!out.analysed) out.factors.analyzePattern(equations.keyframes);
+  out.analysed = true;
+  out.factors.factorize(equations.keyframes);
   out.valid = out.factors.info() == Eigen::Success && out.factors.vectorD().minCoeff() > 0.0;
   if (!out.valid) return;
   const Eigen::MatrixXd solved = out.factors.solve(equations.coupling);

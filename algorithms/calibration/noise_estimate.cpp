@@ -33,11 +33,11 @@ NoiseModel estimate_noise(const JointProblem& problem, const NoiseModel& expecte
         expected.ins_attitude_drift * std::exp(logs[6])};
   };
   const std::vector<LinearTerm> terms = linearise(problem, state, layout);
+  Eliminated solved;
   const auto objective = [&](const std::array<double, 7>& logs) {
     double value = 0.0;
     for (std::size_t i = 0; i < logs.size(); ++i)
       if (log_spread[i] > 0.0) value += logs[i] * logs[i] / (log_spread[i] * log_spread[i]);
-    Eliminated solved;
     eliminate(build(problem, terms, with(logs), state, layout), solved);
     return solved.valid ? value + solved.minus_two_log_likelihood : std::numeric_limits<double>::infinity();
   };

@@ -1,0 +1,33 @@
+// The keyframes' part of the normal equations: a sparse symmetric matrix of equal square blocks.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <utility>
+#include <vector>
+
+namespace remount {
+
+/// Its lower triangle. Blocks are summed where they lie in memory: entry by entry, as triplets, they would have to be
+/// sorted for every noise model that is tried.
+class KeyframeBlocks {
+ public:
+  using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
+  /// Zero; links are of keyframes whose unknowns meet in a term, in any order and as often as they do.
+  KeyframeBlocks(int keyframes, int block_size, std::vector<std::pair<int, int>> links);
+
+  /// Row and column are keyframes that are linked or the same, row >= column. Valid while this object is. Of a block on
+  /// the diagonal the part above it is not read.
+  Block at(int row, int column);
+
+  /// The matrix as it was summed; the object is of no use afterwards.
+  Eigen::SparseMatrix<double> take() { return std::move(matrix_); }
+
+ private:
+  int size_;
+  std::vector<int> rows_;    // of all blocks, column by column
+  std::vector<int> starts_;  // of each column in rows_, and the end
+  Eigen::SparseMatrix<double> matrix_;
+};
+
+}  // namespace remount
