@@ -13,7 +13,7 @@
 namespace remount {
 namespace {
 
-constexpr std::size_t kStepBytes = std::size_t{1} << 20;
+constexpr std::uint64_t kStepBytes = std::uint64_t{1} << 20;
 
 class Bzip2Unpacker final : public Unpacker {
  public:
@@ -82,10 +82,15 @@ class ZstdUnpacker final : public Unpacker {
 };
 
 /// Gives room for a piece of output at a time until the data end, nothing more is there to read, or `size` is reached.
-UnpackStep unpack_in_steps(Unpacker& unpacker, std::string_view packed, std::uint64_t size, std::string& out) {
+/// The first piece is what the data probably become: room is zeroed, and a recording has a hundred thousand small
+/// messages.
+UnpackStep unpack_in_steps(Unpacker& unpacker, std::string_view packed, std::uint64_t size, std::uint64_t promised,
+                           std::string& out) {
+  const std::uint64_t first = promised > 0 ? promised : 1024 + 16 * std::uint64_t{packed.size()};
   while (out.size() < size) {
     const std::size_t before = out.size(), left = packed.size();
-    std::size_t room = static_cast<std::size_t>(std::min<std::uint64_t>(kStepBytes, size - before));
+    std::size_t room =
+        static_cast<std::size_t>(std::min({before == 0 ? first : kStepBytes, kStepBytes, size - before}));
     out.resize(before + room);
     const UnpackStep outcome = unpacker.step(packed, out.data() + before, room);
     out.resize(before + room);
@@ -149,7 +154,7 @@ std::string unpack_chunk(ChunkCompression compression, std::string_view packed, 
     // Growing step by step would take it twice.
     const std::uint64_t promised = promised_bytes(compression, packed);
     out.reserve(static_cast<std::size_t>(end == ChunkEnd::Whole ? size : std::min(promised, size)));
-    outcome = unpack_in_steps(*make_unpacker(compression), packed, size, out);
+    outcome = unpack_in_steps(*make_unpacker(compression), packed, size, promised, out);
   }
   if (end == ChunkEnd::Early && outcome == UnpackStep::Broken)
     throw Error(ErrorCode::Format, where,
