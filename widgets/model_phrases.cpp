@@ -110,8 +110,8 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Roll needs turns or slopes: a straight drive does not show it."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, "
-                        "pitch and roll of the mounting cannot be told from it. Log roll and pitch as well, or "
-                        "give what you measured: z, pitch and roll, or the height of the INS above the ground."),
+                        "pitch and roll of the mounting hardly follow from it, if at all. Log roll and pitch as well, "
+                        "or give what you measured: z, pitch and roll, or the height of the INS above the ground."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Without a nominal mounting nothing can be said while yaw is not observed (where roll is open, "
                         "yaw turns with it): give one (some 10 degrees are enough), or drive longer, with turns to "

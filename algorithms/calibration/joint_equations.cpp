@@ -242,13 +242,16 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
   KeyframeBlocks blocks(static_cast<int>(problem.nodes.size()), layout.node_size(), std::move(links));
   for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, blocks);
   add_priors(problem, noise, state, layout, equations, blocks);
-  equations.keyframes = blocks.take();
+  Sparse summed = blocks.take();
+  equations.keyframes.swap(summed);
   return equations;
 }
 
 void eliminate(const NormalEquations& equations, Eliminated& out) {
-  if (!out.analysed) out.factors.analyzePattern(equations.keyframes);
-  out.analysed = true;
+  const Eigen::Index unknowns = equations.keyframes.cols(), entries = equations.keyframes.nonZeros();
+  if (out.analysed_unknowns != unknowns || out.analysed_entries != entries)
+    out.factors.analyzePattern(equations.keyframes);
+  out.analysed_unknowns = unknowns, out.analysed_entries = entries;
   out.factors.factorize(equations.keyframes);
   out.valid = out.factors.info() == Eigen::Success && out.factors.vectorD().minCoeff() > 0.0;
   if (!out.valid) return;

@@ -13,7 +13,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 
 // The normal equations at one point, with the keyframes' block kept apart: [A B; B' C] [e; g] = [p; q].
 struct NormalEquations {
-  Sparse keyframes;          // A, its lower triangle
+  Sparse keyframes;          // A, of which only the lower triangle is to be read
   Eigen::MatrixXd coupling;  // B
   Eigen::MatrixXd shared;    // C: X, attitude biases, clock offsets
   Eigen::VectorXd keyframe_side, shared_side;
@@ -82,7 +82,7 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
                       const State& state, const Layout& layout);
 
 struct Eliminated {
-  bool analysed = false;  // `factors` know the order of elimination
+  Eigen::Index analysed_unknowns = -1, analysed_entries = -1;  // of equations whose order of elimination `factors` know
   bool valid = false;
   Eigen::SimplicialLDLT<Sparse, Eigen::Lower> factors;
   Eigen::MatrixXd reduced;  // of the shared unknowns
@@ -90,8 +90,9 @@ struct Eliminated {
   double minus_two_log_likelihood = 0.0;
 };
 
-/// Solves by eliminating the keyframes. `out` may be of other equations of the same terms and layout before: the order
-/// of elimination, which takes longer to find than the solution, is then kept.
+/// Solves by eliminating the keyframes. `out` may be of other equations before, of the same terms and layout: the order
+/// of elimination, which takes longer to find than the solution, is then kept; where there are more or fewer unknowns
+/// it is found anew.
 void eliminate(const NormalEquations& equations, Eliminated& out);
 
 }  // namespace remount

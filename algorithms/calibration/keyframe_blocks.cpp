@@ -1,7 +1,8 @@
 #include "algorithms/calibration/keyframe_blocks.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "algorithms/core/error.h"
 
 namespace remount {
 
@@ -36,7 +37,8 @@ KeyframeBlocks::KeyframeBlocks(int keyframes, int block_size, std::vector<std::p
 KeyframeBlocks::Block KeyframeBlocks::at(int row, int column) {
   const int start = starts_[static_cast<std::size_t>(column)], end = starts_[static_cast<std::size_t>(column) + 1];
   const auto found = std::lower_bound(rows_.begin() + start, rows_.begin() + end, row);
-  assert(found != rows_.begin() + end && *found == row);
+  if (found == rows_.begin() + end || *found != row)
+    throw Error(ErrorCode::Contract, "", "a block of keyframes that are not linked");
   const int before = static_cast<int>(found - rows_.begin()) - start;
   double* const first = matrix_.valuePtr() + static_cast<Eigen::Index>(start) * size_ * size_ + before * size_;
   return {first, size_, size_, Eigen::OuterStride<>((end - start) * size_)};

@@ -7,8 +7,8 @@
 
 namespace remount {
 
-/// Its lower triangle. Blocks are summed where they lie in memory: entry by entry, as triplets, they would have to be
-/// sorted for every noise model that is tried.
+/// Of that matrix the lower triangle. Blocks are summed where they lie in memory: as triplets, all their entries would
+/// have to be sorted for every noise model that is tried.
 class KeyframeBlocks {
  public:
   using Block = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
@@ -17,11 +17,15 @@ class KeyframeBlocks {
   KeyframeBlocks(int keyframes, int block_size, std::vector<std::pair<int, int>> links);
 
   /// Row and column are keyframes that are linked or the same, row >= column. Valid while this object is. Of a block on
-  /// the diagonal the part above it is not read.
+  /// the diagonal the part above it is not read. Throws Error(Contract) for keyframes that are not linked.
   Block at(int row, int column);
 
   /// The matrix as it was summed; the object is of no use afterwards.
-  Eigen::SparseMatrix<double> take() { return std::move(matrix_); }
+  Eigen::SparseMatrix<double> take() {
+    Eigen::SparseMatrix<double> matrix;
+    matrix.swap(matrix_);  // Eigen's move is a copy
+    return matrix;
+  }
 
  private:
   int size_;

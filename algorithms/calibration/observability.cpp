@@ -63,22 +63,25 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
     result.advice.push_back(missing(0, "x", 1, "y", "x and y") +
                             (straight ? "turns: drive a figure of eight or two tight turns in each direction."
                                       : "more rotation: drive tighter turns, in both directions."));
-  const bool tilt_open = motion.tilt_assumed && !(observed[2] && observed[4] && observed[5]);
-  if (tilt_open)
+  // Many slopes average the guess; what they show so is still poor.
+  const bool tilt_vague =
+      motion.tilt_assumed && (!(observed[2] && observed[4] && observed[5]) ||
+                              std::max(*result.sigma(4), *result.sigma(5)) > degrees_to_radians(0.5));
+  if (tilt_vague)
     result.advice.emplace_back(
         "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of "
-        "the mounting cannot be told from it. Log roll and pitch as well, or give what you measured: z, pitch and "
-        "roll, or the height of the INS above the ground.");
-  if (!observed[2] && !tilt_open)
+        "the mounting hardly follow from it, if at all. Log roll and pitch as well, or give what you measured: z, "
+        "pitch and roll, or the height of the INS above the ground.");
+  if (!observed[2] && !tilt_vague)
     result.advice.push_back(
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
         "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.");
   // Of an INS that is taken to be level no travel shows pitch.
-  const bool pitch_missing = !observed[4] && !tilt_open;
+  const bool pitch_missing = !observed[4] && !tilt_vague;
   if (!observed[3] || pitch_missing)
     result.advice.push_back((pitch_missing ? missing(3, "Yaw", 4, "Pitch", "Yaw and pitch") : "Yaw needs ") +
                             "travel: drive at least a few tens of metres with good INS quality.");
-  if (!observed[5] && !tilt_open)
+  if (!observed[5] && !tilt_vague)
     result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
 }
 

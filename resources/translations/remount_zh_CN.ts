@@ -10128,8 +10128,8 @@ Save under another name, or close it there first.</source>
         <translation>INS 的横滚角和俯仰角是假定的，未经测量</translation>
     </message>
     <message>
-        <source>The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of the mounting cannot be told from it. Log roll and pitch as well, or give what you measured: z, pitch and roll, or the height of the INS above the ground.</source>
-        <translation>日志有航向，但没有横滚和俯仰：INS 的倾斜是假定的，由此无法得知安装的高度、俯仰角和横滚角。请同时记录横滚和俯仰，或给出测量值：z、俯仰角和横滚角，或 INS 的离地高度。</translation>
+        <source>The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of the mounting hardly follow from it, if at all. Log roll and pitch as well, or give what you measured: z, pitch and roll, or the height of the INS above the ground.</source>
+        <translation>日志有航向，但没有横滚和俯仰：INS 的倾斜是假定的，由此几乎或完全无法得知安装的高度、俯仰角和横滚角。请同时记录横滚和俯仰，或给出测量值：z、俯仰角和横滚角，或 INS 的离地高度。</translation>
     </message>
     <message>
         <source>the checksum of a %1 is missing, which the others have</source>

@@ -82,8 +82,8 @@ class ZstdUnpacker final : public Unpacker {
 };
 
 /// Gives room for a piece of output at a time until the data end, nothing more is there to read, or `size` is reached.
-/// The first piece is what the data probably become: room is zeroed, and a recording has a hundred thousand small
-/// messages.
+/// The first piece is what the data promise to become (0: nothing), or what small messages become at most: room is
+/// zeroed, and a recording has a hundred thousand of them.
 UnpackStep unpack_in_steps(Unpacker& unpacker, std::string_view packed, std::uint64_t size, std::uint64_t promised,
                            std::string& out) {
   const std::uint64_t first = promised > 0 ? promised : 1024 + 16 * std::uint64_t{packed.size()};

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include "algorithms/core/error.h"
 
 namespace remount {
 namespace {
@@ -27,7 +30,21 @@ TEST(keyframe_blocks, lie_where_a_dense_matrix_has_them) {
       EXPECT_GT(entry.row(), before.row()) << "column " << column;
 }
 
-TEST(keyframe_blocks, of_no_keyframes_are_an_empty_matrix) { EXPECT_EQ(KeyframeBlocks(0, 6, {}).take().size(), 0); }
+TEST(keyframe_blocks, of_keyframes_that_are_not_linked_are_refused) {
+  KeyframeBlocks blocks(4, 2, {{0, 3}});
+  EXPECT_THROW(blocks.at(1, 0), Error);
+  EXPECT_THROW(blocks.at(3, 2), Error);
+  EXPECT_THROW(blocks.at(0, 3), Error) << "above the diagonal";
+  blocks.at(3, 0)(1, 1) = 7.0;
+  EXPECT_EQ(blocks.take().coeff(7, 1), 7.0);
+}
+
+TEST(keyframe_blocks, of_no_keyframes_are_an_empty_matrix) {
+  const Eigen::SparseMatrix<double> matrix = KeyframeBlocks(0, 6, {}).take();
+  EXPECT_EQ(matrix.nonZeros(), 0);
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> factors(matrix);
+  EXPECT_EQ(factors.info(), Eigen::Success);
+}
 
 }  // namespace
 }  // namespace remount

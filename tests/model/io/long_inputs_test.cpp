@@ -231,6 +231,8 @@ TEST(long_inputs, take_at_most_four_times_their_size) {
       {"gnss-log", "headings", pack_files({{"gnss.nmea", nmea_headings(30000)}, lidar})},
       {"gnss-log", "headings of few poses",
        pack_files({{"gnss.nmea", nmea_headings(30000)}, {"lidar.txt", poses(" ", 200)}})},
+      {"gnss-log", "headings of short lines",
+       pack_files({{"gnss.nmea", nmea_short(200'000)}, {"lidar.txt", poses(" ", 200)}})},
       {"gnss-log", "gpx", pack_files({{"track.gpx", gpx(30000)}, lidar})},
       {"smartloc", "drive", smartloc(30000)},
       {"motion-pairs", "pairs", motion_pairs(20000)},

@@ -167,6 +167,13 @@ Bytes nmea_headings(int count) {
   return text;
 }
 
+Bytes nmea_short(int count) {
+  Bytes text = "$GPRMC,120000,A,,,,,,,130920,,,A\n";
+  for (int i = 0; i < count; ++i)
+    text += "$GPGGA," + clock_text(i, "").substr(0, 8) + ",4846.1,N,911.5,E,4,9,1,9,M,,M,,\n$GPHDT,9,T\n";
+  return text;
+}
+
 Bytes gpx(int count) {
   Bytes text = "<gpx version=\"1.1\"><trk><trkseg>\n";
   for (int i = 0; i < count; ++i)
