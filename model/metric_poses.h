@@ -19,7 +19,7 @@ class MetricPoses {
   bool empty() const { return size() == 0; }
   StampedPose operator[](std::size_t i) const {
     return poses_.empty() ? (*from_file_)[i]
-                          : StampedPose{poses_[i].stamp_ns,
+                          : StampedPose{(*ins_)[i].stamp_ns,
                                         make_rigid(poses_[i].rotation.toRotationMatrix(), poses_[i].position_m)};
   }
   StampedPose front() const { return (*this)[0]; }
@@ -36,12 +36,13 @@ class MetricPoses {
   Iterator end() const { return {this, size()}; }
 
  private:
+  // Without padding, for they are millions beside samples that are larger than their lines in a log.
   struct Compact {
-    std::int64_t stamp_ns = 0;
     Eigen::Vector3d position_m;
-    Eigen::Quaterniond rotation;
+    Eigen::Quaternion<double, Eigen::DontAlign> rotation;
   };
-  std::vector<Compact> poses_;
+  std::vector<Compact> poses_;  // of ins_
+  const std::vector<InsSample>* ins_;
   const std::vector<StampedPose>* from_file_;
 };
 

@@ -89,11 +89,11 @@ class NmeaAssembly {
                                        "The log ends within a sentence, which is left out."));
     take_attitudes();
     NmeaLog log;
-    log.fixes = fixes();
-    log.ins = ins(log.fixes);
+    log.ins = ins();
     tell(log);
     tell_missing(log);
     attitudes_ = {};
+    log.fixes = fixes();
     keep_ascending(log.fixes, "gnss", path_.string(), findings_);
     std::vector<Finding> told_already;
     keep_ascending(log.ins, "ins", path_.string(), told_already);
@@ -123,41 +123,33 @@ class NmeaAssembly {
     return {usual, usual, 1.5 * usual};
   }
 
-  /// Of all positions, in the log's order. What they are made of is freed, but for what ins() needs beyond them: in
-  /// four times a log of short sentences there is room for little more.
-  std::vector<GnssFix> fixes() {
-    const std::vector<NmeaFix> found = std::exchange(records_.fixes, {});
-    std::vector<GnssFix> fixes;
-    fixes.reserve(found.size());
-    is_fixed_.reserve(found.size());
-    for (const NmeaFix& fix : found) {
-      fixes.push_back({records_.midnight_ns + fix.time_ns, fix.latitude_rad, fix.longitude_rad, fix.height_m,
-                       Eigen::Matrix3d(sigma_enu_m(fix).cwiseAbs2().asDiagonal())});
-      is_fixed_.push_back(fix.quality == 4);
-    }
-    return fixes;
-  }
+  std::int64_t stamp_ns(const NmeaFix& fix) const { return records_.midnight_ns + fix.time_ns; }
 
-  std::int64_t time_ns(const GnssFix& fix) const { return fix.stamp_ns - records_.midnight_ns; }
-
-  /// At the positions that have an attitude; of all that fixes() has made.
-  std::vector<InsSample> ins(const std::vector<GnssFix>& fixes) const {
+  std::vector<InsSample> ins() const {
     std::vector<InsSample> samples;
-    const auto reached = [&](const GnssFix& fix) { return attitudes_.reach(time_ns(fix)); };
-    samples.reserve(static_cast<std::size_t>(std::count_if(fixes.begin(), fixes.end(), reached)));
-    for (std::size_t i = 0; i < fixes.size(); ++i) {
-      const GnssFix& fix = fixes[i];
+    const auto reached = [&](const NmeaFix& fix) { return attitudes_.reach(fix.time_ns); };
+    samples.reserve(static_cast<std::size_t>(std::count_if(records_.fixes.begin(), records_.fixes.end(), reached)));
+    for (const NmeaFix& fix : records_.fixes) {
       if (!reached(fix)) continue;
-      const NmeaAttitude attitude = attitudes_.around(time_ns(fix));
-      samples.push_back({fix.stamp_ns,
+      const NmeaAttitude attitude = attitudes_.around(fix.time_ns);
+      samples.push_back({stamp_ns(fix),
                          fix.latitude_rad,
                          fix.longitude_rad,
                          fix.height_m,
                          attitude.enu_from_ins,
-                         {fix.covariance_enu_m2.diagonal().cwiseSqrt(), attitude.sigma_rad},
-                         is_fixed_[i] ? InsQuality::Good : InsQuality::Degraded});
+                         {sigma_enu_m(fix), attitude.sigma_rad},
+                         fix.quality == 4 ? InsQuality::Good : InsQuality::Degraded});
     }
     return samples;
+  }
+
+  std::vector<GnssFix> fixes() const {
+    std::vector<GnssFix> fixes;
+    fixes.reserve(records_.fixes.size());
+    for (const NmeaFix& fix : records_.fixes)
+      fixes.push_back({stamp_ns(fix), fix.latitude_rad, fix.longitude_rad, fix.height_m,
+                       Eigen::Matrix3d(sigma_enu_m(fix).cwiseAbs2().asDiagonal())});
+    return fixes;
   }
 
   void tell(const NmeaLog& log) const {
@@ -178,9 +170,9 @@ class NmeaAssembly {
   void tell_missing(const NmeaLog& log) const {
     if (attitudes_.empty()) return;
     const std::int64_t first_ns = attitudes_.time_ns(0), last_ns = attitudes_.time_ns(attitudes_.size() - 1);
-    const auto missing = std::count_if(log.fixes.begin(), log.fixes.end(), [&](const GnssFix& fix) {
-      const bool within = time_ns(fix) >= first_ns && time_ns(fix) <= last_ns;
-      return (within || log.ins.empty()) && !attitudes_.reach(time_ns(fix));
+    const auto missing = std::count_if(records_.fixes.begin(), records_.fixes.end(), [&](const NmeaFix& fix) {
+      const bool within = fix.time_ns >= first_ns && fix.time_ns <= last_ns;
+      return (within || log.ins.empty()) && !attitudes_.reach(fix.time_ns);
     });
     if (missing == 0) return;
     std::int64_t longest_ns = 0;
@@ -190,7 +182,7 @@ class NmeaAssembly {
     std::snprintf(longest_s, sizeof longest_s, "%.2f", 1e-9 * static_cast<double>(longest_ns));
     findings_.push_back(
         make_finding(Severity::Warning, "attitude-sparse", path_.string(),
-                     std::to_string(missing) + " of " + std::to_string(log.fixes.size()) +
+                     std::to_string(missing) + " of " + std::to_string(records_.fixes.size()) +
                          " positions have no attitude near them and are left out of the INS: the log has " +
                          std::to_string(attitudes_.size()) + " attitudes, up to " + longest_s +
                          " s apart, and none is interpolated over more than 0.25 s."));
@@ -200,7 +192,6 @@ class NmeaAssembly {
   const fs::path& path_;
   std::vector<Finding>& findings_;
   Attitudes attitudes_;
-  std::vector<bool> is_fixed_;  ///< of each position, in the log's order: its quality is RTK fixed
 };
 
 }  // namespace

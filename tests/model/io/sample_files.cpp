@@ -170,7 +170,8 @@ Bytes nmea_headings(int count) {
 Bytes nmea_short(int count) {
   Bytes text = "$GPRMC,120000,A,,,,,,,130920,,,A\n";
   for (int i = 0; i < count; ++i)
-    text += "$GPGGA," + clock_text(i, "").substr(0, 8) + ",4846.1,N,911.5,E,4,9,1,9,M,,M,,\n$GPHDT,9,T\n";
+    text += "$GPGGA," + clock_text(i, "").substr(0, 8) +
+            ",4846.1000,N,00911.5000,E,4,9,1.0,250.0,M,48.0,M,,\n$GPHDT,350.0,T\n";
   return text;
 }
 

@@ -21,7 +21,7 @@ Bytes inspvax_csv(int count);
 Bytes apollo_odometry(int count);
 Bytes nmea(int count);
 Bytes nmea_headings(int count);  ///< positions, each with a heading
-Bytes nmea_short(int count);     ///< the same in fewer bytes than receivers take
+Bytes nmea_short(int count);     ///< the same in lines as short as receivers write
 Bytes gpx(int count);
 Bytes smartloc(int count);
 Bytes inspvax_log(int count);
