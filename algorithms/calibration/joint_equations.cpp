@@ -243,7 +243,7 @@ NormalEquations build(const JointProblem& problem, const std::vector<LinearTerm>
   for (const LinearTerm& term : terms) add_term(term, noise, layout, equations, blocks);
   add_priors(problem, noise, state, layout, equations, blocks);
   Sparse summed = blocks.take();
-  equations.keyframes.swap(summed);
+  equations.keyframes.swap(summed);  // Eigen's move is a copy
   return equations;
 }
 
