@@ -1,5 +1,5 @@
-// Attitudes or positions that are logged more often than they are computed: each value is repeated for a while, then
-// jumps to the next.
+// Attitudes or positions, or one number of them, that are logged more often than they are computed: each value is
+// repeated for a while, then jumps to the next.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -68,30 +68,74 @@ std::optional<Steps> steps_of(const MetricPoses& poses, double same, double movi
   return steps;
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void add(std::vector<Finding>& findings, const char* code, std::string explanation) {
+  findings.push_back({Severity::Warning, code, "INS", std::move(explanation)});
+}
+
+double heading_rad(const Eigen::Quaterniond& q) {
+  return std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+}
+
+void look_at_attitude(const CheckedSession& checked, std::vector<Finding>& findings) {
+  const auto steps = [&](auto&& turned_rad) {
+    return steps_of(checked.poses, kSameAttitude_rad, kTurning_rad, kLeastTurn_rad, turned_rad);
+  };
+  if (const auto all = steps([&](std::size_t a, std::size_t b) {
+        return checked.logged_attitude(a).angularDistance(checked.logged_attitude(b));
+      })) {
+    add(findings, "ins-attitude-held",
+        check_text("The attitude stands still for %.3f s at a time (%.0f samples) and then jumps, by %.2f degrees "
+                   "where the vehicle turns: it is logged more often than it is computed.",
+                   all->hold_s, all->samples, radians_to_degrees(all->jump)));
+    return;
+  }
+  // Headings may come from another receiver, of two antennas, than pitch and roll.
+  if (const auto heading = steps([&](std::size_t a, std::size_t b) {
+        return std::abs(
+            wrap_angle_rad(heading_rad(checked.logged_attitude(a)) - heading_rad(checked.logged_attitude(b))));
+      }))
+    add(findings, "ins-attitude-held",
+        check_text("The heading alone stands still for %.3f s at a time (%.0f samples) and then jumps, by %.2f degrees "
+                   "where the vehicle turns: it is logged more often than it is computed.",
+                   heading->hold_s, heading->samples, radians_to_degrees(heading->jump)));
+}
+
+void look_at_position(const CheckedSession& checked, std::vector<Finding>& findings) {
   const MetricPoses& poses = checked.poses;
   const std::vector<InsSample>& ins = checked.session.ins;
   const bool geodetic = ins.size() == poses.size();
-  const auto turn = steps_of(poses, kSameAttitude_rad, kTurning_rad, kLeastTurn_rad, [&](std::size_t a, std::size_t b) {
-    return checked.logged_attitude(a).angularDistance(checked.logged_attitude(b));
-  });
+  const auto steps = [&](auto&& step_m) { return steps_of(poses, 0.0, kDriving_m, kLeastStep_m, step_m); };
+  const auto step = [&](std::size_t a, std::size_t b) -> Eigen::Vector3d {
+    return poses[a].pose.translation() - poses[b].pose.translation();
+  };
   // Heights may come from elsewhere than the place.
-  const auto way = steps_of(poses, 0.0, kDriving_m, kLeastStep_m, [&](std::size_t a, std::size_t b) {
-    const Eigen::Vector3d step = poses[a].pose.translation() - poses[b].pose.translation();
-    if (!geodetic) return step.norm();
-    const bool same = ins[a].latitude_rad == ins[b].latitude_rad && ins[a].longitude_rad == ins[b].longitude_rad;
-    return same ? 0.0 : step.head<2>().norm();
-  });
-  if (turn)
-    findings.push_back({Severity::Warning, "ins-attitude-held", "INS",
-                        check_text("The attitude stands still for %.3f s at a time (%.0f samples) and then jumps, by "
-                                   "%.2f degrees where the vehicle turns: it is logged more often than it is computed.",
-                                   turn->hold_s, turn->samples, radians_to_degrees(turn->jump))});
-  if (way)
-    findings.push_back({Severity::Warning, "ins-position-held", "INS",
-                        check_text("The position stands still for %.3f s at a time (%.0f samples) and then jumps, by "
-                                   "%.2f m where the vehicle drives: it is logged more often than it is computed.",
-                                   way->hold_s, way->samples, way->jump)});
+  if (const auto all = steps([&](std::size_t a, std::size_t b) {
+        if (!geodetic) return step(a, b).norm();
+        const bool same = ins[a].latitude_rad == ins[b].latitude_rad && ins[a].longitude_rad == ins[b].longitude_rad;
+        return same ? 0.0 : step(a, b).head<2>().norm();
+      })) {
+    add(findings, "ins-position-held",
+        check_text("The position stands still for %.3f s at a time (%.0f samples) and then jumps, by %.2f m where the "
+                   "vehicle drives: it is logged more often than it is computed.",
+                   all->hold_s, all->samples, all->jump));
+    return;
+  }
+  const auto look_at_number = [&](int axis, const char* name, double InsSample::*angle_rad) {
+    if (const auto one = steps([&](std::size_t a, std::size_t b) {
+          return geodetic && ins[a].*angle_rad == ins[b].*angle_rad ? 0.0 : std::abs(step(a, b)[axis]);
+        }))
+      add(findings, "ins-position-held",
+          check_text("One number of the position, %s, stands still for %.3f s at a time (%.0f samples) and then jumps, "
+                     "by %.2f m where the vehicle drives: it is logged more often than it is computed.",
+                     name, one->hold_s, one->samples, one->jump));
+  };
+  look_at_number(1, geodetic ? "latitude" : "y", &InsSample::latitude_rad);
+  look_at_number(0, geodetic ? "longitude" : "x", &InsSample::longitude_rad);
+}
+
+void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+  look_at_attitude(checked, findings);
+  look_at_position(checked, findings);
 }
 
 }  // namespace

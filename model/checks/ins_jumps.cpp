@@ -1,7 +1,8 @@
-// Positions that no vehicle can have reached: jumps of the INS.
+// Motions that no vehicle makes: jumps of the INS.
 #include <cmath>
 
 #include "algorithms/core/median.h"
+#include "algorithms/geometry/rotation.h"
 #include "model/checks/builtin.h"
 #include "model/checks/check_text.h"
 #include "model/session_report.h"
@@ -13,54 +14,91 @@ constexpr double kFastestVehicle_mps = 100.0;
 constexpr double kWindow_s = 0.3;       ///< over which the speed before and after is taken
 constexpr double kLongestStep_s = 0.5;  ///< longer ones are gaps
 constexpr double kLeastJump_m = 0.3;
+constexpr double kLeastTurn_rad = 5.0 * kPi / 180.0;
 constexpr double kTimesUsual = 10.0;
+constexpr double kHardest_mps2 = 10.0, kHardest_radps2 = 2.0;  ///< that a vehicle speeds up, brakes or begins to turn
 
 struct Jumps {
   std::size_t count = 0;
-  double largest_m = 0.0;
+  double largest = 0.0;  ///< m or rad
   std::int64_t largest_ns = 0;
 };
 
-/// How far each step is from what the speeds before and after it make of it; NaN where they are not known.
-std::vector<double> surprises(const MetricPoses& poses) {
-  const auto position = [&](std::size_t i) { return Eigen::Vector3d(poses[i].pose.translation()); };
+/// How far a step of the INS is from what the speeds before and after it make of it.
+struct Surprise {
+  double judged = std::nan("");  ///< by both; by the one that is known, less what the vehicle may have sped up by
+  double size = 0.0;             ///< by the speed that it fits better: the other may have a jump within
+};
+
+/// Of each step, by `change(a, b)` from one pose to another; the first, and those whose speed is not known, have NaN.
+/// `hardest` is the acceleration of a vehicle, in units of the change.
+template <class Change>
+std::vector<Surprise> surprises(const MetricPoses& poses, double hardest, Change&& change) {
   const auto time_s = [&](std::size_t from, std::size_t to) {
     return seconds_between(poses[from].stamp_ns, poses[to].stamp_ns);
   };
-  std::vector<double> surprise(poses.size(), std::nan(""));
+  const auto tells = [](double side_s) { return side_s >= 0.5 * kWindow_s && side_s < 2.0 * kWindow_s; };
+  std::vector<Surprise> found(poses.size());
   std::size_t before = 0, after = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     while (before + 1 < i && time_s(before + 1, i - 1) >= kWindow_s) ++before;
     while (after + 1 < poses.size() && (after < i || time_s(i, after) < kWindow_s)) ++after;
     const double step_s = time_s(i - 1, i), before_s = time_s(before, i - 1), after_s = time_s(i, after);
-    const bool known = step_s > 0.0 && step_s < kLongestStep_s && before_s >= 0.5 * kWindow_s &&
-                       after_s >= 0.5 * kWindow_s && before_s < 2.0 * kWindow_s && after_s < 2.0 * kWindow_s;
-    if (!known) continue;
-    const Eigen::Vector3d speed_before = (position(i - 1) - position(before)) / before_s;
-    const Eigen::Vector3d speed_after = (position(after) - position(i)) / after_s;
-    surprise[i] = (position(i) - position(i - 1) - 0.5 * step_s * (speed_before + speed_after)).norm();
+    if (step_s <= 0.0 || step_s >= kLongestStep_s) continue;
+    const Eigen::Vector3d step = change(i - 1, i);
+    const auto off = [&](std::size_t from, std::size_t to, double side_s) -> Eigen::Vector3d {
+      return step - step_s / side_s * change(from, to);
+    };
+    const auto by_one = [&](double size, double side_s) -> Surprise {
+      return {std::max(0.0, size - 0.5 * hardest * step_s * (step_s + side_s)), size};
+    };
+    if (tells(before_s) && tells(after_s)) {
+      const Eigen::Vector3d off_before = off(before, i - 1, before_s), off_after = off(i, after, after_s);
+      found[i] = {0.5 * (off_before + off_after).norm(), std::min(off_before.norm(), off_after.norm())};
+    } else if (tells(before_s)) {
+      found[i] = by_one(off(before, i - 1, before_s).norm(), before_s);
+    } else if (tells(after_s)) {
+      found[i] = by_one(off(i, after, after_s).norm(), after_s);
+    }
   }
-  return surprise;
+  return found;
 }
 
-Jumps jumps_of(const MetricPoses& poses) {
-  const std::vector<double> surprise = surprises(poses);
+Jumps jumps_of(const MetricPoses& poses, const std::vector<Surprise>& surprises, double least) {
   std::vector<double> known;
-  known.reserve(surprise.size());
-  for (const double value : surprise)
-    if (std::isfinite(value)) known.push_back(value);
+  known.reserve(surprises.size());
+  for (const Surprise& surprise : surprises)
+    if (std::isfinite(surprise.judged)) known.push_back(surprise.judged);
   Jumps jumps;
   if (known.empty()) return jumps;
-  const double limit_m = std::max(kLeastJump_m, kTimesUsual * median_of(std::move(known)));
+  const double limit = std::max(least, kTimesUsual * median_of(std::move(known)));
   std::int64_t last_ns = 0;
-  for (std::size_t i = 0; i < surprise.size(); ++i) {
-    if (!(surprise[i] > limit_m)) continue;
-    // The speeds beside a jump are wrong as well, there and back again within a window is one.
-    if (jumps.count == 0 || seconds_between(last_ns, poses[i].stamp_ns) > kWindow_s) ++jumps.count;
+  for (std::size_t i = 0; i < surprises.size(); ++i) {
+    if (!(surprises[i].judged > limit)) continue;
+    // The speeds beside a jump are wrong as well: there and back again within a window is one.
+    if (jumps.count == 0 || seconds_between(last_ns, poses[i].stamp_ns) > 1.5 * kWindow_s) ++jumps.count;
     last_ns = poses[i].stamp_ns;
-    if (surprise[i] > jumps.largest_m) jumps.largest_m = surprise[i], jumps.largest_ns = poses[i].stamp_ns;
+    if (surprises[i].size > jumps.largest) jumps.largest = surprises[i].size, jumps.largest_ns = poses[i].stamp_ns;
   }
   return jumps;
+}
+
+Jumps turns_of(const CheckedSession& checked) {
+  // Twice the sine of half the angle, about its axis: cheaper than the angle, and grows with it.
+  const auto chord = [&](std::size_t a, std::size_t b) -> Eigen::Vector3d {
+    const Eigen::Quaterniond turn = checked.logged_attitude(a).conjugate() * checked.logged_attitude(b);
+    return std::copysign(2.0, turn.w()) * turn.vec();
+  };
+  Jumps turns = jumps_of(checked.poses, surprises(checked.poses, kHardest_radps2, chord), kLeastTurn_rad);
+  turns.largest = 2.0 * std::asin(std::min(1.0, 0.5 * turns.largest));
+  return turns;
+}
+
+Jumps steps_of(const MetricPoses& poses) {
+  const auto way = [&](std::size_t a, std::size_t b) -> Eigen::Vector3d {
+    return poses[b].pose.translation() - poses[a].pose.translation();
+  };
+  return jumps_of(poses, surprises(poses, kHardest_mps2, way), kLeastJump_m);
 }
 
 /// Between poses 0.2 s apart: noise of the single sample must not pass for motion.
@@ -77,14 +115,24 @@ double fastest_mps(const MetricPoses& poses) {
 }
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
-  const Jumps jumps = jumps_of(checked.poses);
+  const Jumps turns = turns_of(checked);
+  if (turns.count > 0) {
+    const std::string when = utc_text(turns.largest_ns);
+    const double largest_deg = radians_to_degrees(turns.largest);
+    findings.push_back({Severity::Warning, "ins-attitude-jump", "INS",
+                        turns.count == 1
+                            ? check_text("The attitude jumps once, by %.1f degrees at %s.", largest_deg, when.c_str())
+                            : check_text("The attitude jumps %zu times, the farthest by %.1f degrees at %s.",
+                                         turns.count, largest_deg, when.c_str())});
+  }
+  const Jumps jumps = steps_of(checked.poses);
   if (jumps.count > 0) {
     const std::string when = utc_text(jumps.largest_ns);
     findings.push_back({Severity::Warning, "ins-jump", "INS",
                         jumps.count == 1
-                            ? check_text("The position jumps once, by %.2f m at %s.", jumps.largest_m, when.c_str())
+                            ? check_text("The position jumps once, by %.2f m at %s.", jumps.largest, when.c_str())
                             : check_text("The position jumps %zu times, the farthest by %.2f m at %s.", jumps.count,
-                                         jumps.largest_m, when.c_str())});
+                                         jumps.largest, when.c_str())});
     return;
   }
   const double fastest = fastest_mps(checked.poses);
@@ -101,7 +149,11 @@ DataCheck ins_jump_check() {
       .kinds =
           {{"ins-jump", "A pair across a jump tells of a motion that never was; it is rejected where that shows.",
             "See whether RTK was lost there or the filter was reset; reject the pairs across it, or use a log that was "
-            "processed afterwards (PPK)."}},
+            "processed afterwards (PPK)."},
+           {"ins-attitude-jump",
+            "A pair across a jump tells of a turn that never was; it is rejected where that shows.",
+            "See whether the heading was aligned anew there or a sample is damaged; reject the pairs across it, or use "
+            "a log that was processed afterwards (PPK)."}},
       .look = look};
 }
 

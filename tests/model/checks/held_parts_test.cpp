@@ -21,7 +21,7 @@ Session simulated(ScenarioKind scenario = ScenarioKind::Street, double duration_
   return simulate_drive(options).session;
 }
 
-enum class Part { Attitude, Position };
+enum class Part { Attitude, Heading, Position, Latitude };
 
 /// Every `samples`-th value of that part stays until the next.
 Session held(Session session, std::size_t samples, Part part) {
@@ -29,6 +29,12 @@ Session held(Session session, std::size_t samples, Part part) {
     const InsSample from = session.ins[i - i % samples];
     InsSample& sample = session.ins[i];
     if (part == Part::Attitude) sample.enu_from_ins = from.enu_from_ins;
+    if (part == Part::Heading) {
+      YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());
+      angles.yaw_rad = yaw_pitch_roll_from_rotation(from.enu_from_ins.toRotationMatrix()).yaw_rad;
+      sample.enu_from_ins = Eigen::Quaterniond(rotation_from_yaw_pitch_roll(angles));
+    }
+    if (part == Part::Latitude) sample.latitude_rad = from.latitude_rad;
     if (part == Part::Position)
       sample.latitude_rad = from.latitude_rad, sample.longitude_rad = from.longitude_rad,
       sample.height_m = from.height_m;
@@ -54,6 +60,25 @@ TEST(held_part_check, positions_that_are_held_are_named_with_the_step) {
   EXPECT_EQ(findings[0].code, "ins-position-held");
   EXPECT_NE(findings[0].explanation.find("for 0.200 s at a time (20 samples)"), std::string::npos);
   EXPECT_EQ(found_held(held(held(simulated(), 10, Part::Position), 10, Part::Attitude)).size(), 2U) << "both";
+}
+
+TEST(held_part_check, one_number_that_is_held_is_named) {
+  for (const std::size_t samples : {5, 10, 50}) {
+    const std::vector<Finding> headings =
+        found_held(held(simulated(ScenarioKind::FigureEight), samples, Part::Heading));
+    ASSERT_EQ(headings.size(), 1U) << samples;
+    EXPECT_EQ(headings[0].code, "ins-attitude-held");
+    EXPECT_EQ(headings[0].explanation.find("The heading alone stands still"), 0U) << headings[0].explanation;
+  }
+  const std::vector<Finding> latitudes = found_held(held(simulated(), 10, Part::Latitude));
+  ASSERT_EQ(latitudes.size(), 1U);
+  EXPECT_EQ(latitudes[0].code, "ins-position-held");
+  EXPECT_EQ(latitudes[0].explanation.find("One number of the position, latitude, stands still for 0.100 s"), 0U);
+  Session poses;
+  poses.world_from_ins = metric_poses(simulated());
+  for (std::size_t i = 0; i < poses.world_from_ins.size(); ++i)
+    poses.world_from_ins[i].pose.translation().x() = poses.world_from_ins[i - i % 10].pose.translation().x();
+  EXPECT_EQ(said_of(found_held(poses), "ins-position-held").find("One number of the position, x, stands still"), 0U);
 }
 
 TEST(held_part_check, poses_are_judged_as_samples_are) {

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "model/checks/builtin.h"
+#include "model/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/checks/check_fixture.h"
 
@@ -23,6 +24,40 @@ TEST(ins_jump_check, a_jump_far_away_is_named) {
   Session jump = good_drive();
   for (std::size_t i = 250; i < 500; ++i) jump.ins[i].latitude_rad += 1e-4;
   EXPECT_TRUE(has_code(found_by(ins_jump_check(), jump), "ins-jump"));
+}
+
+TEST(ins_jump_check, one_bad_position_is_one_jump_of_its_size_at_its_time) {
+  for (const std::size_t bad : {0, 1, 20, 250, 480, 498, 499}) {
+    Session spike = good_drive();
+    spike.ins[bad].height_m -= 248.0;
+    const std::string said = said_of(found_by(ins_jump_check(), spike), "ins-jump");
+    // Where one side alone is long enough to tell the speed, the way back makes it a little wrong.
+    const bool at_end = bad == 1 || bad == 498;
+    EXPECT_EQ(said.find(at_end ? "The position jumps once, by 26" : "The position jumps once, by 248.0"), 0U)
+        << bad << ": " << said;
+    const std::size_t last = std::min<std::size_t>(bad + 1, 499);
+    EXPECT_TRUE(said.find(utc_text(spike.ins[bad].stamp_ns)) != std::string::npos ||
+                said.find(utc_text(spike.ins[last].stamp_ns)) != std::string::npos)
+        << bad << ": " << said;
+  }
+}
+
+TEST(ins_jump_check, an_attitude_that_jumps_is_named) {
+  for (const std::size_t bad : {0, 100, 499}) {
+    Session spike = good_drive();
+    spike.ins[bad].enu_from_ins =
+        Eigen::Quaterniond(rotation_from_yaw_pitch_roll({2.4, 0.0, 0.0})) * spike.ins[bad].enu_from_ins;
+    const std::vector<Finding> findings = found_by(ins_jump_check(), spike);
+    EXPECT_EQ(said_of(findings, "ins-attitude-jump").find("The attitude jumps once, by 137."), 0U)
+        << bad << ": " << said_of(findings, "ins-attitude-jump");
+    EXPECT_FALSE(has_code(findings, "ins-jump"));
+  }
+  Session aligned = good_drive();
+  const Eigen::Quaterniond turn(rotation_from_yaw_pitch_roll({0.2, 0.0, 0.0}));
+  for (std::size_t i = 300; i < aligned.ins.size(); ++i)
+    aligned.ins[i].enu_from_ins = turn * aligned.ins[i].enu_from_ins;
+  EXPECT_EQ(said_of(found_by(ins_jump_check(), aligned), "ins-attitude-jump"),
+            "The attitude jumps once, by 11.5 degrees at 2020-09-13 12:26:46.000 UTC.");
 }
 
 TEST(ins_jump_check, noise_braking_and_gaps_are_no_jumps) {
@@ -46,15 +81,18 @@ TEST(ins_jump_check, noise_braking_and_gaps_are_no_jumps) {
 }
 
 TEST(ins_jump_check, simulated_drives_do_not_jump) {
-  for (const ScenarioKind scenario :
-       {ScenarioKind::Street, ScenarioKind::ParkingRamp, ScenarioKind::FigureEight, ScenarioKind::Hill}) {
-    SimulationOptions options;
-    options.scenario = scenario;
-    options.duration_s = 10.0;
-    options.beams = 2;
-    options.azimuth_steps = 20;
-    EXPECT_EQ(said_of(found_by(ins_jump_check(), simulate_drive(options).session), "ins-jump"), "");
-  }
+  for (const ScenarioKind scenario : {ScenarioKind::Street, ScenarioKind::ParkingRamp, ScenarioKind::FigureEight,
+                                      ScenarioKind::Hill, ScenarioKind::Highway, ScenarioKind::SlewYard})
+    for (const double rate_hz : {2.5, 10.0, 100.0}) {
+      SimulationOptions options;
+      options.scenario = scenario;
+      options.duration_s = 10.0;
+      options.ins_rate_hz = rate_hz;
+      options.beams = 2;
+      options.azimuth_steps = 20;
+      EXPECT_TRUE(printed(found_by(ins_jump_check(), simulate_drive(options).session)).empty())
+          << static_cast<int>(scenario) << " " << rate_hz;
+    }
 }
 
 }  // namespace
