@@ -49,29 +49,43 @@ bool same_scans(const ScanSource& a, const ScanSource& b) {
   return a.size() == b.size() && same_points(a, 0, b, 0);
 }
 
+bool equal(const StampedPose& a, const StampedPose& b) { return a.pose.matrix() == b.pose.matrix(); }
+bool equal(const InsSample& a, const InsSample& b) {
+  return a.latitude_rad == b.latitude_rad && a.longitude_rad == b.longitude_rad && a.height_m == b.height_m &&
+         a.enu_from_ins.coeffs() == b.enu_from_ins.coeffs();
+}
+
 /// Most poses of the stamps that both have are equal. Drives whose stamps count from their start share stamps, and the
 /// pose in which they rest at first.
-bool same_odometry(const std::vector<StampedPose>& a, const std::vector<StampedPose>& b) {
+template <class Posed>
+bool same_motion(const std::vector<Posed>& a, const std::vector<Posed>& b) {
   constexpr std::size_t kMany = 10;
-  std::size_t shared = 0, equal = 0, first_equal = 0;
+  std::size_t shared = 0, same = 0, first_same = 0;
   bool moved = false;
   for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
     if (a[i].stamp_ns == b[k].stamp_ns) {
       ++shared;
-      if (a[i].pose.matrix() == b[k].pose.matrix()) {
-        if (equal++ == 0) first_equal = i;
-        moved = moved || a[i].pose.matrix() != a[first_equal].pose.matrix();
+      if (equal(a[i], b[k])) {
+        if (same++ == 0) first_same = i;
+        moved = moved || !equal(a[i], a[first_same]);
       }
     }
     a[i].stamp_ns < b[k].stamp_ns ? ++i : ++k;
   }
-  return moved && (shared < kMany ? equal == shared : equal >= kMany && 10 * equal >= 9 * shared);
+  return moved && (shared < kMany ? same == shared : same >= kMany && 10 * same >= 9 * shared);
+}
+
+/// Scans of the same times beside the same INS, whatever they hold: one copy may have been rounded, thinned or cropped.
+/// Parts of a drive that share its INS log have scans of other times.
+bool same_times_of_one_drive(const Session& a, const Session& b) {
+  return shared_stamps(*a.scans, *b.scans).size() == 2 &&
+         (same_motion(a.ins, b.ins) || same_motion(a.world_from_ins, b.world_from_ins));
 }
 
 bool same_recording(const Session& a, const Session& b) {
   if (same_place(a, b)) return true;
-  if (a.scans && b.scans) return same_scans(*a.scans, *b.scans);
-  return same_odometry(a.odometry_from_lidar, b.odometry_from_lidar);
+  if (a.scans && b.scans) return same_scans(*a.scans, *b.scans) || same_times_of_one_drive(a, b);
+  return same_motion(a.odometry_from_lidar, b.odometry_from_lidar);
 }
 
 std::string value_of(const char* name, double value, const char* unit) {

@@ -16,7 +16,8 @@ namespace remount {
 /// Throws Error(Unsupported) for a session without an INS or without a LiDAR, and Error(Contract) for sessions whose
 /// INS axes differ, for they have no common X, and for one that is given twice, by path or by content: its pairs would
 /// count as evidence twice. To compare contents it reads up to two scans of each session that shares stamps with
-/// another, and the first of two that have equally many; of LiDAR poses most of those that share stamps must be equal.
+/// another, and the first of two that have equally many; scans of the same times are the same where the INS moves
+/// alike, whatever points they hold; of LiDAR poses most of those that share stamps must be equal.
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// What check_sessions says of sessions beside each other: their axes, and that none is given twice.

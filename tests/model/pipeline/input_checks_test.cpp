@@ -69,6 +69,20 @@ TEST(input_checks, part_of_a_recording_and_shifted_stamps_are_the_same_recording
   EXPECT_ERROR(check_sessions({poses, part}), "same recording");
 }
 
+TEST(input_checks, scans_of_the_same_times_beside_the_same_ins_are_the_same_recording_whatever_their_points) {
+  const TemporaryFolder folder;
+  Progress progress;
+  write_drive(simulate_drive(tiny()), folder.path() / "pcd", "native", 1, progress);
+  write_drive(simulate_drive(tiny()), folder.path() / "las", "native-las", 1, progress);
+  const auto whole = std::make_shared<const Session>(open_session(folder.path() / "pcd", progress)),
+             rounded = std::make_shared<const Session>(open_session(folder.path() / "las", progress));
+  ASSERT_NE(whole->scans->load(0).points, rounded->scans->load(0).points) << "LAS rounds";
+  EXPECT_ERROR(check_sessions({whole, rounded}), "same recording");
+  auto other_drive = std::make_shared<Session>(*rounded);
+  for (InsSample& sample : other_drive->ins) sample.latitude_rad += 1e-5;
+  EXPECT_NO_THROW(check_sessions({whole, other_drive})) << "stamps that count from the start of a drive";
+}
+
 TEST(input_checks, drives_that_begin_at_rest_on_relative_stamps_are_not_taken_for_one) {
   const auto drive = [](int poses, int rest, double step_m, double later_step_m) {
     auto session = tiny_session();
