@@ -185,11 +185,23 @@ std::string at_line(const std::filesystem::path& path, std::size_t line) {
   return path.string() + ":" + std::to_string(line);
 }
 
+namespace {
+
+/// The beginning of what a file holds, for messages: bytes that are no text would end them, or garble a terminal.
+std::string shown(std::string_view text) {
+  std::string begin(text.substr(0, 60));
+  for (char& c : begin)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  return begin;
+}
+
+}  // namespace
+
 double require_number(std::string_view text, std::string_view what, const std::filesystem::path& path,
                       std::size_t line) {
   if (const std::optional<double> value = parse_number(text)) return *value;
   throw Error(ErrorCode::Format, at_line(path, line),
-              std::string(what) + " is '" + std::string(text.substr(0, 60)) + "', expected a finite number");
+              std::string(what) + " is '" + shown(text) + "', expected a finite number");
 }
 
 std::optional<std::int64_t> parse_seconds_ns(std::string_view text) {

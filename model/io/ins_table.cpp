@@ -166,6 +166,7 @@ std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout
 
 std::vector<InsSample> parse_ins_table(std::string_view text, const fs::path& path, const InsTableLayout& layout,
                                        std::vector<Finding>& findings) {
+  text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
   const std::vector<ColumnRef> columns = columns_of(layout);

@@ -204,8 +204,9 @@ bool recognise_nmea(const fs::path& path) {
     for (std::string_view line; lines.next(line) && known + other < 40;) {
       NmeaSentence sentence;
       if (trimmed(line).empty()) continue;
+      // With a wrong checksum, too: a log that has nothing else is to be refused for that, not as something unknown.
       const bool is_one =
-          parse_nmea(line, sentence) == NmeaLine::Sentence && (sentence.type.size() == 3 || sentence.type == "PASHR");
+          parse_nmea(line, sentence) != NmeaLine::NoSentence && (sentence.type.size() == 3 || sentence.type == "PASHR");
       ++(is_one ? known : other);
     }
     return known > 0 && known >= 3 * other;

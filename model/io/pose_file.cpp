@@ -250,6 +250,7 @@ std::vector<StampedPose> read_pose_file(const fs::path& path, PoseFormat format,
 std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path, PoseFormat format,
                                      std::vector<Finding>& findings) {
   LineParser parser(format, path);
+  text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
   read_head(format, text, path, parser, lines);

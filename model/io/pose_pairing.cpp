@@ -45,7 +45,8 @@ void align_lidar_clock(Session& session, ClockUse clocks) {
                            ". Their stamps stay as they are; record a drive with several turns."));
     return;
   }
-  if (!needed && std::abs(alignment.offset_s) < kSharedTolerance_s) {
+  const double tolerance_s = needed ? 2.0 * alignment.sigma_s : kSharedTolerance_s;
+  if (overlapping && std::abs(alignment.offset_s) < tolerance_s) {
     session.findings.push_back(make_finding(
         Severity::Note, "clock-offset", "clocks",
         "The two clocks agree; by the rates of rotation, " + describe(alignment) + ". Nothing was moved."));

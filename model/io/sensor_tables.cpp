@@ -70,6 +70,7 @@ template <class Sample, class Parse>
 std::vector<Sample> parse_table(std::string_view text, const fs::path& path, const std::string& sensor,
                                 const std::vector<std::string_view>& columns, std::vector<Finding>& findings,
                                 Parse&& parse) {
+  text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
   if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty, expected a line of column names");

@@ -83,7 +83,9 @@ std::vector<std::filesystem::path> sessions_below(const std::filesystem::path& f
 /// The reader that is surest of what lies there. Throws Error where none recognises it.
 const SessionReader& reader_of(const std::filesystem::path& path, const Progress& progress) {
   std::error_code error;
-  if (!status_of(path)) throw Error(ErrorCode::Io, path.string(), "does not exist");
+  if (!status_of(path))
+    throw Error(ErrorCode::Io, path.string(),
+                std::filesystem::is_symlink(path, error) ? "is a symbolic link that leads nowhere" : "does not exist");
   if (const SessionReader* best = surest_reader(path)) return *best;
   if (const auto sessions = sessions_below(path, progress); !sessions.empty())
     throw SeveralSessions(path, "is no session itself; open those of one vehicle below it:" + list_of(sessions),

@@ -4,6 +4,7 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "model/count_words.h"
+#include "model/io/input_file.h"
 
 namespace remount {
 namespace {
@@ -35,6 +36,24 @@ void BadItems::report(std::vector<Finding>& findings, const std::string& code, c
                                   std::to_string(count_) + " " + (count_ == 1 ? singular(noun) : noun) +
                                       " cannot be used and " + (count_ == 1 ? "is" : "are") +
                                       " left out. First: " + first_));
+}
+
+std::string_view without_cut_line(std::string_view text, const std::string& path, std::vector<Finding>& findings) {
+  constexpr std::size_t kFewest = 3, kMost = 20;  // fewer do not show how long lines are
+  if (text.ends_with('\n') || text.ends_with('\r')) return text;
+  const std::size_t last = text.rfind('\n') + 1;
+  std::size_t compared = 0, shortest = text.size();
+  for (std::size_t end = last; compared < kMost && end > 0; ++compared) {
+    const std::size_t begin = end == 1 ? 0 : text.rfind('\n', end - 2) + 1;
+    shortest = std::min(shortest, trimmed(text.substr(begin, end - 1 - begin)).size());
+    end = begin;
+  }
+  const std::size_t length = trimmed(text.substr(last)).size();
+  if (compared < kFewest || length == 0 || length >= shortest) return text;
+  const auto line = 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  findings.push_back(make_finding(Severity::Warning, "log-cut", at_line(path, line),
+                                  "The log ends within a line, which is left out."));
+  return text.substr(0, last);
 }
 
 void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings) {

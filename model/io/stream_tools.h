@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "algorithms/core/error.h"
@@ -33,6 +34,10 @@ class BadItems {
   std::size_t count_ = 0;
   std::string first_;
 };
+
+/// The text of a table without its last line where that was cut: where it lacks its end and is shorter than the twenty
+/// lines before it, or as many as there are, its last number may have lost digits. That becomes a finding "log-cut".
+std::string_view without_cut_line(std::string_view text, const std::string& path, std::vector<Finding>& findings);
 
 /// Makes stamps strictly ascending: stamps that are no time at all and single stamps far in the future are taken out,
 /// then every item that is not later than the one before it. What was taken out becomes findings

@@ -181,6 +181,21 @@ TEST_F(nmea_log, damage_is_named_and_the_rest_is_read) {
   EXPECT_ERROR(read(nmea_line("GPGGA,000000.00,4860.0,N,00911.0,E,4,12,0.8,250.0,M,48.0,M,,")), "GGA without usable");
 }
 
+TEST_F(nmea_log, a_log_of_which_nothing_can_be_used_is_recognised_and_refused_with_the_reason) {
+  std::string text = log_of(20, 100.0, true, false);
+  for (std::size_t at = text.find('*'); at != std::string::npos; at = text.find('*', at + 1))
+    text[at + 1] = text[at + 1] == '0' ? '1' : '0';
+  const std::filesystem::path path = folder_.write("log.nmea", text);
+  folder_.write("poses.txt", "100 0 0 0 0 0 0 1\n100.1 1 0 0 0 0 0 1\n");
+  EXPECT_TRUE(recognise_nmea(path));
+  Progress progress;
+  EXPECT_ERROR(GnssLogReader().open(folder_.path(), progress), "holds no GGA sentence with a fix");
+  EXPECT_ERROR(GnssLogReader().open(path, progress), "log.nmea:1: the checksum is wrong");
+  const std::string unfixed = log_of(20, 100.0, true, false, "0");
+  EXPECT_TRUE(recognise_nmea(folder_.write("log.nmea", unfixed)));
+  EXPECT_ERROR(read(unfixed), "holds no GGA sentence with a fix");
+}
+
 // "250" of a height that lost its last digit is a height, too: a sentence without its end says nothing.
 TEST_F(nmea_log, a_log_that_ends_within_a_sentence_says_so_and_takes_nothing_of_it) {
   const std::string whole = log_of(20, 100.0, false, true);

@@ -24,6 +24,8 @@ TEST(session_readers, what_is_no_file_at_all_is_named) {
   ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
   EXPECT_ERROR(open(fifo), "is a FIFO");
   EXPECT_ERROR(open("/dev/null"), "is a device");
+  std::filesystem::create_symlink("loop", folder.path() / "loop");
+  EXPECT_ERROR(open(folder.path() / "loop"), "is a symbolic link that leads nowhere");
 }
 
 // ---- KITTI raw

@@ -49,6 +49,23 @@ TEST(stream_tools, stamps_that_are_no_time_are_left_out_before_they_are_compared
   EXPECT_ERROR(keep_ascending(ins, "ins", "ins.csv", findings), "ins.csv: no entry has a possible time");
 }
 
+TEST(stream_tools, a_last_line_that_was_cut_is_left_out_and_said) {
+  const std::string head = "time_ns,x_m,z_m\n", rows = "1000,2.51,250.7\n1001,2.52,250.7\n1002,2.5,250.7\n";
+  const auto kept = [&](const std::string& text, std::size_t findings_expected) {
+    std::vector<Finding> findings;
+    const std::string left(without_cut_line(text, "ins.csv", findings));
+    EXPECT_EQ(findings.size(), findings_expected) << text;
+    for (const Finding& finding : findings) EXPECT_EQ(finding.code + " " + finding.where, "log-cut ins.csv:6");
+    return left;
+  };
+  for (const std::string whole : {"1003,2.53,250.7\n", "1003,2.53,250.7", "1003,2.53,250.7\r\n", ""})
+    EXPECT_EQ(kept(head + rows + whole, 0), head + rows + whole);
+  for (const std::string cut : {"1003,2.53,2", "1003,2.5", "1", "1003,2.53,250"})
+    EXPECT_EQ(kept(head + rows + "1002,2.53,250.9\n" + cut, 1), head + rows + "1002,2.53,250.9\n");
+  EXPECT_EQ(kept("1000,2.51,250.7\n1", 0), "1000,2.51,250.7\n1") << "one line does not show how long lines are";
+  EXPECT_EQ(kept("no line end", 0), "no line end");
+}
+
 TEST(stream_tools, one_bad_item_is_spoken_of_in_the_singular) {
   std::vector<Finding> findings;
   BadItems bad;
