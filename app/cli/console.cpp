@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 #include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
@@ -53,6 +54,16 @@ void watch_signals(const std::stop_token& done, std::stop_source& stop) {
   }
 }
 
+/// A FIFO would be waited for until somebody reads it. A terminal or another device may well take a log.
+void refuse_waiting(const std::filesystem::path& path) {
+  std::error_code missing;  // which opening tells of
+  const std::filesystem::file_status status = std::filesystem::status(path, missing);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status) ||
+      std::filesystem::is_character_file(status))
+    return;
+  throw Error(ErrorCode::Io, path.string(), "the log cannot be written: it is no regular file");
+}
+
 }  // namespace
 
 Console::Console()
@@ -71,6 +82,7 @@ double Console::elapsed_s() const { return seconds(Clock::now() - started_); }
 
 void Console::start(const std::string& command_line) {
   if (options_.log_file.empty()) return;
+  refuse_waiting(options_.log_file);
   check_replaces_its_like(options_.log_file, "remount-cli ");
   log_.open(options_.log_file, options_.append_log ? std::ios::app : std::ios::trunc);
   if (!log_)
@@ -82,13 +94,26 @@ void Console::log(std::string_view text) {
   if (!log_.is_open()) return;
   char stamp[32];
   std::snprintf(stamp, sizeof(stamp), "[%9.3f] ", elapsed_s());
+  errno = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
     log_ << stamp << text.substr(0, end) << "\n";
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
-  log_.flush();
+  if (log_.flush()) return;
+  lose_output(options_.log_file + ": the log cannot be written any further");
+  log_.close();
 }
+
+void Console::lose_output(const std::string& what) {
+  const int reason = errno;
+  if (!output_lost_)
+    std::fprintf(stderr, "remount-cli: %s%s%s\n", what.c_str(), reason != 0 ? ": " : "",
+                 reason != 0 ? std::strerror(reason) : "");
+  output_lost_ = true;
+}
+
+int Console::end(int code) const { return output_lost_ && code == kSolved ? kUnreadable : code; }
 
 void Console::clear_line() {
   if (line_shown_) std::fputs("\r\033[K", stderr);
@@ -132,9 +157,10 @@ void Console::print(std::string_view text) {
   clear_line();
   log(text);
   if (options_.quiet) return;
+  errno = 0;
   std::fwrite(text.data(), 1, text.size(), stdout);
   if (!text.ends_with('\n')) std::fputc('\n', stdout);
-  std::fflush(stdout);
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) lose_output("the output cannot be written");
 }
 
 void Console::complain(std::string_view text) {

@@ -52,6 +52,9 @@ class Console {
   void print(std::string_view text);
   /// To stderr always, and to the log.
   void complain(std::string_view text);
+  /// What a verb ends with that would end with `code`: kUnreadable instead of kSolved where something that was printed
+  /// or logged got lost on the way, for a full disk.
+  int end(int code) const;
   /// Notes go to the log only, the rest to stderr as well (unless --quiet).
   void report(const std::vector<Finding>& findings);
 
@@ -59,6 +62,8 @@ class Console {
   void show(const ProgressUpdate& update);
   void clear_line();
   void log(std::string_view text);
+  /// Says so once, with the reason that errno holds.
+  void lose_output(const std::string& what);
   double elapsed_s() const;
 
   ConsoleOptions options_;
@@ -66,6 +71,7 @@ class Console {
   std::ofstream log_;
   bool terminal_ = false;
   bool line_shown_ = false;
+  bool output_lost_ = false;
   std::string stage_;
   std::size_t last_done_ = 0;
   std::chrono::steady_clock::time_point started_, stage_started_, shown_;

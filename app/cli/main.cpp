@@ -64,7 +64,7 @@ int run_main(int argc, char** argv) {
     std::string command_line;
     for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + std::string(argv[i]);
     console.start(command_line);
-    return run();
+    return console.end(run());
   } catch (const Error& error) {
     console.complain(error.what());
     return exit_code_of(error);

@@ -23,11 +23,15 @@ struct ReportArguments {
 };
 
 /// Tracks of another drive would pass for those that the result was made of.
-void check_is_of_result(const ResultFile& result, const std::shared_ptr<const Session>& session) {
+void check_is_of_result(const ResultFile& result, const std::shared_ptr<const Session>& session, Console& console) {
   std::set<std::tuple<std::string, std::string, std::uint64_t>> made_of;
   for (const InputFile& file : result.inputs)
     if (!file.session.empty()) made_of.emplace(file.session, file.file, file.bytes);
-  if (made_of.empty()) return;  // of motions, or without a list
+  if (made_of.empty()) {  // of motions, or calibrated without hashes
+    console.complain("warning: the result does not list its inputs: whether it was made of " + path_or_name(*session) +
+                     " cannot be checked");
+    return;
+  }
   for (const InputFile& file : list_inputs({session}))
     if (!made_of.contains({file.session, file.file, file.bytes}))
       throw Error(ErrorCode::Contract, path_or_name(*session),
@@ -49,7 +53,7 @@ int write_report(const ReportArguments& arguments, Console& console) {
   for (const std::string& path : arguments.sessions) {
     const auto session =
         std::make_shared<const Session>(open_session(path, arguments.topics.choice(), console.progress()));
-    check_is_of_result(report.file, session);
+    check_is_of_result(report.file, session, console);
     report.tracks.push_back(track_of(*session));
   }
   report.created =

@@ -1,5 +1,6 @@
 // What the program says to inputs and arguments that are wrong in ways that happen.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -110,6 +111,27 @@ TEST_F(cli_faults, every_export_is_a_nominal_of_the_same_mounting) {
 
 TEST_F(cli_faults, inspect_says_how_many_scans_it_read) {
   expect("inspect " + path("drive"), 0, "(3 of 15 scans were read)");
+}
+
+TEST_F(cli_faults, a_log_that_would_wait_for_a_reader_is_refused) {
+  ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
+  expect("--log " + path("fifo") + " settings", 2, "fifo: the log cannot be written: it is no regular file");
+  expect("--append-log --log " + path("fifo") + " settings", 2, "it is no regular file");
+  expect("--log /dev/null settings", 0, "registration");
+}
+
+TEST_F(cli_faults, output_that_gets_lost_on_a_full_disk_is_no_success) {
+  const auto with_full_output = [](const std::string& arguments) {
+    const std::string command =
+        std::string("'") + REMOUNT_CLI + "' " + arguments + " > /dev/full 2> '" + path("err.txt") + "' < /dev/null";
+    const int status = std::system(command.c_str());
+    EXPECT_NE(text_of(path("err.txt")).find("the output cannot be written: No space left on device"), std::string::npos)
+        << text_of(path("err.txt"));
+    return testing::exit_code_of(status);
+  };
+  EXPECT_EQ(with_full_output("inspect " + path("drive")), 2);
+  expect("--log /dev/full inspect " + path("drive"), 2,
+         "/dev/full: the log cannot be written any further: No space left on device");
 }
 
 }  // namespace
