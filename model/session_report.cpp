@@ -301,10 +301,10 @@ std::string describe(const Session& session, const SessionReport& report) {
                                      {"wheels", &report.wheels},
                                      {"barometer", &report.barometer}})
     if (stream->count > 0) text += stream_line(name, *stream);
-  text += "  scans within the INS data: " + std::to_string(report.lidar_covered) + " of " +
-          std::to_string(report.lidar.count) + "\n";
-  text += "  motion: " + number(report.travelled_m, 1) + " m travelled, turned by up to " +
-          number(report.turned_deg, 1) + " deg\n";
+  if (report.ins.count > 0)  // without, there is nothing to lie within, and no motion that is known
+    text += "  scans within the INS data: " + std::to_string(report.lidar_covered) + " of " +
+            std::to_string(report.lidar.count) + "\n  motion: " + number(report.travelled_m, 1) +
+            " m travelled, turned by up to " + number(report.turned_deg, 1) + " deg\n";
   if (session.scans) {
     constexpr const char* kTiming[] = {"taken at once, or already compensated", "time of every point is known",
                                        "time of a point follows from its azimuth"};

@@ -14,6 +14,13 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "%1 stretches"),
       QT_TRANSLATE_NOOP("remount::model", "The position jumps %1 times, the farthest by %2 m at %3."),
       QT_TRANSLATE_NOOP("remount::model", "The position jumps once, by %1 m at %2."),
+      QT_TRANSLATE_NOOP("remount::model", "The attitude jumps %1 times, the farthest by %2 degrees at %3."),
+      QT_TRANSLATE_NOOP("remount::model", "The attitude jumps once, by %1 degrees at %2."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "A pair across a jump tells of a turn that never was; it is rejected where that shows."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "See whether the heading was aligned anew there or a sample is damaged; reject the pairs "
+                        "across it, or use a log that was processed afterwards (PPK)."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Nothing is missing but the index; yet a file that lacks its end was not copied whole."),
       QT_TRANSLATE_NOOP(
@@ -277,6 +284,14 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "The position stands still for %1 s at a time (%2 samples) and then jumps, by %3 m where the "
                         "vehicle drives: it is logged more often than it is computed."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The heading alone stands still for %1 s at a time (%2 samples) and then jumps, by %3 degrees "
+                        "where the vehicle turns: it is logged more often than it is computed."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "One number of the position, %1, stands still for %2 s at a time (%3 samples) and then jumps, "
+                        "by %4 m where the vehicle drives: it is logged more often than it is computed."),
+      QT_TRANSLATE_NOOP("remount::model", "latitude"),
+      QT_TRANSLATE_NOOP("remount::model", "longitude"),
       QT_TRANSLATE_NOOP("remount::model",
                         "Pitch and roll of the INS contradict %1; with %2 they would agree: look which columns they "
                         "are, and which way they count."),

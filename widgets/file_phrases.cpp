@@ -116,6 +116,7 @@ const std::vector<const char*>& file_phrases() {
                         "One pose file is half a session: put it into a folder with the poses of the other sensor."),
       QT_TRANSLATE_NOOP("remount::model", "Rotations were off by up to %1 in an entry; the nearest rotation is used."),
       QT_TRANSLATE_NOOP("remount::model", "does not exist"),
+      QT_TRANSLATE_NOOP("remount::model", "is a symbolic link that leads nowhere"),
       QT_TRANSLATE_NOOP("remount::model", "is empty"),
       QT_TRANSLATE_NOOP("remount::model", "is empty (0 bytes), expected the log or manifest of a session"),
       QT_TRANSLATE_NOOP("remount::model", "is no session that Remount knows. It looks for:%1"),

@@ -91,6 +91,7 @@ const std::vector<const char*>& reader_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "the checksum is wrong"),
       QT_TRANSLATE_NOOP("remount::model", "the checksum of a %1 is missing, which the others have"),
       QT_TRANSLATE_NOOP("remount::model", "The log ends within a sentence, which is left out."),
+      QT_TRANSLATE_NOOP("remount::model", "The log ends within a line, which is left out."),
       QT_TRANSLATE_NOOP("remount::model",
                         "holds no date that can be used: the sentences that tell it (RMC, ZDA) are damaged. First "
                         "problem: %1"),

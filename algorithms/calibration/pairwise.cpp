@@ -347,6 +347,9 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     if (result.status != Status::OutOfRange) {
       result.status = Status::NotConverged;
       result.message = "The joint solution did not converge.";
+      // What the drive lacks is told from a solution that holds; more turns would not make this one.
+      result.advice = {
+          "Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they do not fit together."};
     }
   }
   judge_motions(problem, pairs, details, input.options, progress, result);

@@ -69,14 +69,16 @@ std::string csv_line(const std::vector<std::string>& cells) {
   return line + "\n";
 }
 
-/// With what, by how much, and whether that is drift.
+/// With what, by how much, and whether that is drift; empty where nothing was compared.
 void add_change(const FleetChange& change, std::vector<std::string>& cells) {
   cells.push_back(change.since);
   for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
     cells.push_back(csv_number(on_screen(i, change.change.difference[i])));
     cells.push_back(csv_number(on_screen(i, change.change.sigma[i])));
   }
-  cells.push_back(change.drift.empty() ? "no" : "yes");
+  const bool compared = std::any_of(change.change.difference.begin(), change.change.difference.end(),
+                                    [](double value) { return std::isfinite(value); });
+  cells.push_back(!change.drift.empty() ? "yes" : compared ? "no" : "");
   cells.push_back(change.drift);
 }
 

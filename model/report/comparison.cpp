@@ -30,7 +30,9 @@ std::string in_words(const NamedResult& a, const NamedResult& b, const ResultDif
                 is_angle(i) ? "deg" : "m", largest.sigmas);
   if (largest.sigmas > kDiffer_sigma)
     return a.name + " and " + b.name + " contradict each other: " + text +
-           ". At least one of them claims too much; look at its residuals, its clock and its nominal mounting.";
+           ". Either the LiDAR was moved in between, or one of them claims too much: look at its residuals, its clock "
+           "and "
+           "its nominal mounting.";
   return a.name + " and " + b.name + " agree within what they claim: at most, " + text + ".";
 }
 

@@ -6004,10 +6004,6 @@ Save under another name, or close it there first.</source>
         <translation>%1与%2的 INS 轴不同</translation>
     </message>
     <message>
-        <source>%1 and %2 contradict each other: %3 differs by %4 %5, %6 times the sigma of both together. At least one of them claims too much; look at its residuals, its clock and its nominal mounting.</source>
-        <translation>%1与%2互相矛盾：%3相差 %4 %5，为两者合成标准差的 %6 倍。其中至少有一个标称精度过高；请检查它的残差、时钟和名义安装。</translation>
-    </message>
-    <message>
         <source>%1 and %2 agree within what they claim: at most, %3 differs by %4 %5, %6 times the sigma of both together.</source>
         <translation>%1与%2在标称精度内一致：差别最大的%3相差 %4 %5，为两者合成标准差的 %6 倍。</translation>
     </message>
@@ -10246,6 +10242,54 @@ Save under another name, or close it there first.</source>
     <message>
         <source>The LiDAR moves %1 times as far as the INS: one of them measures distances wrongly, which biases X; the sigmas include it. Correct the scale, or use the method trajectory, which estimates it.</source>
         <translation>激光雷达移动的距离是 INS 的 %1 倍：二者之一的距离测量有误，使 X 产生偏差；sigma 已计入。请修正尺度，或使用会估计尺度的 trajectory 方法。</translation>
+    </message>
+    <message>
+        <source>The attitude jumps %1 times, the farthest by %2 degrees at %3.</source>
+        <translation>姿态跳变 %1 次，最大的一次在 %3，跳变 %2 度。</translation>
+    </message>
+    <message>
+        <source>The attitude jumps once, by %1 degrees at %2.</source>
+        <translation>姿态跳变一次，在 %2 跳变 %1 度。</translation>
+    </message>
+    <message>
+        <source>A pair across a jump tells of a turn that never was; it is rejected where that shows.</source>
+        <translation>跨越跳变的扫描对所说明的转动从未发生；在能看出时它会被拒绝。</translation>
+    </message>
+    <message>
+        <source>See whether the heading was aligned anew there or a sample is damaged; reject the pairs across it, or use a log that was processed afterwards (PPK).</source>
+        <translation>请查看该处航向是否重新对准，或有样本损坏；拒绝跨越它的扫描对，或使用事后处理（PPK）的日志。</translation>
+    </message>
+    <message>
+        <source>The heading alone stands still for %1 s at a time (%2 samples) and then jumps, by %3 degrees where the vehicle turns: it is logged more often than it is computed.</source>
+        <translation>仅航向每次静止 %1 s（%2 个样本）后突然跳变，车辆转弯时跳变 %3 度：它的记录频率高于计算频率。</translation>
+    </message>
+    <message>
+        <source>One number of the position, %1, stands still for %2 s at a time (%3 samples) and then jumps, by %4 m where the vehicle drives: it is logged more often than it is computed.</source>
+        <translation>位置的一个分量（%1）每次静止 %2 s（%3 个样本）后突然跳变，车辆行驶时跳变 %4 m：它的记录频率高于计算频率。</translation>
+    </message>
+    <message>
+        <source>latitude</source>
+        <translation>纬度</translation>
+    </message>
+    <message>
+        <source>longitude</source>
+        <translation>经度</translation>
+    </message>
+    <message>
+        <source>is a symbolic link that leads nowhere</source>
+        <translation>是一个不指向任何文件的符号链接</translation>
+    </message>
+    <message>
+        <source>%1 and %2 contradict each other: %3 differs by %4 %5, %6 times the sigma of both together. Either the LiDAR was moved in between, or one of them claims too much: look at its residuals, its clock and its nominal mounting.</source>
+        <translation>%1与%2互相矛盾：%3相差 %4 %5，为两者合成标准差的 %6 倍。要么激光雷达在此期间被移动过，要么其中一个标称精度过高：请检查它的残差、时钟和名义安装。</translation>
+    </message>
+    <message>
+        <source>Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they do not fit together.</source>
+        <translation>请检查激光雷达与 INS 的时钟、扫描对和名义安装：它们彼此不相符。</translation>
+    </message>
+    <message>
+        <source>The log ends within a line, which is left out.</source>
+        <translation>日志在一行中间结束，该行未被采用。</translation>
     </message>
 </context>
 <context>
