@@ -26,7 +26,18 @@ struct Steps {
   double hold_s = 0.0;   ///< from one new value to the next
   double samples = 0.0;  ///< that a value is repeated for, itself included
   double jump = 0.0;     ///< between successive values, rad or m
+  /// Equal jumps after holds of unequal lengths: the values are rounded, and late by nothing.
+  bool rounded = false;
 };
+
+/// From the tenth part to the ninetieth, as a share of the median.
+double spread(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size()))];
+  };
+  return (at(0.9) - at(0.1)) / at(0.5);
+}
 
 /// `difference(a, b)` of the values of two samples; equal up to `same`. Samples count where the values change by more
 /// than `moving` within a window.
@@ -63,7 +74,8 @@ std::optional<Steps> steps_of(const MetricPoses& poses, double same, double movi
     lengths.push_back(static_cast<double>(to - from));
     jumps.push_back(difference(from, to));
   });
-  const Steps steps{median_of(std::move(holds_s)), median_of(std::move(lengths)), median_of(std::move(jumps))};
+  const bool rounded = spread(jumps) < 0.5 * spread(lengths);
+  const Steps steps{median_of(std::move(holds_s)), median_of(std::move(lengths)), median_of(std::move(jumps)), rounded};
   if (steps.samples < 2.0 || steps.jump < least_jump) return std::nullopt;
   return steps;
 }
@@ -93,7 +105,8 @@ void look_at_attitude(const CheckedSession& checked, std::vector<Finding>& findi
   if (const auto heading = steps([&](std::size_t a, std::size_t b) {
         return std::abs(
             wrap_angle_rad(heading_rad(checked.logged_attitude(a)) - heading_rad(checked.logged_attitude(b))));
-      }))
+      });
+      heading && !heading->rounded)
     add(findings, "ins-attitude-held",
         check_text("The heading alone stands still for %.3f s at a time (%.0f samples) and then jumps, by %.2f degrees "
                    "where the vehicle turns: it is logged more often than it is computed.",
@@ -123,7 +136,8 @@ void look_at_position(const CheckedSession& checked, std::vector<Finding>& findi
   const auto look_at_number = [&](int axis, const char* name, double InsSample::*angle_rad) {
     if (const auto one = steps([&](std::size_t a, std::size_t b) {
           return geodetic && ins[a].*angle_rad == ins[b].*angle_rad ? 0.0 : std::abs(step(a, b)[axis]);
-        }))
+        });
+        one && !one->rounded)
       add(findings, "ins-position-held",
           check_text("One number of the position, %s, stands still for %.3f s at a time (%.0f samples) and then jumps, "
                      "by %.2f m where the vehicle drives: it is logged more often than it is computed.",

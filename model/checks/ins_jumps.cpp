@@ -1,5 +1,7 @@
 // Motions that no vehicle makes: jumps of the INS.
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
@@ -11,7 +13,8 @@ namespace remount {
 namespace {
 
 constexpr double kFastestVehicle_mps = 100.0;
-constexpr double kWindow_s = 0.3;       ///< over which the speed before and after is taken
+constexpr double kWindow_s = 0.3;       ///< over which the speed before and after is taken, at least,
+constexpr double kLongestSide_s = 0.6;  ///< and at most
 constexpr double kLongestStep_s = 0.5;  ///< longer ones are gaps
 constexpr double kLeastJump_m = 0.3;
 constexpr double kLeastTurn_rad = 5.0 * kPi / 180.0;
@@ -26,35 +29,42 @@ struct Jumps {
 
 /// How far a step of the INS is from what the speeds before and after it make of it.
 struct Surprise {
-  double judged = std::nan("");  ///< by both; by the one that is known, less what the vehicle may have sped up by
+  double judged = std::nan("");  ///< by both, or by the one that is known, less what the vehicle may have sped up by
   double size = 0.0;             ///< by the speed that it fits better: the other may have a jump within
 };
 
 /// Of each step, by `change(a, b)` from one pose to another; the first, and those whose speed is not known, have NaN.
 /// `hardest` is the acceleration of a vehicle, in units of the change.
 template <class Change>
-std::vector<Surprise> surprises(const MetricPoses& poses, double hardest, Change&& change) {
+std::vector<Surprise> surprises_of(const MetricPoses& poses, double hardest, Change&& change) {
   const auto time_s = [&](std::size_t from, std::size_t to) {
     return seconds_between(poses[from].stamp_ns, poses[to].stamp_ns);
   };
-  const auto tells = [](double side_s) { return side_s >= 0.5 * kWindow_s && side_s < 2.0 * kWindow_s; };
+  const auto tells = [](double side_s) { return side_s >= 0.5 * kWindow_s && side_s < kLongestSide_s; };
+  const auto gap = [&](std::size_t from) { return time_s(from, from + 1) >= kLongestStep_s; };
   std::vector<Surprise> found(poses.size());
   std::size_t before = 0, after = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
-    while (before + 1 < i && time_s(before + 1, i - 1) >= kWindow_s) ++before;
-    while (after + 1 < poses.size() && (after < i || time_s(i, after) < kWindow_s)) ++after;
-    const double step_s = time_s(i - 1, i), before_s = time_s(before, i - 1), after_s = time_s(i, after);
+    const double step_s = time_s(i - 1, i);
+    if (step_s >= kLongestStep_s) before = i;  // what lies beyond a gap tells no speed
     if (step_s <= 0.0 || step_s >= kLongestStep_s) continue;
+    while (before + 1 < i && time_s(before + 1, i - 1) >= kWindow_s) ++before;
+    if (after < i) after = i;
+    while (after + 1 < poses.size() && time_s(i, after) < kWindow_s && !gap(after)) ++after;
+    const double before_s = time_s(before, i - 1), after_s = time_s(i, after);
     const Eigen::Vector3d step = change(i - 1, i);
     const auto off = [&](std::size_t from, std::size_t to, double side_s) -> Eigen::Vector3d {
       return step - step_s / side_s * change(from, to);
     };
+    const auto sped_up = [&](double side_s) { return 0.5 * hardest * step_s * (step_s + side_s); };
     const auto by_one = [&](double size, double side_s) -> Surprise {
-      return {std::max(0.0, size - 0.5 * hardest * step_s * (step_s + side_s)), size};
+      return {std::max(0.0, size - sped_up(side_s)), size};
     };
     if (tells(before_s) && tells(after_s)) {
       const Eigen::Vector3d off_before = off(before, i - 1, before_s), off_after = off(i, after, after_s);
-      found[i] = {0.5 * (off_before + off_after).norm(), std::min(off_before.norm(), off_after.norm())};
+      const double of_both = 0.5 * (off_before + off_after).norm();
+      found[i] = {std::max(0.0, of_both - 0.5 * sped_up(std::min(before_s, after_s))),
+                  std::min(off_before.norm(), off_after.norm())};
     } else if (tells(before_s)) {
       found[i] = by_one(off(before, i - 1, before_s).norm(), before_s);
     } else if (tells(after_s)) {
@@ -76,7 +86,7 @@ Jumps jumps_of(const MetricPoses& poses, const std::vector<Surprise>& surprises,
   for (std::size_t i = 0; i < surprises.size(); ++i) {
     if (!(surprises[i].judged > limit)) continue;
     // The speeds beside a jump are wrong as well: there and back again within a window is one.
-    if (jumps.count == 0 || seconds_between(last_ns, poses[i].stamp_ns) > 1.5 * kWindow_s) ++jumps.count;
+    if (jumps.count == 0 || seconds_between(last_ns, poses[i].stamp_ns) > kLongestSide_s) ++jumps.count;
     last_ns = poses[i].stamp_ns;
     if (surprises[i].size > jumps.largest) jumps.largest = surprises[i].size, jumps.largest_ns = poses[i].stamp_ns;
   }
@@ -89,7 +99,7 @@ Jumps turns_of(const CheckedSession& checked) {
     const Eigen::Quaterniond turn = checked.logged_attitude(a).conjugate() * checked.logged_attitude(b);
     return std::copysign(2.0, turn.w()) * turn.vec();
   };
-  Jumps turns = jumps_of(checked.poses, surprises(checked.poses, kHardest_radps2, chord), kLeastTurn_rad);
+  Jumps turns = jumps_of(checked.poses, surprises_of(checked.poses, kHardest_radps2, chord), kLeastTurn_rad);
   turns.largest = 2.0 * std::asin(std::min(1.0, 0.5 * turns.largest));
   return turns;
 }
@@ -98,7 +108,7 @@ Jumps steps_of(const MetricPoses& poses) {
   const auto way = [&](std::size_t a, std::size_t b) -> Eigen::Vector3d {
     return poses[b].pose.translation() - poses[a].pose.translation();
   };
-  return jumps_of(poses, surprises(poses, kHardest_mps2, way), kLeastJump_m);
+  return jumps_of(poses, surprises_of(poses, kHardest_mps2, way), kLeastJump_m);
 }
 
 /// Between poses 0.2 s apart: noise of the single sample must not pass for motion.
@@ -115,7 +125,11 @@ double fastest_mps(const MetricPoses& poses) {
 }
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
-  const Jumps turns = turns_of(checked);
+  // What is held jumps at every new value, which is another fault.
+  const auto held = [&](std::string_view code) {
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& one) { return one.code == code; });
+  };
+  const Jumps turns = held("ins-attitude-held") ? Jumps{} : turns_of(checked);
   if (turns.count > 0) {
     const std::string when = utc_text(turns.largest_ns);
     const double largest_deg = radians_to_degrees(turns.largest);
@@ -125,7 +139,7 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
                             : check_text("The attitude jumps %zu times, the farthest by %.1f degrees at %s.",
                                          turns.count, largest_deg, when.c_str())});
   }
-  const Jumps jumps = steps_of(checked.poses);
+  const Jumps jumps = held("ins-position-held") ? Jumps{} : steps_of(checked.poses);
   if (jumps.count > 0) {
     const std::string when = utc_text(jumps.largest_ns);
     findings.push_back({Severity::Warning, "ins-jump", "INS",

@@ -111,6 +111,31 @@ TEST(held_part_check, what_is_only_rounded_or_repeated_now_and_then_is_not_held)
   EXPECT_TRUE(found_held(dropped).empty());
 }
 
+TEST(held_part_check, coordinates_and_headings_with_few_digits_are_not_held) {
+  for (const double speed_mps : {3.0, 7.0, 20.0}) {
+    SimulationOptions options;
+    options.speed_mps = speed_mps;
+    options.duration_s = 20.0;
+    options.beams = 4;
+    options.azimuth_steps = 20;
+    for (const bool headings : {false, true}) {
+      Session rounded = simulate_drive(options).session;
+      const double place = degrees_to_radians(1e-6), unit = degrees_to_radians(1.0);
+      for (InsSample& sample : rounded.ins) {
+        if (!headings) {
+          sample.latitude_rad = place * std::round(sample.latitude_rad / place);
+          sample.longitude_rad = place * std::round(sample.longitude_rad / place);
+          continue;
+        }
+        YawPitchRoll angles = yaw_pitch_roll_from_rotation(sample.enu_from_ins.toRotationMatrix());
+        angles.yaw_rad = unit * std::round(angles.yaw_rad / unit);
+        sample.enu_from_ins = Eigen::Quaterniond(rotation_from_yaw_pitch_roll(angles));
+      }
+      EXPECT_TRUE(found_held(rounded).empty()) << speed_mps << (headings ? " headings" : " places");
+    }
+  }
+}
+
 TEST(held_part_check, sound_drives_are_silent) {
   for (const ScenarioKind scenario : {ScenarioKind::Street, ScenarioKind::Flat, ScenarioKind::Straight,
                                       ScenarioKind::FigureEight, ScenarioKind::ParkingRamp, ScenarioKind::Hill,

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <set>
 
 #include "model/checks/builtin.h"
 #include "model/session_report.h"
@@ -40,6 +41,61 @@ TEST(ins_jump_check, one_bad_position_is_one_jump_of_its_size_at_its_time) {
                 said.find(utc_text(spike.ins[last].stamp_ns)) != std::string::npos)
         << bad << ": " << said;
   }
+}
+
+TEST(ins_jump_check, one_bad_position_is_one_jump_at_every_rate) {
+  for (const double rate_hz : {2.1, 2.5, 4.0, 5.0, 10.0, 50.0, 100.0}) {
+    Session spike = good_drive();
+    for (std::size_t i = 0; i < spike.ins.size(); ++i) {  // 5 m/s
+      spike.ins[i].stamp_ns = 1'600'000'000'000'000'000 + std::llround(1e9 * static_cast<double>(i) / rate_hz);
+      spike.ins[i].latitude_rad = 0.85 + 5.0 * static_cast<double>(i) / rate_hz / kEarthRadius_m;
+      spike.ins[i].enu_from_ins.setIdentity();
+    }
+    spike.ins[250].height_m -= 50.0;
+    const std::vector<Finding> findings = found_by(ins_jump_check(), spike);
+    ASSERT_EQ(findings.size(), 1U) << rate_hz;
+    EXPECT_EQ(findings[0].explanation.find("The position jumps once, by 50.0"), 0U)
+        << rate_hz << ": " << findings[0].explanation;
+  }
+}
+
+TEST(ins_jump_check, what_lies_beyond_a_gap_tells_no_speed) {
+  Session gap;
+  for (int i = 0; i < 100; ++i) {  // at 10 Hz, half a second of it missing, 20 m farther behind
+    if (i > 50 && i < 55) continue;
+    InsSample sample = good_drive().ins[0];
+    sample.stamp_ns += i * std::int64_t{100'000'000};
+    sample.latitude_rad += (0.5 * i + (i > 50 ? 20.0 : 0.0)) / kEarthRadius_m;
+    gap.ins.push_back(sample);
+  }
+  EXPECT_TRUE(printed(found_by(ins_jump_check(), gap)).empty());
+}
+
+TEST(ins_jump_check, turns_that_begin_as_hard_as_vehicles_can_are_no_jumps) {
+  for (const double rate_hz : {5.0, 10.0, 100.0}) {
+    Session slalom = good_drive(0.0, 0.0);
+    double yaw_rad = 0.0;
+    for (std::size_t i = 0; i < slalom.ins.size(); ++i) {
+      const double time_s = static_cast<double>(i) / rate_hz;
+      yaw_rad += 1.9 / rate_hz * std::asin(std::sin(kPi * time_s)) / kPi;  // +-1.9 rad/s^2 by turns of a second
+      slalom.ins[i].stamp_ns = 1'600'000'000'000'000'000 + std::llround(1e9 * time_s);
+      slalom.ins[i].enu_from_ins = Eigen::Quaterniond(rotation_from_yaw_pitch_roll({yaw_rad, 0.0, 0.0}));
+    }
+    EXPECT_EQ(said_of(printed(found_by(ins_jump_check(), slalom)), "ins-attitude-jump"), "") << rate_hz;
+  }
+}
+
+TEST(ins_jump_check, what_is_held_is_not_said_to_jump_as_well) {
+  Session held = good_drive(180.0);
+  for (std::size_t i = 0; i < held.ins.size(); ++i) {
+    const InsSample& from = held.ins[i - i % 25];
+    held.ins[i].enu_from_ins = from.enu_from_ins;
+    held.ins[i].latitude_rad = from.latitude_rad;
+  }
+  std::set<std::string> codes;
+  for (const Finding& finding : data_findings(held, LookAt::Streams, Progress())) codes.insert(finding.code);
+  EXPECT_TRUE(codes.contains("ins-attitude-held") && codes.contains("ins-position-held"));
+  EXPECT_FALSE(codes.contains("ins-attitude-jump") || codes.contains("ins-jump"));
 }
 
 TEST(ins_jump_check, an_attitude_that_jumps_is_named) {
