@@ -125,7 +125,7 @@ void read_ascii(const std::string& text, const fs::path& path, InspvaxLog& log, 
 
 /// The column of the time of week is called seconds and holds milliseconds in some drivers: its steps tell. At 4 units
 /// a step, seconds would mean a sample every four seconds, which no INS log has. No week has more than 604800 seconds.
-std::int64_t time_unit_ns(const std::string& text, std::size_t column) {
+std::int64_t time_unit_ns(std::string_view text, std::size_t column) {
   LineReader lines(text);
   std::string_view line;
   lines.next(line);
@@ -164,8 +164,9 @@ void report_host_clock(std::vector<double>& offsets_s, double distinct, const fs
   findings.push_back(make_finding(Severity::Note, "host-clock", path.string(), text));
 }
 
-void read_csv(const std::string& text, const fs::path& path, InspvaxLog& log, BadItems& bad,
+void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadItems& bad,
               std::vector<Finding>& findings) {
+  text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
   if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");

@@ -52,6 +52,7 @@ std::vector<ScanFile> scans_from_names(const std::vector<fs::path>& files, const
 
 std::vector<ScanFile> scans_from_table(std::string_view text, const fs::path& table, const fs::path& directory,
                                        std::vector<Finding>& findings) {
+  text = without_cut_line(text, table.string(), findings);
   LineReader lines(text);
   std::string_view line;
   lines.next(line);

@@ -35,8 +35,9 @@ class BadItems {
   std::string first_;
 };
 
-/// The text of a table without its last line where that was cut: where it lacks its end and is shorter than the twenty
-/// lines before it, or as many as there are, its last number may have lost digits. That becomes a finding "log-cut".
+/// The text of a table without its last line where that was cut: it lacks its end, and has fewer fields than the lines
+/// before it, or a last number with fewer digits than theirs, by so many that it is another. Becomes a finding
+/// "log-cut".
 std::string_view without_cut_line(std::string_view text, const std::string& path, std::vector<Finding>& findings);
 
 /// Makes stamps strictly ascending: stamps that are no time at all and single stamps far in the future are taken out,
