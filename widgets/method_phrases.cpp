@@ -204,9 +204,12 @@ const std::vector<const char*>& method_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "%1 and %2 have other INS axes"),
       QT_TRANSLATE_NOOP(
           "remount::model",
-          "%1 and %2 contradict each other: %3 differs by %4 %5, %6 times the sigma of both together. Either the "
-          "LiDAR was moved in between, or one of them claims too much: look at its residuals, its clock and its "
-          "nominal "
+          "%1 and %2 contradict each other: %3 differs by %4 %5, %6 times the sigma of both together. At least one of "
+          "them claims too much; look at its residuals, its clock and its nominal mounting."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 and %2 contradict each other: %3 differs by %4 %5, %6 times the sigma of both together. Either the LiDAR "
+          "was moved in between, or one of them claims too much: look at its residuals, its clock and its nominal "
           "mounting."),
       QT_TRANSLATE_NOOP(
           "remount::model",

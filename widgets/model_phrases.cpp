@@ -73,6 +73,8 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP(
           "remount::model",
           "Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they do not fit together."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Look at the clocks of LiDAR and INS and at the pairs: they do not fit together."),
       QT_TRANSLATE_NOOP("remount::model", "Cancelled."),
       QT_TRANSLATE_NOOP("remount::model", "Only %1 usable pair; at least %2 are needed."),
       QT_TRANSLATE_NOOP("remount::model", "Only %1 usable pairs; at least %2 are needed."),

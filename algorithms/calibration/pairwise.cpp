@@ -330,7 +330,10 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     return cancelled(result);
   }
   if (problem.terms.size() < kFewestPairs) return too_few(pairs, problem.terms.size());
+  const std::size_t advised = result.advice.size();
   const Matrix6d believed = describe_uncertainty(input, pairs, problem, answers, details, progress, result);
+  // What the drive lacks is told from a solution that holds; more turns would not make another one.
+  if (!details.joint.converged) result.advice.resize(advised);
   const std::string lost = input.nominal_ins_from_lidar ? "" : claim_nothing_where_lost(pairs, result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
@@ -347,9 +350,11 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
     if (result.status != Status::OutOfRange) {
       result.status = Status::NotConverged;
       result.message = "The joint solution did not converge.";
-      // What the drive lacks is told from a solution that holds; more turns would not make this one.
-      result.advice = {
-          "Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they do not fit together."};
+      result.advice.insert(result.advice.begin(),
+                           input.nominal_ins_from_lidar
+                               ? "Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they "
+                                 "do not fit together."
+                               : "Look at the clocks of LiDAR and INS and at the pairs: they do not fit together.");
     }
   }
   judge_motions(problem, pairs, details, input.options, progress, result);

@@ -1,5 +1,6 @@
 #include "app/cli/console.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,6 +11,7 @@
 
 #include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
+#include "model/io/regular_file.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -54,14 +56,15 @@ void watch_signals(const std::stop_token& done, std::stop_source& stop) {
   }
 }
 
-/// A FIFO would be waited for until somebody reads it. A terminal or another device may well take a log.
-void refuse_waiting(const std::filesystem::path& path) {
+/// Opening a FIFO that nobody reads would wait for a reader. Keeps one that is read open meanwhile: the reader would
+/// take the end of this look for the end of the log. Throws Error(Io).
+FileDescriptor look_for_reader(const std::filesystem::path& path) {
   std::error_code missing;  // which opening tells of
-  const std::filesystem::file_status status = std::filesystem::status(path, missing);
-  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status) ||
-      std::filesystem::is_character_file(status))
-    return;
-  throw Error(ErrorCode::Io, path.string(), "the log cannot be written: it is no regular file");
+  if (!std::filesystem::is_fifo(path, missing)) return {};
+  FileDescriptor reader(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+  if (reader.get() < 0)
+    throw Error(ErrorCode::Io, path.string(), "the log cannot be written: it is a FIFO that nobody reads");
+  return reader;
 }
 
 }  // namespace
@@ -82,7 +85,7 @@ double Console::elapsed_s() const { return seconds(Clock::now() - started_); }
 
 void Console::start(const std::string& command_line) {
   if (options_.log_file.empty()) return;
-  refuse_waiting(options_.log_file);
+  const FileDescriptor reader = look_for_reader(options_.log_file);
   check_replaces_its_like(options_.log_file, "remount-cli ");
   log_.open(options_.log_file, options_.append_log ? std::ios::app : std::ios::trunc);
   if (!log_)
@@ -101,19 +104,20 @@ void Console::log(std::string_view text) {
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   if (log_.flush()) return;
-  lose_output(options_.log_file + ": the log cannot be written any further");
+  lose(log_lost_, options_.log_file + ": the log cannot be written any further");
   log_.close();
 }
 
-void Console::lose_output(const std::string& what) {
+void Console::lose(bool& lost, const std::string& what) {
   const int reason = errno;
-  if (!output_lost_)
-    std::fprintf(stderr, "remount-cli: %s%s%s\n", what.c_str(), reason != 0 ? ": " : "",
-                 reason != 0 ? std::strerror(reason) : "");
-  output_lost_ = true;
+  if (lost) return;
+  lost = true;
+  clear_line();
+  std::fprintf(stderr, "remount-cli: %s%s%s\n", what.c_str(), reason != 0 ? ": " : "",
+               reason != 0 ? std::strerror(reason) : "");
 }
 
-int Console::end(int code) const { return output_lost_ && code == kSolved ? kUnreadable : code; }
+int Console::end(int code) const { return (output_lost_ || log_lost_) && code == kSolved ? kUnreadable : code; }
 
 void Console::clear_line() {
   if (line_shown_) std::fputs("\r\033[K", stderr);
@@ -157,10 +161,20 @@ void Console::print(std::string_view text) {
   clear_line();
   log(text);
   if (options_.quiet) return;
+  write(text);
+  if (!text.ends_with('\n')) write("\n");
+}
+
+void Console::deliver(std::string_view text) {
+  const std::scoped_lock lock(mutex_);
+  clear_line();
+  write(text);
+}
+
+void Console::write(std::string_view text) {
   errno = 0;
   std::fwrite(text.data(), 1, text.size(), stdout);
-  if (!text.ends_with('\n')) std::fputc('\n', stdout);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) lose_output("the output cannot be written");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) lose(output_lost_, "the output cannot be written");
 }
 
 void Console::complain(std::string_view text) {

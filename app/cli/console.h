@@ -50,6 +50,8 @@ class Console {
 
   /// To stdout unless --quiet, and to the log.
   void print(std::string_view text);
+  /// What was asked for, to stdout even with --quiet, and not to the log.
+  void deliver(std::string_view text);
   /// To stderr always, and to the log.
   void complain(std::string_view text);
   /// What a verb ends with that would end with `code`: kUnreadable instead of kSolved where something that was printed
@@ -62,8 +64,9 @@ class Console {
   void show(const ProgressUpdate& update);
   void clear_line();
   void log(std::string_view text);
-  /// Says so once, with the reason that errno holds.
-  void lose_output(const std::string& what);
+  /// Says so with the reason that errno holds, once for each kind of output.
+  void lose(bool& lost, const std::string& what);
+  void write(std::string_view text);
   double elapsed_s() const;
 
   ConsoleOptions options_;
@@ -71,7 +74,7 @@ class Console {
   std::ofstream log_;
   bool terminal_ = false;
   bool line_shown_ = false;
-  bool output_lost_ = false;
+  bool output_lost_ = false, log_lost_ = false;
   std::string stage_;
   std::size_t last_done_ = 0;
   std::chrono::steady_clock::time_point started_, stage_started_, shown_;

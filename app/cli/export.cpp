@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include "algorithms/core/error.h"
@@ -29,9 +28,8 @@ int export_result(const ExportArguments& arguments, Console& console) {
   if (!arguments.output.empty()) check_replaces_export(arguments.output, format);
   const std::string text = format.write(result, arguments.names);
   if (arguments.output.empty()) {
-    // What was asked for, not chatter: --quiet does not silence it.
-    std::cout << text << std::flush;
-    return std::cout ? kSolved : kUnreadable;
+    console.deliver(text);
+    return kSolved;
   }
   save_atomically(arguments.output, text);
   console.print(arguments.output + ": " + std::string(format.direction()));

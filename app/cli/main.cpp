@@ -1,8 +1,8 @@
 // remount-cli: the workbench without a window.
 #include <exception>
-#include <iostream>
 #include <memory>
 #include <new>
+#include <sstream>
 
 #include "algorithms/core/error.h"
 #include "app/cli/verbs.h"
@@ -51,7 +51,10 @@ int run_main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return app.exit(help);
+    std::ostringstream text;
+    const int code = app.exit(help, text);
+    console.deliver(text.str());
+    return console.end(code);
   } catch (const CLI::ParseError& problem) {
     if (app.get_subcommands().empty())
       console.complain(no_verb(app));

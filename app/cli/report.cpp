@@ -23,21 +23,25 @@ struct ReportArguments {
 };
 
 /// Tracks of another drive would pass for those that the result was made of.
-void check_is_of_result(const ResultFile& result, const std::shared_ptr<const Session>& session, Console& console) {
-  std::set<std::tuple<std::string, std::string, std::uint64_t>> made_of;
-  for (const InputFile& file : result.inputs)
-    if (!file.session.empty()) made_of.emplace(file.session, file.file, file.bytes);
-  if (made_of.empty()) {  // of motions, or calibrated without hashes
-    console.complain("warning: the result does not list its inputs: whether it was made of " + path_or_name(*session) +
-                     " cannot be checked");
-    return;
+class MadeOf {
+ public:
+  explicit MadeOf(const ResultFile& result) {
+    for (const InputFile& file : result.inputs)
+      if (!file.session.empty()) files_.emplace(file.session, file.file, file.bytes);
   }
-  for (const InputFile& file : list_inputs({session}))
-    if (!made_of.contains({file.session, file.file, file.bytes}))
-      throw Error(ErrorCode::Contract, path_or_name(*session),
-                  "is not what the result was made of: there is no " + file.session + "/" + file.file + " of " +
-                      std::to_string(file.bytes) + " bytes among its inputs; leave it out, or calibrate again");
-}
+  /// False where the result is of motions, or was made without a list.
+  bool known() const { return !files_.empty(); }
+  void require(const std::shared_ptr<const Session>& session) const {
+    for (const InputFile& file : list_inputs({session}))
+      if (!files_.contains({file.session, file.file, file.bytes}))
+        throw Error(ErrorCode::Contract, path_or_name(*session),
+                    "is not what the result was made of: there is no " + file.session + "/" + file.file + " of " +
+                        std::to_string(file.bytes) + " bytes among its inputs; leave it out, or calibrate again");
+  }
+
+ private:
+  std::set<std::tuple<std::string, std::string, std::uint64_t>> files_;
+};
 
 int write_report(const ReportArguments& arguments, Console& console) {
   const std::string ending = std::filesystem::path(arguments.output).extension().string();
@@ -50,10 +54,13 @@ int write_report(const ReportArguments& arguments, Console& console) {
   if (std::filesystem::equivalent(arguments.result, arguments.output, none))
     throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which a report must not replace");
   check_replaces_its_like(arguments.output, "<!DOCTYPE html>");
+  const MadeOf made_of(report.file);
+  if (!made_of.known() && !arguments.sessions.empty())
+    console.complain("warning: the result does not list its inputs: that these sessions are those cannot be checked");
   for (const std::string& path : arguments.sessions) {
     const auto session =
         std::make_shared<const Session>(open_session(path, arguments.topics.choice(), console.progress()));
-    check_is_of_result(report.file, session, console);
+    if (made_of.known()) made_of.require(session);
     report.tracks.push_back(track_of(*session));
   }
   report.created =

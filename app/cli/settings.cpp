@@ -1,4 +1,3 @@
-#include <iostream>
 #include <memory>
 
 #include "app/cli/arguments.h"
@@ -21,8 +20,8 @@ void add_settings(CLI::App& app, Console& console, Run& run) {
       require_valid(settings);
       const std::string text = settings_text(settings);
       if (output->empty()) {
-        std::cout << text << std::flush;
-        return std::cout ? kSolved : kUnreadable;
+        console.deliver(text);
+        return kSolved;
       }
       check_replaces_its_like(*output, "# Settings of Remount");
       save_atomically(*output, text);

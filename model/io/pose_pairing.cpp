@@ -12,6 +12,8 @@ namespace {
 
 /// Shared clocks that differ by more are not shared; the pipeline's own estimate of the time offset covers less.
 constexpr double kSharedTolerance_s = 0.2;
+constexpr double kAgreeing_s =
+    0.01;  ///< unsynchronised clocks that agree by chance, or that are synchronised after all
 
 double overlap_share(const RotationStream& a, const RotationStream& b) {
   const std::int64_t a_begin = a.stamp_ns(0), a_end = a.stamp_ns(a.size() - 1);
@@ -45,7 +47,8 @@ void align_lidar_clock(Session& session, ClockUse clocks) {
                            ". Their stamps stay as they are; record a drive with several turns."));
     return;
   }
-  const double tolerance_s = needed ? 2.0 * alignment.sigma_s : kSharedTolerance_s;
+  // Moving by what may be chance makes clocks worse that agree; a coarse estimate does not show that they do.
+  const double tolerance_s = needed ? std::min(2.0 * alignment.sigma_s, kAgreeing_s) : kSharedTolerance_s;
   if (overlapping && std::abs(alignment.offset_s) < tolerance_s) {
     session.findings.push_back(make_finding(
         Severity::Note, "clock-offset", "clocks",

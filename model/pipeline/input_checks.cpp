@@ -1,6 +1,7 @@
 #include "model/pipeline/input_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -50,9 +51,12 @@ bool same_scans(const ScanSource& a, const ScanSource& b) {
 }
 
 bool equal(const StampedPose& a, const StampedPose& b) { return a.pose.matrix() == b.pose.matrix(); }
+/// But for what is lost where a log is written in another format.
 bool equal(const InsSample& a, const InsSample& b) {
-  return a.latitude_rad == b.latitude_rad && a.longitude_rad == b.longitude_rad && a.height_m == b.height_m &&
-         a.enu_from_ins.coeffs() == b.enu_from_ins.coeffs();
+  constexpr double kRounded_rad = 1e-9, kRounded_m = 1e-3, kRoundedAttitude_rad = 1e-6;
+  return std::abs(a.latitude_rad - b.latitude_rad) < kRounded_rad &&
+         std::abs(a.longitude_rad - b.longitude_rad) < kRounded_rad && std::abs(a.height_m - b.height_m) < kRounded_m &&
+         a.enu_from_ins.angularDistance(b.enu_from_ins) < kRoundedAttitude_rad;
 }
 
 /// Most poses of the stamps that both have are equal. Drives whose stamps count from their start share stamps, and the
@@ -78,8 +82,8 @@ bool same_motion(const std::vector<Posed>& a, const std::vector<Posed>& b) {
 /// Scans of the same times beside the same INS, whatever they hold: one copy may have been rounded, thinned or cropped.
 /// Parts of a drive that share its INS log have scans of other times.
 bool same_times_of_one_drive(const Session& a, const Session& b) {
-  return shared_stamps(*a.scans, *b.scans).size() == 2 &&
-         (same_motion(a.ins, b.ins) || same_motion(a.world_from_ins, b.world_from_ins));
+  const bool two_scans_share_stamps = shared_stamps(*a.scans, *b.scans).size() == 2;  // the first and the last that do
+  return two_scans_share_stamps && (same_motion(a.ins, b.ins) || same_motion(a.world_from_ins, b.world_from_ins));
 }
 
 bool same_recording(const Session& a, const Session& b) {

@@ -21,6 +21,14 @@ std::string not_comparable(const NamedResult& a, const NamedResult& b) {
   return {};
 }
 
+/// Two methods, or settings, on the same files: in which nothing can have been moved.
+bool of_one_recording(const ResultFile& a, const ResultFile& b) {
+  return !a.inputs.empty() && std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(),
+                                         [](const InputFile& one, const InputFile& other) {
+                                           return one.file == other.file && one.sha256 == other.sha256;
+                                         });
+}
+
 std::string in_words(const NamedResult& a, const NamedResult& b, const ResultDifference& difference,
                      const LargestDifference& largest) {
   const std::size_t i = largest.parameter;
@@ -30,9 +38,10 @@ std::string in_words(const NamedResult& a, const NamedResult& b, const ResultDif
                 is_angle(i) ? "deg" : "m", largest.sigmas);
   if (largest.sigmas > kDiffer_sigma)
     return a.name + " and " + b.name + " contradict each other: " + text +
-           ". Either the LiDAR was moved in between, or one of them claims too much: look at its residuals, its clock "
-           "and "
-           "its nominal mounting.";
+           (of_one_recording(a.file, b.file)
+                ? ". At least one of them claims too much; look at its residuals, its clock and its nominal mounting."
+                : ". Either the LiDAR was moved in between, or one of them claims too much: look at its residuals, its "
+                  "clock and its nominal mounting.");
   return a.name + " and " + b.name + " agree within what they claim: at most, " + text + ".";
 }
 

@@ -10291,6 +10291,14 @@ Save under another name, or close it there first.</source>
         <source>The log ends within a line, which is left out.</source>
         <translation>日志在一行中间结束，该行未被采用。</translation>
     </message>
+    <message>
+        <source>%1 and %2 contradict each other: %3 differs by %4 %5, %6 times the sigma of both together. At least one of them claims too much; look at its residuals, its clock and its nominal mounting.</source>
+        <translation>%1与%2互相矛盾：%3相差 %4 %5，为两者合成标准差的 %6 倍。其中至少有一个标称精度过高；请检查它的残差、时钟和名义安装。</translation>
+    </message>
+    <message>
+        <source>Look at the clocks of LiDAR and INS and at the pairs: they do not fit together.</source>
+        <translation>请检查激光雷达与 INS 的时钟以及扫描对：它们彼此不相符。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

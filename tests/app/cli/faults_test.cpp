@@ -115,9 +115,15 @@ TEST_F(cli_faults, inspect_says_how_many_scans_it_read) {
 
 TEST_F(cli_faults, a_log_that_would_wait_for_a_reader_is_refused) {
   ASSERT_EQ(::mkfifo(path("fifo").c_str(), 0600), 0);
-  expect("--log " + path("fifo") + " settings", 2, "fifo: the log cannot be written: it is no regular file");
-  expect("--append-log --log " + path("fifo") + " settings", 2, "it is no regular file");
+  expect("--log " + path("fifo") + " settings", 2, "fifo: the log cannot be written: it is a FIFO that nobody reads");
+  expect("--append-log --log " + path("fifo") + " settings", 2, "it is a FIFO that nobody reads");
+  expect("--log " + folder_.string() + " settings", 2, "Is a directory");
   expect("--log /dev/null settings", 0, "registration");
+  const std::string into_a_pipe = std::string("'") + REMOUNT_CLI + "' --log /dev/stderr inspect " + path("drive") +
+                                  " 2>&1 < /dev/null | cat > '" + path("out.txt") + "'";
+  EXPECT_EQ(std::system(into_a_pipe.c_str()), 0);
+  EXPECT_NE(text_of(path("out.txt")).find("remount-cli "), std::string::npos) << text_of(path("out.txt"));
+  EXPECT_NE(text_of(path("out.txt")).find("usable: "), std::string::npos);
 }
 
 TEST_F(cli_faults, output_that_gets_lost_on_a_full_disk_is_no_success) {
@@ -129,7 +135,10 @@ TEST_F(cli_faults, output_that_gets_lost_on_a_full_disk_is_no_success) {
         << text_of(path("err.txt"));
     return testing::exit_code_of(status);
   };
-  EXPECT_EQ(with_full_output("inspect " + path("drive")), 2);
+  for (const std::string& arguments : {"inspect " + path("drive"), std::string("settings"), std::string("--help")})
+    EXPECT_EQ(with_full_output(arguments), 2) << arguments;
+  EXPECT_EQ(with_full_output("--log /dev/full inspect " + path("drive")), 2);
+  EXPECT_NE(text_of(path("err.txt")).find("the log cannot be written any further"), std::string::npos);
   expect("--log /dev/full inspect " + path("drive"), 2,
          "/dev/full: the log cannot be written any further: No space left on device");
 }

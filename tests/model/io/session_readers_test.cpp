@@ -9,6 +9,7 @@
 #include "algorithms/geometry/rotation.h"
 #include "model/io/number_text.h"
 #include "model/io/pose_file.h"
+#include "model/io/pose_pairing.h"
 #include "model/io/session_reader.h"
 #include "model/io/several_sessions.h"
 #include "model/io/time_stamp.h"
@@ -235,6 +236,21 @@ TEST(pose_session_reader, pairs_by_name_and_aligns_clocks_that_do_not_overlap) {
   EXPECT_EQ(session.world_from_ins.size(), 3000u);
   ASSERT_NE(find(session, "clock-aligned"), nullptr);
   EXPECT_NEAR(static_cast<double>(session.odometry_from_lidar[0].stamp_ns) * 1e-9, 110.0, 0.003);
+}
+
+TEST(pose_session_reader, clocks_that_are_declared_unsynchronised_and_agree_are_not_moved) {
+  const TemporaryFolder folder;
+  folder.write("run_vicon.csv", "# t,x,y,z,qx,qy,qz,qw\n" + poses(0, 0.0, ",", 100, 160, 0.02));
+  folder.write("run_camera.txt", poses(0.0, 1.0, " ", 110, 150, 0.1));
+  Session session = open(folder.path());
+  const std::int64_t first_ns = session.odometry_from_lidar[0].stamp_ns;
+  align_lidar_clock(session, ClockUse::Unsynchronised);
+  EXPECT_EQ(session.findings.back().code, "clock-offset") << session.findings.back().explanation;
+  EXPECT_EQ(session.odometry_from_lidar[0].stamp_ns, first_ns);
+  for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += 50'000'000;
+  align_lidar_clock(session, ClockUse::Unsynchronised);
+  EXPECT_EQ(session.findings.back().code, "clock-aligned") << session.findings.back().explanation;
+  EXPECT_NEAR(static_cast<double>(session.odometry_from_lidar[0].stamp_ns - first_ns), 0.0, 3e6);
 }
 
 TEST(pose_session_reader, ambiguous_names_are_listed) {

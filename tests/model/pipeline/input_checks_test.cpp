@@ -78,6 +78,12 @@ TEST(input_checks, scans_of_the_same_times_beside_the_same_ins_are_the_same_reco
              rounded = std::make_shared<const Session>(open_session(folder.path() / "las", progress));
   ASSERT_NE(whole->scans->load(0).points, rounded->scans->load(0).points) << "LAS rounds";
   EXPECT_ERROR(check_sessions({whole, rounded}), "same recording");
+  auto written_anew = std::make_shared<Session>(*rounded);
+  for (InsSample& sample : written_anew->ins) {
+    sample.latitude_rad += 1e-11;
+    sample.enu_from_ins.coeffs() *= -1.0;
+  }
+  EXPECT_ERROR(check_sessions({whole, written_anew}), "same recording");
   auto other_drive = std::make_shared<Session>(*rounded);
   for (InsSample& sample : other_drive->ins) sample.latitude_rad += 1e-5;
   EXPECT_NO_THROW(check_sessions({whole, other_drive})) << "stamps that count from the start of a drive";

@@ -24,6 +24,18 @@ TEST(compare_results, warns_where_two_differ_by_more_than_they_claim_and_only_th
   EXPECT_NE(far[0].words.find("a and b contradict each other: yaw"), std::string::npos) << far[0].words;
 }
 
+TEST(compare_results, a_lidar_can_have_been_moved_between_two_recordings_and_not_within_one) {
+  NamedResult a = result("a", 0.010, 0.001), b = result("b", 0.020, 0.001);
+  a.file.inputs = {{"drive", "scan.pcd", 12, "aa"}, {"drive", "ins.csv", 30, "bb"}};
+  b.file.inputs = a.file.inputs;
+  EXPECT_EQ(compare_results({a, b})[0].words.find("moved in between"), std::string::npos);
+  b.file.inputs[1].sha256 = "cc";
+  EXPECT_NE(compare_results({a, b})[0].words.find("moved in between"), std::string::npos);
+  a.file.inputs.clear();
+  b.file.inputs.clear();
+  EXPECT_NE(compare_results({a, b})[0].words.find("moved in between"), std::string::npos) << "not known";
+}
+
 TEST(compare_results, angles_on_either_side_of_half_a_turn_are_near) {
   const auto compared = compare_results({result("a", kPi - 0.001, 0.001), result("b", -kPi + 0.001, 0.001)});
   EXPECT_FALSE(compared[0].contradict) << compared[0].words;
