@@ -12,8 +12,7 @@ namespace {
 
 /// Shared clocks that differ by more are not shared; the pipeline's own estimate of the time offset covers less.
 constexpr double kSharedTolerance_s = 0.2;
-constexpr double kAgreeing_s =
-    0.01;  ///< unsynchronised clocks that agree by chance, or that are synchronised after all
+constexpr double kAgreeing_s = 0.01;  ///< of clocks that are declared unsynchronised
 
 double overlap_share(const RotationStream& a, const RotationStream& b) {
   const std::int64_t a_begin = a.stamp_ns(0), a_end = a.stamp_ns(a.size() - 1);
