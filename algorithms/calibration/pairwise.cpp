@@ -139,6 +139,18 @@ void set_status(const PairwiseInput& input, const std::string& lost, Calibration
   }
 }
 
+void claim_nothing_unconverged(const PairwiseInput& input, CalibrationResult& result) {
+  claim_nothing("the solution did not converge", result);
+  if (result.status == Status::OutOfRange) return;
+  result.status = Status::NotConverged;
+  result.message = "The joint solution did not converge.";
+  result.advice.insert(result.advice.begin(),
+                       input.nominal_ins_from_lidar
+                           ? "Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they do "
+                             "not fit together."
+                           : "Look at the clocks of LiDAR and INS and at the pairs: they do not fit together.");
+}
+
 CalibrationResult cancelled(CalibrationResult result) {
   result.status = Status::Cancelled;
   result.message = "Cancelled.";
@@ -345,18 +357,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   count_pairs(pairs, result);
   summarise_errors(pairs, input.options, result);
   set_status(input, lost, result);
-  if (!details.joint.converged) {
-    claim_nothing("the solution did not converge", result);
-    if (result.status != Status::OutOfRange) {
-      result.status = Status::NotConverged;
-      result.message = "The joint solution did not converge.";
-      result.advice.insert(result.advice.begin(),
-                           input.nominal_ins_from_lidar
-                               ? "Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they "
-                                 "do not fit together."
-                               : "Look at the clocks of LiDAR and INS and at the pairs: they do not fit together.");
-    }
-  }
+  if (!details.joint.converged) claim_nothing_unconverged(input, result);
   judge_motions(problem, pairs, details, input.options, progress, result);
   report_rejected_sessions(context, usable, pairs, result);
   // A stop on the way leaves numbers that look complete and are not.

@@ -19,7 +19,7 @@ constexpr double kLongestStep_s = 0.5;  ///< longer ones are gaps
 constexpr double kLeastJump_m = 0.3;
 constexpr double kLeastTurn_rad = 5.0 * kPi / 180.0;
 constexpr double kTimesUsual = 10.0;
-constexpr double kHardest_mps2 = 10.0, kHardest_radps2 = 2.0;  ///< that a vehicle speeds up, brakes or begins to turn
+constexpr double kTimesHeld = 3.0;  ///< farther than values that are held jump as a rule
 
 struct Jumps {
   std::size_t count = 0;
@@ -27,16 +27,22 @@ struct Jumps {
   std::int64_t largest_ns = 0;
 };
 
-/// How far a step of the INS is from what the speeds before and after it make of it.
+/// Accelerations of a vehicle, in units of the change per s^2, that are no jump where the speed is known on one side of
+/// a step, or on both: none brakes and speeds up within a step of a slow log, but steering goes to and fro.
+struct Hardest {
+  double beside_one, between_two;
+};
+constexpr Hardest kHardest_mps2{10.0, 0.0}, kHardest_radps2{2.0, 2.0};
+
+/// How far a step of the INS is from what the speeds before and after it make of it, in units of the change.
 struct Surprise {
   double judged = std::nan("");  ///< by both, or by the one that is known, less what the vehicle may have sped up by
   double size = 0.0;             ///< by the speed that it fits better: the other may have a jump within
 };
 
 /// Of each step, by `change(a, b)` from one pose to another; the first, and those whose speed is not known, have NaN.
-/// `hardest` is the acceleration of a vehicle, in units of the change.
 template <class Change>
-std::vector<Surprise> surprises_of(const MetricPoses& poses, double hardest, Change&& change) {
+std::vector<Surprise> surprises_of(const MetricPoses& poses, const Hardest& hardest, Change&& change) {
   const auto time_s = [&](std::size_t from, std::size_t to) {
     return seconds_between(poses[from].stamp_ns, poses[to].stamp_ns);
   };
@@ -56,14 +62,13 @@ std::vector<Surprise> surprises_of(const MetricPoses& poses, double hardest, Cha
     const auto off = [&](std::size_t from, std::size_t to, double side_s) -> Eigen::Vector3d {
       return step - step_s / side_s * change(from, to);
     };
-    const auto sped_up = [&](double side_s) { return 0.5 * hardest * step_s * (step_s + side_s); };
     const auto by_one = [&](double size, double side_s) -> Surprise {
-      return {std::max(0.0, size - sped_up(side_s)), size};
+      return {std::max(0.0, size - 0.5 * hardest.beside_one * step_s * (step_s + side_s)), size};
     };
     if (tells(before_s) && tells(after_s)) {
       const Eigen::Vector3d off_before = off(before, i - 1, before_s), off_after = off(i, after, after_s);
-      const double of_both = 0.5 * (off_before + off_after).norm();
-      found[i] = {std::max(0.0, of_both - 0.5 * sped_up(std::min(before_s, after_s))),
+      const double sped_up = 0.25 * hardest.between_two * step_s * (step_s + std::min(before_s, after_s));
+      found[i] = {std::max(0.0, 0.5 * (off_before + off_after).norm() - sped_up),
                   std::min(off_before.norm(), off_after.norm())};
     } else if (tells(before_s)) {
       found[i] = by_one(off(before, i - 1, before_s).norm(), before_s);
@@ -74,14 +79,22 @@ std::vector<Surprise> surprises_of(const MetricPoses& poses, double hardest, Cha
   return found;
 }
 
-Jumps jumps_of(const MetricPoses& poses, const std::vector<Surprise>& surprises, double least) {
-  std::vector<double> known;
-  known.reserve(surprises.size());
+/// NaN where no step is judged to be larger than `above`.
+double median_above(const std::vector<Surprise>& surprises, double above) {
+  std::vector<double> judged;
+  judged.reserve(surprises.size());
   for (const Surprise& surprise : surprises)
-    if (std::isfinite(surprise.judged)) known.push_back(surprise.judged);
+    if (surprise.judged > above) judged.push_back(surprise.judged);
+  return judged.empty() ? std::nan("") : median_of(std::move(judged));
+}
+
+/// What is `held` jumps at every new value, which is another fault: only what goes far beyond counts.
+Jumps jumps_of(const MetricPoses& poses, const std::vector<Surprise>& surprises, double least, bool held) {
+  const double usual = median_above(surprises, -1.0);
   Jumps jumps;
-  if (known.empty()) return jumps;
-  const double limit = std::max(least, kTimesUsual * median_of(std::move(known)));
+  if (std::isnan(usual)) return jumps;
+  double limit = std::max(least, kTimesUsual * usual);
+  if (held) limit = std::fmax(limit, kTimesHeld * median_above(surprises, limit));
   std::int64_t last_ns = 0;
   for (std::size_t i = 0; i < surprises.size(); ++i) {
     if (!(surprises[i].judged > limit)) continue;
@@ -93,22 +106,22 @@ Jumps jumps_of(const MetricPoses& poses, const std::vector<Surprise>& surprises,
   return jumps;
 }
 
-Jumps turns_of(const CheckedSession& checked) {
+Jumps turns_of(const CheckedSession& checked, bool held) {
   // Twice the sine of half the angle, about its axis: cheaper than the angle, and grows with it.
   const auto chord = [&](std::size_t a, std::size_t b) -> Eigen::Vector3d {
     const Eigen::Quaterniond turn = checked.logged_attitude(a).conjugate() * checked.logged_attitude(b);
     return std::copysign(2.0, turn.w()) * turn.vec();
   };
-  Jumps turns = jumps_of(checked.poses, surprises_of(checked.poses, kHardest_radps2, chord), kLeastTurn_rad);
+  Jumps turns = jumps_of(checked.poses, surprises_of(checked.poses, kHardest_radps2, chord), kLeastTurn_rad, held);
   turns.largest = 2.0 * std::asin(std::min(1.0, 0.5 * turns.largest));
   return turns;
 }
 
-Jumps steps_of(const MetricPoses& poses) {
+Jumps steps_of(const MetricPoses& poses, bool held) {
   const auto way = [&](std::size_t a, std::size_t b) -> Eigen::Vector3d {
     return poses[b].pose.translation() - poses[a].pose.translation();
   };
-  return jumps_of(poses, surprises_of(poses, kHardest_mps2, way), kLeastJump_m);
+  return jumps_of(poses, surprises_of(poses, kHardest_mps2, way), kLeastJump_m, held);
 }
 
 /// Between poses 0.2 s apart: noise of the single sample must not pass for motion.
@@ -125,11 +138,10 @@ double fastest_mps(const MetricPoses& poses) {
 }
 
 void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
-  // What is held jumps at every new value, which is another fault.
   const auto held = [&](std::string_view code) {
     return std::any_of(findings.begin(), findings.end(), [&](const Finding& one) { return one.code == code; });
   };
-  const Jumps turns = held("ins-attitude-held") ? Jumps{} : turns_of(checked);
+  const Jumps turns = turns_of(checked, held("ins-attitude-held"));
   if (turns.count > 0) {
     const std::string when = utc_text(turns.largest_ns);
     const double largest_deg = radians_to_degrees(turns.largest);
@@ -139,7 +151,7 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
                             : check_text("The attitude jumps %zu times, the farthest by %.1f degrees at %s.",
                                          turns.count, largest_deg, when.c_str())});
   }
-  const Jumps jumps = held("ins-position-held") ? Jumps{} : steps_of(checked.poses);
+  const Jumps jumps = steps_of(checked.poses, held("ins-position-held"));
   if (jumps.count > 0) {
     const std::string when = utc_text(jumps.largest_ns);
     findings.push_back({Severity::Warning, "ins-jump", "INS",
