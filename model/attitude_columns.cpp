@@ -18,8 +18,8 @@ constexpr unsigned kMixups = 8;
 /// How badly each fits what was observed: mean squares.
 using Misfits = std::array<double, kMixups>;
 
-constexpr double kFarBetter = 0.25;  ///< of the misfit as declared
-constexpr double kAsGood = 2.0;      ///< times the best misfit
+constexpr double kFarBetterMisfit = 0.25;  ///< of the misfit as declared
+constexpr double kAsGood = 2.0;            ///< times the best misfit
 constexpr std::size_t kFewSamples = 20, kFewTurns = 12;
 constexpr std::size_t kFewInBlock = 4;  ///< half a second of fewer says nothing
 
@@ -62,7 +62,7 @@ std::optional<Misfits> misfits_of_slope(const std::vector<TravelStep>& steps) {
   Misfits misfits;
   for (unsigned mixup = 0; mixup < kMixups; ++mixup) misfits[mixup] = variance(errors[mixup]);
   // What explains no slope at all is no alternative.
-  if (*std::min_element(misfits.begin(), misfits.end()) > kFarBetter * variance(slopes)) return std::nullopt;
+  if (*std::min_element(misfits.begin(), misfits.end()) > kFarBetterMisfit * variance(slopes)) return std::nullopt;
   return misfits;
 }
 
@@ -85,28 +85,28 @@ double misfit_of_axes(const std::vector<Eigen::Vector3d>& ours, const std::vecto
 }
 
 /// Half a second of the drive: what INS and IMU say of it on average.
-struct Block {
+struct TimeBlock {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(), force = Eigen::Vector3d::Zero();
   std::array<Eigen::Vector3d, kMixups> up_in_ins;
   Eigen::Matrix3d world_from_ins = Eigen::Matrix3d::Identity();  ///< of its middle
   std::size_t poses = 0, forces = 0;
 };
 
-std::vector<Block> blocks_of(const std::vector<StampedPose>& poses, const std::vector<ImuSample>& imu,
-                             std::int64_t length_ns) {
-  std::vector<Block> blocks;
+std::vector<TimeBlock> blocks_of(const std::vector<StampedPose>& poses, const std::vector<ImuSample>& imu,
+                                 std::int64_t length_ns) {
+  std::vector<TimeBlock> blocks;
   if (poses.empty() || imu.empty()) return blocks;
   const std::int64_t start_ns = poses.front().stamp_ns, count = (poses.back().stamp_ns - start_ns) / length_ns;
   // Stamps that are far apart promise blocks that nothing fills.
   if (count < 3 || static_cast<std::size_t>(count) > poses.size() / kFewInBlock) return blocks;
   blocks.resize(static_cast<std::size_t>(count));
-  const auto block_at = [&](std::int64_t stamp_ns) -> Block* {
+  const auto block_at = [&](std::int64_t stamp_ns) -> TimeBlock* {
     const std::int64_t number = stamp_ns < start_ns ? -1 : (stamp_ns - start_ns) / length_ns;
     return number >= 0 && number < count ? &blocks[static_cast<std::size_t>(number)] : nullptr;
   };
-  for (Block& block : blocks) block.up_in_ins.fill(Eigen::Vector3d::Zero());
+  for (TimeBlock& block : blocks) block.up_in_ins.fill(Eigen::Vector3d::Zero());
   for (const StampedPose& pose : poses) {
-    Block* block = block_at(pose.stamp_ns);
+    TimeBlock* block = block_at(pose.stamp_ns);
     if (block == nullptr) continue;
     block->position += pose.pose.translation();
     for (unsigned mixup = 0; mixup < kMixups; ++mixup)
@@ -115,9 +115,9 @@ std::vector<Block> blocks_of(const std::vector<StampedPose>& poses, const std::v
     ++block->poses;
   }
   for (const ImuSample& sample : imu)
-    if (Block* block = block_at(sample.stamp_ns); block != nullptr && sample.specific_force_mps2.allFinite())
+    if (TimeBlock* block = block_at(sample.stamp_ns); block != nullptr && sample.specific_force_mps2.allFinite())
       block->force += sample.specific_force_mps2, ++block->forces;
-  for (Block& block : blocks) {
+  for (TimeBlock& block : blocks) {
     const double poses_in = static_cast<double>(std::max<std::size_t>(block.poses, 1));
     block.position /= poses_in;
     for (Eigen::Vector3d& up : block.up_in_ins) up /= poses_in;
@@ -130,21 +130,21 @@ std::vector<Block> blocks_of(const std::vector<StampedPose>& poses, const std::v
 std::optional<Misfits> misfits_of_force(const Session& session, const std::vector<StampedPose>& poses) {
   constexpr std::int64_t kBlock_ns = 500'000'000;
   constexpr double kBlock_s = 0.5, kGravity_mps2 = 9.81;
-  const std::vector<Block> blocks = blocks_of(poses, session.imu, kBlock_ns);
+  const std::vector<TimeBlock> blocks = blocks_of(poses, session.imu, kBlock_ns);
   std::vector<Eigen::Vector3d> felt;
   std::array<std::vector<Eigen::Vector3d>, kMixups> expected;
   for (std::size_t k = 1; k + 1 < blocks.size(); ++k) {
-    const Block &before = blocks[k - 1], &here = blocks[k], &after = blocks[k + 1];
-    const auto full = [](const Block& block) { return block.poses >= kFewInBlock && block.forces >= kFewInBlock; };
+    const TimeBlock &before = blocks[k - 1], &here = blocks[k], &after = blocks[k + 1];
+    const auto full = [](const TimeBlock& block) { return block.poses >= kFewInBlock && block.forces >= kFewInBlock; };
     if (!full(before) || !full(here) || !full(after)) continue;
     const Eigen::Vector3d acceleration =
         (after.position - 2.0 * here.position + before.position) / (kBlock_s * kBlock_s);
     // Second differences of means see an acceleration through these weights: all else must be seen so, too.
     const auto smooth = [&](const auto& of) { return ((of(before) + 4.0 * of(here) + of(after)) / 6.0).eval(); };
-    felt.push_back(smooth([](const Block& block) { return block.force; }));
+    felt.push_back(smooth([](const TimeBlock& block) { return block.force; }));
     for (unsigned mixup = 0; mixup < kMixups; ++mixup)
       expected[mixup].push_back(without(mixup, here.world_from_ins).transpose() * acceleration +
-                                kGravity_mps2 * smooth([&](const Block& block) { return block.up_in_ins[mixup]; }));
+                                kGravity_mps2 * smooth([&](const TimeBlock& block) { return block.up_in_ins[mixup]; }));
   }
   if (felt.size() < kFewSamples) return std::nullopt;
   Misfits misfits;
@@ -199,10 +199,10 @@ std::vector<SharedTurn> turns_of_odometry(const Session& session, const std::vec
 unsigned suspects(const std::optional<Misfits>& misfits) {
   if (!misfits) return 0;
   const double best = *std::min_element(misfits->begin(), misfits->end());
-  if (!(best < kFarBetter * (*misfits)[0])) return 0;
+  if (!(best < kFarBetterMisfit * (*misfits)[0])) return 0;
   unsigned found = 0;
   for (unsigned mixup = 1; mixup < kMixups; ++mixup)
-    if ((*misfits)[mixup] <= std::min(kAsGood * best, kFarBetter * (*misfits)[0])) found |= 1U << mixup;
+    if ((*misfits)[mixup] <= std::min(kAsGood * best, kFarBetterMisfit * (*misfits)[0])) found |= 1U << mixup;
   return found;
 }
 

@@ -13,13 +13,6 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kGapSteps = 3.0;  // as report_stream counts gaps
 
-std::vector<std::int64_t> lidar_stamps(const Session& session) {
-  std::vector<std::int64_t> stamps;
-  for (std::size_t i = 0; session.scans && i < session.scans->size(); ++i) stamps.push_back(session.scans->stamp_ns(i));
-  for (const StampedPose& pose : session.odometry_from_lidar) stamps.push_back(pose.stamp_ns);
-  return stamps;
-}
-
 std::vector<TimeGap> gaps_of(const std::vector<std::int64_t>& stamps_ns, const StreamReport& report,
                              const DriveOverview& drive) {
   std::vector<TimeGap> gaps;
@@ -102,7 +95,7 @@ DriveOverview drive_overview(const Session& session, std::size_t most) {
   DriveOverview drive;
   drive.north_up = !session.ins.empty();
   const std::vector<StampedPose> poses = metric_poses(session);
-  const std::vector<std::int64_t> lidar = lidar_stamps(session);
+  const std::vector<std::int64_t> lidar = lidar_stamps_ns(session);
   std::vector<std::int64_t> ins;
   for (const StampedPose& pose : poses) ins.push_back(pose.stamp_ns);
   drive.lidar = report_stream(lidar);

@@ -63,7 +63,7 @@ std::vector<PairVerdict> verdicts_from(const DocumentView& view) {
   return verdicts;
 }
 
-DocumentNode findings_document(const std::vector<Finding>& findings) {
+DocumentNode stored_findings(const std::vector<Finding>& findings) {
   DocumentNode list = DocumentNode::sequence();
   for (const Finding& finding : findings) {
     DocumentNode& node = list.add(DocumentNode::map());
@@ -120,7 +120,7 @@ DocumentNode calibration_document(const Project& project) {
   if (output.ground) node.add("ground", ground_document(*output.ground));
   DocumentNode& sweeps = node.add("session_uses_sweep", DocumentNode::sequence());
   for (const bool uses : output.session_uses_sweep) sweeps.add(DocumentNode::boolean(uses));
-  node.add("findings", findings_document(output.findings));
+  node.add("findings", stored_findings(output.findings));
   DocumentNode& keyframes = node.add("keyframes", DocumentNode::sequence());
   for (const Keyframe& keyframe : output.keyframes) keyframes.add(keyframe_document(keyframe));
   DocumentNode& pairs = node.add("pairs", DocumentNode::sequence());

@@ -25,14 +25,6 @@ std::string number(double value, int digits) {
   return text;
 }
 
-std::vector<std::int64_t> lidar_stamps(const Session& session) {
-  std::vector<std::int64_t> stamps;
-  if (session.scans)
-    for (std::size_t i = 0; i < session.scans->size(); ++i) stamps.push_back(session.scans->stamp_ns(i));
-  for (const StampedPose& pose : session.odometry_from_lidar) stamps.push_back(pose.stamp_ns);
-  return stamps;
-}
-
 std::vector<std::int64_t> ins_stamps(const Session& session) {
   std::vector<std::int64_t> stamps;
   for (const InsSample& sample : session.ins) stamps.push_back(sample.stamp_ns);
@@ -250,6 +242,14 @@ std::string utc_text(std::int64_t stamp_ns) {
   return text;
 }
 
+std::vector<std::int64_t> lidar_stamps_ns(const Session& session) {
+  std::vector<std::int64_t> stamps;
+  if (session.scans)
+    for (std::size_t i = 0; i < session.scans->size(); ++i) stamps.push_back(session.scans->stamp_ns(i));
+  for (const StampedPose& pose : session.odometry_from_lidar) stamps.push_back(pose.stamp_ns);
+  return stamps;
+}
+
 StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns) {
   StreamReport report;
   report.count = stamps_ns.size();
@@ -271,7 +271,7 @@ StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns) {
 SessionReport report_session(const Session& session, Progress& progress) {
   SessionReport report;
   report.findings = session.findings;
-  const std::vector<std::int64_t> lidar = lidar_stamps(session), ins = ins_stamps(session);
+  const std::vector<std::int64_t> lidar = lidar_stamps_ns(session), ins = ins_stamps(session);
   report.lidar = report_stream(lidar);
   report.ins = report_stream(ins);
   report.imu = report_samples(session.imu);

@@ -22,6 +22,9 @@ struct StreamReport {
   double longest_gap_s = 0.0;  ///< the longest step
   double span_s() const { return static_cast<double>(last_ns - first_ns) * 1e-9; }
 };
+/// Of scans, and of the poses of an odometry.
+std::vector<std::int64_t> lidar_stamps_ns(const Session& session);
+
 StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns);
 
 struct SessionReport {

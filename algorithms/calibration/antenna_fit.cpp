@@ -118,7 +118,7 @@ constexpr int kCommon = 5, kOfWindow = 3;
 // Of an antenna over the rear axle's ground, for all that is known beforehand.
 constexpr double kUsualHeight_m = 1.5, kHeightSigma_m = 1.0;
 
-struct State {
+struct FitState {
   Vector2d lever_m = Vector2d::Zero();
   double height_m = kUsualHeight_m;
   double bias_change_radps = 0.0, log_scale = 0.0;
@@ -127,7 +127,7 @@ struct State {
 
 using Row = Eigen::Matrix<double, 2, kCommon + kOfWindow>;  // of the common unknowns and of the point's window
 
-Vector2d residual_of(const Point& point, const State& state, Row& jacobian) {
+Vector2d residual_of(const Point& point, const FitState& state, Row& jacobian) {
   const Placement& window = state.windows[point.window];
   const double scale = std::exp(state.log_scale);
   const double turn_rad = point.turn_rad - state.bias_change_radps * point.time_s;
@@ -187,7 +187,7 @@ CommonMatrix inverse_of(const CommonMatrix& matrix) {
 
 // One round of Gauss-Newton; the covariance is for independent errors of unit size. Each window is eliminated by
 // itself: the time grows with the drive, not with the cube of it.
-double improve(const std::vector<Point>& points, State& state, CommonMatrix& covariance,
+double improve(const std::vector<Point>& points, FitState& state, CommonMatrix& covariance,
                std::vector<Vector2d>& residuals) {
   CommonMatrix normal = CommonMatrix::Zero();
   CommonVector gradient = CommonVector::Zero();
@@ -279,7 +279,7 @@ WholeDrive integrate_all(const WheelImuSignals& sensed, const std::vector<Stampe
 
 // What the rounds of the fit carry along.
 struct Running {
-  State state;
+  FitState state;
   double bias_radps = 0.0;
   CommonMatrix covariance = CommonMatrix::Zero();  // for errors of unit size
   std::vector<Vector2d> residuals;

@@ -34,17 +34,17 @@ struct Course {
 // As sensed, and with each bias taken a step farther.
 using Courses = std::array<Course, 3>;
 
-struct Place {
+struct PointOfDrive {
   std::size_t window = 0;
   Courses courses;
   double travel_m = 0.0, height_m = 0.0;
 };
 
-std::vector<Place> places_of(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
-                             const Matrix3d& vehicle_from_imu, double window_s, const Progress& progress) {
+std::vector<PointOfDrive> places_of(const WheelImuSignals& sensed, const std::vector<StampedPosition>& positions,
+                                    const Matrix3d& vehicle_from_imu, double window_s, const Progress& progress) {
   const std::array<Vector3d, 3> biases{Vector3d::Zero(), kRateStep_radps * Vector3d::UnitX(),
                                        kRateStep_radps * Vector3d::UnitY()};
-  std::vector<Place> places;
+  std::vector<PointOfDrive> places;
   Courses courses;
   double time_s = 0.0, travel_m = 0.0;
   for (std::size_t i = 0; i < positions.size() && !progress.cancelled(); ++i) {
@@ -67,16 +67,16 @@ std::vector<Place> places_of(const WheelImuSignals& sensed, const std::vector<St
 
 // Unknowns: height and the vertical's x and y at the start of each window; biases of the rates about x and y, pitch of
 // the way.
-constexpr int kOwn = 3, kCommon = 3;
+constexpr int kOwn = 3, kTiltCommon = 3;
 using Own = Eigen::Matrix<double, kOwn, 1>;
-using Common = Eigen::Matrix<double, kCommon, 1>;
+using TiltCommon = Eigen::Matrix<double, kTiltCommon, 1>;
 using OwnMatrix = Eigen::Matrix<double, kOwn, kOwn>;
-using CommonMatrix = Eigen::Matrix<double, kCommon, kCommon>;
-using Link = Eigen::Matrix<double, kOwn, kCommon>;
+using TiltCommonMatrix = Eigen::Matrix<double, kTiltCommon, kTiltCommon>;
+using Link = Eigen::Matrix<double, kOwn, kTiltCommon>;
 
-struct Row {
+struct LeanRow {
   Own own;
-  Common common;
+  TiltCommon common;
   double rest_m;  // of the height, with all unknowns at zero
 };
 
@@ -85,9 +85,9 @@ double height_of(const Course& course, const Vector3d& up_at_start, const Vector
   return course.way_m.dot(up_at_start) + (course.start_from_here.transpose() * up_at_start).head<2>().dot(lever_m);
 }
 
-Row row_of(const Place& place, const Vector2d& lever_m) {
+LeanRow row_of(const PointOfDrive& place, const Vector2d& lever_m) {
   const Course& sensed = place.courses[0];
-  Row row;
+  LeanRow row;
   row.own << 1.0, height_of(sensed, Vector3d::UnitX(), lever_m), height_of(sensed, Vector3d::UnitY(), lever_m);
   const double flat_m = height_of(sensed, Vector3d::UnitZ(), lever_m);
   for (int k = 0; k < 2; ++k)
@@ -100,15 +100,15 @@ Row row_of(const Place& place, const Vector2d& lever_m) {
 
 struct Solution {
   std::vector<Own> own;
-  Common common = Common::Zero();
+  TiltCommon common = TiltCommon::Zero();
   std::vector<OwnMatrix> own_inverse;
   std::vector<Link> link;
-  CommonMatrix common_covariance = CommonMatrix::Zero();  // for errors of unit size
+  TiltCommonMatrix common_covariance = TiltCommonMatrix::Zero();  // for errors of unit size
 };
 
 // `unit_m`: 1-sigma of a height, against which what is expected beforehand is weighed.
-Solution solve(const std::vector<Place>& places, const std::vector<Row>& rows, const std::vector<double>& weights,
-               double unit_m) {
+Solution solve(const std::vector<PointOfDrive>& places, const std::vector<LeanRow>& rows,
+               const std::vector<double>& weights, double unit_m) {
   constexpr double kTilt = 0.2, kBias_radps = 0.02, kWay_rad = 0.05;  // 1-sigma beforehand
   const std::size_t windows = places.back().window + 1;
   const auto expected = [unit_m](double sigma) { return std::pow(unit_m / sigma, 2); };
@@ -116,8 +116,8 @@ Solution solve(const std::vector<Place>& places, const std::vector<Row>& rows, c
   std::vector<Own> own_side(windows, Own::Zero());
   Solution out;
   out.link.assign(windows, Link::Zero());
-  CommonMatrix common = Common(expected(kBias_radps), expected(kBias_radps), expected(kWay_rad)).asDiagonal();
-  Common side = Common::Zero();
+  TiltCommonMatrix common = TiltCommon(expected(kBias_radps), expected(kBias_radps), expected(kWay_rad)).asDiagonal();
+  TiltCommon side = TiltCommon::Zero();
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t w = places[i].window;
     own[w] += weights[i] * rows[i].own * rows[i].own.transpose();
@@ -131,7 +131,7 @@ Solution solve(const std::vector<Place>& places, const std::vector<Row>& rows, c
     common -= out.link[w].transpose() * out.own_inverse[w] * out.link[w];
     side -= out.link[w].transpose() * out.own_inverse[w] * own_side[w];
   }
-  out.common_covariance = common.ldlt().solve(CommonMatrix::Identity());
+  out.common_covariance = common.ldlt().solve(TiltCommonMatrix::Identity());
   out.common = out.common_covariance * side;
   for (std::size_t w = 0; w < windows; ++w)
     out.own.push_back(out.own_inverse[w] * (own_side[w] - out.link[w] * out.common));
@@ -142,10 +142,10 @@ Solution solve(const std::vector<Place>& places, const std::vector<Row>& rows, c
 struct Lean {
   Vector2d up;
   Eigen::Matrix<double, 2, kOwn> by_own = Eigen::Matrix<double, 2, kOwn>::Zero();
-  Eigen::Matrix<double, 2, kCommon> by_common = Eigen::Matrix<double, 2, kCommon>::Zero();
+  Eigen::Matrix<double, 2, kTiltCommon> by_common = Eigen::Matrix<double, 2, kTiltCommon>::Zero();
 };
 
-Lean lean_of(const Place& place, const Solution& solution) {
+Lean lean_of(const PointOfDrive& place, const Solution& solution) {
   const Own& own = solution.own[place.window];
   const Vector3d up_at_start(own[1], own[2], 1.0);
   const auto up_by = [&](std::size_t k) -> Vector2d {
@@ -162,16 +162,16 @@ Lean lean_of(const Place& place, const Solution& solution) {
 }
 
 // Of the mean lean. A window of a few places, as at the end of a drive, is placed anew and tells of no lever arm.
-Eigen::Matrix2d common_covariance_of(const std::vector<Lean>& leans, const std::vector<Place>& places,
+Eigen::Matrix2d common_covariance_of(const std::vector<Lean>& leans, const std::vector<PointOfDrive>& places,
                                      const Solution& solution, double variance_m2) {
   constexpr double kFewest = 10.0;
   const std::size_t windows = solution.own.size();
   std::vector<double> sizes(windows, 0.0);
-  for (const Place& place : places) sizes[place.window] += 1.0;
+  for (const PointOfDrive& place : places) sizes[place.window] += 1.0;
   double count = 0.0;
   for (const double size : sizes) count += size < kFewest ? 0.0 : size;
   std::vector<Eigen::Matrix<double, 2, kOwn>> by_own(windows, Eigen::Matrix<double, 2, kOwn>::Zero());
-  Eigen::Matrix<double, 2, kCommon> by_common = Eigen::Matrix<double, 2, kCommon>::Zero();
+  Eigen::Matrix<double, 2, kTiltCommon> by_common = Eigen::Matrix<double, 2, kTiltCommon>::Zero();
   for (std::size_t i = 0; i < leans.size(); ++i) {
     if (sizes[places[i].window] < kFewest) continue;
     by_own[places[i].window] += leans[i].by_own / count;
@@ -197,12 +197,12 @@ VehicleTilt vehicle_tilt(const WheelImuSignals& sensed, const std::vector<Stampe
                          const Matrix3d& vehicle_from_imu, double window_s, const Vector2d& lever_m,
                          const Progress& progress) {
   VehicleTilt tilt;
-  const std::vector<Place> places = places_of(sensed, positions, vehicle_from_imu, window_s, progress);
+  const std::vector<PointOfDrive> places = places_of(sensed, positions, vehicle_from_imu, window_s, progress);
   tilt.up_in_vehicle.assign(places.size(), Vector2d::Zero());
   tilt.common_covariance = Vector2d(0.0, kCrossfall_rad * kCrossfall_rad).asDiagonal();
   if (places.empty() || sensed.rates_about_one_axis() || progress.cancelled()) return tilt;
-  std::vector<Row> rows;
-  for (const Place& place : places) rows.push_back(row_of(place, lever_m));
+  std::vector<LeanRow> rows;
+  for (const PointOfDrive& place : places) rows.push_back(row_of(place, lever_m));
   std::vector<double> weights(places.size(), 1.0), residuals(places.size(), 0.0);
   constexpr int kRounds = 10;
   double unit_m = 0.05;
@@ -216,13 +216,13 @@ VehicleTilt vehicle_tilt(const WheelImuSignals& sensed, const std::vector<Stampe
     for (std::size_t i = 0; i < weights.size(); ++i)
       weights[i] = std::min(1.0, 2.0 * unit_m / std::max(1e-300, std::abs(residuals[i])));
   }
-  const double unknowns = kCommon + kOwn * static_cast<double>(solution.own.size());
+  const double unknowns = kTiltCommon + kOwn * static_cast<double>(solution.own.size());
   const auto count = static_cast<double>(places.size());
   if (count < 2.0 * unknowns) return tilt;
   double squares = 0.0;
   for (std::size_t i = 0; i < residuals.size(); ++i) squares += weights[i] * residuals[i] * residuals[i];
   std::vector<Lean> leans;
-  for (const Place& place : places) leans.push_back(lean_of(place, solution));
+  for (const PointOfDrive& place : places) leans.push_back(lean_of(place, solution));
   const Eigen::Matrix2d covariance =
       common_covariance_of(leans, places, solution, squares / (count - unknowns) * lasting_factor(residuals, unknowns));
   // Heights that say less of the lean than what roads are like are left alone.

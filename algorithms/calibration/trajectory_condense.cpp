@@ -16,14 +16,14 @@ std::size_t movable(const std::vector<TrajectoryEpoch>& epochs, std::size_t kept
 }
 
 // The first epochs as a session of their own, at the same solution.
-struct Part {
+struct FirstPart {
   TrajectoryProblem problem;
   TrajectorySolution solution;
 };
 
-Part first_part(const TrajectoryProblem& problem, const TrajectorySolution& solution, std::size_t session,
-                std::size_t count) {
-  Part part;
+FirstPart first_part(const TrajectoryProblem& problem, const TrajectorySolution& solution, std::size_t session,
+                     std::size_t count) {
+  FirstPart part;
   part.problem.nominal_ins_from_lidar = problem.nominal_ins_from_lidar;
   part.problem.estimate_clock = problem.estimate_clock;
   TrajectorySession& only = part.problem.sessions.emplace_back(problem.sessions[session]);
@@ -67,7 +67,8 @@ void add_turns(const std::vector<TrajectoryEpoch>& epochs, std::size_t count, Tr
 }
 
 // Eliminates the poses of a part. False where its equations have no solution.
-bool add_information(const Part& part, const WeightedTerms& weighted, const BorderPoint& at, TrajectoryPast& past) {
+bool add_information(const FirstPart& part, const WeightedTerms& weighted, const BorderPoint& at,
+                     TrajectoryPast& past) {
   const std::size_t count = part.problem.sessions.front().epochs.size();
   TrajectoryChain chain(count);
   ChainVector side(count);
@@ -95,7 +96,7 @@ std::size_t condense(std::size_t session, std::size_t kept, const TrajectoryOpti
   std::vector<TrajectoryEpoch>& epochs = problem.sessions[session].epochs;
   const std::size_t count = movable(epochs, kept, block_s);
   if (count == 0) return 0;
-  const Part part = first_part(problem, solution, session, count);
+  const FirstPart part = first_part(problem, solution, session, count);
   const WeightedTerms weighted = weighted_terms(part.problem, options, part.solution.state, part.solution.noise);
   const TrajectoryEquations alone(part.problem, options, weighted, part.solution.noise, prior.information);
   TrajectoryPast past = problem.sessions[session].past;

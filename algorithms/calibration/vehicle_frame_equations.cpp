@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 constexpr int kUnknowns = VehicleFrameState::kUnknowns;
 constexpr int kLevelRow = 10;
 constexpr double kOutlierSigma = 3.0;
-constexpr double kLeastSigma = 1e-9;  // exact data: no division by zero
+constexpr double kLeastSpread = 1e-9;  // exact data: no division by zero
 
 // Turn and travel map of the interval under another bias, to first order.
 WheelPreintegration with_bias(const IntegratedInterval& interval, const Vector3d& bias_radps) {
@@ -71,7 +71,7 @@ std::array<double, kResidualKinds> estimate_sigma(const VehicleFrameProblem& pro
     for (std::size_t i = 0; i < residuals.size(); ++i)
       if (has_rows(problem, i, kind)) norms.push_back(norm_of(residuals[i], kind));
     const auto at = static_cast<std::size_t>(kind);
-    sigma[at] = kLeastSigma;
+    sigma[at] = kLeastSpread;
     if (norms.empty()) continue;
     const int rows = kResidualRows[at];
     std::vector<double> sorted = norms;
@@ -83,7 +83,7 @@ std::array<double, kResidualKinds> estimate_sigma(const VehicleFrameProblem& pro
     for (const double norm : norms)
       if (norm <= limit) sum += norm * norm, ++count;
     const double degrees = std::max(1.0, rows * static_cast<double>(count) - unknowns);
-    sigma[at] = std::max(kLeastSigma, std::sqrt(sum / degrees));
+    sigma[at] = std::max(kLeastSpread, std::sqrt(sum / degrees));
   }
   return sigma;
 }

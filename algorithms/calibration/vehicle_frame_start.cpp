@@ -20,13 +20,13 @@ Matrix3d turned_onto(const Matrix3d& a_from_b, const Vector3d& direction_in_b, c
   return shortest_rotation(Vector3d(a_from_b * direction_in_b), direction_in_a) * a_from_b;
 }
 
-struct Turns {
+struct IntervalTurns {
   std::vector<WheelPreintegration> imu;
   Vector3d main_axis_in_imu = Vector3d::UnitZ();
 };
 
-Turns turns_of(const std::vector<VehicleInterval>& intervals) {
-  Turns turns;
+IntervalTurns turns_of(const std::vector<VehicleInterval>& intervals) {
+  IntervalTurns turns;
   Matrix3d scatter = Matrix3d::Zero();
   for (const VehicleInterval& interval : intervals) {
     turns.imu.push_back(preintegrate(interval.steps, Vector3d::Zero()));
@@ -38,7 +38,7 @@ Turns turns_of(const std::vector<VehicleInterval>& intervals) {
 }
 
 // Turn of the vehicle as its wheels know it: about z, by the difference of their ways over the track width that fits.
-std::vector<TurnPair> turns_by_wheels(const Turns& turns, double& track_m, Vector3d& axis_in_imu) {
+std::vector<TurnPair> turns_by_wheels(const IntervalTurns& turns, double& track_m, Vector3d& axis_in_imu) {
   double across = 0.0, along = 0.0;
   for (const WheelPreintegration& imu : turns.imu) {
     const double turn_rad = axis_in_imu.dot(imu.turn_in_imu_rad);
@@ -53,8 +53,8 @@ std::vector<TurnPair> turns_by_wheels(const Turns& turns, double& track_m, Vecto
   return pairs;
 }
 
-void start_imu(const std::vector<VehicleInterval>& intervals, const VehicleFrameStreams& streams, const Turns& turns,
-               const VehicleFrameOptions& options, VehicleFrameStart& start) {
+void start_imu(const std::vector<VehicleInterval>& intervals, const VehicleFrameStreams& streams,
+               const IntervalTurns& turns, const VehicleFrameOptions& options, VehicleFrameStart& start) {
   VehicleFrameState& state = start.state;
   state.vehicle_from_imu = stated_imu_mounting(options);
   if (streams.one_axis) return;
@@ -81,7 +81,7 @@ void start_imu(const std::vector<VehicleInterval>& intervals, const VehicleFrame
 }
 
 // The track width that fits, for a start also where the wheels were not asked for turns.
-void start_track(const Turns& turns, VehicleFrameState& state) {
+void start_track(const IntervalTurns& turns, VehicleFrameState& state) {
   double across = 0.0, along = 0.0;
   for (const WheelPreintegration& imu : turns.imu) {
     const double turn_rad = state.vehicle_from_imu.row(2).dot(imu.turn_in_imu_rad);
@@ -122,7 +122,7 @@ VehicleFrameStart start_of(const std::vector<VehicleInterval>& intervals, const 
                            const VehicleFrameOptions& options) {
   VehicleFrameStart start;
   VehicleFrameState& state = start.state;
-  const Turns turns = turns_of(intervals);
+  const IntervalTurns turns = turns_of(intervals);
   start_imu(intervals, streams, turns, options, start);
   start_track(turns, state);
   std::vector<TurnPair> sensor_imu, vehicle_sensor;

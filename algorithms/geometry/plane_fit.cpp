@@ -11,7 +11,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-struct Plane {
+struct TrialPlane {
   Vector3d normal, centre;
 };
 
@@ -21,7 +21,7 @@ bool allowed(const Vector3d& normal, const PlaneFitOptions& options) {
 }
 
 // Truncated squares: among planes with as many points the thinner one wins.
-double cost_of(const Plane& plane, const std::vector<Vector3d>& points, std::size_t stride, double inlier_m) {
+double cost_of(const TrialPlane& plane, const std::vector<Vector3d>& points, std::size_t stride, double inlier_m) {
   double cost = 0.0;
   for (std::size_t i = 0; i < points.size(); i += stride) {
     const double off = plane.normal.dot(points[i] - plane.centre) / inlier_m;
@@ -30,20 +30,20 @@ double cost_of(const Plane& plane, const std::vector<Vector3d>& points, std::siz
   return cost;
 }
 
-std::optional<Plane> best_of_trials(const std::vector<Vector3d>& points, const PlaneFitOptions& options,
-                                    const Progress& progress) {
+std::optional<TrialPlane> best_of_trials(const std::vector<Vector3d>& points, const PlaneFitOptions& options,
+                                         const Progress& progress) {
   constexpr std::size_t kMostScored = 4000;
   const std::size_t stride = std::max<std::size_t>(1, points.size() / kMostScored);
   std::mt19937_64 random(static_cast<std::uint64_t>(options.seed));
   const auto pick = [&] { return points[static_cast<std::size_t>(random() % points.size())]; };
-  std::optional<Plane> best;
+  std::optional<TrialPlane> best;
   double least = 0.0;
   for (int trial = 0; trial < options.trials && !progress.cancelled(); ++trial) {
     const Vector3d a = pick(), b = pick(), c = pick();
     const Vector3d across = (b - a).cross(c - a);
     const double area = across.norm();
     if (area < 1e-9) continue;
-    const Plane plane{across / area, a};
+    const TrialPlane plane{across / area, a};
     if (!allowed(plane.normal, options)) continue;
     const double cost = cost_of(plane, points, stride, options.inlier_m);
     if (best && cost >= least) continue;
@@ -54,7 +54,7 @@ std::optional<Plane> best_of_trials(const std::vector<Vector3d>& points, const P
 }
 
 // Tukey's biweight.
-double weight_of(const Plane& plane, const Vector3d& point, double inlier_m) {
+double weight_of(const TrialPlane& plane, const Vector3d& point, double inlier_m) {
   const double share = plane.normal.dot(point - plane.centre) / inlier_m;
   return std::abs(share) < 1.0 ? std::pow(1.0 - share * share, 2) : 0.0;
 }
@@ -66,7 +66,7 @@ struct Moments {
   std::size_t inliers = 0;
 };
 
-Moments moments_of(const Plane& plane, const std::vector<Vector3d>& points, double inlier_m) {
+Moments moments_of(const TrialPlane& plane, const std::vector<Vector3d>& points, double inlier_m) {
   Moments sum;
   for (const Vector3d& point : points) {
     const double weight = weight_of(plane, point, inlier_m);
@@ -92,7 +92,7 @@ Moments moments_of(const Plane& plane, const std::vector<Vector3d>& points, doub
 // Covariance of offset and slopes along the axes: of an estimate with a soft limit (Huber 1964), squared pull over
 // squared stiffness, which falls off faster than the weights do; pulls of one spot are added before they are squared
 // (Liang and Zeger 1986).
-Matrix3d spread_of(const Plane& plane, const Eigen::SelfAdjointEigenSolver<Matrix3d>& eigen, const Moments& sum,
+Matrix3d spread_of(const TrialPlane& plane, const Eigen::SelfAdjointEigenSolver<Matrix3d>& eigen, const Moments& sum,
                    const std::vector<Vector3d>& points, const std::vector<std::size_t>& spots, double inlier_m) {
   const Matrix3d& axes = eigen.eigenvectors();
   const Vector3d& spread2 = eigen.eigenvalues();
@@ -118,7 +118,7 @@ Matrix3d spread_of(const Plane& plane, const Eigen::SelfAdjointEigenSolver<Matri
 
 // Where the points are finer than the limit allows for, a plane next to this one (the stick beside the boom) would
 // tilt it: the limit follows the scatter.
-double limit_of(const Plane& plane, const std::vector<Vector3d>& points, double inlier_m) {
+double limit_of(const TrialPlane& plane, const std::vector<Vector3d>& points, double inlier_m) {
   std::vector<double> off;
   for (const Vector3d& point : points) {
     const double distance = std::abs(plane.normal.dot(point - plane.centre));
@@ -140,12 +140,12 @@ PlaneFit fit_plane(const std::vector<Vector3d>& points_m, const PlaneFitOptions&
     fit.why = "only " + std::to_string(points_m.size()) + " points";
     return fit;
   }
-  const std::optional<Plane> start = best_of_trials(points_m, options, progress);
+  const std::optional<TrialPlane> start = best_of_trials(points_m, options, progress);
   if (!start) {
     fit.why = progress.cancelled() ? "cancelled" : "no plane of the expected direction";
     return fit;
   }
-  Plane plane = *start;
+  TrialPlane plane = *start;
   double limit_m = options.inlier_m;
   Moments sum;
   Eigen::SelfAdjointEigenSolver<Matrix3d> eigen;

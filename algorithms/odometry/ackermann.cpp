@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/core/stamps.h"
+
 namespace remount {
 namespace {
 
@@ -12,8 +14,6 @@ constexpr double kHeld_s = 0.06;              // beyond the ends of the data
 constexpr double kStep_s = 0.005;             // of the integration, at most
 constexpr double kStandingSample_mps = 0.05;  // noise of one sample at rest
 constexpr double kStanding_mps = 0.02;        // of the mean
-
-double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 /// Value of a stream at a time, linear between neighbours; `value(sample)` is what is asked for.
 template <class Sample, class Value>

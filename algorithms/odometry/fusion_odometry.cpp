@@ -6,6 +6,7 @@
 
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/odometry/fusion_step_parts.h"
 #include "algorithms/registration/registration.h"
 
@@ -17,8 +18,6 @@ constexpr int kMostFirstIterations = 20;    // where nothing predicts the motion
 constexpr int kLostScans = 3;               // after which the map is given up
 constexpr std::size_t kLeastFeatures = 40;  // fewer tell nothing and push nothing out of the map
 constexpr double kSettled_m = 1e-3, kSettled_rad = 1e-4;
-
-double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 // How far neighbours are looked for, as a share of the setting, and what distances are taken for serious: where nothing
 // predicts the motion, first the few surfaces across it must be heard over the many along it.

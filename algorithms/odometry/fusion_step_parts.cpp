@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/stamps.h"
 #include "algorithms/registration/undetermined.h"
 
 namespace remount {
@@ -12,8 +13,6 @@ namespace {
 constexpr double kGravity_mps2 = 9.81;
 constexpr double kEarth_m = 6371000.0;
 constexpr std::size_t kLeastMatches = 40;
-
-double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
 template <class Sample>
 auto first_at(const std::vector<Sample>& samples, std::int64_t stamp_ns) {

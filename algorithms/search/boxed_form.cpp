@@ -13,8 +13,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Vector9d = Eigen::Matrix<double, 9, 1>;
 
-Vector9d entries(const Matrix3d& matrix) { return Eigen::Map<const Vector9d>(matrix.data()); }
-
 // First and second derivatives of the entries of R by three parameters.
 struct Chart {
   Eigen::Matrix<double, 9, 3> first;
@@ -26,11 +24,11 @@ Chart turn_chart(const Matrix3d& rotation) {
   Chart chart;
   for (int i = 0; i < 3; ++i) {
     const Matrix3d a = skew(Vector3d::Unit(i));
-    chart.first.col(i) = entries(a * rotation);
+    chart.first.col(i) = rotation_entries(a * rotation);
     for (int j = 0; j < 3; ++j) {
       const Matrix3d b = skew(Vector3d::Unit(j));
       chart.second[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-          entries(0.5 * (a * b + b * a) * rotation);
+          rotation_entries(0.5 * (a * b + b * a) * rotation);
     }
   }
   return chart;
@@ -53,11 +51,11 @@ Chart angles_chart(const Vector3d& angles) {
   for (std::size_t i = 0; i < 3; ++i) {
     std::array<int, 3> orders{};
     ++orders[i];
-    chart.first.col(static_cast<Eigen::Index>(i)) = entries(angles_derivative(angles, orders));
+    chart.first.col(static_cast<Eigen::Index>(i)) = rotation_entries(angles_derivative(angles, orders));
     for (std::size_t j = 0; j < 3; ++j) {
       std::array<int, 3> twice = orders;
       ++twice[j];
-      chart.second[i][j] = entries(angles_derivative(angles, twice));
+      chart.second[i][j] = rotation_entries(angles_derivative(angles, twice));
     }
   }
   return chart;
@@ -108,7 +106,7 @@ struct LocalModel {
 LocalModel local_model(const QuadraticForm::Matrix13d& form, const RigidTransform& x, const Chart& chart,
                        const Matrix3d& free_inverse) {
   QuadraticForm::Vector13d all;
-  all << entries(x.linear()), x.translation(), 1.0;
+  all << rotation_entries(x.linear()), x.translation(), 1.0;
   const Vector9d pull = (form * all).head<9>();
   const Eigen::Matrix<double, 3, 9> coupling = form.block<3, 9>(9, 0);
   const Eigen::Matrix<double, 3, 3> through_t = coupling * chart.first;
@@ -155,7 +153,7 @@ Vector3d BoxedForm::translation_with(int free_axes, const Vector3d& fixed, const
 
 RigidTransform BoxedForm::best_at(const Matrix3d& rotation) const {
   const auto& form = form_.matrix();
-  const Vector3d pull = form.block<3, 9>(9, 0) * entries(rotation) + form.block<3, 1>(9, 12);
+  const Vector3d pull = form.block<3, 9>(9, 0) * rotation_entries(rotation) + form.block<3, 1>(9, 12);
   const auto inside = [&](const Vector3d& t) {
     return (t.array() >= t_low_m_.array()).all() && (t.array() <= t_high_m_.array()).all();
   };

@@ -32,7 +32,6 @@ AngleBox angle_box(const SearchRange& range, bool drawn_in) {
   return box;
 }
 
-Vector13d entry(int row, int column) { return Vector13d::Unit(3 * column + row); }
 Vector13d constant(double value) { return value * Vector13d::Unit(12); }
 
 // An angle a that shows in entries of R as w cos a and w sin a, its weight w >= 0 known within linear bounds.
@@ -62,19 +61,23 @@ void add_wedge(const Wedge& wedge, RelaxedRegion& region) {
 // meaning one by one; their difference or sum, in other entries, keeps it. Bounds on the weights as tight as linear
 // ones can be make the relaxation's error fall with the square of a region's width.
 void add_angles(const AngleBox& box, RelaxedRegion& region) {
-  const Vector13d sine_pitch = -entry(2, 0);
+  const Vector13d sine_pitch = -rotation_entry(2, 0);
   const double low = box.low[1], high = box.high[1], middle = 0.5 * (low + high);
   const double chord = high > low ? (std::cos(high) - std::cos(low)) / (std::sin(high) - std::sin(low)) : 0.0;
   const Vector13d cosine_least = constant(std::cos(low) - chord * std::sin(low)) + chord * sine_pitch;
   const Vector13d cosine_most = constant(1.0) - std::sin(middle) * sine_pitch;
   const Vector13d one_plus = constant(1.0) + sine_pitch, one_minus = constant(1.0) - sine_pitch;
-  add_wedge({entry(0, 0), entry(1, 0), box.low[0], box.high[0], cosine_least, std::cos(middle), cosine_most}, region);
-  add_wedge({entry(2, 2), entry(2, 1), box.low[2], box.high[2], cosine_least, std::cos(middle), cosine_most}, region);
-  add_wedge({entry(1, 1) + entry(0, 2), entry(1, 2) - entry(0, 1), box.low[0] - box.high[2], box.high[0] - box.low[2],
-             one_plus, 1.0, one_plus},
+  add_wedge({rotation_entry(0, 0), rotation_entry(1, 0), box.low[0], box.high[0], cosine_least, std::cos(middle),
+             cosine_most},
             region);
-  add_wedge({entry(1, 1) - entry(0, 2), -entry(1, 2) - entry(0, 1), box.low[0] + box.low[2], box.high[0] + box.high[2],
-             one_minus, 1.0, one_minus},
+  add_wedge({rotation_entry(2, 2), rotation_entry(2, 1), box.low[2], box.high[2], cosine_least, std::cos(middle),
+             cosine_most},
+            region);
+  add_wedge({rotation_entry(1, 1) + rotation_entry(0, 2), rotation_entry(1, 2) - rotation_entry(0, 1),
+             box.low[0] - box.high[2], box.high[0] - box.low[2], one_plus, 1.0, one_plus},
+            region);
+  add_wedge({rotation_entry(1, 1) - rotation_entry(0, 2), -rotation_entry(1, 2) - rotation_entry(0, 1),
+             box.low[0] + box.low[2], box.high[0] + box.high[2], one_minus, 1.0, one_minus},
             region);
   if (high - low >= kPi) return;
   const int first = static_cast<int>(region.half_spaces.size());

@@ -14,8 +14,6 @@ using Vector13d = QuadraticForm::Vector13d;
 
 constexpr int kEquations = 20;
 
-Vector13d entry(int row, int column) { return Vector13d::Unit(3 * column + row); }
-
 Matrix13d symmetric_product(const Vector13d& a, const Vector13d& b) {
   return 0.5 * (a * b.transpose() + b * a.transpose());
 }
@@ -31,15 +29,16 @@ std::vector<Matrix13d> rotation_equations() {
         if (rows == 1 && i == 2 && j == 2) continue;
         Matrix13d equation = i == j ? Matrix13d(-one * one.transpose()) : Matrix13d::Zero();
         for (int k = 0; k < 3; ++k)
-          equation +=
-              rows == 1 ? symmetric_product(entry(i, k), entry(j, k)) : symmetric_product(entry(k, i), entry(k, j));
+          equation += rows == 1 ? symmetric_product(rotation_entry(i, k), rotation_entry(j, k))
+                                : symmetric_product(rotation_entry(k, i), rotation_entry(k, j));
         out.push_back(equation);
       }
   for (int column = 0; column < 3; ++column)
     for (int row = 0; row < 3; ++row) {
       const int b = (column + 1) % 3, c = (column + 2) % 3, u = (row + 1) % 3, v = (row + 2) % 3;
-      out.push_back(symmetric_product(entry(u, b), entry(v, c)) - symmetric_product(entry(v, b), entry(u, c)) -
-                    symmetric_product(entry(row, column), one));
+      out.push_back(symmetric_product(rotation_entry(u, b), rotation_entry(v, c)) -
+                    symmetric_product(rotation_entry(v, b), rotation_entry(u, c)) -
+                    symmetric_product(rotation_entry(row, column), one));
     }
   return out;
 }

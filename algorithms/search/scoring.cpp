@@ -12,8 +12,6 @@ namespace {
 
 using Vector9d = Eigen::Matrix<double, 9, 1>;
 
-Vector9d entries(const Eigen::Matrix3d& rotation) { return Eigen::Map<const Vector9d>(rotation.data()); }
-
 Eigen::Matrix3d pseudo_inverse(const Eigen::Matrix3d& symmetric, double relative_floor) {
   const auto eigen = symmetric_eigen(symmetric);
   Eigen::Vector3d inverse = Eigen::Vector3d::Zero();
@@ -95,7 +93,7 @@ QuadraticForm::QuadraticForm(const std::vector<MotionPair>& pairs, double charac
 
 double QuadraticForm::value(const RigidTransform& ins_from_lidar) const {
   Vector13d x;
-  x << entries(ins_from_lidar.linear()), ins_from_lidar.translation(), 1.0;
+  x << rotation_entries(ins_from_lidar.linear()), ins_from_lidar.translation(), 1.0;
   return x.dot(form_ * x);
 }
 
@@ -133,7 +131,7 @@ TranslationGrid QuadraticForm::prepare_grid(std::span<const Eigen::Vector3d> tra
 void QuadraticForm::values_on_grid(const Eigen::Matrix3d& rotation, const TranslationGrid& grid,
                                    std::span<double> out) const {
   same_size(static_cast<std::size_t>(grid.quadratic.size()), out.size());
-  const Vector9d r = entries(rotation);
+  const Vector9d r = rotation_entries(rotation);
   const Vector9d r_constant = form_.block<9, 1>(0, 12);
   const double constant = r.dot(form_.block<9, 9>(0, 0) * r + 2.0 * r_constant) + form_(12, 12);
   const Eigen::Vector3d slope = 2.0 * (form_.block<3, 9>(9, 0) * r + form_.block<3, 1>(9, 12));
@@ -144,15 +142,16 @@ void QuadraticForm::values_on_grid(const Eigen::Matrix3d& rotation, const Transl
 Eigen::Vector3d QuadraticForm::best_translation_m(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& near_m,
                                                   double relative_floor) const {
   const Eigen::Matrix3d block = form_.block<3, 3>(9, 9);
-  const Eigen::Vector3d pull = form_.block<3, 9>(9, 0) * entries(rotation) + form_.block<3, 1>(9, 12);
+  const Eigen::Vector3d pull = form_.block<3, 9>(9, 0) * rotation_entries(rotation) + form_.block<3, 1>(9, 12);
   return near_m - pseudo_inverse(block, relative_floor) * (block * near_m + pull);
 }
 
 QuadraticForm::Reduced QuadraticForm::reduced(const Eigen::Matrix3d& rotation) const {
-  const Vector9d r = entries(rotation);
+  const Vector9d r = rotation_entries(rotation);
   const Vector9d half_gradient = reduced_quadratic_ * r + reduced_linear_;
   Eigen::Matrix<double, 9, 3> tangent;
-  for (int axis = 0; axis < 3; ++axis) tangent.col(axis) = entries(skew(Eigen::Vector3d::Unit(axis)) * rotation);
+  for (int axis = 0; axis < 3; ++axis)
+    tangent.col(axis) = rotation_entries(skew(Eigen::Vector3d::Unit(axis)) * rotation);
   Reduced out;
   out.value = r.dot(half_gradient + reduced_linear_) + reduced_constant_;
   out.gradient = 2.0 * tangent.transpose() * half_gradient;

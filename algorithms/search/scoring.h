@@ -68,4 +68,14 @@ class QuadraticForm {
   double reduced_constant_ = 0.0;
 };
 
+/// vec R, by columns as in the form.
+inline Eigen::Matrix<double, 9, 1> rotation_entries(const Eigen::Matrix3d& rotation) {
+  return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(rotation.data());
+}
+
+/// The unit vector e of [vec R; t; 1] with e . [vec R; t; 1] = R(row, column).
+inline QuadraticForm::Vector13d rotation_entry(int row, int column) {
+  return QuadraticForm::Vector13d::Unit(3 * column + row);
+}
+
 }  // namespace remount

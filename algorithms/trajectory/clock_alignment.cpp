@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/core/stamps.h"
+
 namespace remount {
 
 namespace {
@@ -16,8 +18,6 @@ constexpr double kMinCorrelation = 0.6;
 constexpr double kMinMisfitRatio = 1.5;          ///< of the rival peak to the best one
 constexpr double kMinLead = 0.005;               ///< of the best peak before its rival
 constexpr std::size_t kMaxSamples = 20'000'000;  ///< of a grid: a longer stream has broken stamps
-
-double seconds(std::int64_t duration_ns) { return static_cast<double>(duration_ns) * 1e-9; }
 
 /// Rates of rotation on an even grid that starts at `start_ns`; NaN where there is no data.
 struct RateGrid {

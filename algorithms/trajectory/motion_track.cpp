@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/stamps.h"
+
 namespace remount {
 namespace {
 
-constexpr double kSecondsPerNanosecond = 1e-9;
-
-double seconds_between(const StampedPose& from, const StampedPose& to) {
-  return static_cast<double>(to.stamp_ns - from.stamp_ns) * kSecondsPerNanosecond;
-}
+double seconds_between(const StampedPose& from, const StampedPose& to) { return seconds(to.stamp_ns - from.stamp_ns); }
 
 double default_gap_s(const std::vector<StampedPose>& samples) {
   std::vector<double> steps_s;
@@ -79,9 +77,7 @@ MotionTrack::MotionTrack(const std::vector<StampedPose>& world_from_body, double
 
 // Samples within the window that no gap separates from the stamp.
 MotionTrack::Window MotionTrack::window(std::int64_t stamp_ns) const {
-  const auto from = [&](std::size_t i) {
-    return static_cast<double>(samples_[i].stamp_ns - stamp_ns) * kSecondsPerNanosecond;
-  };
+  const auto from = [&](std::size_t i) { return seconds(samples_[i].stamp_ns - stamp_ns); };
   const auto here = static_cast<std::size_t>(
       std::lower_bound(samples_.begin(), samples_.end(), stamp_ns,
                        [](const StampedPose& sample, std::int64_t stamp) { return sample.stamp_ns < stamp; }) -
@@ -222,7 +218,7 @@ std::optional<RigidTransform> MotionTrack::at(std::int64_t stamp_ns) const {
   const auto before = after - 1;
   const double step_s = seconds_between(*before, *after);
   if (step_s > max_gap_s_) return std::nullopt;
-  const double u = static_cast<double>(stamp_ns - before->stamp_ns) * kSecondsPerNanosecond / step_s;
+  const double u = seconds(stamp_ns - before->stamp_ns) / step_s;
 
   const Eigen::Vector3d p0 = before->pose.translation(), p1 = after->pose.translation();
   const Eigen::Vector3d chord = (p1 - p0) / step_s;
@@ -246,7 +242,7 @@ std::optional<Vector6d> MotionTrack::body_velocity(std::int64_t stamp_ns) const 
         std::pair{kHalfWindow_ns, std::int64_t{0}}}) {
     const auto here = at(stamp_ns), from = at(stamp_ns - back_ns), to = at(stamp_ns + forth_ns);
     if (!here || !from || !to) continue;
-    const double span_s = static_cast<double>(back_ns + forth_ns) * kSecondsPerNanosecond;
+    const double span_s = seconds(back_ns + forth_ns);
     Vector6d velocity;
     velocity << here->linear().transpose() * (to->translation() - from->translation()) / span_s,
         so3_log(from->linear().transpose() * to->linear()) / span_s;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/stamps.h"
+
 namespace remount {
 namespace {
-
-constexpr double kSecondsPerNanosecond = 1e-9;
 
 template <class Sample>
 std::vector<Sample> ascending(const std::vector<Sample>& samples, bool (*finite)(const Sample&)) {
@@ -106,7 +106,7 @@ std::optional<std::vector<MotionStep>> WheelImuSignals::steps(std::int64_t from_
   for (std::int64_t begin = from_ns; begin < to_ns; ++next) {
     const std::int64_t end = std::min(to_ns, imu_[next].stamp_ns);
     MotionStep step;
-    step.duration_s = static_cast<double>(end - begin) * kSecondsPerNanosecond;
+    step.duration_s = seconds(end - begin);
     step.turn_in_imu_rad = 0.5 * (rate_at(imu_, next, begin) + rate_at(imu_, next, end)) * step.duration_s;
     // Simpson's rule: exact while the speeds are linear, and nearly so where a wheel sample lies within the step.
     const Eigen::Vector2d first = speeds_at(wheels_, wheel, begin);

@@ -31,7 +31,7 @@ DocumentNode wish_document(const FleetVehicle& vehicle) {
 
 std::string in_words(const std::string& text, const char* nothing) { return text.empty() ? nothing : text; }
 
-std::string other_topic(const TopicChoice& then, const TopicChoice& now) {
+std::string changed_topic(const TopicChoice& then, const TopicChoice& now) {
   std::set<std::string> roles;
   for (const TopicChoice* topics : {&then, &now})
     for (const auto& [role, topic] : *topics) roles.insert(role);
@@ -51,7 +51,8 @@ std::string other_wish(const DocumentView& then, const FleetVehicle& now) {
   if (nominal != now.nominal)
     return "the nominal is " + in_words(now.nominal, "left to the sessions") + ", it was " +
            in_words(nominal, "left to the sessions");
-  if (const std::string topic = other_topic(topic_choice_from_document(then.at("topics")), now.topics); !topic.empty())
+  if (const std::string topic = changed_topic(topic_choice_from_document(then.at("topics")), now.topics);
+      !topic.empty())
     return topic;
   const std::vector<std::string> changes =
       changes_since({0, settings_from_document(then.at("settings")), std::nullopt}, {0, now.settings, std::nullopt});

@@ -5,7 +5,7 @@
 namespace remount {
 namespace {
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_at_attitude(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   for (Finding& finding : attitude_findings(checked.session, checked.poses)) findings.push_back(std::move(finding));
 }
 
@@ -28,7 +28,7 @@ DataCheck attitude_data_check() {
             "Look what the log has for a heading, and how it counts; set the mounting of the INS in the INS itself."},
            {"attitude-upside-down", "Roll of the INS is off by half a turn, and that of the result with it.",
             "Declare the convention of the attitude (ENU or NED) as the INS has it."}},
-      .look = look};
+      .look = look_at_attitude};
 }
 
 }  // namespace remount

@@ -22,7 +22,7 @@ bool apart(const TimeSpan& a, const TimeSpan& b) {
   return !is_empty(a) && !is_empty(b) && (a.last_ns < b.first_ns || a.first_ns > b.last_ns);
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_at_clocks(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   const Session& session = checked.session;
   const TimeSpan lidar = lidar_span(session), ins = span_of(checked.poses);
   if (apart(lidar, ins))
@@ -67,7 +67,7 @@ DataCheck clock_check() {
             "Have the driver stamp scans and points by one clock."},
            {"clock-aligned", "The clocks were brought together by the turns of the drive, to some milliseconds.",
             "Synchronise the clocks before the next drive."}},
-      .look = look};
+      .look = look_at_clocks};
 }
 
 }  // namespace remount

@@ -60,7 +60,7 @@ std::vector<StampedPose> during_lidar(const CheckedSession& checked) {
   return kept;
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_at_variety(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   const std::vector<StampedPose> shared = during_lidar(checked);
   if (shared.size() < 2) return;
   const Variety variety = variety_of(shared);
@@ -86,7 +86,7 @@ DataCheck drive_variety_check() {
                      "Drive at least one full turn to each side, a figure of eight for instance."},
                     {"flat-driving", "Only tilting tells the height: on level ground it keeps the nominal value.",
                      "Drive over a ramp or a kerb, or measure the height and give it with --measured."}},
-          .look = look,
+          .look = look_at_variety,
           .of_the_drive = true};
 }
 

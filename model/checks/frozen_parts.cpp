@@ -12,10 +12,10 @@ namespace remount {
 namespace {
 
 constexpr double kShortest_s = 1.0;
-constexpr double kTimesUsual = 5.0;         ///< position or attitude may be logged at a lower rate than the other
-constexpr double kSameAttitude_rad = 1e-8;  ///< interpolating between two that are the same rounds
-constexpr double kStretch_m = 5.0;          ///< over which the direction of travel is taken: noise of fixes is shorter
-constexpr double kSlowest_mps = 1.0;        ///< what is slower may be noise about a place
+constexpr double kTimesUsualHold = 5.0;       ///< position or attitude may be logged at a lower rate than the other
+constexpr double kFrozenAttitude_rad = 1e-8;  ///< interpolating between two that are the same rounds
+constexpr double kStretch_m = 5.0;    ///< over which the direction of travel is taken: noise of fixes is shorter
+constexpr double kSlowest_mps = 1.0;  ///< what is slower may be noise about a place
 constexpr double kTurn_rad = 15.0 * kPi / 180.0;
 constexpr double kTurnAtTheEnd_rad = 45.0 * kPi / 180.0;
 constexpr double kJump_m = 0.5;
@@ -43,7 +43,7 @@ class FrozenParts {
 
   double longest_attitude_s() const {
     return longest_s(
-        holds_of(poses_.size(), [&](std::size_t a, std::size_t b) { return turned_rad(a, b) < kSameAttitude_rad; }),
+        holds_of(poses_.size(), [&](std::size_t a, std::size_t b) { return turned_rad(a, b) < kFrozenAttitude_rad; }),
         [&](const Hold& hold) { return path_turns(hold); });
   }
   double longest_position_s() const {
@@ -69,7 +69,7 @@ class FrozenParts {
     for (std::size_t i = 1; i < holds.size(); ++i)
       usual_s.push_back(seconds_between(poses_[holds[i - 1].first].stamp_ns, poses_[holds[i].first].stamp_ns));
     const bool tells = usual_s.size() >= 10;  // otherwise all of the drive may be frozen
-    const double limit_s = std::max(kShortest_s, tells ? kTimesUsual * median_of(std::move(usual_s)) : 0.0);
+    const double limit_s = std::max(kShortest_s, tells ? kTimesUsualHold * median_of(std::move(usual_s)) : 0.0);
     double longest = 0.0;
     for (const Hold& hold : holds)
       if (const double hold_s = duration_s(hold); hold_s > std::max(limit_s, longest) && contradicted(hold))
@@ -102,14 +102,14 @@ class FrozenParts {
                  step_s = seconds_between(poses_[hold.last].stamp_ns, poses_[hold.last + 1].stamp_ns);
     const double jump_m = (place(hold.last + 1) - place(hold.last)).norm();
     const bool gap = step_s > 0.5 * hold_s;  // it drove on then
-    return most_rad > kSameAttitude_rad && !gap && jump_m > std::max(kJump_m, 0.5 * kSlowest_mps * hold_s);
+    return most_rad > kFrozenAttitude_rad && !gap && jump_m > std::max(kJump_m, 0.5 * kSlowest_mps * hold_s);
   }
 
   const CheckedSession& checked_;
   const MetricPoses& poses_;
 };
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_for_frozen_parts(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   const FrozenParts frozen(checked);
   if (const double frozen_s = frozen.longest_attitude_s(); frozen_s > 0.0)
     findings.push_back(
@@ -134,7 +134,7 @@ DataCheck frozen_part_check() {
                      "Pairs take the vehicle to have turned in its place, and what is found for its position is wrong.",
                      "See whether GNSS or its driver stalled; leave that part of the drive out, or use a log that was "
                      "processed afterwards (PPK)."}},
-          .look = look};
+          .look = look_for_frozen_parts};
 }
 
 }  // namespace remount

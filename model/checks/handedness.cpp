@@ -16,7 +16,7 @@
 namespace remount {
 namespace {
 
-constexpr double kLeastTurn_rad = 6.0 * kPi / 180.0, kMostTurn_rad = 20.0 * kPi / 180.0;
+constexpr double kLeastScanTurn_rad = 6.0 * kPi / 180.0, kMostTurn_rad = 20.0 * kPi / 180.0;
 constexpr double kFarthest_m = 8.0;
 constexpr double kAlike = 0.4;  ///< how far the two turns may differ in size, as a share
 constexpr std::size_t kMostPairs = 6, kEnoughUpright = 2, kEnoughMirrored = 3;
@@ -38,7 +38,7 @@ std::vector<TurningPair> turning_pairs(const CheckedSession& checked) {
       if (!at[b]) continue;
       const double turn = (at[a]->linear() * so3_log(at[a]->linear().transpose() * at[b]->linear())).z();
       if ((at[b]->translation() - at[a]->translation()).norm() > kFarthest_m || std::abs(turn) > kMostTurn_rad) break;
-      if (std::abs(turn) < kLeastTurn_rad) continue;
+      if (std::abs(turn) < kLeastScanTurn_rad) continue;
       pairs.push_back({a, b, turn});
       a = b;
       break;
@@ -73,7 +73,7 @@ bool attitude_is_to_blame(const CheckedSession& checked) {
                      [](const Finding& finding) { return finding.severity != Severity::Note; });
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
+void look_at_handedness(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
   if (!checked.session.scans || checked.session.scans->size() < 2 || checked.poses.size() < 2) return;
   std::size_t upright = 0, mirrored = 0;
   for (const TurningPair& pair : turning_pairs(checked)) {
@@ -99,7 +99,7 @@ DataCheck handedness_check() {
           {{"cloud-left-handed", "No mounting turns a mirrored cloud into the world: no result can be right.",
             "Give x forward, y left, z up or any other right-handed axes: turn the sign of y where the driver has y to "
             "the right."}},
-      .look = look,
+      .look = look_at_handedness,
       .reads_scans = true};
 }
 

@@ -147,7 +147,7 @@ void look_at_position(const CheckedSession& checked, std::vector<Finding>& findi
   look_at_number(0, geodetic ? "longitude" : "x", &InsSample::longitude_rad);
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_for_held_parts(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   look_at_attitude(checked, findings);
   look_at_position(checked, findings);
 }
@@ -166,7 +166,7 @@ DataCheck held_part_check() {
                  "meanwhile, and no sigma says so.",
                  "Log the position as it is computed, with all digits; or keep only the first sample of each that "
                  "repeats: between those the motion is interpolated."}},
-      .look = look};
+      .look = look_for_held_parts};
 }
 
 }  // namespace remount

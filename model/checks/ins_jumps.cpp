@@ -13,11 +13,11 @@ namespace remount {
 namespace {
 
 constexpr double kFastestVehicle_mps = 100.0;
-constexpr double kWindow_s = 0.3;       ///< over which the speed before and after is taken, at least,
+constexpr double kSpeedWindow_s = 0.3;  ///< over which the speed before and after is taken, at least,
 constexpr double kLongestSide_s = 0.6;  ///< and at most
 constexpr double kLongestStep_s = 0.5;  ///< longer ones are gaps
 constexpr double kLeastJump_m = 0.3;
-constexpr double kLeastTurn_rad = 5.0 * kPi / 180.0;
+constexpr double kLeastJump_rad = 5.0 * kPi / 180.0;
 constexpr double kTimesUsual = 10.0;
 constexpr double kTimesHeld = 3.0;  ///< farther than values that are held jump as a rule
 
@@ -46,7 +46,7 @@ std::vector<Surprise> surprises_of(const MetricPoses& poses, const Hardest& hard
   const auto time_s = [&](std::size_t from, std::size_t to) {
     return seconds_between(poses[from].stamp_ns, poses[to].stamp_ns);
   };
-  const auto tells = [](double side_s) { return side_s >= 0.5 * kWindow_s && side_s < kLongestSide_s; };
+  const auto tells = [](double side_s) { return side_s >= 0.5 * kSpeedWindow_s && side_s < kLongestSide_s; };
   const auto gap = [&](std::size_t from) { return time_s(from, from + 1) >= kLongestStep_s; };
   std::vector<Surprise> found(poses.size());
   std::size_t before = 0, after = 0;
@@ -54,9 +54,9 @@ std::vector<Surprise> surprises_of(const MetricPoses& poses, const Hardest& hard
     const double step_s = time_s(i - 1, i);
     if (step_s >= kLongestStep_s) before = i;  // what lies beyond a gap tells no speed
     if (step_s <= 0.0 || step_s >= kLongestStep_s) continue;
-    while (before + 1 < i && time_s(before + 1, i - 1) >= kWindow_s) ++before;
+    while (before + 1 < i && time_s(before + 1, i - 1) >= kSpeedWindow_s) ++before;
     if (after < i) after = i;
-    while (after + 1 < poses.size() && time_s(i, after) < kWindow_s && !gap(after)) ++after;
+    while (after + 1 < poses.size() && time_s(i, after) < kSpeedWindow_s && !gap(after)) ++after;
     const double before_s = time_s(before, i - 1), after_s = time_s(i, after);
     const Eigen::Vector3d step = change(i - 1, i);
     const auto off = [&](std::size_t from, std::size_t to, double side_s) -> Eigen::Vector3d {
@@ -112,7 +112,7 @@ Jumps turns_of(const CheckedSession& checked, bool held) {
     const Eigen::Quaterniond turn = checked.logged_attitude(a).conjugate() * checked.logged_attitude(b);
     return std::copysign(2.0, turn.w()) * turn.vec();
   };
-  Jumps turns = jumps_of(checked.poses, surprises_of(checked.poses, kHardest_radps2, chord), kLeastTurn_rad, held);
+  Jumps turns = jumps_of(checked.poses, surprises_of(checked.poses, kHardest_radps2, chord), kLeastJump_rad, held);
   turns.largest = 2.0 * std::asin(std::min(1.0, 0.5 * turns.largest));
   return turns;
 }
@@ -137,7 +137,7 @@ double fastest_mps(const MetricPoses& poses) {
   return fastest;
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_for_jumps(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   const auto held = [&](std::string_view code) {
     return std::any_of(findings.begin(), findings.end(), [&](const Finding& one) { return one.code == code; });
   };
@@ -180,7 +180,7 @@ DataCheck ins_jump_check() {
             "A pair across a jump tells of a turn that never was; it is rejected where that shows.",
             "See whether the heading was aligned anew there or a sample is damaged; reject the pairs across it, or use "
             "a log that was processed afterwards (PPK)."}},
-      .look = look};
+      .look = look_for_jumps};
 }
 
 }  // namespace remount

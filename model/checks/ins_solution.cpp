@@ -69,7 +69,7 @@ void report_gaps(const MetricPoses& poses, std::vector<Finding>& findings) {
                                  *std::max_element(steps.begin(), steps.end()))});
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_at_solution(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   report_status(checked.session.ins, findings);
   report_gaps(checked.poses, findings);
   const double frozen_s = longest_frozen_s(checked.poses);
@@ -92,7 +92,7 @@ DataCheck ins_solution_check() {
            {"ins-frozen",
             "A solution that stands still while the vehicle moves makes pairs that contradict all others.",
             "Wait until the INS has aligned before you drive, and see whether the log or its driver stalled."}},
-      .look = look};
+      .look = look_at_solution};
 }
 
 }  // namespace remount

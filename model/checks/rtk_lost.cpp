@@ -48,7 +48,7 @@ void report(const std::vector<float>& stated, const char* where, std::vector<Fin
                   100.0 * static_cast<double>(lost) / static_cast<double>(stated.size()))});
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_for_lost_rtk(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   // Where positions say how they were found, their reader has told it.
   const std::vector<Finding>& told = checked.session.findings;
   if (std::any_of(told.begin(), told.end(), [](const Finding& finding) { return finding.code == "rtk-lost"; })) return;
@@ -65,7 +65,7 @@ void look(const CheckedSession& checked, std::vector<Finding>& findings, const P
 DataCheck rtk_check() {
   return {.kinds = {{"rtk-lost", "Positions drift while corrections are missing, and jump when they come back.",
                      "Check the link to the corrections; record under open sky, or process the log afterwards (PPK)."}},
-          .look = look};
+          .look = look_for_lost_rtk};
 }
 
 }  // namespace remount

@@ -56,7 +56,7 @@ void report_dropped(const std::vector<Sample>& samples, std::vector<Finding>& fi
        check_text("%.1f %% of the points have no place (NaN, or no range) and are left out.", 100.0 * share)});
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
+void look_at_scans(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
   if (!checked.session.scans || checked.session.scans->size() == 0) return;
   const std::vector<Sample> samples = sampled(*checked.session.scans, findings, progress);
   if (samples.empty()) return;
@@ -73,7 +73,7 @@ DataCheck scan_check() {
                      "Nothing, where they are beams without a return; otherwise check the driver of the sensor."},
                     {"bad-scan", "A scan that cannot be read takes no part.", "Copy or export the scan again."},
                     {"scan-unreadable", "A scan that cannot be read takes no part.", "Copy or export the scan again."}},
-          .look = look,
+          .look = look_at_scans,
           .reads_scans = true};
 }
 

@@ -72,7 +72,7 @@ void check_imu(const CheckedSession& checked, std::vector<Finding>& findings) {
                     force)});
 }
 
-void look(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
+void look_at_units(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   check_positions(checked.session.ins, findings);
   check_imu(checked, findings);
 }
@@ -89,7 +89,7 @@ DataCheck unit_check() {
                     {"imu-force-unit",
                      "The direction of gravity is found, but forces are taken for a tenth of what they are.",
                      "Declare the unit of the specific force; record raw values, with gravity in them."}},
-          .look = look};
+          .look = look_at_units};
 }
 
 }  // namespace remount

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "algorithms/core/error.h"
 
@@ -101,6 +102,12 @@ std::vector<std::pair<std::string, DocumentView>> DocumentView::entries() const 
         DocumentView(node_->items[i], file_, key_path_.empty() ? node_->keys[i] : key_path_ + "." + node_->keys[i]));
   return views;
 }
+
+std::optional<DocumentView> DocumentView::find(std::string_view key) const {
+  return has(key) ? std::optional<DocumentView>(at(key)) : std::nullopt;
+}
+
+double DocumentView::number_or_nan() const { return is_null() ? std::numeric_limits<double>::quiet_NaN() : number(); }
 
 double DocumentView::number() const {
   double value = 0.0;

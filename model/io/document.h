@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -65,12 +66,14 @@ class DocumentView {
   bool is_sequence() const { return node_->kind == DocumentNode::Kind::Sequence; }
   bool has(std::string_view key) const { return node_->find(key) != nullptr; }
 
-  DocumentView at(std::string_view key) const;  ///< throws where the key is missing
-  std::vector<DocumentView> items() const;      ///< of a sequence
+  DocumentView at(std::string_view key) const;                   ///< throws where the key is missing
+  std::optional<DocumentView> find(std::string_view key) const;  ///< nothing where the key is missing
+  std::vector<DocumentView> items() const;                       ///< of a sequence
   /// Keys and values of a map, in the order of the file.
   std::vector<std::pair<std::string, DocumentView>> entries() const;
 
-  double number() const;  ///< finite
+  double number() const;         ///< finite
+  double number_or_nan() const;  ///< NaN where the value is null
   std::vector<double> numbers(std::size_t count) const;
   std::int64_t integer(std::int64_t minimum, std::int64_t maximum) const;
   bool boolean() const;

@@ -16,7 +16,7 @@
 namespace remount {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path) {
+[[noreturn]] void fail_to_lock(const std::filesystem::path& path) {
   throw Error(ErrorCode::Io, path.string(), std::string("cannot be locked: ") + std::strerror(errno));
 }
 
@@ -40,7 +40,7 @@ LockedFile open_locked(const std::filesystem::path& path) {
       if (file.get() < 0) errno = EACCES;
     }
     struct stat status {};
-    if (file.get() < 0 || uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0) fail(path);
+    if (file.get() < 0 || uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0) fail_to_lock(path);
     if (!S_ISREG(status.st_mode)) throw Error(ErrorCode::Io, path.string(), "cannot be locked, it is no regular file");
     if (uninterrupted([&] { return ::flock(file.get(), LOCK_EX | LOCK_NB); }) != 0) {
       if (errno == EWOULDBLOCK) return {std::move(file), LockedFile::State::Busy};
@@ -64,7 +64,7 @@ std::optional<FileLock> FileLock::take(const std::filesystem::path& path, const 
     throw Error(ErrorCode::Io, path.string(), "cannot be locked: the file system knows no locks");
   write_holder(locked.file, holder + "\n");
   struct stat status {};
-  if (uninterrupted([&] { return ::fstat(locked.file.get(), &status); }) != 0) fail(path);
+  if (uninterrupted([&] { return ::fstat(locked.file.get(), &status); }) != 0) fail_to_lock(path);
   return FileLock(std::move(locked.file), std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec);
 }
 

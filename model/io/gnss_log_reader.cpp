@@ -15,13 +15,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Contents {
+struct GnssContents {
   std::vector<fs::path> nmea, gpx;
   std::vector<std::pair<fs::path, PoseFormat>> poses;
 };
 
-Contents examine(const fs::path& path) {
-  Contents contents;
+GnssContents examine_gnss(const fs::path& path) {
+  GnssContents contents;
   const std::vector<fs::path> files = is_file(path) ? std::vector<fs::path>{path} : files_in(path);
   for (const fs::path& file : files) {
     if (recognise_nmea(file))
@@ -48,13 +48,13 @@ const Item& only(const std::vector<Item>& items, const fs::path& folder, const c
 
 int GnssLogReader::probe(const fs::path& path) const {
   if (!is_file(path) && !is_folder(path)) return 0;
-  const Contents contents = examine(path);
+  const GnssContents contents = examine_gnss(path);
   if (contents.nmea.empty() && contents.gpx.empty()) return 0;
   return contents.poses.empty() ? 50 : 75;
 }
 
 Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
-  const Contents contents = examine(path);
+  const GnssContents contents = examine_gnss(path);
   Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;

@@ -23,8 +23,8 @@
 namespace remount {
 namespace {
 
-constexpr std::string_view kFormat = "remount-lock/1";
-constexpr std::size_t kLongest = 4096;
+constexpr std::string_view kLockFormat = "remount-lock/1";
+constexpr std::size_t kLongestNote = 4096;
 
 std::string user_name() {
   std::array<char, 4096> room{};
@@ -49,7 +49,7 @@ std::string digest_of(const char* path) {
 
 std::string record_of(const LockHolder& holder) {
   DocumentNode root = DocumentNode::map();
-  root.add("format", DocumentNode::string(kFormat));
+  root.add("format", DocumentNode::string(kLockFormat));
   root.add("user", DocumentNode::string(holder.user));
   root.add("host", DocumentNode::string(holder.host));
   root.add("process", DocumentNode::integer(holder.process));
@@ -61,13 +61,13 @@ std::string record_of(const LockHolder& holder) {
 
 /// Nothing where the file is empty, as one that was just made is, or holds something else.
 std::optional<LockHolder> recorded(const FileDescriptor& file) {
-  std::array<char, kLongest> room{};
+  std::array<char, kLongestNote> room{};
   const ssize_t size = uninterrupted([&] { return ::pread(file.get(), room.data(), room.size(), 0); });
   if (size <= 0) return std::nullopt;
   try {
     const DocumentNode document = parse_yaml(std::string_view(room.data(), static_cast<std::size_t>(size)), "lock");
     const DocumentView root(document, "lock");
-    if (root.at("format").string() != kFormat) return std::nullopt;
+    if (root.at("format").string() != kLockFormat) return std::nullopt;
     constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
     return LockHolder{root.at("user").string(),
                       root.at("host").string(),

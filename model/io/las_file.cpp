@@ -12,7 +12,7 @@
 namespace remount {
 namespace {
 
-constexpr bool kSwap = std::endian::native == std::endian::big;
+constexpr bool kSwapLas = std::endian::native == std::endian::big;
 constexpr double kFarthest_m = 1e5;  ///< as CloudBuilder: beyond it nothing is a return
 
 /// What a point of a format holds at least, and where its time lies; 0: it has none.
@@ -67,7 +67,7 @@ class HeaderReader {
   }
 
  private:
-  double value(std::size_t at, ScalarType type) const { return read_scalar(bytes_.data() + at, type, kSwap); }
+  double value(std::size_t at, ScalarType type) const { return read_scalar(bytes_.data() + at, type, kSwapLas); }
 
   std::size_t point_count(int minor) const {
     const auto legacy = static_cast<std::size_t>(value(107, ScalarType::U32));
@@ -117,7 +117,7 @@ bool has_times(const LasHeader& header, const char* points) {
   const std::size_t at = kLayouts[header.format].time_at;
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
   for (std::size_t i = 0; at > 0 && i < header.points; ++i) {
-    const double time = read_scalar(points + i * header.record_bytes + at, ScalarType::F64, kSwap);
+    const double time = read_scalar(points + i * header.record_bytes + at, ScalarType::F64, kSwapLas);
     if (!(std::abs(time) < 5e9)) return false;
     low = std::min(low, time);
     high = std::max(high, time);
@@ -139,11 +139,12 @@ ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, s
   for (std::size_t i = 0; i < header.points; ++i) {
     const char* record = points + i * header.record_bytes;
     const auto coordinate = [&](std::size_t axis) {
-      return read_scalar(record + 4 * axis, ScalarType::I32, kSwap) * header.scale[axis] + header.offset[axis];
+      return read_scalar(record + 4 * axis, ScalarType::I32, kSwapLas) * header.scale[axis] + header.offset[axis];
     };
     RawPoint point{coordinate(0), coordinate(1), coordinate(2)};
-    point.intensity = read_scalar(record + 12, ScalarType::U16, kSwap);
-    if (timed) point.time = clock.unix_s(read_scalar(record + kLayouts[header.format].time_at, ScalarType::F64, kSwap));
+    point.intensity = read_scalar(record + 12, ScalarType::U16, kSwapLas);
+    if (timed)
+      point.time = clock.unix_s(read_scalar(record + kLayouts[header.format].time_at, ScalarType::F64, kSwapLas));
     farthest_m = std::max({farthest_m, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
     builder.add(point);
   }

@@ -6,11 +6,9 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-double number_or_nan(const DocumentView& view) { return view.is_null() ? kNan : view.number(); }
-
-std::vector<double> column(const DocumentView& view) {
+std::vector<double> numbers_column(const DocumentView& view) {
   std::vector<double> numbers;
-  for (const DocumentView& item : view.items()) numbers.push_back(number_or_nan(item));
+  for (const DocumentView& item : view.items()) numbers.push_back(item.number_or_nan());
   return numbers;
 }
 
@@ -18,10 +16,10 @@ Curve curve_of(const DocumentView& view) {
   Curve curve;
   curve.name = view.at("name").string();
   curve.dots = view.at("dots").boolean();
-  curve.x = column(view.at("x"));
-  curve.y = column(view.at("y"));
-  if (view.has("sigma")) curve.sigma = column(view.at("sigma"));
-  if (view.has("z")) curve.z = column(view.at("z"));
+  curve.x = numbers_column(view.at("x"));
+  curve.y = numbers_column(view.at("y"));
+  if (view.has("sigma")) curve.sigma = numbers_column(view.at("sigma"));
+  if (view.has("z")) curve.z = numbers_column(view.at("z"));
   if (curve.y.size() != curve.x.size()) view.at("y").fail("expected as many numbers as in x");
   if (!curve.sigma.empty() && curve.sigma.size() != curve.x.size())
     view.at("sigma").fail("expected as many numbers as in x");
@@ -50,8 +48,8 @@ std::vector<NamedQuantity> quantities_from_document(const DocumentView& view) {
   for (const DocumentView& item : view.items()) {
     NamedQuantity quantity;
     quantity.name = item.at("name").string();
-    quantity.value = number_or_nan(item.at("value"));
-    quantity.sigma = number_or_nan(item.at("sigma"));
+    quantity.value = item.at("value").number_or_nan();
+    quantity.sigma = item.at("sigma").number_or_nan();
     if (quantity.sigma < 0.0) item.at("sigma").fail("is negative");
     quantity.unit = item.at("unit").string();
     quantity.observed = item.at("observed").boolean();

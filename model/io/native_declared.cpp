@@ -9,15 +9,11 @@
 namespace remount {
 namespace {
 
-std::optional<DocumentView> find(const DocumentView& node, std::string_view key) {
-  return node.has(key) ? std::optional<DocumentView>(node.at(key)) : std::nullopt;
-}
-
 void read_noise(const DocumentView& node, Session& session) {
   node.allow_only(
       {"position_sigma_m", "attitude_sigma_deg", "attitude_bias_sigma_deg", "position_drift_m", "attitude_drift_deg"});
   const auto read = [&](const char* key, double unit, double& sigma) {
-    const auto value = find(node, key);
+    const auto value = node.find(key);
     if (!value) return;
     sigma = value->number() * unit;
     if (sigma < 0.0) value->fail("a sigma is not negative");
@@ -43,8 +39,8 @@ RigidTransform read_nominal(const DocumentView& node) {
 }  // namespace
 
 void read_declared(const DocumentView& root, Session& session) {
-  if (const auto noise = find(root, "ins_noise")) read_noise(*noise, session);
-  if (const auto nominal = find(root, "nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+  if (const auto noise = root.find("ins_noise")) read_noise(*noise, session);
+  if (const auto nominal = root.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
 }
 
 }  // namespace remount

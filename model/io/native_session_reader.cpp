@@ -27,10 +27,6 @@ namespace {
 
 constexpr std::string_view kFormat = "remount-session/1";
 
-std::optional<DocumentView> find(const DocumentView& node, std::string_view key) {
-  return node.has(key) ? std::optional<DocumentView>(node.at(key)) : std::nullopt;
-}
-
 /// The value of `node` among named choices.
 template <class Value>
 Value choice(const DocumentView& node, std::initializer_list<std::pair<std::string_view, Value>> choices) {
@@ -63,8 +59,8 @@ ColumnRef column(const DocumentView& node) {
 }
 
 ColumnRef named_column(const DocumentView& node) {
-  const auto name = find(node, "name");
-  const auto index = find(node, "index");
+  const auto name = node.find("name");
+  const auto index = node.find("index");
   if (name.has_value() == index.has_value()) node.fail("expected either 'name' or 'index'");
   return name ? ColumnRef{name->string(), 0} : column(*index);
 }
@@ -75,7 +71,7 @@ void read_time_column(const DocumentView& node, InsTableLayout& layout) {
   layout.time_unit_ns =
       choice<std::int64_t>(node.at("unit"), {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}});
   layout.time_scale = choice<TimeScale>(node.at("scale"), {{"unix", TimeScale::Unix}, {"gps", TimeScale::Gps}});
-  if (const auto week = find(node, "week")) {
+  if (const auto week = node.find("week")) {
     if (layout.time_scale != TimeScale::Gps) week->fail("a week belongs to scale: gps");
     layout.gps_week = column(*week);
   }
@@ -127,16 +123,16 @@ InsTableLayout read_layout(const DocumentView& columns) {
   read_time_column(columns.at("time"), layout);
   read_position_columns(columns, layout);
   read_attitude_columns(columns, layout);
-  if (const auto sigma = find(columns, "position_sigma_m")) {
+  if (const auto sigma = columns.find("position_sigma_m")) {
     sigma->allow_only({"east", "north", "up"});
     layout.position_sigma_enu = {column(sigma->at("east")), column(sigma->at("north")), column(sigma->at("up"))};
   }
-  if (const auto sigma = find(columns, "attitude_sigma")) {
+  if (const auto sigma = columns.find("attitude_sigma")) {
     sigma->allow_only({"yaw", "pitch", "roll"});
     layout.attitude_sigma_yaw_pitch_roll = {column(sigma->at("yaw")), column(sigma->at("pitch")),
                                             column(sigma->at("roll"))};
   }
-  if (const auto quality = find(columns, "quality")) layout.quality = column(*quality);
+  if (const auto quality = columns.find("quality")) layout.quality = column(*quality);
   return layout;
 }
 
@@ -144,7 +140,7 @@ void read_timing(const DocumentView& node, Session& session) {
   session.scan_timing = choice<ScanTiming>(
       node.at("timing"),
       {{"instant", ScanTiming::Instant}, {"per-point", ScanTiming::PerPoint}, {"sweep", ScanTiming::SweepAzimuth}});
-  const auto sweep = find(node, "sweep");
+  const auto sweep = node.find("sweep");
   if ((session.scan_timing == ScanTiming::SweepAzimuth) != sweep.has_value())
     node.fail("'sweep' stands with timing: sweep and only there");
   if (!sweep) return;
@@ -152,7 +148,7 @@ void read_timing(const DocumentView& node, Session& session) {
   session.sweep.period_s = positive(sweep->at("period_s"));
   session.sweep.stamp_azimuth_rad = degrees_to_radians(sweep->at("stamp_azimuth_deg").number());
   session.sweep.clockwise = sweep->at("clockwise").boolean();
-  if (const auto certain = find(*sweep, "certain")) session.sweep.certain = certain->boolean();
+  if (const auto certain = sweep->find("certain")) session.sweep.certain = certain->boolean();
 }
 
 void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
@@ -221,7 +217,7 @@ constexpr std::array<std::string_view, 4> kSensors{"imu", "gnss", "wheels", "bar
 
 void read_sensors(const DocumentView& root, const fs::path& folder, Session& session) {
   const auto read = [&](std::string_view key, auto& samples, auto&& read_table) {
-    const auto node = find(root, key);
+    const auto node = root.find(key);
     if (!node) return;
     node->allow_only({"file"});
     const fs::path file = folder / node->at("file").string();
@@ -239,7 +235,7 @@ void read_sensors(const DocumentView& root, const fs::path& folder, Session& ses
 
 /// Of a session that grows only what trajectory alignment takes: the others are read when it is complete.
 void read_new_fixes(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
-  const auto node = find(root, "gnss");
+  const auto node = root.find("gnss");
   if (!node) return;
   session.files.push_back(folder / node->at("file").string());
   const std::string text = source.table(session.files.back());
@@ -250,7 +246,7 @@ void read_new_fixes(const DocumentView& root, const fs::path& folder, SessionSou
 bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
   if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
   const auto log = [&](std::string_view key) {
-    const auto node = find(root, key);
+    const auto node = root.find(key);
     if (!node || (node->has("columns"))) return false;
     const fs::path file = folder / node->at("file").string();
     return recognise_nmea(file) || recognise_gpx(file);
@@ -303,18 +299,18 @@ void check_manifest(const DocumentView& root) {
 }
 
 void read_motion(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
-  if (const auto ins = find(root, "ins")) {
+  if (const auto ins = root.find("ins")) {
     read_ins(*ins, folder, source, session);
-  } else if (const auto poses = find(root, "ins_poses")) {
+  } else if (const auto poses = root.find("ins_poses")) {
     session.world_from_ins = read_poses(*poses, folder, source, session);
     session.ins_axes = axes_of(*pose_format_from_string(poses->at("format").string()));
   }
 }
 
 void read_lidar(const DocumentView& root, const fs::path& folder, SessionSource& source, Session& session) {
-  if (const auto scans = find(root, "scans"))
+  if (const auto scans = root.find("scans"))
     read_scans(*scans, folder, source, session);
-  else if (const auto poses = find(root, "lidar_poses"))
+  else if (const auto poses = root.find("lidar_poses"))
     session.odometry_from_lidar = read_poses(*poses, folder, source, session);
 }
 
@@ -338,7 +334,7 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   read_lidar(root, folder, whole, session);
   read_declared(root, session);
   ClockUse clocks = ClockUse::Shared;
-  if (const auto node = find(root, "clocks"))
+  if (const auto node = root.find("clocks"))
     clocks = choice<ClockUse>(*node, {{"shared", ClockUse::Shared}, {"unsynchronised", ClockUse::Unsynchronised}});
   if (clocks == ClockUse::Unsynchronised && session.odometry_from_lidar.empty())
     root.at("clocks").fail("clocks can be aligned only where lidar_poses are given");

@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Contents {
+struct NovatelContents {
   std::vector<std::pair<fs::path, InspvaxFormat>> logs;
   std::vector<std::pair<fs::path, PoseFormat>> poses;
 };
 
-Contents examine(const fs::path& path) {
-  Contents contents;
+NovatelContents examine_novatel(const fs::path& path) {
+  NovatelContents contents;
   const std::vector<fs::path> files = is_file(path) ? std::vector<fs::path>{path} : files_in(path);
   for (const fs::path& file : files) {
     if (const auto log = recognise_inspvax(file))
@@ -34,7 +34,7 @@ Contents examine(const fs::path& path) {
 }
 
 /// Reads every log and keeps the best; the others are named in a finding.
-void read_best_log(const Contents& contents, Session& session) {
+void read_best_log(const NovatelContents& contents, Session& session) {
   std::string others;
   double best_score = -1.0;
   std::vector<Finding> best_findings;
@@ -61,7 +61,7 @@ void read_best_log(const Contents& contents, Session& session) {
         "Of several INSPVAX files this one has intact stamps and most samples; not used: " + others + "."));
 }
 
-const std::pair<fs::path, PoseFormat>& lidar_poses(const Contents& contents, const fs::path& folder) {
+const std::pair<fs::path, PoseFormat>& lidar_poses(const NovatelContents& contents, const fs::path& folder) {
   if (contents.poses.size() == 1) return contents.poses[0];
   const std::pair<fs::path, PoseFormat>* found = nullptr;
   for (const auto& candidate : contents.poses) {
@@ -81,14 +81,14 @@ const std::pair<fs::path, PoseFormat>& lidar_poses(const Contents& contents, con
 
 int NovatelReader::probe(const fs::path& path) const {
   if (!is_file(path) && !is_folder(path)) return 0;
-  const Contents contents = examine(path);
+  const NovatelContents contents = examine_novatel(path);
   if (contents.logs.empty()) return 0;
   return contents.poses.empty() ? 70 : 85;
 }
 
 Session NovatelReader::open(const fs::path& path, Progress& progress) const {
   progress.report("reading INS", 0, 2);
-  const Contents contents = examine(path);
+  const NovatelContents contents = examine_novatel(path);
   if (contents.logs.empty()) throw Error(ErrorCode::Format, path.string(), "holds no INSPVAX log");
   Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();

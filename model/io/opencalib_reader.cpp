@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Contents {
+struct OpencalibContents {
   std::vector<fs::path> ins_poses;    ///< best first
   std::vector<fs::path> lidar_poses;  ///< best first
   std::vector<ScanFile> scans;
@@ -43,7 +43,7 @@ std::vector<ScanFile> stamped_scans(const fs::path& folder) {
   return scans;
 }
 
-void find_scans(const fs::path& folder, Contents& contents) {
+void find_scans(const fs::path& folder, OpencalibContents& contents) {
   std::vector<fs::path> candidates = directories_in(folder);
   candidates.insert(candidates.begin(), folder);
   for (const fs::path& candidate : candidates) {
@@ -54,8 +54,8 @@ void find_scans(const fs::path& folder, Contents& contents) {
   }
 }
 
-Contents examine(const fs::path& folder) {
-  Contents contents;
+OpencalibContents examine_opencalib(const fs::path& folder) {
+  OpencalibContents contents;
   std::vector<fs::path> poses;
   for (const fs::path& file : files_in(folder))
     if (lower_case(file.extension().string()) != ".pcd" && recognise_pose_file(file) == PoseFormat::PoseLines)
@@ -78,7 +78,7 @@ void report_choice(const std::vector<fs::path>& files, const char* code, const c
                    "Of several files this one is used for " + std::string(role) + "; not used: " + others + "."));
 }
 
-void use_scans(Contents& contents, Session& session) {
+void use_scans(OpencalibContents& contents, Session& session) {
   keep_ascending(contents.scans, "scan", contents.scan_folder.string(), session.findings);
   for (const ScanFile& scan : contents.scans) session.files.push_back(scan.path);
   const auto scans = std::make_shared<const FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
@@ -91,14 +91,14 @@ void use_scans(Contents& contents, Session& session) {
 
 int OpenCalibReader::probe(const fs::path& path) const {
   if (!is_folder(path)) return 0;
-  const Contents contents = examine(path);
+  const OpencalibContents contents = examine_opencalib(path);
   if (contents.ins_poses.empty()) return 0;
   return contents.scans.empty() && contents.lidar_poses.empty() ? 30 : 80;
 }
 
 Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
   progress.report("reading poses", 0, 2);
-  Contents contents = examine(path);
+  OpencalibContents contents = examine_opencalib(path);
   if (contents.ins_poses.empty())
     throw Error(ErrorCode::Format, path.string(),
                 "holds no INS poses: lines of a stamp like 2021-10-26-16-21-29-468 and 12 numbers");

@@ -37,10 +37,6 @@ Matrix6d from_triangle(const DocumentView& view) {
   return symmetric;
 }
 
-double number_or_nan(const DocumentView& view) {
-  return view.is_null() ? std::numeric_limits<double>::quiet_NaN() : view.number();
-}
-
 DocumentNode registration_document(const RegistrationQuality& quality) {
   DocumentNode node = DocumentNode::map();
   node.add("attempted", DocumentNode::boolean(quality.attempted));
@@ -59,8 +55,8 @@ RegistrationQuality registration_from(const DocumentView& view) {
   quality.attempted = view.at("attempted").boolean();
   quality.converged = view.at("converged").boolean();
   quality.iterations = static_cast<int>(view.at("iterations").integer(0, kMaxCount));
-  quality.rmse_m = number_or_nan(view.at("rmse_m"));
-  quality.overlap = number_or_nan(view.at("overlap"));
+  quality.rmse_m = view.at("rmse_m").number_or_nan();
+  quality.overlap = view.at("overlap").number_or_nan();
   quality.information = from_triangle(view.at("information"));
   quality.failure = view.at("failure").string();
   if (view.has("undetermined")) quality.undetermined = view.at("undetermined").string();
@@ -84,7 +80,7 @@ Keyframe keyframe_from_document(const DocumentView& view, std::size_t session_co
   keyframe.session = static_cast<int>(view.at("session").integer(0, static_cast<std::int64_t>(session_count) - 1));
   keyframe.scan = static_cast<int>(view.at("scan").integer(0, kMaxCount));
   keyframe.stamp_ns = view.at("stamp_ns").integer(-kLongest, kLongest);
-  keyframe.travelled_m = number_or_nan(view.at("travelled_m"));
+  keyframe.travelled_m = view.at("travelled_m").number_or_nan();
   return keyframe;
 }
 
@@ -123,22 +119,22 @@ Pair pair_from_document(const DocumentView& view, std::size_t keyframe_count) {
   pair.state = static_cast<PairState>(view.at("state").integer(0, 2));
   pair.decided_by = static_cast<DecidedBy>(view.at("decided_by").integer(0, 2));
   pair.reason = view.at("reason").string();
-  pair.gap_s = number_or_nan(view.at("gap_s"));
-  pair.baseline_m = number_or_nan(view.at("baseline_m"));
-  pair.rotation_rad = number_or_nan(view.at("rotation_rad"));
+  pair.gap_s = view.at("gap_s").number_or_nan();
+  pair.baseline_m = view.at("baseline_m").number_or_nan();
+  pair.rotation_rad = view.at("rotation_rad").number_or_nan();
   pair.shared_objects = static_cast<int>(view.at("shared_objects").integer(0, kMaxCount));
   pair.moving_objects = static_cast<int>(view.at("moving_objects").integer(0, kMaxCount));
   pair.ins_b_from_ins_a = transform_from_document(view.at("ins_b_from_ins_a"));
   pair.lidar_b_from_lidar_a = transform_from_document(view.at("lidar_b_from_lidar_a"));
   pair.registration = registration_from(view.at("registration"));
   const DocumentView screw = view.at("screw");
-  pair.screw.rotation_difference_rad = number_or_nan(screw.at("rotation_difference_rad"));
-  pair.screw.translation_difference_m = number_or_nan(screw.at("translation_difference_m"));
-  pair.screw.score = number_or_nan(screw.at("score"));
+  pair.screw.rotation_difference_rad = screw.at("rotation_difference_rad").number_or_nan();
+  pair.screw.translation_difference_m = screw.at("translation_difference_m").number_or_nan();
+  pair.screw.score = screw.at("score").number_or_nan();
   pair.screw.passed = screw.at("passed").boolean();
-  pair.residual_rotation_rad = number_or_nan(view.at("residual_rotation_rad"));
-  pair.residual_translation_m = number_or_nan(view.at("residual_translation_m"));
-  pair.weight = number_or_nan(view.at("weight"));
+  pair.residual_rotation_rad = view.at("residual_rotation_rad").number_or_nan();
+  pair.residual_translation_m = view.at("residual_translation_m").number_or_nan();
+  pair.weight = view.at("weight").number_or_nan();
   return pair;
 }
 

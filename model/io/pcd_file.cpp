@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMaxHeaderBytes = 64 * 1024;
 constexpr std::size_t kMaxFields = 512;
-constexpr std::int64_t kMaxCount = 1 << 20;
+constexpr std::int64_t kMostOfField = 1 << 20;
 
 enum class Encoding { Ascii, Binary, Compressed };
 
@@ -74,7 +74,7 @@ void read_entry(Entries& entries, const std::vector<std::string_view>& tokens, c
   } else if (key == "count") {
     entries.counts.clear();
     for (std::size_t i = 1; i < tokens.size(); ++i)
-      entries.counts.push_back(header_integer(tokens[i], "COUNT", 1, kMaxCount, path, line));
+      entries.counts.push_back(header_integer(tokens[i], "COUNT", 1, kMostOfField, path, line));
   } else if (key == "type") {
     entries.types.clear();
     for (std::size_t i = 1; i < tokens.size(); ++i) {

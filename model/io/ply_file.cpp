@@ -12,10 +12,10 @@ namespace remount {
 
 namespace {
 
-constexpr std::size_t kMaxHeaderBytes = 64 * 1024;
+constexpr std::size_t kMaxPlyHeaderBytes = 64 * 1024;
 constexpr std::size_t kMaxProperties = 512;
 
-enum class Encoding { Ascii, Little, Big };
+enum class PlyEncoding { Ascii, Little, Big };
 
 struct Property {
   CloudField field;                ///< type of the scalar, or of the values of a list
@@ -30,14 +30,14 @@ struct Element {
   std::size_t smallest_row = 0;  ///< bytes of a binary row with empty lists
 };
 
-struct Header {
-  Encoding encoding = Encoding::Ascii;
+struct PlyHeader {
+  PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<Element> elements;
   std::size_t data_offset = 0;
   std::size_t lines = 0;
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::size_t line, const std::string& what) {
+[[noreturn]] void fail_ply(const std::filesystem::path& path, std::size_t line, const std::string& what) {
   throw Error(ErrorCode::Format, at_line(path, line), what);
 }
 
@@ -52,14 +52,14 @@ ScalarType scalar_type(std::string_view name, const std::filesystem::path& path,
   if (name == "uint64" || name == "ulong") return ScalarType::U64;
   if (name == "float" || name == "float32") return ScalarType::F32;
   if (name == "double" || name == "float64") return ScalarType::F64;
-  fail(path, line, "'" + std::string(name.substr(0, 40)) + "' is not a PLY number type");
+  fail_ply(path, line, "'" + std::string(name.substr(0, 40)) + "' is not a PLY number type");
 }
 
 void add_property(Element& element, const std::vector<std::string_view>& tokens, const std::filesystem::path& path,
                   std::size_t line) {
   Property property;
   if (element.properties.size() >= kMaxProperties)
-    fail(path, line, "more than " + std::to_string(kMaxProperties) + " properties in one element");
+    fail_ply(path, line, "more than " + std::to_string(kMaxProperties) + " properties in one element");
   if (tokens.size() == 5 && tokens[1] == "list") {
     property.list = scalar_type(tokens[2], path, line);
     property.field.type = scalar_type(tokens[3], path, line);
@@ -70,51 +70,51 @@ void add_property(Element& element, const std::vector<std::string_view>& tokens,
     property.field.type = scalar_type(tokens[1], path, line);
     element.smallest_row += size_of(property.field.type);
   } else {
-    fail(path, line, "expected 'property <type> <name>' or 'property list <type> <type> <name>'");
+    fail_ply(path, line, "expected 'property <type> <name>' or 'property list <type> <type> <name>'");
   }
   property.field.name = lower_case(tokens.back());
   element.properties.push_back(std::move(property));
 }
 
-void read_header_line(Header& header, const std::vector<std::string_view>& tokens, const std::filesystem::path& path,
+void read_header_line(PlyHeader& header, const std::vector<std::string_view>& tokens, const std::filesystem::path& path,
                       std::size_t line) {
   if (tokens[0] == "comment" || tokens[0] == "obj_info") return;
   if (tokens[0] == "format") {
     const std::string_view encoding = tokens.size() > 1 ? tokens[1] : "";
     if (encoding == "ascii")
-      header.encoding = Encoding::Ascii;
+      header.encoding = PlyEncoding::Ascii;
     else if (encoding == "binary_little_endian")
-      header.encoding = Encoding::Little;
+      header.encoding = PlyEncoding::Little;
     else if (encoding == "binary_big_endian")
-      header.encoding = Encoding::Big;
+      header.encoding = PlyEncoding::Big;
     else
-      fail(path, line,
-           "format is '" + std::string(encoding.substr(0, 40)) +
-               "', expected ascii, binary_little_endian or binary_big_endian");
+      fail_ply(path, line,
+               "format is '" + std::string(encoding.substr(0, 40)) +
+                   "', expected ascii, binary_little_endian or binary_big_endian");
   } else if (tokens[0] == "element") {
     const std::optional<std::int64_t> count = tokens.size() == 3 ? parse_integer(tokens[2]) : std::nullopt;
-    if (!count || *count < 0) fail(path, line, "expected 'element <name> <count>'");
+    if (!count || *count < 0) fail_ply(path, line, "expected 'element <name> <count>'");
     header.elements.push_back({std::string(tokens[1]), static_cast<std::size_t>(*count), {}, false, 0});
   } else if (tokens[0] == "property") {
-    if (header.elements.empty()) fail(path, line, "a property stands before the first element");
+    if (header.elements.empty()) fail_ply(path, line, "a property stands before the first element");
     add_property(header.elements.back(), tokens, path, line);
   } else {
-    fail(path, line, "'" + std::string(tokens[0].substr(0, 40)) + "' is not a line of a PLY header");
+    fail_ply(path, line, "'" + std::string(tokens[0].substr(0, 40)) + "' is not a line of a PLY header");
   }
 }
 
-Header read_header(std::string_view bytes, const std::filesystem::path& path) {
-  LineReader lines(bytes.substr(0, kMaxHeaderBytes));
+PlyHeader read_ply_header(std::string_view bytes, const std::filesystem::path& path) {
+  LineReader lines(bytes.substr(0, kMaxPlyHeaderBytes));
   std::string_view line;
-  if (!lines.next(line) || trimmed(line) != "ply") fail(path, 1, "does not begin with 'ply'");
-  Header header;
+  if (!lines.next(line) || trimmed(line) != "ply") fail_ply(path, 1, "does not begin with 'ply'");
+  PlyHeader header;
   bool format = false;
   std::vector<std::string_view> tokens;
   while (lines.next(line)) {
     split_blanks(line, tokens);
     if (tokens.empty()) continue;
     if (tokens[0] == "end_header") {
-      if (!format) fail(path, lines.line_number(), "the header has no 'format' line");
+      if (!format) fail_ply(path, lines.line_number(), "the header has no 'format' line");
       header.data_offset = lines.offset();
       header.lines = lines.line_number();
       return header;
@@ -122,18 +122,19 @@ Header read_header(std::string_view bytes, const std::filesystem::path& path) {
     format = format || tokens[0] == "format";
     read_header_line(header, tokens, path, lines.line_number());
   }
-  fail(path, lines.line_number(), "no 'end_header' within the first " + std::to_string(kMaxHeaderBytes) + " bytes");
+  fail_ply(path, lines.line_number(),
+           "no 'end_header' within the first " + std::to_string(kMaxPlyHeaderBytes) + " bytes");
 }
 
 /// Walks the data of all elements; `values` of a row hold one number for each property (0 for lists).
 class RowReader {
  public:
-  RowReader(const Header& header, std::string_view data, const std::filesystem::path& path)
+  RowReader(const PlyHeader& header, std::string_view data, const std::filesystem::path& path)
       : header_(header), data_(data), path_(path), lines_(data) {}
 
   void read(const Element& element, std::vector<double>& values) {
     values.assign(element.properties.size(), 0.0);
-    if (header_.encoding == Encoding::Ascii)
+    if (header_.encoding == PlyEncoding::Ascii)
       read_text(element, values);
     else
       read_binary(element, values);
@@ -141,13 +142,14 @@ class RowReader {
 
   /// Rows of `element` that the rest of the file can hold at most.
   std::size_t fitting_rows(const Element& element) const {
-    const std::size_t rest = data_.size() - (header_.encoding == Encoding::Ascii ? lines_.offset() : offset_);
-    const std::size_t row = header_.encoding == Encoding::Ascii ? 2 * element.properties.size() : element.smallest_row;
+    const std::size_t rest = data_.size() - (header_.encoding == PlyEncoding::Ascii ? lines_.offset() : offset_);
+    const std::size_t row =
+        header_.encoding == PlyEncoding::Ascii ? 2 * element.properties.size() : element.smallest_row;
     return row == 0 ? std::numeric_limits<std::size_t>::max() : (rest + 1) / row;
   }
 
   std::string place() const {
-    return header_.encoding == Encoding::Ascii
+    return header_.encoding == PlyEncoding::Ascii
                ? at_line(path_, header_.lines + lines_.line_number())
                : path_.string() + ": byte " + std::to_string(header_.data_offset + offset_);
   }
@@ -192,7 +194,7 @@ class RowReader {
   double next_scalar(ScalarType type, const Element& element) {
     if (size_of(type) > data_.size() - offset_)
       throw Error(ErrorCode::Format, place(), "ends within element '" + element.name + "'");
-    const bool swap = (header_.encoding == Encoding::Big) != (std::endian::native == std::endian::big);
+    const bool swap = (header_.encoding == PlyEncoding::Big) != (std::endian::native == std::endian::big);
     const double value = read_scalar(data_.data() + offset_, type, swap);
     offset_ += size_of(type);
     return value;
@@ -204,7 +206,7 @@ class RowReader {
     return static_cast<std::size_t>(length);
   }
 
-  const Header& header_;
+  const PlyHeader& header_;
   std::string_view data_;
   const std::filesystem::path& path_;
   LineReader lines_;
@@ -237,7 +239,7 @@ ReadCloud read_vertices(RowReader& rows, const Element& element, bool as_bytes, 
 }  // namespace
 
 ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
-  const Header header = read_header(bytes, path);
+  const PlyHeader header = read_ply_header(bytes, path);
   RowReader rows(header, bytes.substr(header.data_offset), path);
   std::vector<double> skipped;
   for (const Element& element : header.elements) {
@@ -246,7 +248,7 @@ ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, s
                   "element '" + element.name + "' promises " + std::to_string(element.count) +
                       " rows, the file holds at most " + std::to_string(rows.fitting_rows(element)));
     if (element.name == "vertex")
-      return read_vertices(rows, element, header.encoding != Encoding::Ascii, path, stamp_ns);
+      return read_vertices(rows, element, header.encoding != PlyEncoding::Ascii, path, stamp_ns);
     if (element.properties.empty()) continue;
     for (std::size_t i = 0; i < element.count; ++i) rows.read(element, skipped);
   }

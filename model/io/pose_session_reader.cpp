@@ -29,7 +29,7 @@ std::vector<PoseFile> pose_files_in(const fs::path& folder) {
   return found;
 }
 
-std::string list_of(const std::vector<PoseFile>& files) {
+std::string names_of_files(const std::vector<PoseFile>& files) {
   std::string text;
   for (std::size_t i = 0; i < std::min<std::size_t>(files.size(), 20); ++i)
     text += "\n  " + files[i].path.filename().string();
@@ -44,12 +44,12 @@ const PoseFile& only_one(const std::vector<PoseFile>& files, bool (*wanted)(cons
     if (found)
       throw Error(ErrorCode::Unsupported, folder.string(),
                   "holds several pose files named after " + std::string(words) +
-                      "; put each pair into a folder of its own:" + list_of(files));
+                      "; put each pair into a folder of its own:" + names_of_files(files));
     found = &file;
   }
   if (found) return *found;
   throw Error(ErrorCode::Unsupported, folder.string(),
-              "holds no pose file named after " + std::string(words) + ", found:" + list_of(files));
+              "holds no pose file named after " + std::string(words) + ", found:" + names_of_files(files));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace remount {
 namespace {
 
-constexpr std::size_t kMostScans = 60, kFewestScans = 5;
+constexpr std::size_t kMostGroundScans = 60, kFewestScans = 5;
 constexpr double kRadius_m = 12.0;  // sparse sensors see no ground nearer than some seven metres
 
 double median(std::vector<double> values) {
@@ -32,7 +32,7 @@ std::vector<std::size_t> spread_keyframes(const StageContext& context) {
   std::vector<std::size_t> with_scans, chosen;
   for (std::size_t k = 0; k < context.keyframes.size(); ++k)
     if (context.motion.session(context.keyframes[k].session).scans) with_scans.push_back(k);
-  const std::size_t count = std::min(kMostScans, with_scans.size());
+  const std::size_t count = std::min(kMostGroundScans, with_scans.size());
   for (std::size_t i = 0; i < count; ++i) chosen.push_back(with_scans[i * with_scans.size() / count]);
   return chosen;
 }

@@ -10,11 +10,11 @@
 namespace remount {
 namespace {
 
-constexpr double kWidth = 680.0, kLeft = 46.0, kRight = 10.0, kTop = 22.0, kBottom = 24.0;
+constexpr double kBarWidth = 680.0, kBarLeft = 46.0, kBarRight = 10.0, kBarTop = 22.0, kBarBottom = 24.0;
 constexpr std::size_t kTrackPoints = 1500;
 constexpr const char *kAccepted = "#1b7f45", *kRejected = "#80858d", *kUndecided = "#e0a030", *kAxis = "#8a8f98";
 
-std::string number(const char* pattern, double value) {
+std::string formatted(const char* pattern, double value) {
   char text[48];
   std::snprintf(text, sizeof(text), pattern, value);
   return text;
@@ -59,7 +59,7 @@ ReportTrack track_of(const Session& session) {
 
 Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kind, const Phrases& phrase) {
   Drawing drawing;
-  drawing.width = kWidth;
+  drawing.width = kBarWidth;
   drawing.height = 170.0;
   const std::string title = kind == ChartedResidual::Translation
                                 ? phrase("report", "Residual of translation per pair (cm)")
@@ -68,33 +68,34 @@ Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kin
   const double most = highest(pairs, kind, false), kept = highest(pairs, kind, true);
   // A few wild ones would make all that are used flat; what is higher is cut.
   const double top = round_number(kept > 0.0 ? std::min(most, 2.0 * kept) : most),
-               plot_height = drawing.height - kTop - kBottom;
-  const double base = kTop + plot_height;
+               plot_height = drawing.height - kBarTop - kBarBottom;
+  const double base = kBarTop + plot_height;
   const auto y_of = [&](double value) { return base - plot_height * std::min(1.0, value / top); };
   for (const double share : {0.0, 0.5, 1.0}) {
     const double y = y_of(share * top);
-    drawing.shapes.push_back(DrawnLine{{{kLeft, y}, {kWidth - kRight, y}}, share > 0.0 ? "#e2e4e8" : kAxis, 1.0});
-    drawing.shapes.push_back(DrawnText{{kLeft - 6.0, y + 4.0}, number("%g", share * top), TextAnchor::End, 10.0});
+    drawing.shapes.push_back(
+        DrawnLine{{{kBarLeft, y}, {kBarWidth - kBarRight, y}}, share > 0.0 ? "#e2e4e8" : kAxis, 1.0});
+    drawing.shapes.push_back(DrawnText{{kBarLeft - 6.0, y + 4.0}, formatted("%g", share * top), TextAnchor::End, 10.0});
   }
-  const double step = pairs.empty() ? 1.0 : (kWidth - kLeft - kRight) / static_cast<double>(pairs.size());
+  const double step = pairs.empty() ? 1.0 : (kBarWidth - kBarLeft - kBarRight) / static_cast<double>(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double value = shown(pairs[i], kind);
     if (!std::isfinite(value) || value <= 0.0) continue;
     const double y = y_of(value);
-    drawing.shapes.push_back(DrawnBox{{kLeft + step * static_cast<double>(i), y},
+    drawing.shapes.push_back(DrawnBox{{kBarLeft + step * static_cast<double>(i), y},
                                       {std::max(0.5, step * (step > 3.0 ? 0.8 : 1.0)), base - y},
                                       color_of(pairs[i].state)});
   }
   const std::string cut = most > top ? "; " + phrase("report", "higher bars are cut") : "";
-  drawing.shapes.push_back(DrawnText{{kLeft, 13.0}, title + cut, TextAnchor::Start, 11.0});
-  drawing.shapes.push_back(DrawnText{{kWidth - kRight, 13.0},
+  drawing.shapes.push_back(DrawnText{{kBarLeft, 13.0}, title + cut, TextAnchor::Start, 11.0});
+  drawing.shapes.push_back(DrawnText{{kBarWidth - kBarRight, 13.0},
                                      phrase("report", "green: accepted, grey: rejected, amber: undecided"),
                                      TextAnchor::End,
                                      10.0});
-  drawing.shapes.push_back(DrawnText{{kLeft, base + 15.0}, "0", TextAnchor::Start, 10.0});
+  drawing.shapes.push_back(DrawnText{{kBarLeft, base + 15.0}, "0", TextAnchor::Start, 10.0});
   if (!pairs.empty())
     drawing.shapes.push_back(
-        DrawnText{{kWidth - kRight, base + 15.0}, std::to_string(pairs.size() - 1), TextAnchor::End, 10.0});
+        DrawnText{{kBarWidth - kBarRight, base + 15.0}, std::to_string(pairs.size() - 1), TextAnchor::End, 10.0});
   return drawing;
 }
 
@@ -104,7 +105,7 @@ Drawing track_chart(const ReportTrack& track, const Phrases& phrase) {
                                ? phrase("report", "Track of the INS from above: east to the right, north up (UTM grid)")
                                : phrase("report", "Track of the INS as its poses state it: x to the right, y up");
   Drawing drawing;
-  drawing.width = kWidth;
+  drawing.width = kBarWidth;
   drawing.height = kHead;
   drawing.description = track.session + ": " + axes;
   drawing.shapes.push_back(DrawnText{{kMargin, 13.0}, track.session, TextAnchor::Start, 11.0});
@@ -118,7 +119,7 @@ Drawing track_chart(const ReportTrack& track, const Phrases& phrase) {
     return drawing;
   }
   const Eigen::Vector2d span = bounds.sizes().cwiseMax(1.0);
-  const double scale = std::min((kWidth - 2 * kMargin) / span.x(), kTallest / span.y());
+  const double scale = std::min((kBarWidth - 2 * kMargin) / span.x(), kTallest / span.y());
   DrawnLine line{{}, kAccepted, 1.5};
   for (const Eigen::Vector2d& point : track.points_m)
     if (point.allFinite())
@@ -126,11 +127,12 @@ Drawing track_chart(const ReportTrack& track, const Phrases& phrase) {
                                kHead + scale * (bounds.max().y() - point.y()));
   drawing.shapes.push_back(DrawnDot{line.points.front(), 3.5, kAccepted});
   drawing.shapes.push_back(line);
-  const double bar_m = round_number(0.1 * kWidth / scale), bar = bar_m * scale, y = kHead + scale * span.y() + kBottom;
+  const double bar_m = round_number(0.1 * kBarWidth / scale), bar = bar_m * scale,
+               y = kHead + scale * span.y() + kBarBottom;
   drawing.height = y + 12.0;
   drawing.shapes.push_back(DrawnLine{{{kMargin, y}, {kMargin + bar, y}}, "#333333", 2.0});
   drawing.shapes.push_back(DrawnText{{kMargin + bar + 6.0, y + 4.0},
-                                     number("%g m", bar_m) + "; " + phrase("report", "dot: start"),
+                                     formatted("%g m", bar_m) + "; " + phrase("report", "dot: start"),
                                      TextAnchor::Start,
                                      10.0});
   return drawing;

@@ -5,7 +5,7 @@
 namespace remount {
 namespace {
 
-std::string number(double value) {
+std::string coordinate(double value) {
   char text[32];
   std::snprintf(text, sizeof(text), "%.1f", value);
   return text;
@@ -15,23 +15,23 @@ struct SvgWriter {
   std::string& svg;
 
   void operator()(const DrawnLine& line) const {
-    svg +=
-        "<polyline fill=\"none\" stroke=\"" + line.color + "\" stroke-width=\"" + number(line.width) + "\" points=\"";
-    for (const Eigen::Vector2d& point : line.points) svg += number(point.x()) + "," + number(point.y()) + " ";
+    svg += "<polyline fill=\"none\" stroke=\"" + line.color + "\" stroke-width=\"" + coordinate(line.width) +
+           "\" points=\"";
+    for (const Eigen::Vector2d& point : line.points) svg += coordinate(point.x()) + "," + coordinate(point.y()) + " ";
     svg += "\"/>";
   }
   void operator()(const DrawnBox& box) const {
-    svg += "<rect x=\"" + number(box.corner.x()) + "\" y=\"" + number(box.corner.y()) + "\" width=\"" +
-           number(box.size.x()) + "\" height=\"" + number(box.size.y()) + "\" fill=\"" + box.color + "\"/>";
+    svg += "<rect x=\"" + coordinate(box.corner.x()) + "\" y=\"" + coordinate(box.corner.y()) + "\" width=\"" +
+           coordinate(box.size.x()) + "\" height=\"" + coordinate(box.size.y()) + "\" fill=\"" + box.color + "\"/>";
   }
   void operator()(const DrawnDot& dot) const {
-    svg += "<circle cx=\"" + number(dot.middle.x()) + "\" cy=\"" + number(dot.middle.y()) + "\" r=\"" +
-           number(dot.radius) + "\" fill=\"" + dot.color + "\"/>";
+    svg += "<circle cx=\"" + coordinate(dot.middle.x()) + "\" cy=\"" + coordinate(dot.middle.y()) + "\" r=\"" +
+           coordinate(dot.radius) + "\" fill=\"" + dot.color + "\"/>";
   }
   void operator()(const DrawnText& text) const {
     static constexpr const char* kAnchors[] = {"start", "middle", "end"};
-    svg += "<text x=\"" + number(text.base.x()) + "\" y=\"" + number(text.base.y()) + "\" font-size=\"" +
-           number(text.size) + "\" fill=\"" + text.color + "\" text-anchor=\"" +
+    svg += "<text x=\"" + coordinate(text.base.x()) + "\" y=\"" + coordinate(text.base.y()) + "\" font-size=\"" +
+           coordinate(text.size) + "\" fill=\"" + text.color + "\" text-anchor=\"" +
            kAnchors[static_cast<std::size_t>(text.anchor)] + "\">" + html_escaped(text.text) + "</text>";
   }
 };
@@ -56,8 +56,8 @@ std::string html_escaped(std::string_view text) {
 }
 
 std::string to_svg(const Drawing& drawing) {
-  const std::string size = number(drawing.width) + " " + number(drawing.height);
-  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + number(drawing.width) +
+  const std::string size = coordinate(drawing.width) + " " + coordinate(drawing.height);
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"" + coordinate(drawing.width) +
                     "\" viewBox=\"0 0 " + size + "\"><title>" + html_escaped(drawing.description) + "</title>";
   for (const auto& shape : drawing.shapes) std::visit(SvgWriter{svg}, shape);
   return svg + "</svg>";

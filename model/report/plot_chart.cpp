@@ -18,7 +18,7 @@ constexpr double kTallestMap = 420.0;
 constexpr std::array<const char*, 6> kColors{"#2a6fbb", "#d9730d", "#4b9a52", "#8a4fa3", "#555a61", "#b33a3a"};
 constexpr std::array<const char*, 6> kBands{"#a9c5e4", "#f2c39b", "#b4d6b7", "#d0b9dc", "#bfc2c6", "#e0b0b0"};
 
-std::string number(double value, double step) {
+std::string tick_label(double value, double step) {
   char text[48];
   const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
   std::snprintf(text, sizeof(text), "%.*f", decimals, value);
@@ -76,12 +76,12 @@ void draw_axes(const Plot& plot, const Frame& frame, const Phrases& phrase, Draw
   for (double x = std::ceil(low.x() / step_x) * step_x; x <= high.x(); x += step_x) {
     const double at = frame.at(x, low.y()).x();
     drawing.shapes.push_back(DrawnLine{{{at, kTop}, {at, bottom}}, "#eceef1", 1.0});
-    drawing.shapes.push_back(DrawnText{{at, bottom + 14.0}, number(x, step_x), TextAnchor::Middle, 10.0});
+    drawing.shapes.push_back(DrawnText{{at, bottom + 14.0}, tick_label(x, step_x), TextAnchor::Middle, 10.0});
   }
   for (double y = std::ceil(low.y() / step_y) * step_y; y <= high.y(); y += step_y) {
     const double at = frame.at(low.x(), y).y();
     drawing.shapes.push_back(DrawnLine{{{kLeft, at}, {kLeft + frame.size.x(), at}}, "#eceef1", 1.0});
-    drawing.shapes.push_back(DrawnText{{kLeft - 5.0, at + 3.5}, number(y, step_y), TextAnchor::End, 10.0});
+    drawing.shapes.push_back(DrawnText{{kLeft - 5.0, at + 3.5}, tick_label(y, step_y), TextAnchor::End, 10.0});
   }
   drawing.shapes.push_back(
       DrawnLine{{{kLeft, kTop}, {kLeft, bottom}, {kLeft + frame.size.x(), bottom}}, "#8a8f98", 1.0});

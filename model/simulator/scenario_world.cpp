@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 namespace {
 
 constexpr std::uint64_t kHighwayStream = 31, kTunnelStream = 32;
-constexpr double kBury_m = 1.5;
+constexpr double kScenarioBury_m = 1.5;
 constexpr double kRight_m = -2.8, kLeft_m = 6.0;  ///< edges of the two lanes, across from the middle of the driven one
 constexpr double kBefore_m = 90.0, kBeyond_m = 130.0;  ///< built before the start and beyond the end
 
@@ -45,7 +45,7 @@ class RoadBuilder {
     post.centre = road_.point_in_road(along_m, left_m);
     post.radius_m = radius_m;
     const double ground_m = ground_.height_m(post.centre.x(), post.centre.y());
-    post.bottom_m = ground_m - kBury_m;
+    post.bottom_m = ground_m - kScenarioBury_m;
     post.top_m = ground_m + top_m;
     cylinders_.push_back(post);
   }
@@ -67,7 +67,7 @@ void highway_side(RoadBuilder& builder, double from_m, double side) {
   if (random.uniform() < 0.3) {
     const double away_m = random.uniform(4.0, 7.0), top_m = random.uniform(2.0, 4.0);
     for (double s = from_m; s < from_m + 200.0; s += 5.0)
-      builder.box(s + 2.5, edge_m + side * away_m, {2.5, 0.1}, -kBury_m, top_m, 0.5);
+      builder.box(s + 2.5, edge_m + side * away_m, {2.5, 0.1}, -kScenarioBury_m, top_m, 0.5);
     return;
   }
   for (double s = from_m; s < from_m + 200.0; s += random.uniform(5.0, 15.0))
@@ -103,7 +103,7 @@ void open_road(RoadBuilder& builder, double from_m, double to_m) {
       builder.post(s, edge_m + side * random.uniform(0.8, 5.0), random.uniform(0.08, 0.3), random.uniform(2.0, 7.0));
     for (double s = from_m; s < to_m; s += random.uniform(10.0, 20.0))
       builder.box(s, edge_m + side * random.uniform(6.0, 10.0), {random.uniform(1.0, 4.0), random.uniform(1.0, 2.0)},
-                  -kBury_m, random.uniform(1.5, 5.0), random.uniform(0.3, 0.8));
+                  -kScenarioBury_m, random.uniform(1.5, 5.0), random.uniform(0.3, 0.8));
   }
 }
 
@@ -115,7 +115,7 @@ void portal(RoadBuilder& builder, double at_m, double inwards) {
   builder.box(at_m, middle_m, {0.5, 0.5 * width_m + 6.0}, kCeiling_m, kCeiling_m + 3.5, 0.5);
   for (const double side : {-1.0, 1.0}) {
     const double edge_m = side > 0.0 ? kLeft_m : kRight_m;
-    builder.box(at_m, edge_m + side * 3.0, {0.5, 3.0}, -kBury_m, kCeiling_m, 0.5);
+    builder.box(at_m, edge_m + side * 3.0, {0.5, 3.0}, -kScenarioBury_m, kCeiling_m, 0.5);
     for (double away_m = 3.0; away_m < 60.0; away_m += builder.random.uniform(5.0, 12.0)) {
       const double bottom_m = builder.random.uniform(0.2, 2.0);
       builder.box(at_m + inwards * away_m, edge_m, {builder.random.uniform(0.2, 0.6), 0.3}, bottom_m,
@@ -136,8 +136,8 @@ World tunnel_world(const Road& road, const Ground& ground, const SimulationOptio
     // Longer by what the outer side of a bend is longer.
     const double half_m = 0.505 * piece_m;
     for (const double side : {-1.0, 1.0})
-      builder.box(s, (side > 0.0 ? kLeft_m : kRight_m) + side * 0.5 * kWall_m, {half_m, 0.5 * kWall_m}, -kBury_m,
-                  kCeiling_m, 0.35);
+      builder.box(s, (side > 0.0 ? kLeft_m : kRight_m) + side * 0.5 * kWall_m, {half_m, 0.5 * kWall_m},
+                  -kScenarioBury_m, kCeiling_m, 0.35);
     builder.box(s, middle_m, {half_m, 0.5 * width_m + kWall_m}, kCeiling_m, kCeiling_m + 0.5, 0.35);
   }
   portal(builder, reach.from_m, 1.0);

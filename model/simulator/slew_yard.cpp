@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr std::uint64_t kYardStream = 30;
-constexpr double kBury_m = 1.5;
+constexpr double kYardBury_m = 1.5;
 
 /// Share of the turn that is done at a share of the drive; see speed_profile.cpp for the polynomial.
 double turned_share(double drive_share) {
@@ -50,7 +50,7 @@ World yard_world(int seed) {
     box.yaw_rad = random.uniform(0.0, kPi);
     const bool shed = random.uniform() < 0.3;
     box.half = shed ? Vector2d(random.uniform(3.0, 5.0), random.uniform(2.0, 4.0)) : Vector2d(3.03, 1.22);
-    box.bottom_m = -kBury_m;
+    box.bottom_m = -kYardBury_m;
     box.top_m = shed ? random.uniform(3.5, 6.0) : 2.6 * (random.uniform() < 0.3 ? 2.0 : 1.0);
     box.albedo = static_cast<float>(random.uniform(0.3, 0.8));
     boxes.push_back(box);
@@ -58,7 +58,7 @@ World yard_world(int seed) {
     const double post_bearing = bearing + kPi / kPlaces;
     post.centre = random.uniform(12.0, 26.0) * Vector2d(std::cos(post_bearing), std::sin(post_bearing));
     post.radius_m = random.uniform(0.08, 0.2);
-    post.bottom_m = -kBury_m;
+    post.bottom_m = -kYardBury_m;
     post.top_m = random.uniform(3.0, 7.0);
     cylinders.push_back(post);
   }

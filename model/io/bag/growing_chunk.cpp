@@ -7,7 +7,7 @@
 namespace remount {
 namespace {
 
-constexpr std::uint64_t kPieceBytes = std::uint64_t{64} << 10;
+constexpr std::uint64_t kGrowthBytes = std::uint64_t{64} << 10;
 
 }  // namespace
 
@@ -53,12 +53,12 @@ void GrowingChunk::grow(std::uint64_t needed) const {
 
 void GrowingChunk::unpack_piece() const {
   if (left_.empty() && packed_read_ < chunk_.packed_bytes) {
-    packed_ = file_->read(chunk_.offset + packed_read_, std::min(kPieceBytes, chunk_.packed_bytes - packed_read_));
+    packed_ = file_->read(chunk_.offset + packed_read_, std::min(kGrowthBytes, chunk_.packed_bytes - packed_read_));
     packed_read_ += packed_.size();
     left_ = packed_;
   }
   const std::size_t before = bytes_.size(), left = left_.size();
-  std::size_t room = static_cast<std::size_t>(std::min(kPieceBytes, size() - before));
+  std::size_t room = static_cast<std::size_t>(std::min(kGrowthBytes, size() - before));
   bytes_.resize(before + room);
   const UnpackStep outcome = unpacker_->step(left_, bytes_.data() + before, room);
   bytes_.resize(before + room);

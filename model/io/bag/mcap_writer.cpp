@@ -5,6 +5,7 @@
 #include "model/io/append_file.h"
 #include "model/io/bag/bag_writer.h"
 #include "model/io/bag/mcap_format.h"
+#include "model/io/bag/raw_bytes.h"
 #include "model/io/crc32.h"
 
 namespace remount {
@@ -12,17 +13,10 @@ namespace {
 
 using namespace mcap;
 
-template <class T>
-std::string raw(T value) {
-  std::string bytes(sizeof(T), '\0');
-  std::memcpy(bytes.data(), &value, sizeof(T));
-  return bytes;
-}
-
-std::string counted(std::string_view text) { return raw(static_cast<std::uint32_t>(text.size())).append(text); }
+std::string counted(std::string_view text) { return raw_bytes(static_cast<std::uint32_t>(text.size())).append(text); }
 
 std::string record(Op op, std::string_view content) {
-  return (raw<std::uint8_t>(op) + raw<std::uint64_t>(content.size())).append(content);
+  return (raw_bytes<std::uint8_t>(op) + raw_bytes<std::uint64_t>(content.size())).append(content);
 }
 
 class McapWriter final : public BagWriter {
@@ -39,10 +33,10 @@ class McapWriter final : public BagWriter {
   std::uint32_t add_topic(const std::string& name, const MessageDefinition& definition) override {
     const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
     // A schema for each channel; that two channels have the same does no harm.
-    schemas_ += record(kSchema, raw(id) + counted(definition.type) + counted(ros1() ? "ros1msg" : "ros2msg") +
+    schemas_ += record(kSchema, raw_bytes(id) + counted(definition.type) + counted(ros1() ? "ros1msg" : "ros2msg") +
                                     counted(definition.text));
-    channels_.push_back(
-        record(kChannel, raw(id) + raw(id) + counted(name) + counted(ros1() ? "ros1" : "cdr") + raw<std::uint32_t>(0)));
+    channels_.push_back(record(kChannel, raw_bytes(id) + raw_bytes(id) + counted(name) +
+                                             counted(ros1() ? "ros1" : "cdr") + raw_bytes<std::uint32_t>(0)));
     counts_.push_back(0);
     return id - 1U;
   }
@@ -57,15 +51,16 @@ class McapWriter final : public BagWriter {
     if (index_.empty()) start_ns_ = log_time_ns;
     if (counts_total() == 0) first_ns_ = log_time_ns;
     end_ns_ = log_time_ns;
-    index_[channel] += raw(log_time_ns) + raw<std::uint64_t>(chunk_.size());
-    std::string content = raw(channel) + raw(counts_.at(topic)++) + raw(log_time_ns) + raw(log_time_ns);
+    index_[channel] += raw_bytes(log_time_ns) + raw_bytes<std::uint64_t>(chunk_.size());
+    std::string content =
+        raw_bytes(channel) + raw_bytes(counts_.at(topic)++) + raw_bytes(log_time_ns) + raw_bytes(log_time_ns);
     chunk_ += record(kMessage, content.append(message));
     if (chunk_.size() >= chunk_bytes_) close_chunk();
   }
 
   void finish() override {
     if (!index_.empty()) close_chunk();
-    append(record(kDataEnd, raw(checksum_)));
+    append(record(kDataEnd, raw_bytes(checksum_)));
     checksum_ = 0;  // the summary has its own
     const std::uint64_t summary = file_.size();
     append(schemas_);
@@ -74,10 +69,11 @@ class McapWriter final : public BagWriter {
     const std::uint64_t chunk_indexes = file_.size();
     for (const std::string& index : chunk_indexes_) append(index);
     const std::uint64_t offsets = file_.size();
-    append(record(kSummaryOffset, raw<std::uint8_t>(kChunkIndex) + raw(chunk_indexes) + raw(offsets - chunk_indexes)));
-    const std::string footer = raw(summary) + raw(offsets) + raw<std::uint32_t>(0);
+    append(record(kSummaryOffset, raw_bytes<std::uint8_t>(kChunkIndex) + raw_bytes(chunk_indexes) +
+                                      raw_bytes(offsets - chunk_indexes)));
+    const std::string footer = raw_bytes(summary) + raw_bytes(offsets) + raw_bytes<std::uint32_t>(0);
     append(record(kFooter, footer).substr(0, kRecordHead + footer.size() - sizeof(std::uint32_t)));
-    append(raw(checksum_));
+    append(raw_bytes(checksum_));
     append(kMagic);
     file_.finish();
   }
@@ -98,10 +94,11 @@ class McapWriter final : public BagWriter {
     const auto count = static_cast<std::uint16_t>(channels_.size());
     std::string each;
     for (std::size_t i = 0; i < counts_.size(); ++i)
-      each += raw(static_cast<std::uint16_t>(i + 1)) + raw<std::uint64_t>(counts_[i]);
-    return raw(counts_total()) + raw(count) + raw<std::uint32_t>(count) + raw<std::uint32_t>(0) +
-           raw<std::uint32_t>(0) + raw(static_cast<std::uint32_t>(chunk_indexes_.size())) + raw(first_ns_) +
-           raw(end_ns_) + counted(each);
+      each += raw_bytes(static_cast<std::uint16_t>(i + 1)) + raw_bytes<std::uint64_t>(counts_[i]);
+    return raw_bytes(counts_total()) + raw_bytes(count) + raw_bytes<std::uint32_t>(count) +
+           raw_bytes<std::uint32_t>(0) + raw_bytes<std::uint32_t>(0) +
+           raw_bytes(static_cast<std::uint32_t>(chunk_indexes_.size())) + raw_bytes(first_ns_) + raw_bytes(end_ns_) +
+           counted(each);
   }
 
   void close_chunk() {
@@ -110,19 +107,20 @@ class McapWriter final : public BagWriter {
                                                                : "";
     const std::string packed = pack_chunk(compression_, chunk_);
     const std::uint64_t start = file_.size();
-    std::string head = raw(start_ns_) + raw(end_ns_) + raw<std::uint64_t>(chunk_.size()) + raw(crc32(chunk_));
-    head += counted(name) + raw<std::uint64_t>(packed.size());
+    std::string head =
+        raw_bytes(start_ns_) + raw_bytes(end_ns_) + raw_bytes<std::uint64_t>(chunk_.size()) + raw_bytes(crc32(chunk_));
+    head += counted(name) + raw_bytes<std::uint64_t>(packed.size());
     append(record(kChunk, head + packed));
     const std::uint64_t indexes = file_.size();
     std::string offsets;
     for (const auto& [channel, items] : index_) {
-      offsets += raw(channel) + raw(file_.size());
-      append(record(kMessageIndex, raw(channel) + counted(items)));
+      offsets += raw_bytes(channel) + raw_bytes(file_.size());
+      append(record(kMessageIndex, raw_bytes(channel) + counted(items)));
     }
-    chunk_indexes_.push_back(record(kChunkIndex, raw(start_ns_) + raw(end_ns_) + raw(start) + raw(indexes - start) +
-                                                     counted(offsets) + raw(file_.size() - indexes) + counted(name) +
-                                                     raw<std::uint64_t>(packed.size()) +
-                                                     raw<std::uint64_t>(chunk_.size())));
+    chunk_indexes_.push_back(
+        record(kChunkIndex, raw_bytes(start_ns_) + raw_bytes(end_ns_) + raw_bytes(start) + raw_bytes(indexes - start) +
+                                counted(offsets) + raw_bytes(file_.size() - indexes) + counted(name) +
+                                raw_bytes<std::uint64_t>(packed.size()) + raw_bytes<std::uint64_t>(chunk_.size())));
     chunk_.clear();
     index_.clear();
   }

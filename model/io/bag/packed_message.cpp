@@ -16,7 +16,7 @@ constexpr std::uint64_t kMagicBytes = 4;
 constexpr std::uint64_t kFirstBlock = (std::uint64_t{128} << 10) + 64;
 /// As large may a message of a small bag become; that of a larger one three times the file, but never beyond the
 /// longest that a recorder keeps.
-constexpr std::uint64_t kLargeMessage = std::uint64_t{64} << 20, kLargestMessage = std::uint64_t{1} << 30;
+constexpr std::uint64_t kLargeUnpacked = std::uint64_t{64} << 20, kLargestMessage = std::uint64_t{1} << 30;
 
 Error too_large(const std::string& where, std::uint64_t most) {
   return {ErrorCode::Format, where,
@@ -29,7 +29,7 @@ Error too_large(const std::string& where, std::uint64_t most) {
 std::string message_content(const StoredMessage& message, std::uint64_t at_most) {
   std::string packed = message.read(std::min(message.bytes, std::max(at_most, kMagicBytes)));
   if (!is_zstd(packed)) return packed.substr(0, at_most);
-  const std::uint64_t most = std::clamp(3 * message.file_bytes, kLargeMessage, kLargestMessage);
+  const std::uint64_t most = std::clamp(3 * message.file_bytes, kLargeUnpacked, kLargestMessage);
   const unsigned long long promised = ZSTD_getFrameContentSize(packed.data(), packed.size());
   if (promised != ZSTD_CONTENTSIZE_UNKNOWN && promised != ZSTD_CONTENTSIZE_ERROR && promised > most)
     throw too_large(message.where, most);

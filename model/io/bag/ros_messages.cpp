@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-[[noreturn]] void fail(const MessageReader& reader, const std::string& what) {
+[[noreturn]] void fail_message(const MessageReader& reader, const std::string& what) {
   throw Error(ErrorCode::Format, reader.where(), what);
 }
 
@@ -28,7 +28,7 @@ Eigen::Quaterniond read_quaternion(MessageReader& reader) {
 Eigen::Quaterniond checked(const Eigen::Quaterniond& q, const MessageReader& reader) {
   const double norm = q.norm();
   // Drivers that write floats are off by 1e-7; nothing that means a rotation is off by a tenth.
-  if (!(std::abs(norm - 1.0) < 0.1)) fail(reader, "the orientation is no quaternion of length 1");
+  if (!(std::abs(norm - 1.0) < 0.1)) fail_message(reader, "the orientation is no quaternion of length 1");
   return q.normalized();
 }
 
@@ -53,7 +53,7 @@ std::optional<Eigen::Vector3d> read_measured(MessageReader& reader, bool& denied
 RigidTransform read_rigid(MessageReader& reader) {
   const Eigen::Vector3d translation = read_vector(reader);
   const Eigen::Quaterniond rotation = checked(read_quaternion(reader), reader);
-  if (!translation.allFinite()) fail(reader, "the position is not finite");
+  if (!translation.allFinite()) fail_message(reader, "the position is not finite");
   return make_rigid(rotation.toRotationMatrix(), translation);
 }
 
@@ -112,7 +112,7 @@ GpsTime read_gps_driver_header(MessageReader& reader) {
   reader.string();                 // time status
   time.week = reader.number<std::uint32_t>();
   const double seconds = reader.number<double>();
-  if (!(seconds >= 0.0 && seconds <= 604'800.0)) fail(reader, "the GPS time of week is not possible");
+  if (!(seconds >= 0.0 && seconds <= 604'800.0)) fail_message(reader, "the GPS time of week is not possible");
   time.time_of_week_ns = std::llround(seconds * 1e9);
   constexpr int kReceiverFlags = 23;
   reader.number<std::uint32_t>();  // receiver status, in bits and once more flag by flag
@@ -198,7 +198,7 @@ FixMessage read_fix(MessageReader& reader) {
   if (known && covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0) message.covariance_enu_m2 = covariance;
   // Without a fix receivers write NaN: such a message is whole, and its reader looks at the status.
   if (message.status >= 0 && !plausible_geodetic(message.latitude_rad, message.longitude_rad, message.height_m))
-    fail(reader, "latitude, longitude or height is not possible");
+    fail_message(reader, "latitude, longitude or height is not possible");
   return message;
 }
 
@@ -242,7 +242,7 @@ InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type
   InspvaxValues values = read_values(reader);
   values.quality = inspvax_quality(status);
   const auto stamp_ns = unix_ns_from_gps_week(time.week, time.time_of_week_ns);
-  if (!stamp_ns) fail(reader, "GPS week and time of week are no GPS time");
+  if (!stamp_ns) fail_message(reader, "GPS week and time of week are no GPS time");
   message.sample = ins_sample(values, reader.where());
   message.sample.stamp_ns = *stamp_ns;
   return message;

@@ -3,16 +3,14 @@
 #include <algorithm>
 
 #include "model/io/bag/byte_reader.h"
+#include "model/io/bag/rosbag1_format.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
 namespace {
 
-constexpr std::string_view kMagic = "#ROSBAG V2.0\n";
-constexpr std::uint64_t kHeadBytes = 512;  // most record headers fit
+constexpr std::uint64_t kRecordHeadBytes = 512;  // most record headers fit
 constexpr std::uint64_t kMaxHeaderBytes = std::uint64_t{1} << 20;
-
-enum Op : std::uint8_t { kMessage = 2, kBagHeader = 3, kIndexData = 4, kChunk = 5, kChunkInfo = 6, kConnection = 7 };
 
 using Fields = std::map<std::string, std::string, std::less<>>;
 
@@ -64,7 +62,7 @@ Rosbag1File::Record Rosbag1File::read_record(const ByteSource& source, std::uint
   Record record;
   record.where = source.place(offset);
   if (offset >= source.size()) throw Error(ErrorCode::Format, record.where, "a record is expected behind the end");
-  std::string head = source.read(offset, std::min(kHeadBytes, source.size() - offset));
+  std::string head = source.read(offset, std::min(kRecordHeadBytes, source.size() - offset));
   const std::uint64_t header_bytes = ByteReader(head, record.where).number<std::uint32_t>();
   if (header_bytes > kMaxHeaderBytes)
     throw Error(ErrorCode::Format, record.where,
@@ -85,16 +83,17 @@ Rosbag1File::Record Rosbag1File::read_record(const ByteSource& source, std::uint
 Rosbag1File::Rosbag1File(const std::filesystem::path& path, Progress& progress) : chunks_(path) {
   files_ = {path};
   const RandomAccessFile& file = chunks_.file();
-  const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), kMagic.size()));
-  if (head.size() < kMagic.size() && is_rosbag1(head))
+  const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), rosbag1::kMagic.size()));
+  if (head.size() < rosbag1::kMagic.size() && is_rosbag1(head))
     throw Error(ErrorCode::Format, path.string(), "the bag holds no readable message (it was not closed).");
-  if (head != kMagic)
+  if (head != rosbag1::kMagic)
     throw Error(ErrorCode::Unsupported, path.string(),
                 is_rosbag1(head) ? "is a bag of an older version; 'rosbag fix' makes one of version 2.0"
                                  : "is no bag of ROS 1");
   const auto whole = chunks_.source(kNoChunk);
-  const Record header = read_record(*whole, kMagic.size());
-  if (header.op() != kBagHeader) throw Error(ErrorCode::Format, header.where, "expected the header of the bag");
+  const Record header = read_record(*whole, rosbag1::kMagic.size());
+  if (header.op() != rosbag1::kBagHeader)
+    throw Error(ErrorCode::Format, header.where, "expected the header of the bag");
   if (const auto encryptor = header.fields.find("encryptor");
       encryptor != header.fields.end() && !encryptor->second.empty())
     throw Error(ErrorCode::Unsupported, header.where, "the bag is encrypted");
@@ -147,8 +146,8 @@ void Rosbag1File::read_index(std::uint64_t index_offset, std::uint32_t chunk_cou
   std::vector<std::uint64_t> chunk_offsets;
   for (std::uint64_t offset = index_offset; offset < whole->size();) {
     const Record record = read_record(*whole, offset);
-    if (record.op() == kConnection) add_connection(*whole, record);
-    if (record.op() == kChunkInfo) chunk_offsets.push_back(record.number<std::uint64_t>("chunk_pos"));
+    if (record.op() == rosbag1::kConnection) add_connection(*whole, record);
+    if (record.op() == rosbag1::kChunkInfo) chunk_offsets.push_back(record.number<std::uint64_t>("chunk_pos"));
     offset = record.end();
   }
   if (chunk_offsets.size() < chunk_count)
@@ -168,11 +167,12 @@ void Rosbag1File::read_index(std::uint64_t index_offset, std::uint32_t chunk_cou
 void Rosbag1File::read_chunk_index(std::uint64_t chunk_offset) {
   const auto whole = chunks_.source(kNoChunk);
   const Record record = read_record(*whole, chunk_offset);
-  if (record.op() != kChunk) throw Error(ErrorCode::Format, record.where, "the index says a chunk begins here");
+  if (record.op() != rosbag1::kChunk)
+    throw Error(ErrorCode::Format, record.where, "the index says a chunk begins here");
   const std::uint32_t chunk = chunks_.add(chunk_of(record, false));
   for (std::uint64_t offset = record.end(); offset < whole->size();) {
     const Record index = read_record(*whole, offset);
-    if (index.op() != kIndexData) return;
+    if (index.op() != rosbag1::kIndexData) return;
     if (index.number<std::uint32_t>("ver") != 1)
       throw Error(ErrorCode::Format, index.where, "the index has another version than 1");
     const std::size_t topic = topic_of(index.number<std::uint32_t>("conn"), index.where);
@@ -196,8 +196,8 @@ void Rosbag1File::scan_chunk(const Record& record, bool cut) {
   const auto source = chunks_.source(chunk);
   for (std::uint64_t offset = 0; offset < source->size();) {
     const Record inner = read_record(*source, offset);
-    if (inner.op() == kConnection) add_connection(*source, inner);
-    if (inner.op() == kMessage) {
+    if (inner.op() == rosbag1::kConnection) add_connection(*source, inner);
+    if (inner.op() == rosbag1::kMessage) {
       BagEntry entry;
       ByteReader time(inner.field("time"), inner.where);
       entry.log_time_ns = read_time_ns(time);
@@ -221,7 +221,7 @@ void Rosbag1File::scan(std::uint64_t offset, const std::string& why, Progress& p
       const bool cut = record.data_bytes > whole->size() - record.data_offset;
       offset = cut ? whole->size() : record.end();
       if (cut) end = "It ends in the middle of a record.";
-      if (record.op() == kChunk) try {
+      if (record.op() == rosbag1::kChunk) try {
           scan_chunk(record, cut);
         } catch (const Error& error) {
           if (!cut && damaged_chunks++ == 0) first_damage = error.what();
@@ -244,7 +244,8 @@ void Rosbag1File::scan(std::uint64_t offset, const std::string& why, Progress& p
 std::string Rosbag1File::message(const BagEntry& entry, std::size_t at_most) const {
   const auto source = chunks_.source(entry.chunk);
   const Record record = read_record(*source, entry.offset);
-  if (record.op() != kMessage) throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
+  if (record.op() != rosbag1::kMessage)
+    throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
   return source->read(record.data_offset, std::min<std::uint64_t>(record.data_bytes, at_most));
 }
 

@@ -5,24 +5,17 @@
 #include "algorithms/core/error.h"
 #include "model/io/append_file.h"
 #include "model/io/bag/bag_writer.h"
+#include "model/io/bag/raw_bytes.h"
+#include "model/io/bag/rosbag1_format.h"
 
 namespace remount {
 namespace {
 
 constexpr std::size_t kBagHeaderBytes = 4096;
 
-enum Op : std::uint8_t { kMessage = 2, kBagHeader = 3, kIndexData = 4, kChunk = 5, kChunkInfo = 6, kConnection = 7 };
-
-template <class T>
-std::string raw(T value) {
-  std::string bytes(sizeof(T), '\0');
-  std::memcpy(bytes.data(), &value, sizeof(T));
-  return bytes;
-}
-
 std::string raw_time(std::int64_t time_ns) {
-  return raw(static_cast<std::uint32_t>(time_ns / 1'000'000'000)) +
-         raw(static_cast<std::uint32_t>(time_ns % 1'000'000'000));
+  return raw_bytes(static_cast<std::uint32_t>(time_ns / 1'000'000'000)) +
+         raw_bytes(static_cast<std::uint32_t>(time_ns % 1'000'000'000));
 }
 
 using Field = std::pair<std::string_view, std::string>;
@@ -30,17 +23,17 @@ using Field = std::pair<std::string_view, std::string>;
 std::string fields_text(const std::vector<Field>& fields) {
   std::string text;
   for (const auto& [name, value] : fields) {
-    text += raw(static_cast<std::uint32_t>(name.size() + 1 + value.size()));
+    text += raw_bytes(static_cast<std::uint32_t>(name.size() + 1 + value.size()));
     text.append(name).append("=").append(value);
   }
   return text;
 }
 
-std::string record(Op op, std::vector<Field> fields, std::string_view data) {
-  fields.insert(fields.begin(), {"op", raw<std::uint8_t>(op)});
+std::string record(rosbag1::Op op, std::vector<Field> fields, std::string_view data) {
+  fields.insert(fields.begin(), {"op", raw_bytes<std::uint8_t>(op)});
   const std::string header = fields_text(fields);
-  std::string bytes = raw(static_cast<std::uint32_t>(header.size())) + header;
-  bytes += raw(static_cast<std::uint32_t>(data.size()));
+  std::string bytes = raw_bytes(static_cast<std::uint32_t>(header.size())) + header;
+  bytes += raw_bytes(static_cast<std::uint32_t>(data.size()));
   return bytes.append(data);
 }
 
@@ -53,7 +46,7 @@ class Rosbag1Writer final : public BagWriter {
  public:
   Rosbag1Writer(const std::filesystem::path& path, ChunkCompression compression, std::size_t chunk_bytes)
       : file_(path), compression_(compression), chunk_bytes_(chunk_bytes) {
-    file_.append("#ROSBAG V2.0\n");
+    file_.append(std::string(rosbag1::kMagic));
     file_.append(bag_header(0));
   }
 
@@ -65,7 +58,7 @@ class Rosbag1Writer final : public BagWriter {
                                           {"type", definition.type},
                                           {"md5sum", definition.md5},
                                           {"message_definition", definition.text}});
-    connections_.push_back(record(kConnection, {{"conn", raw(id)}, {"topic", name}}, data));
+    connections_.push_back(record(rosbag1::kConnection, {{"conn", raw_bytes(id)}, {"topic", name}}, data));
     written_.push_back(false);
     return id;
   }
@@ -76,7 +69,7 @@ class Rosbag1Writer final : public BagWriter {
     if (index_.empty()) start_ns_ = log_time_ns;
     end_ns_ = log_time_ns;
     index_[topic].push_back({log_time_ns, static_cast<std::uint32_t>(chunk_.size())});
-    chunk_ += record(kMessage, {{"conn", raw(topic)}, {"time", raw_time(log_time_ns)}}, message);
+    chunk_ += record(rosbag1::kMessage, {{"conn", raw_bytes(topic)}, {"time", raw_time(log_time_ns)}}, message);
     if (chunk_.size() >= chunk_bytes_) close_chunk();
   }
 
@@ -85,17 +78,17 @@ class Rosbag1Writer final : public BagWriter {
     const std::uint64_t index_offset = file_.size();
     for (const std::string& connection : connections_) file_.append(connection);
     for (const std::string& info : chunk_infos_) file_.append(info);
-    file_.overwrite(std::string_view("#ROSBAG V2.0\n").size(), bag_header(index_offset));
+    file_.overwrite(rosbag1::kMagic.size(), bag_header(index_offset));
     file_.finish();
   }
 
  private:
   std::string bag_header(std::uint64_t index_offset) const {
-    const std::vector<Field> fields{{"index_pos", raw(index_offset)},
-                                    {"conn_count", raw(static_cast<std::uint32_t>(connections_.size()))},
-                                    {"chunk_count", raw(static_cast<std::uint32_t>(chunk_infos_.size()))}};
-    const std::size_t bytes = record(kBagHeader, fields, "").size();
-    return record(kBagHeader, fields, std::string(kBagHeaderBytes - bytes, ' '));
+    const std::vector<Field> fields{{"index_pos", raw_bytes(index_offset)},
+                                    {"conn_count", raw_bytes(static_cast<std::uint32_t>(connections_.size()))},
+                                    {"chunk_count", raw_bytes(static_cast<std::uint32_t>(chunk_infos_.size()))}};
+    const std::size_t bytes = record(rosbag1::kBagHeader, fields, "").size();
+    return record(rosbag1::kBagHeader, fields, std::string(kBagHeaderBytes - bytes, ' '));
   }
 
   void close_chunk() {
@@ -103,22 +96,24 @@ class Rosbag1Writer final : public BagWriter {
                        : compression_ == ChunkCompression::Lz4 ? "lz4"
                                                                : "none";
     const std::uint64_t offset = file_.size();
-    file_.append(record(kChunk, {{"compression", name}, {"size", raw(static_cast<std::uint32_t>(chunk_.size()))}},
+    file_.append(record(rosbag1::kChunk,
+                        {{"compression", name}, {"size", raw_bytes(static_cast<std::uint32_t>(chunk_.size()))}},
                         pack_chunk(compression_, chunk_)));
     std::string counts;
     for (const auto& [topic, entries] : index_) {
       std::string data;
-      for (const IndexEntry& entry : entries) data += raw_time(entry.time_ns) + raw(entry.offset);
-      const std::string count = raw(static_cast<std::uint32_t>(entries.size()));
-      file_.append(record(kIndexData, {{"ver", raw<std::uint32_t>(1)}, {"conn", raw(topic)}, {"count", count}}, data));
-      counts += raw(topic) + count;
+      for (const IndexEntry& entry : entries) data += raw_time(entry.time_ns) + raw_bytes(entry.offset);
+      const std::string count = raw_bytes(static_cast<std::uint32_t>(entries.size()));
+      file_.append(record(rosbag1::kIndexData,
+                          {{"ver", raw_bytes<std::uint32_t>(1)}, {"conn", raw_bytes(topic)}, {"count", count}}, data));
+      counts += raw_bytes(topic) + count;
     }
-    chunk_infos_.push_back(record(kChunkInfo,
-                                  {{"ver", raw<std::uint32_t>(1)},
-                                   {"chunk_pos", raw(offset)},
+    chunk_infos_.push_back(record(rosbag1::kChunkInfo,
+                                  {{"ver", raw_bytes<std::uint32_t>(1)},
+                                   {"chunk_pos", raw_bytes(offset)},
                                    {"start_time", raw_time(start_ns_)},
                                    {"end_time", raw_time(end_ns_)},
-                                   {"count", raw(static_cast<std::uint32_t>(index_.size()))}},
+                                   {"count", raw_bytes(static_cast<std::uint32_t>(index_.size()))}},
                                   counts));
     chunk_.clear();
     index_.clear();
