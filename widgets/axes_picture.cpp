@@ -9,7 +9,7 @@
 namespace remount {
 namespace {
 
-struct Words {
+struct AxesText {
   Q_DECLARE_TR_FUNCTIONS(remount::axes_picture)
 };
 
@@ -49,8 +49,8 @@ QImage axes_picture(const QPalette& palette, int width) {
   draw_arrow(painter, {262, 92}, {345, 92}, "x", x);
   draw_arrow(painter, {262, 92}, {262, 24}, "z", z);
   painter.setPen(ink);
-  painter.drawText(QPointF(20, 140), Words::tr("seen from above"));
-  painter.drawText(QPointF(200, 140), Words::tr("seen from the right"));
+  painter.drawText(QPointF(20, 140), AxesText::tr("seen from above"));
+  painter.drawText(QPointF(200, 140), AxesText::tr("seen from the right"));
   return image;
 }
 

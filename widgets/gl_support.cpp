@@ -10,7 +10,7 @@
 
 namespace remount {
 namespace {
-struct Words {
+struct GlText {
   Q_DECLARE_TR_FUNCTIONS(remount::gl_support)
 };
 }  // namespace
@@ -25,18 +25,18 @@ void prepare_gl() {
 QString missing_gl_reason() {
   const QString platform = QGuiApplication::platformName();
   if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal"))
-    return Words::tr("the display platform \"%1\" has no OpenGL").arg(platform);
+    return GlText::tr("the display platform \"%1\" has no OpenGL").arg(platform);
   QOpenGLContext context;
   if (!context.create())
-    return Words::tr("no OpenGL context could be made; over a remote connection, allow GLX or use a local display");
+    return GlText::tr("no OpenGL context could be made; over a remote connection, allow GLX or use a local display");
   QOffscreenSurface surface;
   surface.setFormat(context.format());
   surface.create();
-  if (!surface.isValid() || !context.makeCurrent(&surface)) return Words::tr("the OpenGL context cannot be used");
+  if (!surface.isValid() || !context.makeCurrent(&surface)) return GlText::tr("the OpenGL context cannot be used");
   const QSurfaceFormat format = context.format();
   context.doneCurrent();
   if (format.version() < qMakePair(3, 2))
-    return Words::tr("OpenGL 3.2 is needed, this display offers %1.%2")
+    return GlText::tr("OpenGL 3.2 is needed, this display offers %1.%2")
         .arg(format.majorVersion())
         .arg(format.minorVersion());
   return {};

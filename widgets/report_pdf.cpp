@@ -16,7 +16,7 @@
 namespace remount {
 namespace {
 
-struct Words {
+struct PdfText {
   Q_DECLARE_TR_FUNCTIONS(remount::report_pdf)
 };
 
@@ -49,8 +49,8 @@ void check_letters(const QString& text, const QFont& font) {
   for (const char32_t letter : text.toUcs4())
     if (letter > 0x7f && QChar::isLetter(letter) && !metrics.inFontUcs4(letter))
       throw Error(ErrorCode::Unsupported, {},
-                  Words::tr("There is no PDF: no font with the letter \"%1\" is installed. For Chinese, install "
-                            "fonts-noto-cjk.")
+                  PdfText::tr("There is no PDF: no font with the letter \"%1\" is installed. For Chinese, install "
+                              "fonts-noto-cjk.")
                       .arg(QString::fromUcs4(&letter, 1))
                       .toStdString());
 }

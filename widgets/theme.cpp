@@ -8,7 +8,7 @@
 
 namespace remount {
 namespace {
-struct Words {
+struct ThemeText {
   Q_DECLARE_TR_FUNCTIONS(remount::theme)
 };
 
@@ -91,13 +91,13 @@ QString state_text(const Pair& pair) {
   const bool by_user = pair.decided_by == DecidedBy::User;
   switch (pair.state) {
     case PairState::Accepted:
-      return by_user ? Words::tr("✓ accepted by you") : Words::tr("✓ accepted");
+      return by_user ? ThemeText::tr("✓ accepted by you") : ThemeText::tr("✓ accepted");
     case PairState::Rejected:
-      return by_user ? Words::tr("✕ rejected by you") : Words::tr("✕ rejected");
+      return by_user ? ThemeText::tr("✕ rejected by you") : ThemeText::tr("✕ rejected");
     case PairState::Proposed:
       break;
   }
-  return Words::tr("• proposed");
+  return ThemeText::tr("• proposed");
 }
 
 QColor severity_color(Severity severity, const QPalette& palette) {

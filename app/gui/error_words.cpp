@@ -8,19 +8,19 @@
 namespace remount {
 namespace {
 
-struct Words {
+struct ErrorText {
   Q_DECLARE_TR_FUNCTIONS(remount::error_words)
 };
 
 QString what_to_try(ErrorCode code) {
   switch (code) {
     case ErrorCode::Io:
-      return Words::tr("Is the disk connected, is there room on it, and may you read and write there?");
+      return ErrorText::tr("Is the disk connected, is there room on it, and may you read and write there?");
     case ErrorCode::Format:
-      return Words::tr(
+      return ErrorText::tr(
           "Was the recording cut off, or the file edited? Copy it from its source again, or leave it out.");
     case ErrorCode::Unsupported:
-      return Words::tr("F1 in the empty window lists what can be opened.");
+      return ErrorText::tr("F1 in the empty window lists what can be opened.");
     case ErrorCode::Contract:
       break;  // says what has to be otherwise
   }

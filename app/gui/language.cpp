@@ -16,7 +16,7 @@ static void name_resources() {
 namespace remount {
 namespace {
 
-const QString kKey = QStringLiteral("language");
+const QString kLanguageKey = QStringLiteral("language");
 
 struct Spoken {
   QString code = QStringLiteral("en");
@@ -45,7 +45,7 @@ QString language_for(const QStringList& system_languages) {
 }
 
 QString preferred_language() {
-  const QString chosen = remembers() ? QSettings().value(kKey).toString() : QString();
+  const QString chosen = remembers() ? QSettings().value(kLanguageKey).toString() : QString();
   for (const Language& language : languages())
     if (language.code == chosen) return chosen;
   return language_for(QLocale::system().uiLanguages());
@@ -60,7 +60,7 @@ void speak(const QString& code, bool remember) {
     QCoreApplication::installTranslator(&now.of_qt);  // buttons of Qt's own dialogs
   if (now.own.load(":/translations/remount_" + code + ".qm")) QCoreApplication::installTranslator(&now.own);
   QLocale::setDefault(code == QLatin1String("en") ? QLocale(QLocale::English) : QLocale(code));
-  if (remember && remembers()) QSettings().setValue(kKey, code);
+  if (remember && remembers()) QSettings().setValue(kLanguageKey, code);
 }
 
 QString spoken_language() { return spoken().code; }

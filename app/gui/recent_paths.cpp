@@ -8,11 +8,11 @@
 
 namespace remount {
 namespace {
-const QString kKey = QStringLiteral("recent/paths");
+const QString kPathsKey = QStringLiteral("recent/paths");
 }  // namespace
 
 RecentPaths::RecentPaths() {
-  if (remembers()) paths_ = QSettings().value(kKey).toStringList();
+  if (remembers()) paths_ = QSettings().value(kPathsKey).toStringList();
   while (paths_.size() > kMost) paths_.removeLast();
 }
 
@@ -30,7 +30,7 @@ void RecentPaths::clear() {
 }
 
 void RecentPaths::keep() const {
-  if (remembers()) QSettings().setValue(kKey, paths_);
+  if (remembers()) QSettings().setValue(kPathsKey, paths_);
 }
 
 QStringList RecentPaths::labels() const {

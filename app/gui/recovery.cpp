@@ -20,7 +20,7 @@ constexpr std::string_view kFormat = "remount-recovery/1";
 constexpr int kMost = 1000000000;
 const QString kLock = QStringLiteral("lock"), kNote = QStringLiteral("note.yaml"), kWork = QStringLiteral("work");
 
-struct Words {
+struct RecoveryText {
   Q_DECLARE_TR_FUNCTIONS(remount::recovery)
 };
 
@@ -93,12 +93,12 @@ RecoveryNotes::RecoveryNotes(const QString& data_folder, Clock clock)
       clock_(std::move(clock)) {
   if (!QDir().mkpath(folder_))
     throw Error(ErrorCode::Io, folder_.toStdString(),
-                Words::tr("cannot be made: work is not saved until you save it").toStdString());
+                RecoveryText::tr("cannot be made: work is not saved until you save it").toStdString());
   lock_ = HolderLock::take(QDir(folder_).filePath(kLock).toStdString()).lock;
   // Unlocked notes would be offered to the next window as those of a crash.
   if (!lock_)
     throw Error(ErrorCode::Io, folder_.toStdString(),
-                Words::tr("cannot be locked: work is not saved until you save it").toStdString());
+                RecoveryText::tr("cannot be locked: work is not saved until you save it").toStdString());
 }
 
 RecoveryNotes::~RecoveryNotes() = default;
@@ -179,9 +179,10 @@ void discard(const RecoveryOffer& offer) {
 QString age_text(const QDateTime& then, const QDateTime& now) {
   const qint64 seconds = then.secsTo(now);
   const bool set_back = seconds < -60;  // the clock, since then
-  if (seconds < 60 && !set_back) return Words::tr("less than a minute ago");
-  if (seconds < 3600 && !set_back) return Words::tr("%n minute(s) ago", nullptr, static_cast<int>(seconds / 60));
-  if (seconds < 24 * 3600 && !set_back) return Words::tr("%n hour(s) ago", nullptr, static_cast<int>(seconds / 3600));
+  if (seconds < 60 && !set_back) return RecoveryText::tr("less than a minute ago");
+  if (seconds < 3600 && !set_back) return RecoveryText::tr("%n minute(s) ago", nullptr, static_cast<int>(seconds / 60));
+  if (seconds < 24 * 3600 && !set_back)
+    return RecoveryText::tr("%n hour(s) ago", nullptr, static_cast<int>(seconds / 3600));
   return QLocale().toString(then.toLocalTime(), QLocale::ShortFormat);
 }
 

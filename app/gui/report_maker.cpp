@@ -20,7 +20,7 @@ namespace remount {
 namespace {
 
 constexpr int kWidth = 900, kHeight = 440;
-constexpr std::size_t kWorst = 3, kBest = 1;
+constexpr std::size_t kWorstShown = 3, kBestShown = 1;
 
 std::string png_of(const RgbImage& picture) {
   const QImage image(picture.rgb.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888);
@@ -106,7 +106,7 @@ void ReportMaker::begin() {
   if (const QString reason = missing_gl_reason(); !reason.isEmpty())
     report_.no_pictures = tr("No pictures of pairs: %1.").arg(reason).toStdString();
   else
-    pairs_ = pairs_to_picture(report_.file.pairs, kWorst, kBest);
+    pairs_ = pairs_to_picture(report_.file.pairs, kWorstShown, kBestShown);
   next_pair();
 }
 

@@ -14,7 +14,7 @@
 
 namespace remount {
 namespace {
-constexpr double kReach_px = 14.0, kMargin_px = 24.0, kFurthest_px = 4.0;
+constexpr double kMapReach_px = 14.0, kMapMargin_px = 24.0, kFurthest_px = 4.0;
 constexpr double kStep = 1.25, kLargest = 2000.0, kSmallest = 1e-4;  // pixels per metre
 }  // namespace
 
@@ -80,7 +80,7 @@ std::optional<QPointF> DriveMap::place_of(int pair) const {
 
 int DriveMap::pair_at(const QPointF& position) const {
   int nearest = -1;
-  double shortest = kReach_px;
+  double shortest = kMapReach_px;
   for (const Link& link : links_) {
     const QPointF off = middle(link) - position;
     const double distance = std::hypot(off.x(), off.y());
@@ -110,8 +110,8 @@ void DriveMap::fit() {
   }
   centre_m_ = 0.5 * (low + high);
   const Eigen::Vector2d size = (high - low).cwiseMax(1.0);
-  pixels_per_m_ =
-      std::max(kSmallest, std::min((width() - 2.0 * kMargin_px) / size.x(), (height() - 2.0 * kMargin_px) / size.y()));
+  pixels_per_m_ = std::max(
+      kSmallest, std::min((width() - 2.0 * kMapMargin_px) / size.x(), (height() - 2.0 * kMapMargin_px) / size.y()));
   update();
 }
 

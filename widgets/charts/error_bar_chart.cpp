@@ -17,7 +17,7 @@
 namespace remount {
 namespace {
 constexpr int kHandle_px = ErrorBarChart::kHandleWidth;
-constexpr int kReach_px = 5;  // how near to the line counts as on it
+constexpr int kLineReach_px = 5;  // how near to the line counts as on it
 }  // namespace
 
 ErrorBarChart::ErrorBarChart(QWidget* parent) : QWidget(parent) {
@@ -128,9 +128,9 @@ QPoint ErrorBarChart::handle() const {
 }
 
 bool ErrorBarChart::at_line(const QPoint& position) const {
-  if (pairs_.empty() || std::abs(position.y() - handle().y()) > kReach_px + 2) return false;
+  if (pairs_.empty() || std::abs(position.y() - handle().y()) > kLineReach_px + 2) return false;
   const bool on_handle = position.x() > plot_area().right();
-  return on_handle || (threshold_ && std::abs(position.y() - handle().y()) <= kReach_px);
+  return on_handle || (threshold_ && std::abs(position.y() - handle().y()) <= kLineReach_px);
 }
 
 std::vector<int> ErrorBarChart::above_threshold() const {

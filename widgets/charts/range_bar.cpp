@@ -11,7 +11,7 @@
 
 namespace remount {
 namespace {
-constexpr double kMargin_px = 6.0, kReach_px = 7.0;
+constexpr double kMargin_px = 6.0, kHandleReach_px = 7.0;
 }
 
 RangeBar::RangeBar(double low, double high, QWidget* parent)
@@ -54,7 +54,7 @@ double RangeBar::value_at(double x) const {
 
 RangeBar::End RangeBar::end_at(double x) const {
   const double to_from = std::abs(x - x_of(from_)), to_to = std::abs(x - x_of(to_));
-  if (std::min(to_from, to_to) > kReach_px) return End::None;
+  if (std::min(to_from, to_to) > kHandleReach_px) return End::None;
   if (to_from == to_to) return x < x_of(from_) ? End::From : End::To;
   return to_from < to_to ? End::From : End::To;
 }

@@ -10,14 +10,14 @@
 namespace remount {
 namespace {
 
-struct Words {
+struct ChangeText {
   Q_DECLARE_TR_FUNCTIONS(remount::option_changes)
 };
 
 QString value_text(const OptionField& field) {
   switch (field.kind) {
     case OptionKind::Switch:
-      return field.value.toBool() ? Words::tr("on") : Words::tr("off");
+      return field.value.toBool() ? ChangeText::tr("on") : ChangeText::tr("off");
     case OptionKind::Integer:
       return field.value.toString() + screen_suffix(field);
     case OptionKind::Real:
@@ -38,7 +38,7 @@ QStringList setting_changes(const Settings& then, const Settings& now) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     const OptionField &old = before[i], &present = after[i];
     if (old.value != present.value && affects_result(old.section.toStdString(), old.name.toStdString()))
-      changes << Words::tr("%1 (%2): %3, now %4")
+      changes << ChangeText::tr("%1 (%2): %3, now %4")
                      .arg(option_label(old), section_title(old.section), value_text(old), value_text(present));
   }
   return changes;

@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-struct Words {
+struct MentionText {
   Q_DECLARE_TR_FUNCTIONS(remount::option_mentions)
 };
 
@@ -38,7 +38,7 @@ QString with_option_labels(const QString& text) {
     const auto option = options_by_key().constFind(match.captured());
     if (option == options_by_key().constEnd()) continue;
     said.replace(match.capturedStart(), match.capturedLength(),
-                 Words::tr("“%1” (%2)").arg(option_label(*option), section_title(option->section)));
+                 MentionText::tr("“%1” (%2)").arg(option_label(*option), section_title(option->section)));
   }
   return said;
 }

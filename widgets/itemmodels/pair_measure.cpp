@@ -7,7 +7,7 @@
 
 namespace remount {
 namespace {
-struct Words {
+struct MeasureText {
   Q_DECLARE_TR_FUNCTIONS(remount::pair_measure)
 };
 }  // namespace
@@ -37,13 +37,13 @@ std::optional<double> measured(const Pair& pair, PairMeasure measure) {
 QString measure_name(PairMeasure measure) {
   switch (measure) {
     case PairMeasure::ResidualTranslation:
-      return Words::tr("Residual translation");
+      return MeasureText::tr("Residual translation");
     case PairMeasure::ResidualRotation:
-      return Words::tr("Residual rotation");
+      return MeasureText::tr("Residual rotation");
     case PairMeasure::Rmse:
-      return Words::tr("Alignment RMSE");
+      return MeasureText::tr("Alignment RMSE");
     case PairMeasure::Screw:
-      return Words::tr("INS against LiDAR");
+      return MeasureText::tr("INS against LiDAR");
   }
   return {};
 }

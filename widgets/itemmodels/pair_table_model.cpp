@@ -18,7 +18,7 @@ struct Heading {
   QString title, help;
 };
 
-struct Words {
+struct TableText {
   Q_DECLARE_TR_FUNCTIONS(remount::PairTableModel)
 };
 
@@ -26,40 +26,42 @@ struct Words {
 Heading heading(int column) {
   switch (column) {
     case PairTableModel::State:
-      return {Words::tr("State"), Words::tr("What was decided about the pair, and by whom")};
+      return {TableText::tr("State"), TableText::tr("What was decided about the pair, and by whom")};
     case PairTableModel::ResidualTranslation:
-      return {Words::tr("Δt [cm]"), Words::tr("Translation residual of P X = X Q under the present result")};
+      return {TableText::tr("Δt [cm]"), TableText::tr("Translation residual of P X = X Q under the present result")};
     case PairTableModel::ResidualRotation:
-      return {Words::tr("Δrot [°]"), Words::tr("Rotation residual of P X = X Q under the present result")};
+      return {TableText::tr("Δrot [°]"), TableText::tr("Rotation residual of P X = X Q under the present result")};
     case PairTableModel::Rmse:
-      return {Words::tr("RMSE [cm]"), Words::tr("Of the inlier residuals of the alignment")};
+      return {TableText::tr("RMSE [cm]"), TableText::tr("Of the inlier residuals of the alignment")};
     case PairTableModel::Overlap:
-      return {Words::tr("Overlap"), Words::tr("Share of points of scan a with a neighbour in scan b after alignment")};
+      return {TableText::tr("Overlap"),
+              TableText::tr("Share of points of scan a with a neighbour in scan b after alignment")};
     case PairTableModel::Screw:
-      return {Words::tr("INS–LiDAR [σ]"),
-              Words::tr("How much INS and LiDAR motion differ in turn and advance, whatever the mounting (screw test); "
+      return {
+          TableText::tr("INS–LiDAR [σ]"),
+          TableText::tr("How much INS and LiDAR motion differ in turn and advance, whatever the mounting (screw test); "
                         "in sigma")};
     case PairTableModel::Weight:
-      return {Words::tr("Weight"), Words::tr("Robust weight of the pair in the solution, 0 to 1")};
+      return {TableText::tr("Weight"), TableText::tr("Robust weight of the pair in the solution, 0 to 1")};
     case PairTableModel::Shared:
-      return {Words::tr("Objects"),
-              Words::tr("Static objects that both scans contain; moving ones after the plus sign")};
+      return {TableText::tr("Objects"),
+              TableText::tr("Static objects that both scans contain; moving ones after the plus sign")};
     case PairTableModel::Baseline:
-      return {Words::tr("Base [m]"), Words::tr("Distance between the two INS positions")};
+      return {TableText::tr("Base [m]"), TableText::tr("Distance between the two INS positions")};
     case PairTableModel::Rotation:
-      return {Words::tr("Turn [°]"), Words::tr("Angle between the two INS attitudes")};
+      return {TableText::tr("Turn [°]"), TableText::tr("Angle between the two INS attitudes")};
     case PairTableModel::Gap:
-      return {Words::tr("Gap [s]"), Words::tr("Time between the two scans")};
+      return {TableText::tr("Gap [s]"), TableText::tr("Time between the two scans")};
     case PairTableModel::TimeA:
-      return {Words::tr("a [s]"), Words::tr("Time of scan a since the session's first keyframe")};
+      return {TableText::tr("a [s]"), TableText::tr("Time of scan a since the session's first keyframe")};
     case PairTableModel::TimeB:
-      return {Words::tr("b [s]"), Words::tr("Time of scan b since the session's first keyframe")};
+      return {TableText::tr("b [s]"), TableText::tr("Time of scan b since the session's first keyframe")};
     case PairTableModel::SessionName:
-      return {Words::tr("Session"), Words::tr("Drive the pair is from")};
+      return {TableText::tr("Session"), TableText::tr("Drive the pair is from")};
     case PairTableModel::Reason:
-      return {Words::tr("Reason"), Words::tr("Why the pair was rejected or accepted")};
+      return {TableText::tr("Reason"), TableText::tr("Why the pair was rejected or accepted")};
     default:
-      return {QStringLiteral("#"), Words::tr("Number of the pair")};
+      return {QStringLiteral("#"), TableText::tr("Number of the pair")};
   }
 }
 

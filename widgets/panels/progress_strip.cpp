@@ -11,7 +11,7 @@
 
 namespace remount {
 namespace {
-constexpr int kSteps = 1000;  // of the bar
+constexpr int kBarSteps = 1000;  // of the bar
 }  // namespace
 
 QString remaining_text(qint64 elapsed_ms, double done, double total) {
@@ -86,7 +86,8 @@ void ProgressStrip::tick() {
   const qint64 taken_ms = since_stage_.elapsed();
   if (!stage_.isEmpty()) say();
   if (total_ > 0)
-    bar_->setValue(static_cast<int>(kSteps * std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_))));
+    bar_->setValue(
+        static_cast<int>(kBarSteps * std::min(1.0, static_cast<double>(done_) / static_cast<double>(total_))));
   if (cancel_->isHidden()) bar_->setVisible(taken_ms >= kSoon_ms);
   elapsed_->setText(elapsed_text(taken_ms));
   elapsed_->setVisible(total_ == 0 && taken_ms >= kSoon_ms);
@@ -108,7 +109,7 @@ void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulongl
   }
   done_ = done;
   total_ = total;
-  bar_->setRange(0, total > 0 ? kSteps : 0);
+  bar_->setRange(0, total > 0 ? kBarSteps : 0);
   tick();
   second_->start();
 }

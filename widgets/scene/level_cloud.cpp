@@ -10,7 +10,7 @@ namespace remount {
 namespace {
 
 constexpr int kMostLevels = 20;
-constexpr std::size_t kPointsPerCheck = 1U << 20U;
+constexpr std::size_t kDrawnPerCheck = 1U << 20U;
 
 bool is_measured(const Eigen::Vector3f& point) {
   return point.allFinite() && point.cwiseAbs().maxCoeff() <= LevelCloud::kFarthest_m;
@@ -57,7 +57,7 @@ std::vector<std::uint64_t> sorted_codes(const std::vector<Eigen::Vector3f>& poin
   std::vector<std::uint64_t> codes;
   codes.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % kPointsPerCheck == 0 && progress.cancelled()) return {};
+    if (i % kDrawnPerCheck == 0 && progress.cancelled()) return {};
     if (is_measured(points[i])) codes.push_back(cube.code(points[i]) << index_bits | i);
   }
   std::sort(codes.begin(), codes.end());
@@ -102,7 +102,7 @@ LevelCloud order_by_levels(const std::vector<Eigen::Vector3f>& points, const Pro
   // Within a level, too, each beginning is to show the whole: the list is walked in steps of its golden section.
   const std::size_t step = golden_step(n);
   for (std::size_t k = 0, i = 0; k < n; ++k, i = (i + step) % n) {
-    if (k % kPointsPerCheck == 0 && progress.cancelled()) return {};
+    if (k % kDrawnPerCheck == 0 && progress.cancelled()) return {};
     const std::size_t at = next[level_of(i)]++;
     const std::size_t index = codes[i] & index_mask;
     out.points[at] = points[index];
