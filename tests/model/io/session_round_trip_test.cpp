@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t kStamp_ns = 1'600'000'000'123'456'789;
+constexpr std::int64_t kSessionStamp_ns = 1'600'000'000'123'456'789;
 
 // ---- Sessions
 
@@ -28,7 +28,7 @@ class MadeScans final : public ScanSource {
   explicit MadeScans(std::vector<PointCloud> clouds) : clouds_(std::move(clouds)) {}
   std::size_t size() const override { return clouds_.size(); }
   std::int64_t stamp_ns(std::size_t scan) const override {
-    return kStamp_ns + static_cast<std::int64_t>(scan) * 100'000'007;
+    return kSessionStamp_ns + static_cast<std::int64_t>(scan) * 100'000'007;
   }
   std::string name(std::size_t scan) const override { return std::to_string(scan); }
   PointCloud load(std::size_t scan) const override { return clouds_[scan]; }
@@ -40,7 +40,7 @@ class MadeScans final : public ScanSource {
 template <class Item, class Fill>
 std::vector<Item> items(RandomValues& random, Fill&& fill) {
   std::vector<Item> list(random.below(4) == 0 ? 0 : 2 + random.below(30));
-  std::int64_t stamp_ns = kStamp_ns;
+  std::int64_t stamp_ns = kSessionStamp_ns;
   for (Item& item : list) {
     item.stamp_ns = stamp_ns += 1 + static_cast<std::int64_t>(random.below(50'000'000));
     fill(item);
@@ -243,7 +243,7 @@ TEST(session_round_trip, projects) {
     if (random.flip()) written.nominal_ins_from_lidar = random.rigid();
     for (std::size_t i = random.below(5); i > 0 && !written.sessions.empty(); --i)
       written.verdicts.push_back({static_cast<int>(random.below(written.sessions.size())),
-                                  kStamp_ns + static_cast<std::int64_t>(i), kStamp_ns + 1'000'000'000,
+                                  kSessionStamp_ns + static_cast<std::int64_t>(i), kSessionStamp_ns + 1'000'000'000,
                                   random.flip() ? PairState::Accepted : PairState::Rejected, random.text()});
     written.settings.pairing.max_gap_s = random.between(0.5, 5.0);
     save_project(written, folder.path() / "one.remount");
