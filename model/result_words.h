@@ -10,7 +10,7 @@ namespace remount {
 /// True for a solution that observes none of the six.
 bool knows_nothing(const CalibrationResult& result);
 
-/// Whether there is an X to show: it is usable, or its pairs contradict each other and it is worth a look.
+/// Whether there is an X to show: it is usable, or the data contradict each other and it is worth a look.
 bool has_mounting(const CalibrationResult& result);
 
 /// Whether aligning the clouds of all accepted pairs together was its last step; a solution from the pairs lacks it.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "widgets/forms/flag_mentions.h"
 #include "widgets/forms/option_mentions.h"
 
 namespace remount {
@@ -119,16 +120,18 @@ QString by_pattern(const QString& text, const Patterns& all) {
 
 }  // namespace
 
+QString in_words_of_window(const QString& text) { return with_option_labels(with_window_places(text)); }
+
 QString model_text(const QString& text) {
   // Reports are written in the background while the window paints; recursive, for patterns hold texts of their own.
   static std::recursive_mutex mutex;
   const std::scoped_lock lock(mutex);
   if (text.isEmpty()) return text;
   Patterns& all = patterns();
-  if (all.list.empty()) return with_option_labels(text);  // English
+  if (all.list.empty()) return in_words_of_window(text);  // English
   if (const auto found = all.known.constFind(text); found != all.known.constEnd()) return *found;
   const QString exact = QCoreApplication::translate(kContext, text.toUtf8().constData());
-  const QString result = with_option_labels(exact != text ? exact : by_pattern(text, all));
+  const QString result = in_words_of_window(exact != text ? exact : by_pattern(text, all));
   if (all.known.size() > kMostRemembered) all.known.clear();
   all.known.insert(text, result);
   return result;

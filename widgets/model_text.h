@@ -9,10 +9,14 @@
 namespace remount {
 
 /// The sentence in the present language: recognised as one of model_phrases(), whose "%1" stand for whatever the model
-/// put there. What is not recognised stays English: better understood than lost. Options that it mentions by their keys
-/// have the names that their pages give them.
+/// put there. What is not recognised stays English: better understood than lost. Options and flags that it mentions are
+/// named as in the window.
 QString model_text(std::string_view text);
 QString model_text(const QString& text);
+
+/// In whatever language it is: options that it mentions by their keys have the names that their pages give them, and
+/// flags of the command line are the places of the window for what they give.
+QString in_words_of_window(const QString& text);
 
 /// For drawings and reports: a text of that context, or what the model says (titles, axes and curves of plots).
 std::string drawn_text(const char* context, const char* english);

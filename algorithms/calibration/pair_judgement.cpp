@@ -43,6 +43,13 @@ std::string slid_reason(const Pair& pair) {
   return text + pair.registration.undetermined;
 }
 
+void set_residual(const RigidTransform& ins_from_lidar, Pair& pair) {
+  const Vector6d residual =
+      difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
+  pair.residual_translation_m = residual.head<3>().norm();
+  pair.residual_rotation_rad = residual.tail<3>().norm();
+}
+
 double tilt_of(const PairTilts& tilts_rad, int pair) {
   const auto at = static_cast<std::size_t>(pair);
   return at < tilts_rad.size() ? tilts_rad[at] : 0.0;
@@ -166,18 +173,28 @@ void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const
   }
 }
 
+namespace {
+
+// How far each usable pair lies from X, in sigma of what the pairs together scatter.
+std::vector<double> scores_of(const std::vector<Pair>& pairs, const std::vector<int>& usable,
+                              const RigidTransform& ins_from_lidar, const NoiseModel& noise,
+                              const PairTilts& tilts_rad) {
+  std::vector<double> scores = distances2(noisy_pairs(pairs, usable, noise, tilts_rad), ins_from_lidar);
+  const double scale2 = residual_scale2(scores);
+  for (double& score : scores) score = sigma_equivalent(score / scale2);
+  return scores;
+}
+
+}  // namespace
+
 int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& ins_from_lidar,
                 const NoiseModel& noise, double threshold, const PairTilts& tilts_rad) {
   int changed = 0;
-  const std::vector<double> d2 = distances2(noisy_pairs(pairs, usable, noise, tilts_rad), ins_from_lidar);
-  const double scale2 = residual_scale2(d2);
+  const std::vector<double> scores = scores_of(pairs, usable, ins_from_lidar, noise, tilts_rad);
   for (std::size_t k = 0; k < usable.size(); ++k) {
     Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
-    const Vector6d residual =
-        difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, ins_from_lidar));
-    pair.residual_translation_m = residual.head<3>().norm();
-    pair.residual_rotation_rad = residual.tail<3>().norm();
-    const double score = sigma_equivalent(d2[k] / scale2);
+    set_residual(ins_from_lidar, pair);
+    const double score = scores[k];
     const bool slid = slid_away(pair);
     pair.weight = pair.decided_by == DecidedBy::User ? 1.0 : score <= threshold && !slid ? 1.0 : 0.0;
     if (pair.decided_by == DecidedBy::User) continue;
@@ -190,6 +207,26 @@ int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const 
                                                : outlier_reason(pair, score);
   }
   return changed;
+}
+
+void tell_residuals(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& judged_by,
+                    const RigidTransform& ins_from_lidar, const NoiseModel& noise, double threshold,
+                    const PairTilts& tilts_rad) {
+  const std::vector<double> scores = scores_of(pairs, usable, judged_by, noise, tilts_rad);
+  for (std::size_t k = 0; k < usable.size(); ++k) {
+    Pair& pair = pairs[static_cast<std::size_t>(usable[k])];
+    if (pair.state != PairState::Rejected || pair.decided_by != DecidedBy::Program) continue;
+    set_residual(judged_by, pair);
+    const bool slid = scores[k] <= threshold && slid_away(pair);
+    set_residual(ins_from_lidar, pair);
+    pair.reason = slid ? slid_reason(pair) : outlier_reason(pair, scores[k]);
+  }
+  set_residuals(pairs, ins_from_lidar);
+}
+
+void set_residuals(std::vector<Pair>& pairs, const RigidTransform& ins_from_lidar) {
+  for (Pair& pair : pairs)
+    if (unusable_reason(pair).empty()) set_residual(ins_from_lidar, pair);
 }
 
 }  // namespace remount

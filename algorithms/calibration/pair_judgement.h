@@ -53,4 +53,13 @@ void test_screws(std::vector<Pair>& pairs, const std::vector<int>& usable, const
 int judge_pairs(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& ins_from_lidar,
                 const NoiseModel& noise, double threshold, const PairTilts& tilts_rad = {});
 
+/// The residuals of all aligned pairs, decided by whomever, under the X that users are told.
+void set_residuals(std::vector<Pair>& pairs, const RigidTransform& ins_from_lidar);
+
+/// The same, and those in the reasons of the usable pairs that the program rejected. What is not observed has another
+/// value in `judged_by`, by which pairs were judged and their sigmas are counted, than in what is told.
+void tell_residuals(std::vector<Pair>& pairs, const std::vector<int>& usable, const RigidTransform& judged_by,
+                    const RigidTransform& ins_from_lidar, const NoiseModel& noise, double threshold,
+                    const PairTilts& tilts_rad = {});
+
 }  // namespace remount

@@ -355,6 +355,8 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   list_candidates(input, pairs, input.nominal_ins_from_lidar.value_or(details.joint.ins_from_lidar), progress, result);
   trim_candidates(input.options.max_listed_candidates, result);
   count_pairs(pairs, result);
+  tell_residuals(pairs, usable, details.joint.ins_from_lidar, result.ins_from_lidar, details.noise,
+                 input.options.outlier_threshold, tilts_rad);
   summarise_errors(pairs, input.options, result);
   set_status(input, lost, result);
   if (!details.joint.converged) claim_nothing_unconverged(input, result);

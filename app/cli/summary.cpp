@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "model/display_units.h"
+#include "model/pair_words.h"
 #include "model/report/plot_chart.h"
 #include "model/result_words.h"
 
@@ -49,34 +49,6 @@ std::string parameters(const CalibrationResult& result) {
   return text;
 }
 
-/// Reasons differ in their numbers; counted together they tell more: "overlap 0.21 is below 0.30" and so on.
-std::string without_numbers(const std::string& reason) {
-  std::string kind;
-  for (std::size_t i = 0; i < reason.size(); ++i) {
-    const bool digit = reason[i] >= '0' && reason[i] <= '9';
-    const bool within =
-        digit || ((reason[i] == '.' || reason[i] == '-') && i + 1 < reason.size() && reason[i + 1] >= '0' &&
-                  reason[i + 1] <= '9' && (kind.empty() || kind.back() == '#' || kind.back() == ' '));
-    if (!within)
-      kind += reason[i];
-    else if (kind.empty() || kind.back() != '#')
-      kind += '#';
-  }
-  return kind;
-}
-
-using CountedReasons = std::map<std::string, std::pair<int, std::string>>;  // how many of a kind, and the first
-
-void count_reason(const std::string& reason, CountedReasons& reasons) {
-  auto& [count, example] = reasons[without_numbers(reason)];
-  if (count++ == 0) example = reason;
-}
-
-/// The reason of one stands for those of all that differ from it in numbers only.
-std::string reason_line(const char* state, int count, const std::string& reason) {
-  return format(count > 1 ? "  %5d %s, one of them: " : "  %5d %s: ", count, state) + reason + "\n";
-}
-
 std::string sharpness(const std::vector<NamedSharpness>& list) {
   std::string text;
   for (const NamedSharpness& one : list)
@@ -90,51 +62,53 @@ std::string pairs(const ResultFile& file) {
   const CalibrationResult& result = file.result;
   std::string text = format("pairs: %d proposed, %d accepted, %d rejected\n", result.pairs_proposed,
                             result.pairs_accepted, result.pairs_rejected);
-  CountedReasons reasons;
-  CountedReasons open_directions;  // of accepted pairs
-  for (const PairRecord& pair : file.pairs) {
-    if (pair.state == PairState::Accepted && pair.decided_by == DecidedBy::Program && !pair.reason.empty())
-      count_reason(pair.reason, open_directions);
-    if (pair.state == PairState::Rejected) count_reason(pair.reason, reasons);
-  }
-  std::vector<std::pair<int, std::string>> sorted;
-  for (const auto& [kind, counted] : reasons) sorted.push_back({-counted.first, counted.second});
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t i = 0; i < std::min<std::size_t>(sorted.size(), 8); ++i)
-    text += reason_line("rejected", -sorted[i].first, sorted[i].second);
-  for (const auto& [kind, counted] : open_directions) text += reason_line("accepted", counted.first, counted.second);
+  for (const std::string& line : pair_lines(file)) text += "  " + line + "\n";
   return text;
 }
 
-std::string quantities(const std::vector<NamedQuantity>& list) {
-  const Phrases english = [](const char*, const char* text) { return std::string(text); };
+/// No longer than is read at a glance; the result file has all.
+std::string first_of(const std::vector<std::string>& lines, std::size_t most) {
   std::string text;
+  for (std::size_t i = 0; i < std::min(lines.size(), most); ++i) text += lines[i] + "\n";
+  return lines.size() <= most ? text : text + format("  and %zu more in the result file\n", lines.size() - most);
+}
+
+std::string quantities(const std::vector<NamedQuantity>& list) {
+  constexpr std::size_t kMost = 8;
+  const Phrases english = [](const char*, const char* text) { return std::string(text); };
+  std::vector<std::string> lines;
   for (const NamedQuantity& quantity : list)
-    text += "  " + quantity.name + ": " + quantity_text(quantity, english) + "\n";
-  return text.empty() ? text : "also determined:\n" + text;
+    lines.push_back("  " + quantity.name + ": " + quantity_text(quantity, english));
+  return lines.empty() ? std::string() : "also determined:\n" + first_of(lines, kMost);
+}
+
+std::string advice(const CalibrationResult& result) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> lines;
+  for (const std::string& one : result.advice) lines.push_back("advice: " + one);
+  return first_of(lines, kMost);
 }
 
 }  // namespace
 
 std::string summary(const ResultFile& file) {
   const CalibrationResult& result = file.result;
+  const bool usable = is_usable(result);
   std::string text = "status: " + std::string(to_string(result.status)) +
                      (result.message.empty() ? "" : " - " + result.message) + "\n";
-  if (is_usable(result)) {
-    text += parameters(result);
-    if (is_from_pairs(file))
-      text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
-                     radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
-  }
-  if (const std::string words = disagreement_words(result); !words.empty()) text += words + "\n";
-  if (is_usable(result)) text += sharpness(file.sharpness);
-  text += quantities(file.quantities);
-  if (is_from_pairs(file)) text += pairs(file);
-  if (is_usable(result) && std::isfinite(result.time_offset.offset_s))
+  if (usable) text += parameters(result);
+  // What to do comes before what it rests on.
+  text += advice(result);
+  if (usable && std::isfinite(result.time_offset.offset_s))
     text += format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", result.time_offset.offset_s,
                    result.time_offset.sigma_s, result.time_offset.applied ? "applied" : "not applied");
-  for (const std::string& advice : result.advice) text += "advice: " + advice + "\n";
-  return text;
+  if (const std::string words = disagreement_words(result); !words.empty()) text += words + "\n";
+  if (is_from_pairs(file)) text += pairs(file);
+  if (usable && is_from_pairs(file))
+    text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
+                   radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
+  if (usable) text += sharpness(file.sharpness);
+  return text + quantities(file.quantities);
 }
 
 }  // namespace remount

@@ -69,13 +69,48 @@ void TopicsCommand::redo() {
   if (undone_) workbench_.apply_nominal(nominal_after_);
 }
 
+namespace {
+
+QString title_of_opening(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  return sessions.size() == 1
+             ? QCoreApplication::translate("remount::edit_commands", "open %1")
+                   .arg(QString::fromStdString(sessions.front()->name))
+             : QCoreApplication::translate("remount::edit_commands", "open %1 sessions").arg(sessions.size());
+}
+
+}  // namespace
+
+OpeningCommand::OpeningCommand(Workbench& workbench, std::vector<std::shared_ptr<const Session>> sessions)
+    : QUndoCommand(title_of_opening(sessions)),
+      workbench_(workbench),
+      sessions_(std::move(sessions)),
+      nominal_before_(workbench.nominal_ins_from_lidar()),
+      nominal_after_(nominal_before_) {
+  for (const auto& session : sessions_)
+    if (!nominal_after_) nominal_after_ = session->nominal_ins_from_lidar;
+}
+
+void OpeningCommand::undo() {
+  workbench_.apply_closing(sessions_);
+  if (!nominal_before_ && nominal_after_) workbench_.apply_nominal(nominal_before_);
+}
+
+void OpeningCommand::redo() {
+  workbench_.apply_opening(sessions_);
+  if (!nominal_before_ && nominal_after_) workbench_.apply_nominal(nominal_after_);
+}
+
 RemovalCommand::RemovalCommand(Workbench& workbench, std::shared_ptr<const Session> session, std::ptrdiff_t place)
     : QUndoCommand(QCoreApplication::translate("remount::edit_commands", "remove %1")
                        .arg(QString::fromStdString(session->name))),
       workbench_(workbench),
       session_(std::move(session)),
-      place_(place),
-      calibrated_(workbench.calibrated()) {}
+      place_(place) {}
+
+void RemovalCommand::redo() {
+  calibrated_ = workbench_.is_of_output(*session_) ? workbench_.calibrated() : nullptr;
+  workbench_.apply_removal(session_);
+}
 
 NominalCommand::NominalCommand(Workbench& workbench, const QString& text, const std::optional<RigidTransform>& after)
     : QUndoCommand(text), workbench_(workbench), before_(workbench.nominal_ins_from_lidar()), after_(after) {}

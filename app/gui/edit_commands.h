@@ -67,19 +67,33 @@ class TopicsCommand : public QUndoCommand {
   bool undone_ = false;
 };
 
-/// A session is closed; what was calibrated goes and comes back with it.
+/// Sessions are opened, and with them the nominal that they bring where there is none.
+class OpeningCommand : public QUndoCommand {
+ public:
+  static constexpr int kId = 4;
+  OpeningCommand(Workbench& workbench, std::vector<std::shared_ptr<const Session>> sessions);
+  void undo() override;
+  void redo() override;
+  int id() const override { return kId; }
+
+ private:
+  Workbench& workbench_;
+  std::vector<std::shared_ptr<const Session>> sessions_;
+  std::optional<RigidTransform> nominal_before_, nominal_after_;
+};
+
+/// A session is closed; what was calibrated from it goes and comes back with it.
 class RemovalCommand : public QUndoCommand {
  public:
   RemovalCommand(Workbench& workbench, std::shared_ptr<const Session> session, std::ptrdiff_t place);
-  void undo() override { opened_since_ = workbench_.apply_return(session_, place_, calibrated_); }
-  void redo() override { workbench_.apply_removal(session_, opened_since_); }
+  void undo() override { workbench_.apply_return(session_, place_, calibrated_); }
+  void redo() override;
 
  private:
   Workbench& workbench_;
   std::shared_ptr<const Session> session_;
   std::ptrdiff_t place_;
-  Workbench::CalibratedPtr calibrated_;
-  Workbench::Placed opened_since_;  ///< the same recording, opened once more after it was closed
+  Workbench::CalibratedPtr calibrated_;  ///< with the session; null where that is no part of it
 };
 
 class NominalCommand : public QUndoCommand {

@@ -2,6 +2,7 @@
 
 #include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
+#include "model/pipeline/input_checks.h"
 
 namespace remount {
 
@@ -19,8 +20,8 @@ Engine model_engine() {
     return open_session(path, topics, progress);
   };
   const auto offer = [](const std::filesystem::path& path, Progress& progress) { return offer_topics(path, progress); };
-  return {open,           calibrate,          solve_again,    load_pair_clouds, solve_at_once,
-          load_map_scans, load_keyframe_scan, check_hold_out, check_map,        offer};
+  return {open,           calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans, load_keyframe_scan,
+          check_hold_out, check_map, offer,       same_recording};
 }
 
 }  // namespace remount

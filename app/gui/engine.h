@@ -26,13 +26,15 @@ struct Engine {
   std::function<void(const PipelineInput&, PipelineOutput&, Progress&)> check_map;
   /// May be empty: then topics are taken as they are suggested, and nobody is asked.
   std::function<std::optional<TopicOffer>(const std::filesystem::path&, Progress&)> offer_topics;
+  /// May be empty: then a copy of a session that is open is opened as well, and calibrating refuses it.
+  std::function<bool(const Session&, const Session&)> same_recording;
 };
 
 /// The result does not wait for the map check where that can be made beside it; it is then NotReached.
 PipelineOutput run_without_map_check(const Engine& engine, const PipelineInput& input, Progress& progress);
 
 /// The model's own: open_session, calibrate, solve_again, load_pair_clouds, solve_at_once, load_map_scans,
-/// load_keyframe_scan, check_hold_out, check_map, offer_topics.
+/// load_keyframe_scan, check_hold_out, check_map, offer_topics, same_recording.
 Engine model_engine();
 
 }  // namespace remount

@@ -124,6 +124,7 @@ class MainWindow : public QMainWindow {
   void ask_for_file();
   void ask_for_nominal();
   void show_options();
+  void ask_for_default_options();
   void show_export();
   void ask_for_report();
   bool may_replace(QStringList files);  ///< asks where one of them exists

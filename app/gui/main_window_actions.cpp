@@ -7,6 +7,7 @@
 #include <QInputDialog>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QTableView>
@@ -21,6 +22,7 @@
 #include "app/gui/wording.h"
 #include "model/session_frames.h"
 #include "remount_version.h"
+#include "widgets/forms/option_changes.h"
 #include "widgets/panels/map_view.h"
 #include "widgets/panels/obstacle_dialog.h"
 #include "widgets/panels/options_dialog.h"
@@ -188,7 +190,7 @@ void MainWindow::show_options() {
   if (!options_) {
     options_ = new OptionsDialog(workbench_.settings(), this);
     connect(options_, &OptionsDialog::edited, &workbench_, &Workbench::edit_option);
-    connect(options_, &OptionsDialog::defaults_requested, &workbench_, &Workbench::reset_settings);
+    connect(options_, &OptionsDialog::defaults_requested, this, &MainWindow::ask_for_default_options);
     connect(&workbench_, &Workbench::settings_changed, options_,
             [this] { options_->show_settings(workbench_.settings()); });
     options_->set_angle_unit(angle_unit_, workbench_.settings());
@@ -197,6 +199,21 @@ void MainWindow::show_options() {
   options_->show();
   options_->raise();
   options_->activateWindow();
+}
+
+void MainWindow::ask_for_default_options() {
+  const QStringList changes = setting_changes(Settings{}, workbench_.settings());
+  auto* question = new QMessageBox(QMessageBox::Question, tr("Restore default options"),
+                                   tr("Set every option back to its default, the search range as well?"),
+                                   QMessageBox::Cancel, options_);
+  question->setObjectName(QStringLiteral("default-options"));
+  question->setAttribute(Qt::WA_DeleteOnClose);
+  if (!changes.isEmpty())
+    question->setInformativeText(tr("Defaults that are changed: %1.").arg(in_short(changes, QStringLiteral("; "))));
+  const QPushButton* restore = question->addButton(tr("Restore defaults"), QMessageBox::DestructiveRole);
+  question->setDefaultButton(QMessageBox::Cancel);
+  connect(restore, &QPushButton::clicked, &workbench_, &Workbench::reset_settings);
+  question->open();
 }
 
 void MainWindow::show_export() {

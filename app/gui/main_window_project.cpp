@@ -72,7 +72,8 @@ bool MainWindow::may_replace(QStringList files) {
   return files.isEmpty() ||
          QMessageBox::question(this, tr("Replace files"),
                                tr("%n file(s) exist already. Replace?", nullptr, static_cast<int>(files.size())) +
-                                   QStringLiteral("\n\n") + files.join('\n')) == QMessageBox::Yes;
+                                   QStringLiteral("\n\n") + files.join('\n'),
+                               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
 void MainWindow::replace_by(const QString& project) {

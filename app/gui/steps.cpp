@@ -35,7 +35,7 @@ QString short_status(const CalibrationResult& result) {
     case Status::OutOfRange:
       return StepText::tr("outside the range");
     case Status::Inconsistent:
-      return StepText::tr("contradictory pairs");
+      return StepText::tr("contradictory data");
     case Status::Cancelled:
       break;
   }

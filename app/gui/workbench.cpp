@@ -1,16 +1,12 @@
 #include "app/gui/workbench.h"
 
 #include <algorithm>
-#include <atomic>
-#include <iterator>
 #include <utility>
 
 #include "algorithms/core/error.h"
-#include "algorithms/core/parallel.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/error_words.h"
 #include "app/gui/wording.h"
-#include "model/io/several_sessions.h"
 #include "model/pipeline/keep_finished.h"
 #include "widgets/forms/option_access.h"
 #include "widgets/forms/option_changes.h"
@@ -70,118 +66,6 @@ QStringList Workbench::changes_since_output() const {
 
 JobRunner::Failed Workbench::report_failure() {
   return [this](const JobFailure& failure) { emit message(Severity::Problem, failure.where, failure.what); };
-}
-
-void Workbench::open(const QStringList& paths) {
-  std::vector<ToOpen> wanted;
-  for (const QString& path : paths)
-    wanted.push_back({path.toStdString(), [engine = engine_, path](Progress& progress) {
-                        return open_or_ask(engine, path.toStdString(), progress);
-                      }});
-  open_all(std::move(wanted));
-}
-
-void Workbench::open_all(std::vector<ToOpen> wanted) {
-  if (calibrating()) {
-    emit message(Severity::Warning, {},
-                 tr("Wait until the present work is done, or cancel it, before opening sessions."));
-    return;
-  }
-  if (opening()) {  // answers to several questions come one after the other
-    std::move(wanted.begin(), wanted.end(), std::back_inserter(waiting_));
-    return;
-  }
-  open_job_ = jobs_.start(
-      [this, wanted = std::move(wanted)](Progress& progress) -> JobRunner::Deliver {
-        std::vector<Opened> opened(wanted.size());
-        std::atomic<std::size_t> done = 0;
-        parallel_for(wanted.size(), 0, [&](std::size_t i) {
-          if (progress.cancelled()) return;
-          // Several readers would count over each other: of several sessions, those that are open are counted.
-          Progress quiet = progress.without_reports();
-          try {
-            opened[i] = wanted[i].open(wanted.size() > 1 ? quiet : progress);
-          } catch (const SeveralSessions& several) {
-            for (const auto& path : several.sessions()) opened[i].below << QString::fromStdString(path.string());
-          } catch (const Error& error) {
-            opened[i].failure = failure_of(error);
-            if (opened[i].failure.where.isEmpty())
-              opened[i].failure.where = QString::fromStdString(wanted[i].path.string());
-          }
-          if (progress.cancelled()) opened[i] = {};  // what was read of it is not all
-          if (wanted.size() > 1) progress.report("opening sessions", ++done, wanted.size());
-        });
-        return [this, wanted, opened] {
-          take_opened(opened);
-          for (std::size_t i = 0; i < opened.size(); ++i)
-            if (!opened[i].below.isEmpty())
-              emit sessions_found(QString::fromStdString(wanted[i].path.string()), opened[i].below);
-        };
-      },
-      report_failure());
-  emit state_changed();
-}
-
-void Workbench::take_opened(std::vector<Opened> opened) {
-  std::vector<std::shared_ptr<const Session>> sessions;
-  std::vector<JobFailure> failures;
-  std::vector<TopicOffer> questions;
-  for (Opened& one : opened) {
-    if (one.session) sessions.push_back(std::move(one.session));
-    if (one.question && !is_open(one.question->path)) questions.push_back(std::move(*one.question));
-    if (!one.failure.what.isEmpty()) failures.push_back(std::move(one.failure));
-  }
-  add_sessions(std::move(sessions));
-  if (failures.size() == 1) emit message(Severity::Problem, failures[0].where, failures[0].what);
-  if (failures.size() > 1) say_several_failed(failures);
-  if (!questions.empty()) emit topics_asked(questions);
-}
-
-bool Workbench::is_open(const std::filesystem::path& path) {
-  const bool open =
-      std::any_of(sessions_.begin(), sessions_.end(), [&](const auto& session) { return session->path == path; });
-  if (open) emit message(Severity::Note, QString::fromStdString(path.string()), tr("is open already"));
-  return open;
-}
-
-void Workbench::say_several_failed(const std::vector<JobFailure>& failures) {
-  QStringList lines;
-  for (const JobFailure& failure : failures) {
-    emit logged(Severity::Problem, failure.where, failure.what);
-    lines << failure.where + QStringLiteral(": ") + failure.what.section('\n', 0, 0);
-  }
-  emit message(Severity::Problem, tr("%1 paths could not be opened (more in the log)").arg(failures.size()),
-               lines.join('\n'));
-}
-
-void Workbench::add_sessions(std::vector<std::shared_ptr<const Session>> sessions) {
-  const std::size_t count_before = sessions_.size();
-  for (auto& session : sessions) {
-    if (is_open(session->path)) continue;
-    const QString path = QString::fromStdString(session->path.string());
-    emit message(Severity::Note, path, tr("opened as %1").arg(QString::fromStdString(session->format)));
-    tell_findings(*session);
-    if (session->nominal_ins_from_lidar && !nominal_ins_from_lidar_) {
-      apply_nominal(session->nominal_ins_from_lidar);
-      emit message(Severity::Note, path, tr("its nominal mounting is used"));
-    }
-    emit session_opened(path);
-    sessions_.push_back(std::move(session));
-  }
-  emit sessions_changed();
-  emit state_changed();
-  if (sessions_.size() != count_before) mark_edited();
-}
-
-void Workbench::tell_findings(const Session& session) {
-  for (const Finding& finding : session.findings) {
-    const QString where = QString::fromStdString(finding.where), what = QString::fromStdString(finding.explanation);
-    // A problem spoils all that follows: it is shown while it can still be corrected.
-    if (finding.severity == Severity::Problem)
-      emit message(finding.severity, where, what);
-    else
-      emit logged(finding.severity, where, what);
-  }
 }
 
 bool Workbench::may_calibrate() {

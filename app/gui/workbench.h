@@ -120,7 +120,8 @@ class Workbench : public QObject {
   void open_chosen(const std::vector<ChosenOffer>& offers);
   /// Reads a session anew with other topics; an edit that can be undone. The result of its former topics goes with it.
   void choose_topics(int session, const TopicChoice& choice);
-  void remove_session(int session);  ///< an edit that can be undone; what was calibrated goes with it
+  /// An edit that can be undone. What was calibrated goes with it where it rests on a pair of the session.
+  void remove_session(int session);
   void calibrate();
   void cancel();
   void select_pair(int pair);
@@ -147,16 +148,14 @@ class Workbench : public QObject {
   /// Puts one session in the place of another; without `calibrated`, nothing is calibrated yet.
   void apply_session(const std::shared_ptr<const Session>& from, const std::shared_ptr<const Session>& to,
                      const CalibratedPtr& calibrated);
-  struct Placed {
-    std::shared_ptr<const Session> session;  ///< null for none
-    std::ptrdiff_t place = 0;
-  };
-  /// `opened_since`: what apply_return took away for the session comes back.
-  void apply_removal(const std::shared_ptr<const Session>& session, const Placed& opened_since);
-  /// Returns what was opened of the same recording meanwhile and is no longer open, with its place after the return is
-  /// undone: a recording is never open twice.
-  Placed apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
-                      const CalibratedPtr& calibrated);
+  /// Sessions that nothing was calibrated from yet come and go.
+  void apply_opening(const std::vector<std::shared_ptr<const Session>>& sessions);
+  void apply_closing(const std::vector<std::shared_ptr<const Session>>& sessions);
+  bool is_of_output(const Session& session) const;  ///< whether what is calibrated was made with it
+  void apply_removal(const std::shared_ptr<const Session>& session);
+  /// `calibrated`: what apply_removal took away or made smaller; null where it did not.
+  void apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
+                    const CalibratedPtr& calibrated);
 
   /// Reads a project and its sessions in the background and replaces what is there. Where sessions are not where the
   /// file says, nothing is replaced and sessions_missing asks for them; where another window has the project open,
@@ -174,7 +173,7 @@ class Workbench : public QObject {
   bool has_unsaved_decisions() const { return unsaved() && !decisions_.empty(); }
   /// Edits, decisions or results that no project file has. Sessions that were merely opened are none.
   bool has_unsaved_work() const {
-    return unsaved() && (output_ || !project_path_.isEmpty() || undo_.canUndo() || recovered_);
+    return unsaved() && (output_ || !project_path_.isEmpty() || has_edits() || recovered_);
   }
   bool unsaved() const { return revision_ != saved_revision_; }
   int revision() const { return revision_; }  ///< goes up with every edit
@@ -233,31 +232,37 @@ class Workbench : public QObject {
   /// Makes an output whose run began with the decisions `carried` obey those of now, which may have been undone while
   /// it ran. False where they are the same.
   bool catch_up(const Decisions& carried, PipelineOutput& output) const;
-  /// What became of a path that was to be opened: one of the four.
+  /// What became of a path that was to be opened: one of the first four.
   struct Opened {
     std::shared_ptr<const Session> session;
     std::optional<TopicOffer> question;
     JobFailure failure;
     QStringList below;  ///< a folder of sessions: these
+    QString copy_of;    ///< the session is the same recording as this one, which is open
   };
   struct ToOpen {
     std::filesystem::path path;
     std::function<Opened(Progress&)> open;
   };
+  static void find_copies(const Engine& engine, const std::vector<std::shared_ptr<const Session>>& open,
+                          std::vector<Opened>& opened, const Progress& progress);
   static Opened open_or_ask(const Engine& engine, const std::filesystem::path& path, Progress& progress);
   void open_all(std::vector<ToOpen> wanted);  ///< or later, where others are being opened
   void take_opened(std::vector<Opened> opened);
-  bool is_open(const std::filesystem::path& path);  ///< says so where it is
-  void add_sessions(std::vector<std::shared_ptr<const Session>> sessions);
+  /// Says so where it is, or among those that are opened with it.
+  bool is_open(const std::filesystem::path& path, const std::vector<std::shared_ptr<const Session>>& opened_now);
+  void add_sessions(const std::vector<std::shared_ptr<const Session>>& opened);
   void say_several_failed(const std::vector<JobFailure>& failures);
   void tell_findings(const Session& session);
   void put_back(const Calibrated& calibrated);
   void show_put_back(const CalibratedPtr& calibrated);  ///< null where nothing was
   void leave_topics_of(const Session& from, const Session& to);
-  void insert_session(const Placed& placed);
+  CalibratedPtr calibrated_without(const Session& session) const;  ///< null where the result rests on it
+  void show_other_sessions();                                      ///< beside what is calibrated, which stays
   void stop_for_other_sessions();
   void forget_calibration();
-  bool may_calibrate();  ///< says why not
+  bool may_calibrate();    ///< says why not
+  bool has_edits() const;  ///< that can be undone, beside sessions that were opened
   void take_run(const PipelineInput& input, OutputPtr output);
   /// The pair of the same scans in another output; the first where there is none, -1 where that has no pairs.
   static int same_pair(const PipelineInput& input_before, const PipelineOutput* before, int selected,

@@ -80,8 +80,8 @@ std::optional<Answer> answer_at_once(const SolveTask& task, const Engine& engine
   if (!engine.solve_at_once(task.input_before, *like, progress)) return {};
   auto answer = std::make_shared<PipelineOutput>(*task.output);
   if (!engine.solve_at_once(task.input, *answer, progress)) return {};
-  RigidTransform& x = answer->result.ins_from_lidar;
-  x = moved_alike(task.before->result.ins_from_lidar, like->result.ins_from_lidar, x);
+  const RigidTransform& moved = answer->result.ins_from_lidar;
+  answer_with(moved_alike(task.before->result.ins_from_lidar, like->result.ins_from_lidar, moved), *answer);
   return Answer{answer, task.before};
 }
 

@@ -4,6 +4,7 @@
 #include "app/gui/edit_commands.h"
 #include "app/gui/workbench.h"
 #include "model/methods/calibration_method.h"
+#include "model/pipeline/without_session.h"
 #include "widgets/model_text.h"
 
 namespace remount {
@@ -92,12 +93,14 @@ void Workbench::remove_session(int session) {
     return;
   }
   const std::shared_ptr<const Session> removed = sessions_[static_cast<std::size_t>(session)];
-  const bool calibrated = output_ != nullptr;
+  const bool calibrated = output_ != nullptr, part = is_of_output(*removed);
   undo_.push(new RemovalCommand(*this, removed, session));
   emit message(Severity::Note, QString::fromStdString(removed->path.string()),
-               calibrated ? tr("removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) "
-                               "to have it back.")
-                          : tr("removed"));
+               !calibrated ? tr("removed")
+               : !part     ? tr("removed. The result was made without it and stays.")
+               : output_   ? tr("removed. No pair of it was accepted: the result stays.")
+                           : tr("removed. The result belonged to the sessions before: calibrate (F5), or undo (Ctrl+Z) "
+                                  "to have it back."));
 }
 
 void Workbench::stop_for_other_sessions() {
@@ -127,33 +130,77 @@ void Workbench::apply_session(const std::shared_ptr<const Session>& from, const 
   show_put_back(calibrated);
 }
 
-void Workbench::apply_removal(const std::shared_ptr<const Session>& session, const Placed& opened_since) {
-  std::erase(sessions_, session);
-  if (opened_since.session) insert_session(opened_since);
-  stop_for_other_sessions();
+void Workbench::show_other_sessions() {
+  jobs_.cancel(run_job_);  // it is of the sessions before
   emit sessions_changed();
-  show_put_back(nullptr);
+  emit state_changed();
+  mark_edited();
 }
 
-void Workbench::insert_session(const Placed& placed) {
-  sessions_.insert(sessions_.begin() + std::min(placed.place, std::ssize(sessions_)), placed.session);
+void Workbench::apply_opening(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  sessions_.insert(sessions_.end(), sessions.begin(), sessions.end());
+  show_other_sessions();
 }
 
-Workbench::Placed Workbench::apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
-                                          const CalibratedPtr& calibrated) {
-  const auto again =
-      std::find_if(sessions_.begin(), sessions_.end(), [&](const auto& open) { return open->path == session->path; });
-  Placed opened_since;
-  if (again != sessions_.end()) {
-    opened_since = {*again, again - sessions_.begin()};
-    sessions_.erase(again);
-  }
-  insert_session({session, place});
+void Workbench::apply_closing(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  for (const auto& session : sessions) std::erase(sessions_, session);
+  show_other_sessions();
+}
+
+bool Workbench::is_of_output(const Session& session) const {
+  return output_ && std::any_of(run_input_.sessions.begin(), run_input_.sessions.end(),
+                                [&](const auto& one) { return one.get() == &session; });
+}
+
+Workbench::CalibratedPtr Workbench::calibrated_without(const Session& session) const {
+  const auto place = std::find_if(run_input_.sessions.begin(), run_input_.sessions.end(),
+                                  [&](const auto& one) { return one.get() == &session; });
+  const auto number = static_cast<int>(place - run_input_.sessions.begin());
+  const auto without = [number](const PipelineInput& input, const OutputPtr& output) -> OutputPtr {
+    auto left = output ? without_session(input, *output, number) : std::nullopt;
+    return left ? std::make_shared<const PipelineOutput>(std::move(*left)) : nullptr;
+  };
+  auto left = std::make_shared<Calibrated>(*calibrated());
+  left->output = without(run_input_, output_);
+  if (!left->output) return nullptr;
+  left->solved = output_solved_ == output_ ? left->output : without(run_input_, output_solved_);
+  left->before = without(run_input_, output_before_);
+  left->input = input_without_session(run_input_, number);
+  left->selected = same_pair(run_input_, output_.get(), selected_, left->input, *left->output);
+  left->files.clear();
+  left->whole_run.reset();
+  if (!whole_run_) return left;
+  if (const OutputPtr run =
+          whole_run_->output == output_ ? left->output : without(whole_run_->input, whole_run_->output))
+    left->whole_run = WholeRun{input_without_session(whole_run_->input, number), run, whole_run_->decisions};
+  return left;
+}
+
+void Workbench::apply_removal(const std::shared_ptr<const Session>& session) {
+  const bool part = is_of_output(*session);
+  const CalibratedPtr left = part ? calibrated_without(*session) : nullptr;
+  std::erase(sessions_, session);
+  if (!part) return show_other_sessions();
+  stop_for_other_sessions();
+  if (left) put_back(*left);
+  emit sessions_changed();
+  show_put_back(left);
+}
+
+void Workbench::apply_return(const std::shared_ptr<const Session>& session, std::ptrdiff_t place,
+                             const CalibratedPtr& calibrated) {
+  sessions_.insert(sessions_.begin() + std::min(place, std::ssize(sessions_)), session);
+  if (!calibrated) return show_other_sessions();
   stop_for_other_sessions();
   put_back(*calibrated);
   emit sessions_changed();
   show_put_back(calibrated);
-  return opened_since;
+}
+
+bool Workbench::has_edits() const {
+  for (int i = 0; i < undo_.index(); ++i)
+    if (undo_.command(i)->id() != OpeningCommand::kId) return true;
+  return false;
 }
 
 std::vector<PairVerdict> Workbench::verdicts() const {

@@ -19,9 +19,12 @@ std::string topic_of(const Session& session, std::string_view role) {
 
 Workbench::Opened Workbench::open_or_ask(const Engine& engine, const std::filesystem::path& path, Progress& progress) {
   std::optional<TopicOffer> offer = engine.offer_topics ? engine.offer_topics(path, progress) : std::nullopt;
-  if (offer && is_ambiguous(offer->topics)) return {nullptr, std::move(offer), {}, {}};
-  return {
-      std::make_shared<const Session>(offer ? offer->open({}, progress) : engine.open(path, {}, progress)), {}, {}, {}};
+  if (offer && is_ambiguous(offer->topics)) return {nullptr, std::move(offer), {}, {}, {}};
+  return {std::make_shared<const Session>(offer ? offer->open({}, progress) : engine.open(path, {}, progress)),
+          {},
+          {},
+          {},
+          {}};
 }
 
 void Workbench::open_chosen(const std::vector<ChosenOffer>& offers) {
@@ -29,7 +32,7 @@ void Workbench::open_chosen(const std::vector<ChosenOffer>& offers) {
   for (const ChosenOffer& chosen : offers)
     wanted.push_back(
         {chosen.offer.path, [chosen](Progress& progress) {
-           return Opened{std::make_shared<const Session>(chosen.offer.open(chosen.choice, progress)), {}, {}, {}};
+           return Opened{std::make_shared<const Session>(chosen.offer.open(chosen.choice, progress)), {}, {}, {}, {}};
          }});
   open_all(std::move(wanted));
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "algorithms/calibration/joint_problem.h"
-#include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/search/candidates.h"
 #include "model/pipeline/sharpness_stage.h"
@@ -31,28 +30,32 @@ RigidTransform with_kept(const RigidTransform& solved, const RigidTransform& kep
 
 void describe(const RigidTransform& x, PipelineOutput& output) {
   CalibrationResult& result = output.result;
-  result.ins_from_lidar = x;
   forget_sharpness(output);
   std::erase_if(result.candidates, [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
   result.pairs_accepted = result.pairs_rejected = 0;
-  double rotation2 = 0.0, translation2 = 0.0;
-  for (Pair& pair : output.pairs) {
+  for (const Pair& pair : output.pairs) {
     result.pairs_accepted += pair.state == PairState::Accepted;
     result.pairs_rejected += pair.state == PairState::Rejected;
-    if (!unusable_reason(pair).empty()) continue;
-    const Vector6d residual = difference(pair.lidar_b_from_lidar_a, predicted_lidar_motion(pair.ins_b_from_ins_a, x));
-    pair.residual_translation_m = residual.head<3>().norm();
-    pair.residual_rotation_rad = residual.tail<3>().norm();
-    if (pair.state != PairState::Accepted) continue;
-    translation2 += residual.head<3>().squaredNorm();
-    rotation2 += residual.tail<3>().squaredNorm();
+  }
+  answer_with(x, output);
+}
+
+}  // namespace
+
+void answer_with(const RigidTransform& ins_from_lidar, PipelineOutput& output) {
+  CalibrationResult& result = output.result;
+  result.ins_from_lidar = ins_from_lidar;
+  set_residuals(output.pairs, ins_from_lidar);
+  double rotation2 = 0.0, translation2 = 0.0;
+  for (const Pair& pair : output.pairs) {
+    if (pair.state != PairState::Accepted || !unusable_reason(pair).empty()) continue;
+    translation2 += pair.residual_translation_m * pair.residual_translation_m;
+    rotation2 += pair.residual_rotation_rad * pair.residual_rotation_rad;
   }
   const double count = std::max(1, result.pairs_accepted);
   result.translation_rms_m = std::sqrt(translation2 / count);
   result.rotation_rms_rad = std::sqrt(rotation2 / count);
 }
-
-}  // namespace
 
 void rank_again(const PipelineInput& input, PipelineOutput& output) {
   rank_candidates(output.result.candidates, accepted_motions(output.pairs), input.settings.range, input.settings.solve);

@@ -9,4 +9,7 @@ namespace remount {
 /// goes last; no new candidate is sought, and the result stays.
 void rank_again(const PipelineInput& input, PipelineOutput& output);
 
+/// Gives `output` another X, with the residuals of its pairs under that.
+void answer_with(const RigidTransform& ins_from_lidar, PipelineOutput& output);
+
 }  // namespace remount

@@ -59,24 +59,37 @@ bool equal(const InsSample& a, const InsSample& b) {
          a.enu_from_ins.angularDistance(b.enu_from_ins) < kRoundedAttitude_rad;
 }
 
+/// More than an INS at rest scatters: what stands still shares its place with every other recording of that place, and
+/// says nothing of X either.
+bool apart(double distance_m, double angle_rad) { return distance_m > 0.05 || angle_rad > degrees_to_radians(0.3); }
+bool moved(const StampedPose& a, const StampedPose& b) {
+  return apart((a.pose.translation() - b.pose.translation()).norm(), rotation_angle_between_rad(a.pose, b.pose));
+}
+bool moved(const InsSample& a, const InsSample& b) {
+  constexpr double kEarthRadius_m = 6.37e6;
+  const double north_m = kEarthRadius_m * (a.latitude_rad - b.latitude_rad),
+               east_m = kEarthRadius_m * std::cos(a.latitude_rad) * (a.longitude_rad - b.longitude_rad);
+  return apart(std::hypot(north_m, east_m, a.height_m - b.height_m), a.enu_from_ins.angularDistance(b.enu_from_ins));
+}
+
 /// Most poses of the stamps that both have are equal. Drives whose stamps count from their start share stamps, and the
 /// pose in which they rest at first.
 template <class Posed>
 bool same_motion(const std::vector<Posed>& a, const std::vector<Posed>& b) {
   constexpr std::size_t kMany = 10;
   std::size_t shared = 0, same = 0, first_same = 0;
-  bool moved = false;
+  bool has_moved = false;
   for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
     if (a[i].stamp_ns == b[k].stamp_ns) {
       ++shared;
       if (equal(a[i], b[k])) {
         if (same++ == 0) first_same = i;
-        moved = moved || !equal(a[i], a[first_same]);
+        has_moved = has_moved || moved(a[i], a[first_same]);
       }
     }
     a[i].stamp_ns < b[k].stamp_ns ? ++i : ++k;
   }
-  return moved && (shared < kMany ? same == shared : same >= kMany && 10 * same >= 9 * shared);
+  return has_moved && (shared < kMany ? same == shared : same >= kMany && 10 * same >= 9 * shared);
 }
 
 /// Scans of the same times beside the same INS, whatever they hold: one copy may have been rounded, thinned or cropped.
@@ -84,12 +97,6 @@ bool same_motion(const std::vector<Posed>& a, const std::vector<Posed>& b) {
 bool same_times_of_one_drive(const Session& a, const Session& b) {
   const bool two_scans_share_stamps = shared_stamps(*a.scans, *b.scans).size() == 2;  // the first and the last that do
   return two_scans_share_stamps && (same_motion(a.ins, b.ins) || same_motion(a.world_from_ins, b.world_from_ins));
-}
-
-bool same_recording(const Session& a, const Session& b) {
-  if (same_place(a, b)) return true;
-  if (a.scans && b.scans) return same_scans(*a.scans, *b.scans) || same_times_of_one_drive(a, b);
-  return same_motion(a.odometry_from_lidar, b.odometry_from_lidar);
 }
 
 std::string value_of(const char* name, double value, const char* unit) {
@@ -115,6 +122,12 @@ std::string pairing_limits(const PairingOptions& options) {
 }
 
 }  // namespace
+
+bool same_recording(const Session& a, const Session& b) {
+  if (same_place(a, b)) return true;
+  if (a.scans && b.scans) return same_scans(*a.scans, *b.scans) || same_times_of_one_drive(a, b);
+  return same_motion(a.odometry_from_lidar, b.odometry_from_lidar);
+}
 
 std::string sentence(std::string text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.pop_back();

@@ -17,11 +17,15 @@ namespace remount {
 /// INS axes differ, for they have no common X, and for one that is given twice, by path or by content: its pairs would
 /// count as evidence twice. To compare contents it reads up to two scans of each session that shares stamps with
 /// another, and the first of two that have equally many; scans of the same times are the same where the INS moves
-/// alike, whatever points they hold; of LiDAR poses most of those that share stamps must be equal.
+/// alike, whatever points they hold; of LiDAR poses most of those that share stamps must be equal. What
+/// stands still is compared by its scans alone.
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// What check_sessions says of sessions beside each other: their axes, and that none is given twice.
 void check_companions(const std::vector<std::shared_ptr<const Session>>& sessions);
+
+/// Whether two sessions are one recording, as check_sessions finds it.
+bool same_recording(const Session& a, const Session& b);
 
 /// Throws Error(Io) where the files of a session are no longer there: a disk that was taken out while its scans were
 /// read looks like a recording with fewer scans.

@@ -16,9 +16,14 @@ namespace {
 
 using testing::kPatience_ms;
 
-/// Methods but the one of pairs leave none.
+/// Methods but the one of pairs leave none; a session may know a nominal.
 Engine engine_of_methods(std::shared_ptr<const std::atomic<int>> hold_at) {
   Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.open = [open = engine.open](const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) {
+    Session session = open(path, topics, progress);
+    if (session.name.ends_with("with_nominal")) session.nominal_ins_from_lidar = RigidTransform::Identity();
+    return session;
+  };
   engine.run = [of_pairs = engine.run](const PipelineInput& input, Progress& progress) {
     PipelineOutput output = of_pairs(input, progress);
     if (input.settings.run.method == MethodChoice::Pairwise) return output;
@@ -93,8 +98,104 @@ TEST_F(history, decisions_outlive_a_result_without_pairs_also_in_the_project) {
 
 TEST_F(history, a_first_calibration_takes_the_place_of_nothing) {
   show();
-  calibrate_drive();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  edits().clear();  // as in a project that was opened
+  workbench_.calibrate();
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(workbench_.output());
   EXPECT_FALSE(edits().canUndo());
+}
+
+TEST_F(history, opened_sessions_are_closed_again_by_undo_and_bring_their_nominal_back_by_redo) {
+  show();
+  calibrate_drive();
+  const OutputPtr before = workbench_.output();
+  const auto sessions = workbench_.sessions();
+  window_.open_paths({"/data/drive2_with_nominal"});
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(workbench_.sessions().size(), 2U);
+  EXPECT_TRUE(workbench_.nominal_ins_from_lidar());
+  EXPECT_TRUE(workbench_.out_of_date());
+  EXPECT_EQ(edits().undoText(), "open drive2_with_nominal") << edits().undoText().toStdString();
+  edits().undo();
+  EXPECT_EQ(workbench_.sessions(), sessions);
+  EXPECT_FALSE(workbench_.nominal_ins_from_lidar());
+  EXPECT_EQ(workbench_.output(), before) << "it was not made with that session";
+  EXPECT_FALSE(workbench_.out_of_date());
+  edits().redo();
+  EXPECT_EQ(workbench_.sessions().size(), 2U);
+  EXPECT_TRUE(workbench_.nominal_ins_from_lidar());
+  EXPECT_EQ(workbench_.output(), before);
+}
+
+TEST_F(history, several_that_are_opened_at_once_are_one_step_and_none_is_there_twice) {
+  show();
+  window_.open_paths({"/data/drive1", "/data/drive2", "/data/drive1"});
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(workbench_.sessions().size(), 2U);
+  EXPECT_EQ(edits().count(), 1);
+  EXPECT_FALSE(workbench_.has_unsaved_work()) << "opening again is quickly done";
+  edits().undo();
+  EXPECT_TRUE(workbench_.sessions().empty());
+}
+
+TEST_F(history, a_calibration_goes_before_the_session_that_it_was_made_with) {
+  show();
+  calibrate_drive();
+  const OutputPtr output = workbench_.output();
+  edits().undo();
+  EXPECT_FALSE(workbench_.output());
+  ASSERT_EQ(workbench_.sessions().size(), 1U);
+  edits().undo();
+  EXPECT_TRUE(workbench_.sessions().empty());
+  edits().redo();
+  edits().redo();
+  EXPECT_EQ(workbench_.sessions().size(), 1U);
+  EXPECT_EQ(workbench_.output(), output);
+}
+
+TEST_F(history, a_session_that_the_result_was_made_without_takes_nothing_with_it) {
+  show();
+  calibrate_drive();
+  const OutputPtr output = workbench_.output();
+  workbench_.confirm(true);
+  window_.open_paths({"/data/drive2"});
+  ASSERT_TRUE(settle());
+  workbench_.remove_session(1);
+  EXPECT_EQ(workbench_.output(), output);
+  EXPECT_TRUE(workbench_.confirmed());
+  EXPECT_TRUE(log().contains("was made without it and stays")) << log().toStdString();
+  EXPECT_FALSE(workbench_.out_of_date());
+  edits().undo();
+  EXPECT_EQ(workbench_.sessions().size(), 2U);
+  EXPECT_EQ(workbench_.output(), output);
+}
+
+TEST_F(history, a_session_of_which_no_pair_was_accepted_leaves_the_result) {
+  show();
+  calibrate_drive();
+  window_.open_paths({"/data/drive2"});
+  ASSERT_TRUE(settle());
+  workbench_.calibrate();  // all pairs are of the first
+  ASSERT_TRUE(settle());
+  reject(7);
+  const OutputPtr before = workbench_.output();
+  const double x_before_m = x_m();
+  workbench_.remove_session(1);
+  ASSERT_TRUE(settle());
+  ASSERT_TRUE(workbench_.output());
+  EXPECT_EQ(x_m(), x_before_m);
+  EXPECT_EQ(pair(7).reason, "lorry");
+  EXPECT_FALSE(workbench_.out_of_date()) << workbench_.changes_since_output().join("; ").toStdString();
+  EXPECT_TRUE(log().contains("No pair of it was accepted")) << log().toStdString();
+  EXPECT_EQ(workbench_.input_of_output().sessions, workbench_.sessions());
+  edits().undo();
+  EXPECT_EQ(workbench_.sessions().size(), 2U);
+  EXPECT_EQ(workbench_.output(), before);
+  edits().redo();
+  ASSERT_TRUE(workbench_.output());
+  EXPECT_EQ(x_m(), x_before_m);
 }
 
 TEST_F(history, a_closed_session_says_that_its_result_went_and_comes_back_with_it) {
@@ -129,7 +230,7 @@ TEST_F(history, a_calibration_after_undo_leaves_no_older_one_to_redo) {
   workbench_.edit_nominal(rigid_from_six({1, 0, 1, 0, 0, 0}));
   workbench_.calibrate();
   ASSERT_TRUE(settle());
-  while (edits().canUndo()) edits().undo();
+  while (edits().index() > 1) edits().undo();  // all but opening the session
   ASSERT_FALSE(workbench_.output());
   ASSERT_TRUE(edits().canRedo());
   workbench_.calibrate();
@@ -149,11 +250,42 @@ TEST_F(history, a_session_that_was_opened_anew_is_not_there_twice_where_its_remo
   const auto opened_anew = workbench_.sessions();
   ASSERT_EQ(opened_anew.size(), 1U);
   edits().undo();
+  EXPECT_TRUE(workbench_.sessions().empty());
+  edits().undo();
   EXPECT_EQ(workbench_.sessions(), sessions);
   EXPECT_EQ(workbench_.output(), before);
   edits().redo();
+  edits().redo();
   EXPECT_EQ(workbench_.sessions(), opened_anew);
   EXPECT_FALSE(workbench_.output());
+}
+
+/// Sessions whose names begin alike are copies of one recording.
+Engine engine_that_compares(std::shared_ptr<const std::atomic<int>> hold_at) {
+  Engine engine = testing::sample_engine(10, std::move(hold_at));
+  engine.same_recording = [](const Session& a, const Session& b) { return a.name.substr(0, 6) == b.name.substr(0, 6); };
+  return engine;
+}
+
+class copies : public testing::WindowFixture {
+ protected:
+  copies() : WindowFixture(&engine_that_compares) {}
+  QString log() { return child<LogPanel>().toPlainText(); }
+};
+
+TEST_F(copies, of_a_session_are_refused_when_they_are_opened) {
+  show();
+  window_.open_paths({"/data/drive1"});
+  ASSERT_TRUE(settle());
+  const auto sessions = workbench_.sessions();
+  window_.open_paths({"/data/drive1_copy", "/data/drive2", "/data/drive2_copy"});
+  ASSERT_TRUE(settle());
+  ASSERT_EQ(workbench_.sessions().size(), 2U);
+  EXPECT_EQ(workbench_.sessions()[1]->name, "drive2");
+  EXPECT_TRUE(log().contains("is the same recording as /data/drive1, which is open")) << log().toStdString();
+  EXPECT_TRUE(log().contains("is the same recording as /data/drive2, which is open")) << log().toStdString();
+  workbench_.undo_stack().undo();
+  EXPECT_EQ(workbench_.sessions(), sessions);
 }
 
 class history_of_topics : public history {

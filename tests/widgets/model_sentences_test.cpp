@@ -7,7 +7,6 @@
 #include <QRegularExpression>
 
 #include "tests/widgets/support/restored.h"
-#include "widgets/forms/option_mentions.h"
 #include "widgets/model_text.h"
 
 namespace remount {
@@ -18,9 +17,9 @@ const QString kRoot = QStringLiteral(REMOUNT_SOURCE_DIR "/");
 /// All but what no window shows.
 bool is_shown(const QString& path) {
   static const QRegularExpression kOthers(
-      "model/(batch|simulator|exporters)/|_writer\\.cpp"  // the command line's, and texts of files
-      "|model/(session_report|topic_choice)\\.cpp"        // the command line's
-      "|model/report/");                                  // with the words of the report, which lupdate finds
+      "model/(batch|simulator|exporters)/|_writer\\.cpp"       // the command line's, and texts of files
+      "|model/(session_report|topic_choice|pair_words)\\.cpp"  // the command line's
+      "|model/report/");                                       // with the words of the report, which lupdate finds
   return !path.contains(kOthers);
 }
 
@@ -49,7 +48,7 @@ bool is_known(const QString& piece, const QString& literal) {
     return all;
   }();
   return phrases.contains(piece) || phrases.contains(piece.section(QStringLiteral(" of: "), 0, 0) + " of: %") ||
-         model_text(literal) != with_option_labels(literal);
+         model_text(literal) != in_words_of_window(literal);
 }
 
 /// String literals of C++, those beside each other joined.

@@ -49,6 +49,18 @@ TEST(sharpness_words, say_whether_the_order_of_the_rows_matters) {
   EXPECT_FALSE(said(view).contains("Fewer than"));
 }
 
+TEST(status_words, an_inconsistent_result_gives_its_own_reason_and_no_other) {
+  for (const char* reason :
+       {"The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.",
+        "The INS contradicts itself: a column of its log is not what it is taken for."}) {
+    CalibrationResult result;
+    result.status = Status::Inconsistent;
+    result.message = reason;
+    EXPECT_FALSE(status_title(result).contains("pairs")) << status_title(result).toStdString();
+    EXPECT_TRUE(result_as_text(result).contains(reason)) << result_as_text(result).toStdString();
+  }
+}
+
 TEST(hold_out_words, explain_the_dash_once) {
   HoldOutView view;
   view.show_hold_out(testing::sample_hold_out(3), {"monday", "tuesday", "friday"});

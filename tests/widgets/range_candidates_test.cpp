@@ -81,7 +81,7 @@ TEST_F(range_and_candidates, dragging_an_end_of_the_range_is_one_edit_and_ranks_
   QTest::mouseRelease(bar, Qt::LeftButton, {}, {static_cast<int>(bar->x_of(2.0)), y});
   EXPECT_NEAR(workbench_.settings().range.x_max_m, 2.0, 0.1);
   EXPECT_NEAR(panel.findChild<QDoubleSpinBox*>("range.x_max_m")->value(), workbench_.settings().range.x_max_m, 1e-9);
-  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_EQ(edits_since_calibration(), 1);
   EXPECT_TRUE(workbench_.solving());
   ASSERT_TRUE(settle());
   photograph(window_, "41-range");

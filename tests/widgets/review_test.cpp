@@ -63,7 +63,7 @@ TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
   trigger("1");
   EXPECT_FALSE(workbench_.solving()) << "the pairs are the same";
   EXPECT_EQ(pair(5).reason, "moving objects");
-  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_EQ(edits_since_calibration(), 1);
   EXPECT_EQ(x_m(), rejected_m);
   workbench_.undo_stack().undo();
   ASSERT_TRUE(settle());
@@ -102,10 +102,10 @@ TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit)
   }
   ASSERT_GE(above.size(), 3U);
   EXPECT_EQ(moved.last()[1].toInt(), 43) << "7 of 50 are rejected already";
-  EXPECT_EQ(workbench_.undo_stack().count(), 0) << "nothing happens before the line is let go";
+  EXPECT_EQ(edits_since_calibration(), 0) << "nothing happens before the line is let go";
   photograph(window_, "20-threshold");
   QTest::mouseRelease(&chart, Qt::LeftButton, {}, {start.x() - 40, y});
-  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_EQ(edits_since_calibration(), 1);
   EXPECT_TRUE(workbench_.undo_stack().undoText().contains("residual translation above")) << "says what was done";
   for (const int index : above) {
     EXPECT_EQ(pair(index).state, PairState::Rejected);
@@ -152,11 +152,11 @@ TEST_F(review, the_line_moves_with_keys_and_escape_lets_go) {
   QTest::keyClick(&chart, Qt::Key_Escape);
   EXPECT_FALSE(chart.threshold());
   QTest::keyClick(&chart, Qt::Key_Return);
-  EXPECT_EQ(workbench_.undo_stack().count(), 0) << "at rest the line rejects nothing";
+  EXPECT_EQ(edits_since_calibration(), 0) << "at rest the line rejects nothing";
   while (chart.above_threshold().size() < 2) QTest::keyClick(&chart, Qt::Key_Down);
   const auto above = chart.above_threshold();
   QTest::keyClick(&chart, Qt::Key_Return);
-  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_EQ(edits_since_calibration(), 1);
   EXPECT_EQ(pair(above.front()).state, PairState::Rejected);
   ASSERT_TRUE(settle());
 }
@@ -167,12 +167,12 @@ TEST_F(review, a_drag_that_ends_where_it_began_or_above_the_chart_rejects_nothin
   auto& chart = child<ErrorBarChart>();
   chart.set_threshold(0.5 * chart.top_of_axis());
   QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.handle());
-  EXPECT_EQ(workbench_.undo_stack().count(), 0);
+  EXPECT_EQ(edits_since_calibration(), 0);
   QTest::mousePress(&chart, Qt::LeftButton, {}, chart.handle());
   QTest::mouseMove(&chart, {chart.width() - 30, chart.height() / 2});
   QTest::mouseMove(&chart, {chart.width() - 30, 0});
   QTest::mouseRelease(&chart, Qt::LeftButton, {}, {chart.width() - 30, 0});
-  EXPECT_EQ(workbench_.undo_stack().count(), 0);
+  EXPECT_EQ(edits_since_calibration(), 0);
   EXPECT_FALSE(chart.threshold());
 }
 

@@ -113,7 +113,7 @@ TEST_F(window_flow, several_marked_pairs_are_one_edit) {
   calibrate_drive();
   workbench_.decide({1, 2, 4}, PairState::Rejected);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(workbench_.undo_stack().count(), 1);
+  EXPECT_EQ(edits_since_calibration(), 1);
   workbench_.undo_stack().undo();
   ASSERT_TRUE(settle());
   for (int index : {1, 2, 4}) EXPECT_NE(pair(index).decided_by, DecidedBy::User) << "pair " << index;
@@ -150,7 +150,7 @@ TEST_F(window_flow, a_change_of_the_search_range_solves_again_and_can_be_undone)
   const OutputPtr before = workbench_.output();
   workbench_.edit_option("range", "x_max_m", 0.95);
   workbench_.edit_option("range", "x_max_m", 0.98);
-  EXPECT_EQ(workbench_.undo_stack().count(), 1) << "turning one knob is one edit";
+  EXPECT_EQ(edits_since_calibration(), 1) << "turning one knob is one edit";
   ASSERT_TRUE(settle());
   EXPECT_NE(workbench_.output(), before);
   EXPECT_FALSE(workbench_.out_of_date());

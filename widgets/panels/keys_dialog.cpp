@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "widgets/press_on_purpose.h"
 #include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
@@ -85,7 +86,9 @@ QWidget* KeysDialog::make_buttons() {
   ok_ = buttons->button(QDialogButtonBox::Ok);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, &KeysDialog::reset);
+  QPushButton* defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
+  press_on_purpose(*defaults);
+  connect(defaults, &QPushButton::clicked, this, &KeysDialog::reset);
   return buttons;
 }
 

@@ -7,6 +7,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "widgets/press_on_purpose.h"
 #include "widgets/screen_room.h"
 
 namespace remount {
@@ -34,6 +35,7 @@ MissingSessionsDialog::MissingSessionsDialog(const QString& project, const QStri
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   locate_ = buttons->addButton(tr("Locate…"), QDialogButtonBox::ActionRole);
   without_ = buttons->addButton(tr("Open without them"), QDialogButtonBox::ActionRole);
+  press_on_purpose(*without_);
   without_->setToolTip(
       tr("Their pairs and the result that rests on them are left out. The project's file is left as it is."));
   open_ = buttons->addButton(tr("Open"), QDialogButtonBox::AcceptRole);

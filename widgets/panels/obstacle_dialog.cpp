@@ -13,6 +13,7 @@
 
 #include "widgets/forms/option_access.h"
 #include "widgets/model_text.h"
+#include "widgets/press_on_purpose.h"
 #include "widgets/readable.h"
 #include "widgets/screen_room.h"
 #include "widgets/sentences.h"
@@ -89,6 +90,7 @@ ObstacleDialog::ObstacleDialog(const QString& scan, bool nominal_known, const QS
   table_->viewport()->installEventFilter(this);
   table_->setAccessibleName(tr("Distance of each object from the outline of the vehicle"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  press_on_purpose(*buttons->button(QDialogButtonBox::Close));  // Enter ends the edit of a measure, not the dialog
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* grid = new QGridLayout(this);
   auto* doubts = new QLabel(caution, this);

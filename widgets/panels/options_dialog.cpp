@@ -7,13 +7,24 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
+#include <algorithm>
 
 #include "widgets/forms/section_words.h"
 #include "widgets/model_text.h"
+#include "widgets/press_on_purpose.h"
 #include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
 namespace remount {
+namespace {
+
+bool all_default(const Settings& settings) {
+  const std::vector<OptionField> present = option_fields(settings), standard = option_fields(Settings{});
+  return std::equal(present.begin(), present.end(), standard.begin(), standard.end(),
+                    [](const OptionField& a, const OptionField& b) { return a.value == b.value; });
+}
+
+}  // namespace
 
 OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialog(parent), problems_(new QLabel(this)) {
   setWindowTitle(tr("Options"));
@@ -44,9 +55,11 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
   note->setWordWrap(true);
   problems_->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults, this);
+  defaults_ = buttons->button(QDialogButtonBox::RestoreDefaults);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-  connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
-          &OptionsDialog::defaults_requested);
+  // Enter belongs to the field that is being edited: it presses no button here.
+  for (QPushButton* button : {buttons->button(QDialogButtonBox::Close), defaults_}) press_on_purpose(*button);
+  connect(defaults_, &QPushButton::clicked, this, &OptionsDialog::defaults_requested);
   auto* grid = new QGridLayout(this);
   grid->addWidget(sections, 0, 0);
   grid->addWidget(pages, 0, 1);
@@ -60,6 +73,7 @@ OptionsDialog::OptionsDialog(const Settings& settings, QWidget* parent) : QDialo
 
 void OptionsDialog::show_settings(const Settings& settings) {
   for (OptionForm* form : forms_) form->show_settings(settings);
+  defaults_->setEnabled(!all_default(settings));
   QStringList problems;
   for (const std::string& problem : settings.check()) problems << model_text(problem);
   problems_->setVisible(!problems.isEmpty());

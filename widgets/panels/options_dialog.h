@@ -7,6 +7,7 @@
 #include "widgets/forms/option_form.h"
 
 class QLabel;
+class QPushButton;
 
 namespace remount {
 
@@ -20,11 +21,12 @@ class OptionsDialog : public QDialog {
 
  signals:
   void edited(const QString& section, const QString& name, const QVariant& value);
-  void defaults_requested();
+  void defaults_requested();  ///< ask first: it sets back every option
 
  private:
   std::vector<OptionForm*> forms_;
   QLabel* problems_;
+  QPushButton* defaults_ = nullptr;
 };
 
 }  // namespace remount

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/press_on_purpose.h"
 #include "widgets/screen_room.h"
 
 namespace remount {
@@ -56,6 +57,7 @@ QWidget* RecoveryDialog::make_entry(int index, const RecoveryEntry& entry) {
   restore->setDefault(index == 0);
   auto* discard = new QPushButton(tr("Discard"));
   discard->setToolTip(tr("Removes what was kept for good"));
+  press_on_purpose(*discard);
   auto* row = new QHBoxLayout;
   row->addWidget(generations, 1);
   row->addWidget(restore);

@@ -111,7 +111,7 @@ QString status_title(const CalibrationResult& result) {
     case Status::OutOfRange:
       return ResultPanel::tr("Not solved: the solution lies outside the search range");
     case Status::Inconsistent:
-      return ResultPanel::tr("Do not trust: the pairs contradict each other");
+      return ResultPanel::tr("Do not trust this result");  // its own words say why
     case Status::Cancelled:
       return ResultPanel::tr("Cancelled");
   }
@@ -119,8 +119,9 @@ QString status_title(const CalibrationResult& result) {
 }
 
 QString result_as_text(const CalibrationResult& result) {
-  QStringList lines{status_title(result),
-                    ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)")};
+  QStringList lines{status_title(result)};
+  if (result.status == Status::Inconsistent) lines << model_text(result.message);
+  lines << ResultPanel::tr("ins_from_lidar (LiDAR to INS), R = Rz(yaw) Ry(pitch) Rx(roll)");
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
   for (std::size_t i = 0; i < values.size() && has_mounting(result); ++i) {
     const std::optional<double> sigma = finite_sigma(result, i);

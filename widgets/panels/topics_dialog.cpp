@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "widgets/model_text.h"
+#include "widgets/press_on_purpose.h"
 #include "widgets/screen_room.h"
 #include "widgets/theme.h"
 
@@ -62,6 +63,7 @@ TopicsDialog::TopicsDialog(const QString& recording, std::vector<OfferedTopic> t
   problem_->setAccessibleName(tr("What prevents it"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   reset_ = buttons->addButton(tr("As it was"), QDialogButtonBox::ResetRole);
+  press_on_purpose(*reset_);
   reset_->setToolTip(tr("Selects again what was selected when this was opened"));
   open_ = buttons->addButton(tr("Open"), QDialogButtonBox::AcceptRole);
   open_->setDefault(true);

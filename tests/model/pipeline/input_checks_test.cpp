@@ -108,6 +108,18 @@ TEST(input_checks, drives_that_begin_at_rest_on_relative_stamps_are_not_taken_fo
   EXPECT_ERROR(check_sessions({drive(40, 2, 0.1, 0.1), drive(8, 2, 0.1, 0.1)}), "same recording");
 }
 
+TEST(input_checks, recordings_of_a_machine_that_stands_still_are_not_one_for_that) {
+  SimulationOptions options = tiny();
+  options.scenario = ScenarioKind::SlewYard;
+  std::vector<std::shared_ptr<const Session>> recordings;
+  for (const SlewRecording kind : {SlewRecording::Ground, SlewRecording::ArmSweep, SlewRecording::FullTurn}) {
+    options.slew_yard.recording = kind;
+    recordings.push_back(std::make_shared<const Session>(simulate_drive(options).session));
+  }
+  EXPECT_NO_THROW(check_companions(recordings)) << "their INS stands at one place, at the same times";
+  EXPECT_TRUE(same_recording(*recordings[1], *recordings[1]));
+}
+
 TEST(input_checks, one_session_at_rest_does_not_make_a_drive_one_at_rest) {
   Settings settings;
   settings.pairing.min_distance_m = 2.0;

@@ -40,7 +40,10 @@ class WindowFixture : public ::testing::Test {
     workbench_.calibrate();
     ASSERT_TRUE(settle());
     ASSERT_TRUE(workbench_.output());
+    steps_of_calibrating_ = workbench_.undo_stack().count();
   }
+  /// Steps that undo takes back, beside those of calibrate_drive: opening and the calibration itself.
+  int edits_since_calibration() { return workbench_.undo_stack().count() - steps_of_calibrating_; }
   double x_m() const { return workbench_.output()->result.ins_from_lidar.translation().x(); }
   const Pair& pair(int index) const { return workbench_.output()->pairs.at(static_cast<std::size_t>(index)); }
   void trigger(const QString& key) {
@@ -67,6 +70,7 @@ class WindowFixture : public ::testing::Test {
     widget.grab().save(QDir(folder).filePath(name + ".png"));
   }
 
+  int steps_of_calibrating_ = 0;
   std::shared_ptr<std::atomic<int>> hold_at_ = std::make_shared<std::atomic<int>>(-1);  ///< of the sample engine
   Workbench workbench_;
   MainWindow window_;

@@ -1,0 +1,125 @@
+#include "model/pipeline/without_session.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace remount {
+namespace {
+
+/// The new number of each of `count` things of which some were taken out; -1 of those.
+template <class Stays>
+std::vector<int> numbers_of_rest(std::size_t count, const Stays& stays) {
+  std::vector<int> numbers(count, -1);
+  int next = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    if (stays(i)) numbers[i] = next++;
+  return numbers;
+}
+
+int session_of_pair(const PipelineOutput& output, const Pair& pair) {
+  return output.keyframes.at(static_cast<std::size_t>(pair.keyframe_a)).session;
+}
+
+bool rests_on(const PipelineOutput& output, int session) {
+  if (output.method != kPairwise || !is_usable(output.result) || output.ground) return true;
+  return std::any_of(output.pairs.begin(), output.pairs.end(), [&](const Pair& pair) {
+    return pair.state == PairState::Accepted && session_of_pair(output, pair) == session;
+  });
+}
+
+/// "pair 12", "pairs 3 + 17": with the numbers that these pairs have now.
+std::string renumbered(const std::string& source, const std::vector<int>& numbers) {
+  if (!source.starts_with("pair")) return source;
+  std::string text;
+  for (std::size_t i = 0; i < source.size();) {
+    const std::size_t end = std::min(source.find_first_not_of("0123456789", i), source.size());
+    if (end == i) {
+      text += source[i++];
+      continue;
+    }
+    const auto pair = static_cast<std::size_t>(std::stoul(source.substr(i, end - i)));
+    text += pair < numbers.size() ? std::to_string(numbers[pair]) : source.substr(i, end - i);
+    i = end;
+  }
+  return text;
+}
+
+void take_out_pairs(int session, PipelineOutput& output) {
+  const std::vector<int> pairs = numbers_of_rest(
+      output.pairs.size(), [&](std::size_t i) { return session_of_pair(output, output.pairs[i]) != session; });
+  const std::vector<int> keyframes =
+      numbers_of_rest(output.keyframes.size(), [&](std::size_t i) { return output.keyframes[i].session != session; });
+  std::erase_if(output.pairs, [&](const Pair& pair) { return session_of_pair(output, pair) == session; });
+  std::erase_if(output.keyframes, [&](const Keyframe& keyframe) { return keyframe.session == session; });
+  for (Keyframe& keyframe : output.keyframes) keyframe.session -= keyframe.session > session ? 1 : 0;
+  for (Pair& pair : output.pairs) {
+    pair.keyframe_a = keyframes[static_cast<std::size_t>(pair.keyframe_a)];
+    pair.keyframe_b = keyframes[static_cast<std::size_t>(pair.keyframe_b)];
+  }
+  for (Candidate& candidate : output.result.candidates) candidate.source = renumbered(candidate.source, pairs);
+  CalibrationResult& result = output.result;
+  result.pairs_proposed = static_cast<int>(output.pairs.size());
+  result.pairs_rejected = static_cast<int>(std::count_if(
+      output.pairs.begin(), output.pairs.end(), [](const Pair& pair) { return pair.state == PairState::Rejected; }));
+}
+
+void take_out_clock(int session, CalibrationResult& result) {
+  std::vector<double>& offsets_s = result.session_time_offset_s;
+  if (static_cast<std::size_t>(session) >= offsets_s.size()) return;
+  offsets_s.erase(offsets_s.begin() + session);
+  // Of one that was applied the mean is that of the sessions, each alike; an estimate knows the accepted pairs alone.
+  if (result.time_offset.applied && !offsets_s.empty())
+    result.time_offset.offset_s =
+        std::accumulate(offsets_s.begin(), offsets_s.end(), 0.0) / static_cast<double>(offsets_s.size());
+}
+
+/// Advice counts sessions as users do: "Session 2 (tuesday) was left out".
+void take_out_advice(const std::vector<std::shared_ptr<const Session>>& sessions, int session,
+                     std::vector<std::string>& advice) {
+  const auto title = [&](int number, int of) {
+    return "Session " + std::to_string(number + 1) + " (" + sessions[static_cast<std::size_t>(of)]->name + ")";
+  };
+  std::erase_if(advice, [&](const std::string& line) { return line.starts_with(title(session, session)); });
+  for (int later = session + 1; later < std::ssize(sessions); ++later)
+    for (std::string& line : advice)
+      if (const std::string old = title(later, later); line.starts_with(old))
+        line.replace(0, old.size(), title(later - 1, later));
+}
+
+void take_out_findings(const std::vector<std::shared_ptr<const Session>>& sessions, int session,
+                       std::vector<Finding>& findings) {
+  const auto tells = [](const Session& of, const Finding& finding) {
+    return finding.where == of.name || std::any_of(of.findings.begin(), of.findings.end(), [&](const Finding& own) {
+             return own.code == finding.code && own.where == finding.where && own.explanation == finding.explanation;
+           });
+  };
+  std::erase_if(findings, [&](const Finding& finding) {
+    if (!tells(*sessions[static_cast<std::size_t>(session)], finding)) return false;
+    for (int other = 0; other < std::ssize(sessions); ++other)
+      if (other != session && tells(*sessions[static_cast<std::size_t>(other)], finding)) return false;
+    return true;
+  });
+}
+
+}  // namespace
+
+PipelineInput input_without_session(PipelineInput input, int session) {
+  input.sessions.erase(input.sessions.begin() + session);
+  std::erase_if(input.verdicts, [&](const PairVerdict& verdict) { return verdict.session == session; });
+  for (PairVerdict& verdict : input.verdicts) verdict.session -= verdict.session > session ? 1 : 0;
+  return input;
+}
+
+std::optional<PipelineOutput> without_session(const PipelineInput& input, const PipelineOutput& output, int session) {
+  if (rests_on(output, session)) return std::nullopt;
+  PipelineOutput left = output;
+  take_out_pairs(session, left);
+  take_out_clock(session, left.result);
+  take_out_advice(input.sessions, session, left.result.advice);
+  take_out_findings(input.sessions, session, left.findings);
+  if (static_cast<std::size_t>(session) < left.session_uses_sweep.size())
+    left.session_uses_sweep.erase(left.session_uses_sweep.begin() + session);
+  return left;
+}
+
+}  // namespace remount

@@ -1,0 +1,117 @@
+#include "model/pipeline/without_session.h"
+
+#include <gtest/gtest.h>
+
+namespace remount {
+namespace {
+
+/// Three sessions of two keyframes and two pairs each; of the middle one no pair is accepted.
+struct ThreeSessions {
+  PipelineInput input;
+  PipelineOutput output;
+
+  ThreeSessions() {
+    for (const char* name : {"monday", "tuesday", "friday"}) add_session(name);
+    CalibrationResult& result = output.result;
+    result.status = Status::Ok;
+    result.observed.fill(true);
+    result.ins_from_lidar = rigid_from_six({1.0, 0.2, 1.5, 0.1, 0.0, 0.0});
+    result.pairs_proposed = 6, result.pairs_accepted = 4, result.pairs_rejected = 2;
+    result.session_time_offset_s = {0.010, 0.700, 0.030};
+    result.time_offset = {0.2467, 0.001, true};
+    result.advice = {"Session 2 (tuesday) was left out: its INS motion and its registrations contradict each other.",
+                     "Session 3 (friday) is short.", "Drive a ramp."};
+    for (const char* source : {"refined", "pair 1", "pair 5", "pairs 0 + 4", "all pairs: Park-Martin"}) {
+      result.candidates.emplace_back();
+      result.candidates.back().source = source;
+    }
+    output.session_uses_sweep = {true, false, true};
+  }
+  void add_session(const char* name) {
+    const auto session = std::make_shared<Session>();
+    session->name = name;
+    const int number = static_cast<int>(input.sessions.size());
+    session->findings = {{Severity::Note, "ins-gap", "ins.csv:" + std::to_string(number), "A gap."},
+                         {Severity::Note, "no-gnss", "log", "No GNSS."}};
+    output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+    output.findings.push_back({Severity::Warning, "scan-unreadable", name, "A scan is skipped."});
+    input.verdicts.push_back({number, 7, 8, PairState::Rejected, "lorry"});
+    for (int i = 0; i < 2; ++i) {
+      Pair pair;
+      pair.keyframe_a = 2 * number, pair.keyframe_b = 2 * number + 1;
+      pair.gap_s = static_cast<double>(output.pairs.size());  // what it was called
+      pair.state = number == 1 ? PairState::Rejected : PairState::Accepted;
+      output.pairs.push_back(pair);
+      output.keyframes.push_back({number, i, 100 * number + i, 0.0});
+    }
+    input.sessions.push_back(session);
+  }
+};
+
+TEST(without_session, what_the_result_does_not_rest_on_goes_and_x_stays) {
+  const ThreeSessions drive;
+  const auto left = without_session(drive.input, drive.output, 1);
+  ASSERT_TRUE(left);
+  const CalibrationResult& result = left->result;
+  EXPECT_TRUE(result.ins_from_lidar.isApprox(drive.output.result.ins_from_lidar, 0.0));
+  EXPECT_EQ(result.pairs_proposed, 4);
+  EXPECT_EQ(result.pairs_accepted, 4);
+  EXPECT_EQ(result.pairs_rejected, 0);
+  EXPECT_EQ(result.session_time_offset_s, (std::vector{0.010, 0.030}));
+  EXPECT_NEAR(result.time_offset.offset_s, 0.020, 1e-12) << "the mean of those that are left";
+  EXPECT_EQ(left->session_uses_sweep, (std::vector{true, true}));
+  EXPECT_EQ(result.advice, (std::vector<std::string>{"Session 2 (friday) is short.", "Drive a ramp."}));
+}
+
+TEST(without_session, pairs_keyframes_and_sessions_are_numbered_anew) {
+  const ThreeSessions drive;
+  const auto left = without_session(drive.input, drive.output, 1);
+  ASSERT_TRUE(left);
+  ASSERT_EQ(left->pairs.size(), 4U);
+  ASSERT_EQ(left->keyframes.size(), 4U);
+  for (const Pair& pair : left->pairs) {
+    const Keyframe& a = left->keyframes.at(static_cast<std::size_t>(pair.keyframe_a));
+    EXPECT_EQ(a.session, pair.gap_s < 2.0 ? 0 : 1);
+    EXPECT_EQ(a.stamp_ns, pair.gap_s < 2.0 ? 0 : 200) << "the scan that it was made of";
+  }
+  std::vector<std::string> sources;
+  for (const Candidate& candidate : left->result.candidates) sources.push_back(candidate.source);
+  EXPECT_EQ(sources,
+            (std::vector<std::string>{"refined", "pair 1", "pair 3", "pairs 0 + 2", "all pairs: Park-Martin"}));
+  const PipelineInput input = input_without_session(drive.input, 1);
+  ASSERT_EQ(input.sessions.size(), 2U);
+  EXPECT_EQ(input.sessions[1], drive.input.sessions[2]);
+  ASSERT_EQ(input.verdicts.size(), 2U);
+  EXPECT_EQ(input.verdicts[1].session, 1);
+}
+
+TEST(without_session, findings_of_the_session_go_and_those_that_others_have_as_well_stay) {
+  const ThreeSessions drive;
+  const auto left = without_session(drive.input, drive.output, 1);
+  ASSERT_TRUE(left);
+  int shared = 0;
+  for (const Finding& finding : left->findings) {
+    EXPECT_NE(finding.where, "tuesday");
+    EXPECT_NE(finding.where, "ins.csv:1");
+    shared += finding.code == "no-gnss";
+  }
+  EXPECT_EQ(shared, 3);
+  EXPECT_EQ(left->findings.size(), drive.output.findings.size() - 2);
+}
+
+TEST(without_session, what_the_result_rests_on_cannot_be_left_out) {
+  ThreeSessions drive;
+  EXPECT_FALSE(without_session(drive.input, drive.output, 0)) << "its pairs were accepted";
+  EXPECT_FALSE(without_session(drive.input, drive.output, 2));
+  drive.output.method = "trajectory";
+  EXPECT_FALSE(without_session(drive.input, drive.output, 1)) << "a method without pairs uses all that it is given";
+  drive.output.method = std::string(kPairwise);
+  drive.output.ground = ObservedGround{};
+  EXPECT_FALSE(without_session(drive.input, drive.output, 1)) << "the ground in its scans was used";
+  drive.output.ground.reset();
+  drive.output.result.status = Status::Inconsistent;
+  EXPECT_FALSE(without_session(drive.input, drive.output, 1)) << "without it there may be a result";
+}
+
+}  // namespace
+}  // namespace remount

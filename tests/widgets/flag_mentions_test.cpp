@@ -1,0 +1,46 @@
+#include "widgets/forms/flag_mentions.h"
+
+#include <gtest/gtest.h>
+
+#include <QRegularExpression>
+
+#include "tests/widgets/support/restored.h"
+#include "widgets/model_text.h"
+
+namespace remount {
+namespace {
+
+TEST(flag_mentions, are_places_of_the_window) {
+  const testing::LanguageFor english("en");
+  EXPECT_EQ(with_window_places("Mend the file, or give the mounting with --nominal."),
+            "Mend the file, or give the mounting in “Nominal mounting”.");
+  EXPECT_EQ(with_window_places("measure the height and give it with --measured."),
+            "measure the height and give it in “Measured by hand”.");
+  EXPECT_EQ(with_window_places("leave them out: --topic imu=none."), "leave them out: “Topics…: IMU – none”.");
+  EXPECT_EQ(with_window_places("odom has 100 Hz: --topic ins=/odom takes it"),
+            "odom has 100 Hz: “Topics…: INS – /odom” takes it");
+  EXPECT_EQ(with_window_places("(--topic ins-position=TOPIC), or say with --topic which topic is the IMU"),
+            "(“Topics…: Position of the INS”), or say in “Topics…” which topic is the IMU");
+  EXPECT_EQ(with_window_places("it can be calibrated with --method trajectory or vehicle-frame"),
+            "it can be calibrated with the method “Trajectory alignment” or “Vehicle frame”");
+  EXPECT_EQ(with_window_places("choose --method slew for an excavator"),
+            "choose the method “Slewing machine” for an excavator");
+  EXPECT_EQ(in_words_of_window("give --set solve.joint_clouds=off"), "give “Joint clouds” (Solution)=off");
+  EXPECT_EQ(with_window_places("a -- b, /data/--method"), "a -- b, /data/--method");
+}
+
+void expect_no_flags(const QString& language) {
+  const testing::LanguageFor spoken(language);
+  static const QRegularExpression kFlag(QStringLiteral("--[a-z]")), kInserted(QStringLiteral("%\\d"));
+  for (const char* phrase : model_phrases()) {
+    const QString said = model_text(QString::fromUtf8(phrase).replace(kInserted, QStringLiteral("slew")));
+    EXPECT_FALSE(said.contains(kFlag)) << said.toStdString();
+  }
+}
+
+TEST(flag_mentions, no_sentence_of_the_model_has_a_flag_in_the_window) { expect_no_flags("en"); }
+
+TEST(flag_mentions, no_sentence_of_the_model_has_a_flag_in_the_window_in_chinese) { expect_no_flags("zh_CN"); }
+
+}  // namespace
+}  // namespace remount
