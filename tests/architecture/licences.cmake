@@ -1,0 +1,46 @@
+# Nothing GPL is linked (docs/adr/0005-dependencies.md). What brings parts of SuiteSparse with it is refused in what
+# programs load, and in the sources, where a program that is not built here would get it from. Arguments: SOURCE;
+# FOLDERS, by default those of the product and of its build; PROGRAMS, separated by commas.
+if(NOT FOLDERS)
+  set(FOLDERS . algorithms model widgets app tests cmake packaging)
+endif()
+set(suitesparse "cholmod|spqr|cxsparse|suitesparse|suitesparseconfig|c?amd|c?colamd|umfpack|klu|btf|ldl|rbio")
+set(failures "")
+set(checked 0)
+
+foreach(folder ${FOLDERS})
+  set(files ${SOURCE}/${folder}/CMakeLists.txt)
+  if(NOT folder STREQUAL ".")
+    file(GLOB_RECURSE files ${SOURCE}/${folder}/*.h ${SOURCE}/${folder}/*.cpp ${SOURCE}/${folder}/*.cmake
+         ${SOURCE}/${folder}/*.txt)
+    list(FILTER files EXCLUDE REGEX "${SOURCE}/tests/architecture/")  # has the names in its laws and examples
+  endif()
+  foreach(file ${files})
+    math(EXPR checked "${checked} + 1")
+    file(STRINGS ${file} lines REGEX "[Cc][Ee][Rr][Ee][Ss]|[Cc][Hh][Oo][Ll][Mm][Oo][Dd]|[Ss][Pp][Qq][Rr]|[Cc][Xx][Ss]parse|[Ss]uite[Ss]parse|[Uu]mf[Pp]ack|KLUSupport")
+    foreach(line ${lines})
+      list(APPEND failures "${file}: ${line}")
+    endforeach()
+  endforeach()
+endforeach()
+
+string(REPLACE "," ";" programs "${PROGRAMS}")
+foreach(program ${programs})
+  execute_process(COMMAND ldd ${program} OUTPUT_VARIABLE libraries RESULT_VARIABLE code)
+  if(NOT code EQUAL 0 OR NOT libraries MATCHES "libc\\.so")
+    message(FATAL_ERROR "ldd ${program} did not list its libraries:\n${libraries}")
+  endif()
+  string(REGEX MATCHALL "lib(ceres|${suitesparse})\\.so[^\n]*" found "${libraries}")
+  foreach(library ${found})
+    list(APPEND failures "${program} loads ${library}")
+  endforeach()
+endforeach()
+
+if(checked LESS 1)
+  message(FATAL_ERROR "no files were checked: is ${SOURCE} the root of the sources?")
+endif()
+if(failures)
+  list(JOIN failures "\n" text)
+  message(FATAL_ERROR "what is GPL, or brings it along (docs/adr/0005-dependencies.md):\n${text}")
+endif()
+message(STATUS "${checked} files, and programs ${PROGRAMS}, are free of it")
