@@ -13,7 +13,8 @@ PointCloud load_compensated(const std::shared_ptr<const Session>& session, std::
   if (!has_motion || settings.run.deskew == DeskewMode::Off) return session->scans->load(scan);
   const DriveMotion motion({session});
   ScanStore store(motion, settings.registration, 0);
-  const bool use_sweep = settings.run.deskew == DeskewMode::On || session->sweep.certain;
+  const bool use_sweep =
+      settings.run.deskew == DeskewMode::On || (session->sweep.certain && session->sweep.direction_known);
   store.compensate_motion(ins_from_lidar, {use_sweep});
   return store.load({0, static_cast<int>(scan), session->scans->stamp_ns(scan), 0.0});
 }

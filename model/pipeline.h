@@ -54,6 +54,13 @@ struct PipelineOutput {
   /// Whether motion within the scans of each session was compensated by the sweep's azimuth; empty before that is
   /// decided.
   std::vector<bool> session_uses_sweep;
+  /// The sweeps by which they were, which may have been found from the scans; empty: the sessions' own.
+  std::vector<SweepModel> session_sweeps;
+  /// Scans that may be bent by their motion, in a way that is not known, tell no clock offset.
+  bool clock_told = true;
+  /// How far X is off, under `perturbed`, where the scans were swept otherwise than was taken: one of each way that
+  /// they do not refute.
+  std::vector<Vector6d> sweep_doubts;
   /// How far X is off, under `perturbed`, by a clock offset that was found and not applied.
   std::optional<Vector6d> clock_bias;
   /// The ground in the scans; where the settings give the height of the INS above it.

@@ -95,6 +95,25 @@ ObservedGround ground_from_document(const DocumentView& view) {
   return ground;
 }
 
+DocumentNode sweep_document(const SweepModel& sweep) {
+  DocumentNode node = DocumentNode::map();
+  node.add("period_s", DocumentNode::number(sweep.period_s));
+  node.add("stamp_azimuth_rad", DocumentNode::number(sweep.stamp_azimuth_rad));
+  node.add("clockwise", DocumentNode::boolean(sweep.clockwise));
+  node.add("by_order", DocumentNode::boolean(sweep.by_order));
+  return node;
+}
+
+SweepModel sweep_from_document(const DocumentView& view) {
+  SweepModel sweep;
+  sweep.period_s = view.at("period_s").number();
+  if (!(sweep.period_s > 0.0)) view.at("period_s").fail("expected a number above 0");
+  sweep.stamp_azimuth_rad = view.at("stamp_azimuth_rad").number();
+  sweep.clockwise = view.at("clockwise").boolean();
+  sweep.by_order = view.at("by_order").boolean();
+  return sweep;
+}
+
 DocumentNode calibration_document(const Project& project) {
   const PipelineOutput& output = *project.output;
   PipelineInput input;
@@ -120,6 +139,11 @@ DocumentNode calibration_document(const Project& project) {
   if (output.ground) node.add("ground", ground_document(*output.ground));
   DocumentNode& sweeps = node.add("session_uses_sweep", DocumentNode::sequence());
   for (const bool uses : output.session_uses_sweep) sweeps.add(DocumentNode::boolean(uses));
+  DocumentNode& found = node.add("session_sweeps", DocumentNode::sequence());
+  for (const SweepModel& sweep : output.session_sweeps) found.add(sweep_document(sweep));
+  if (!output.clock_told) node.add("clock_told", DocumentNode::boolean(false));
+  DocumentNode& doubts = node.add("sweep_doubts", DocumentNode::sequence());
+  for (const Vector6d& doubt : output.sweep_doubts) doubts.add(DocumentNode::numbers({doubt.begin(), doubt.end()}));
   node.add("findings", stored_findings(output.findings));
   DocumentNode& keyframes = node.add("keyframes", DocumentNode::sequence());
   for (const Keyframe& keyframe : output.keyframes) keyframes.add(keyframe_document(keyframe));
@@ -160,6 +184,13 @@ void read_calibration(const DocumentView& view, Project& project) {
   if (view.has("session_uses_sweep"))
     for (const DocumentView& item : view.at("session_uses_sweep").items())
       output.session_uses_sweep.push_back(item.boolean());
+  if (view.has("session_sweeps"))
+    for (const DocumentView& item : view.at("session_sweeps").items())
+      output.session_sweeps.push_back(sweep_from_document(item));
+  output.clock_told = !view.has("clock_told") || view.at("clock_told").boolean();
+  if (view.has("sweep_doubts"))
+    for (const DocumentView& item : view.at("sweep_doubts").items())
+      output.sweep_doubts.emplace_back(Eigen::Map<const Vector6d>(item.numbers(6).data()));
   for (const DocumentView& item : view.at("findings").items())
     output.findings.push_back({static_cast<Severity>(item.at("severity").integer(0, 2)), item.at("code").string(),
                                item.at("where").string(), item.at("explanation").string()});

@@ -4,17 +4,42 @@
 
 namespace remount {
 
-std::vector<float> told_times(const Session& session, const PointCloud& cloud, bool by_sweep) {
+namespace {
+
+/// Of points in the order in which they were measured; the stamp is in the middle of them.
+std::vector<float> times_by_order(std::size_t points, double period_s) {
+  std::vector<float> times_s(points);
+  for (std::size_t i = 0; i < points; ++i)
+    times_s[i] = static_cast<float>(period_s * ((static_cast<double>(i) + 0.5) / static_cast<double>(points) - 0.5));
+  return times_s;
+}
+
+}  // namespace
+
+std::vector<float> told_times(const Session& session, const PointCloud& cloud, const std::optional<SweepModel>& sweep) {
   if (cloud.points.empty()) return {};
   if (session.scan_timing == ScanTiming::PerPoint && cloud.time_from_stamp_s.size() == cloud.size())
     return cloud.time_from_stamp_s;
-  if (session.scan_timing != ScanTiming::SweepAzimuth || !by_sweep) return {};
-  return sweep_times(cloud, session.sweep.period_s, session.sweep.stamp_azimuth_rad, session.sweep.clockwise);
+  if (!sweep) return {};
+  if (sweep->by_order) return times_by_order(cloud.size(), sweep->period_s);
+  return sweep_times(cloud, sweep->period_s, sweep->stamp_azimuth_rad, sweep->clockwise);
+}
+
+std::optional<SweepModel> sweep_of(const Session& session, DeskewMode mode) {
+  if (session.scan_timing != ScanTiming::SweepAzimuth || mode == DeskewMode::Off) return std::nullopt;
+  if (!session.sweep.certain && mode != DeskewMode::On) return std::nullopt;
+  return session.sweep;
 }
 
 std::vector<float> scan_times(const Session& session, const PointCloud& cloud, DeskewMode mode) {
   if (mode == DeskewMode::Off) return {};
-  return told_times(session, cloud, session.sweep.certain || mode == DeskewMode::On);
+  return told_times(session, cloud, sweep_of(session, mode));
+}
+
+bool tells_clock(const Session& session, DeskewMode mode) {
+  if (!session.scans || (session.scan_timing == ScanTiming::Instant && !session.scan_timing_open)) return true;
+  if (mode == DeskewMode::Off || session.scan_timing_open) return false;
+  return session.scan_timing == ScanTiming::PerPoint || sweep_of(session, mode).has_value();
 }
 
 }  // namespace remount

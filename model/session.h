@@ -35,15 +35,18 @@ enum class ScanTiming {
   Instant,       ///< already compensated, or taken at once
   PerPoint,      ///< time_from_stamp_s is filled
   SweepAzimuth,  ///< one turn; time follows from the azimuth (see SweepModel)
+  Unknown,       ///< no times, and nothing says that the scans are compensated: see sweep_trial.h
 };
 
 /// A spinning sensor's turn, in either direction: time_from_stamp = (angle turned since `stamp_azimuth_rad`) / 2 pi *
-/// period, in (-period/2, period/2].
+/// period, in (-period/2, period/2]. Of a sensor that does not spin, points in the order in which they were measured.
 struct SweepModel {
   double period_s = 0.1;
   double stamp_azimuth_rad = 0.0;  ///< azimuth (atan2(y, x)) that the sensor faces at the stamp
   bool clockwise = true;           ///< the direction of the turn, seen from above
   bool certain = true;             ///< false: the format does not say whether scans are already compensated
+  bool direction_known = true;     ///< false: the format does not say which way the sensor turns
+  bool by_order = false;           ///< times follow from the order of the points instead, evenly over the period
 };
 
 /// The scans of a session. load() is thread-safe and throws Error where a scan cannot be read.
@@ -84,6 +87,8 @@ struct Session {
   std::vector<BarometerSample> barometer;
   ScanTiming scan_timing = ScanTiming::Instant;
   SweepModel sweep;
+  /// How motion within the scans is compensated is the best guess of several: no clock is to be told from them.
+  bool scan_timing_open = false;
   /// Of the INS frame in which X is expressed; nothing: as a pose file defines them, which does not say.
   std::optional<InsAxes> ins_axes = InsAxes::ForwardLeftUp;
   /// Errors of the INS as the data declare them; NaN where they do not. White: independent from sample to sample.

@@ -307,7 +307,8 @@ std::string describe(const Session& session, const SessionReport& report) {
             " m travelled, turned by up to " + number(report.turned_deg, 1) + " deg\n";
   if (session.scans) {
     constexpr const char* kTiming[] = {"taken at once, or already compensated", "time of every point is known",
-                                       "time of a point follows from its azimuth"};
+                                       "time of a point follows from its azimuth",
+                                       "not known: a calibration tries how the scans were swept"};
     text += std::string("  motion within a scan: ") + kTiming[static_cast<int>(session.scan_timing)] +
             "\n  points in a scan (" + std::to_string(report.points.size()) + " of " +
             std::to_string(report.lidar.count) + " scans were read):";

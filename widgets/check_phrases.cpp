@@ -9,6 +9,24 @@ const std::vector<const char*>& check_phrases() {
       // what the checks of data find
       QT_TRANSLATE_NOOP(
           "remount::model",
+          "Scans of a moving sensor are bent by the motion within a sweep, unless somebody has compensated them."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Record points with their times: set the driver to write them (in a field called time, t or "
+                        "timestamp). A calibration tries sweeps in both directions and takes what the scans prove; "
+                        "without proof the sigmas include the others, and no clock offset is estimated."),
+      QT_TRANSLATE_NOOP("remount::model", "How the scans are bent by motion is a guess."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Record points with their times, or declare in a native session how the sensor turns (timing: sweep)."),
+      QT_TRANSLATE_NOOP("remount::model", "The sensor turns the other way than those that the format was made for."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Nothing, where the LiDAR is another one; otherwise check that axes of the points are right-handed."),
+      QT_TRANSLATE_NOOP("remount::model", "Scans and INS samples were taken out or renumbered apart from each other."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Nothing, where the stamps of both are right; otherwise copy the drive again, whole."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
           "%1 of %2 samples are degraded and %3 invalid by the INS's own status, in %4, the longest of %5 s."),
       QT_TRANSLATE_NOOP("remount::model", "%1 stretch"),
       QT_TRANSLATE_NOOP("remount::model", "%1 stretches"),

@@ -39,11 +39,43 @@ const std::vector<const char*>& file_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "was there when it was opened and is gone now: nothing is made of the part that could be read"),
       QT_TRANSLATE_NOOP("remount::model",
-                        "The format does not say whether its scans are compensated for motion. Compensating them "
-                        "changes the registration residual by %1: scans are compensated."),
+                        "The format does not say how its scans are bent by motion; told by the scans themselves they "
+                        "are %1. That leaves %2 % less between scans than the next of what was tried."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "The format does not say whether its scans are compensated for motion. Compensating them "
-                        "changes the registration residual by %1: scans are used as they are."),
+                        "The sensor turns clockwise, not as is usual in this format: the scans are %1. That leaves %2 "
+                        "% less between scans than the next of what was tried."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The sensor turns counter-clockwise, not as is usual in this format: the scans are %1. That "
+                        "leaves %2 % less between scans than the next of what was tried."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "How the scans are bent by motion is not known, and they do not tell clearly: they are %1. The "
+                        "sigmas include what another way would make of the mounting; no clock offset is estimated."),
+      QT_TRANSLATE_NOOP("remount::model", "used as they are"),
+      QT_TRANSLATE_NOOP("remount::model", "compensated by the order of their points, over %1 s"),
+      QT_TRANSLATE_NOOP("remount::model", "compensated as turns of %1 s, clockwise"),
+      QT_TRANSLATE_NOOP("remount::model", "compensated as turns of %1 s, counter-clockwise"),
+      QT_TRANSLATE_NOOP("remount::model", "When the points were measured is not known: %1."),
+      QT_TRANSLATE_NOOP("remount::model", "the points have no times (columns: %1)"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "the times of the points are all the same, or few for all points (columns: %1)"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "There are %1 stamps of scans and %2 of the INS: scans and INS samples of one number do not "
+                        "belong together, and go by their own stamps."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The stamps of %1 of %2 scans are further than half a scan from those of the INS of their number: scans and "
+          "INS samples of one number do not belong together, and go by their own stamps."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "How the scans are bent by motion is not known, which biases X; the sigmas include it. Record "
+                        "scans with the times of their points, or declare how they were swept."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Nothing is known: how the scans are bent by motion makes more of a difference than X can bear."),
+      QT_TRANSLATE_NOOP("remount::model", "%1: not known, how the scans are bent by motion is not known"),
+      QT_TRANSLATE_NOOP("remount::model", "trying how scans were swept"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "holds coordinates of a map (up to %1 m), expected metres in the frame of the sensor, one scan a file"),
       QT_TRANSLATE_NOOP("remount::model",
                         "The lidar's stamps are early by %1 ms (sigma %2 ms) against the INS. X is biased by it while "
                         "the vehicle turns: set solve.apply_time_offset to correct it."),
@@ -69,8 +101,6 @@ const std::vector<const char*>& file_phrases() {
                         "The bag has no usable index (%1). It was read from the beginning: %2 messages were found; %3 "
                         "bytes at the end are not readable.%4"),
       QT_TRANSLATE_NOOP("remount::model", "Parts of the bag are missing: %1."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "The points have no times of their own: scans are taken to be compensated for motion already."),
       QT_TRANSLATE_NOOP(
           "remount::model",
           "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %1 s apart. "

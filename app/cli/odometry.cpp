@@ -7,6 +7,7 @@
 #include "model/io/atomic_save.h"
 #include "model/io/session_reader.h"
 #include "model/methods/fusion_run.h"
+#include "model/methods/settled_sweeps.h"
 #include "model/session_frames.h"
 #include "model/settings_file.h"
 
@@ -45,9 +46,16 @@ int odometry(const OdometryArguments& arguments, Console& console) {
   require_valid(settings);
   check_replaces_its_like(arguments.output, "# t x y z qx qy qz qw");
   check_can_save(arguments.output);
-  const Session session = open_session(arguments.session, arguments.topics.choice(), console.progress());
+  PipelineInput input;
+  input.sessions = {
+      std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()))};
+  input.settings = settings;
+  input.threads = console.options().threads;
+  const std::shared_ptr<const Session> swept = settle_sweeps(input, console.progress()).input.sessions.front();
+  const Session& session = *swept;
   const FusionRun run = run_fusion_odometry(session, nominal_of(arguments, session, console), settings,
                                             console.options().threads, console.progress());
+  console.report(session.findings);
   console.report(run.findings);
   if (run.odometry.cancelled) {
     console.complain("cancelled after " + summary(run) + "; nothing is written");

@@ -40,7 +40,7 @@ void add_simulate(CLI::App& app, Console& console, Run& run) {
       ->type_name("OUT")
       ->required();
   verb->add_option("--format", arguments->format,
-                   "Format of the session; the LiDAR of kitti-raw turns counter-clockwise")
+                   "Format of the session; the LiDAR of kitti-raw turns counter-clockwise unless --clockwise is given")
       ->check(CLI::IsMember(drive_formats()))
       ->capture_default_str();
   verb->add_option("--ins-from-lidar", arguments->mounting, "True mounting x,y,z,yaw,pitch,roll (m, degrees)")

@@ -19,12 +19,22 @@ double read_as(const char* bytes, bool swap_bytes) {
   return static_cast<double>(std::bit_cast<T>(raw));
 }
 
-int find_field(const std::vector<CloudField>& fields, std::initializer_list<std::string_view> names) {
+/// Without what CloudCompare puts before the names of its scalar fields.
+std::string_view plain_name(std::string_view name) {
+  for (const std::string_view prefix : {"scalar_", "sf_"})
+    if (name.starts_with(prefix)) return name.substr(prefix.size());
+  return name;
+}
+
+template <class List>
+int find_field(const std::vector<CloudField>& fields, const List& names) {
   for (const std::string_view name : names)
     for (std::size_t i = 0; i < fields.size(); ++i)
-      if (fields[i].name == name && fields[i].count == 1) return static_cast<int>(i);
+      if (plain_name(fields[i].name) == name && fields[i].count == 1) return static_cast<int>(i);
   return -1;
 }
+
+using FieldNames = std::initializer_list<std::string_view>;
 
 bool fits_float(ScalarType type) { return size_of(type) <= 2; }
 
@@ -75,16 +85,31 @@ double read_scalar(const char* bytes, ScalarType type, bool swap_bytes) {
 
 CloudColumns find_cloud_columns(const std::vector<CloudField>& fields, const std::string& where) {
   CloudColumns columns;
-  columns.x = find_field(fields, {"x"});
-  columns.y = find_field(fields, {"y"});
-  columns.z = find_field(fields, {"z"});
-  columns.intensity = find_field(fields, {"intensity", "i", "reflectivity", "reflectance", "remission"});
-  columns.ring = find_field(fields, {"ring", "channel", "laser_id", "line"});
-  columns.time = find_field(fields, {"time", "t", "timestamp", "time_stamp", "offset_time"});
+  columns.x = find_field(fields, FieldNames{"x"});
+  columns.y = find_field(fields, FieldNames{"y"});
+  columns.z = find_field(fields, FieldNames{"z"});
+  columns.intensity = find_field(fields, FieldNames{"intensity", "i", "reflectivity", "reflectance", "remission"});
+  columns.ring = find_field(fields, FieldNames{"ring", "channel", "laser_id", "line"});
+  columns.time = find_field(fields, kTimeColumns);
   if (columns.x >= 0 && columns.y >= 0 && columns.z >= 0) return columns;
+  throw Error(ErrorCode::Format, where,
+              "fields are '" + column_names(fields) + "', expected x, y and z with one value each");
+}
+
+TimeColumn time_column(const std::vector<CloudField>& fields, const CloudColumns& columns) {
+  TimeColumn column;
+  if (columns.time < 0) return column;
+  const CloudField& field = fields[static_cast<std::size_t>(columns.time)];
+  column.type = field.type;
+  for (const auto& [ending, unit_s] : {std::pair{"_ns", 1e-9}, {"_us", 1e-6}, {"_ms", 1e-3}})
+    if (field.name.ends_with(ending)) column.unit_s = unit_s;
+  return column;
+}
+
+std::string column_names(const std::vector<CloudField>& fields) {
   std::string names;
   for (std::size_t i = 0; i < std::min<std::size_t>(fields.size(), 16); ++i) names += (i ? " " : "") + fields[i].name;
-  throw Error(ErrorCode::Format, where, "fields are '" + names + "', expected x, y and z with one value each");
+  return names;
 }
 
 void refuse_narrow_coordinates(const std::vector<CloudField>& fields, const CloudColumns& columns,
@@ -109,13 +134,16 @@ CloudBuilder::CloudBuilder(const CloudColumns& columns, const TimeColumn& time, 
 }
 
 void CloudBuilder::add(const RawPoint& point) {
+  constexpr float kFarthest_m = 1e5f;  // beyond it nothing is a return; its square would not fit a float either
   const Eigen::Vector3f p(static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z));
-  const bool timed = columns_.time < 0 || std::isfinite(point.time);
-  // Beyond 1e5 m nothing is a return; its square would not fit a float either.
-  if (!p.allFinite() || p.isZero(0.0f) || p.cwiseAbs().maxCoeff() > 1e5f || !timed) {
+  const bool beyond = p.allFinite() && p.cwiseAbs().maxCoeff() > kFarthest_m;
+  if (p.allFinite()) farthest_m_ = std::max(farthest_m_, static_cast<double>(p.cwiseAbs().maxCoeff()));
+  if (!p.allFinite() || p.isZero(0.0f) || beyond) {
+    beyond_ += beyond ? 1 : 0;
     ++cloud_.dropped_points;
     return;
   }
+  nearest_m_ = std::min(nearest_m_, static_cast<double>(p.norm()));
   cloud_.points.push_back(p);
   if (columns_.intensity >= 0) cloud_.intensity.push_back(static_cast<float>(point.intensity));
   if (columns_.ring >= 0) {
@@ -145,14 +173,29 @@ void CloudBuilder::cut_to(std::size_t points) {
   cloud_.time_from_stamp_s.resize(points);
 }
 
-ReadCloud CloudBuilder::finish(std::int64_t stamp_ns) {
+void CloudBuilder::refuse_map_coordinates(const std::string& where) const {
+  constexpr double kNearest_m = 1000.0;
+  constexpr std::size_t kFewest = 10;  // of fewer points anything may be true
+  const bool all_beyond = cloud_.points.empty() && beyond_ > 0;
+  if (!all_beyond && (cloud_.points.size() < kFewest || nearest_m_ < kNearest_m)) return;
+  throw Error(ErrorCode::Unsupported, where,
+              "holds coordinates of a map (up to " + std::to_string(std::llround(farthest_m_)) +
+                  " m), expected metres in the frame of the sensor, one scan a file");
+}
+
+ReadCloud CloudBuilder::finish(std::int64_t stamp_ns, const std::string& where, PointTimes times) {
+  refuse_map_coordinates(where);
   const std::size_t points = cloud_.points.size();
-  if (columns_.time < 0 || points == 0) return {std::move(cloud_), false};
+  if (columns_.time < 0 || points == 0) return {std::move(cloud_), false, {}};
   constexpr std::size_t kSample = 4096;
   std::vector<double> sample;
-  for (std::size_t i = 0; i < points; i += 1 + points / kSample) sample.push_back(time_at(i));
+  for (std::size_t i = 0; i < points; i += 1 + points / kSample)
+    if (std::isfinite(time_at(i))) sample.push_back(time_at(i));
+  if (sample.empty()) return without_times();
   const PointTimeScale scale = find_time_scale(std::move(sample), points, time_, stamp_ns);
   const auto belongs = [&](double time) { return time >= scale.low && time <= scale.high; };
+  for (std::size_t i = 0; times == PointTimes::Unused && i < points; ++i)
+    if (!belongs(time_at(i))) return without_times();
   double zero = scale.zero.value_or(scale.high);
   for (std::size_t i = 0; !scale.zero && i < points; ++i)
     if (belongs(time_at(i))) zero = std::min(zero, time_at(i));
@@ -165,7 +208,12 @@ ReadCloud CloudBuilder::finish(std::int64_t stamp_ns) {
     kept = move_point(i, kept);
   }
   cut_to(kept);
-  return {std::move(cloud_), scale.another_clock};
+  return {std::move(cloud_), scale.another_clock, {}};
+}
+
+ReadCloud CloudBuilder::without_times() {
+  cloud_.time_from_stamp_s.clear();
+  return {std::move(cloud_), false, {}};
 }
 
 }  // namespace remount

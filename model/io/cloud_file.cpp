@@ -44,23 +44,7 @@ void check_columns(const PointCloud& cloud) {
 
 }  // namespace
 
-PointCloud parse_kitti_bin(std::string_view bytes, const std::filesystem::path& path) {
-  constexpr std::size_t kPointBytes = 16;
-  if (bytes.empty() || bytes.size() % kPointBytes != 0)
-    throw Error(
-        ErrorCode::Format, path.string(),
-        "holds " + std::to_string(bytes.size()) + " bytes, expected a multiple of 16 (x, y, z, reflectance as floats)");
-  CloudColumns columns;
-  columns.intensity = 3;
-  CloudBuilder builder(columns, {}, bytes.size() / kPointBytes);
-  for (std::size_t at = 0; at < bytes.size(); at += kPointBytes) {
-    const auto value = [&](std::size_t i) { return read_scalar(bytes.data() + at + 4 * i, ScalarType::F32, kSwap); };
-    builder.add({value(0), value(1), value(2), value(3)});
-  }
-  return builder.finish(0).cloud;
-}
-
-PointCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& path) {
+ReadCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& path) {
   CloudColumns columns;
   columns.intensity = 3;
   // A line has three numbers and three separators at least.
@@ -85,22 +69,25 @@ PointCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& 
     any = true;
   }
   if (!any) throw Error(ErrorCode::Format, path.string(), "holds no points");
-  return builder.finish(0).cloud;
+  ReadCloud read = builder.finish(0, path.string());
+  read.columns = "x y z reflectance";
+  return read;
 }
 
-ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format) {
+ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format,
+                          PointTimes times) {
   const std::string bytes = read_regular_file(path);
   switch (format == CloudFormat::Auto ? recognise(bytes, path) : format) {
     case CloudFormat::Ply:
-      return parse_ply(bytes, path, stamp_ns);
+      return parse_ply(bytes, path, stamp_ns, times);
     case CloudFormat::Las:
-      return parse_las(bytes, path, stamp_ns);
+      return parse_las(bytes, path, stamp_ns, times);
     case CloudFormat::KittiBin:
-      return {parse_kitti_bin(bytes, path), false};
+      return parse_bin(bytes, path);
     case CloudFormat::XyziText:
-      return {parse_xyzi_text(bytes, path), false};
+      return parse_xyzi_text(bytes, path);
     default:
-      return parse_pcd(bytes, path, stamp_ns);
+      return parse_pcd(bytes, path, stamp_ns, times);
   }
 }
 

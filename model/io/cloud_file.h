@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 
 #include "algorithms/cloud/point_cloud.h"
 
@@ -10,20 +11,28 @@ namespace remount {
 
 enum class CloudFormat { Auto, Pcd, Ply, KittiBin, XyziText, Las };
 
+/// What times of points are read for.
+enum class PointTimes {
+  Used,    ///< a point that is of no time of the scan is left out
+  Unused,  ///< no point is left out for its time; where some are of no time of the scan, the times are
+};
+
 /// A scan, with what is to be known of its times.
 struct ReadCloud {
   PointCloud cloud;
   /// The points' own times are neither from the stamp on nor on its clock. They are taken from the scan's first point
   /// on then, as if that had been taken at the stamp.
   bool points_have_another_clock = false;
+  std::string columns;  ///< what the file has, for messages: "x y z intensity"
 };
 
-/// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), LAS, KITTI .bin, or
-/// text `x y z reflectance`. Auto decides by content, then by extension. Points that are not finite, at zero range or
-/// of no time of the scan are left out and counted. Per-point times are taken relative to `stamp_ns` (Unix time of the
-/// scan; 0: not known), see find_time_scale. Throws Error naming file and line or byte.
+/// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), LAS, .bin of 3 to 6
+/// floats a point, or text `x y z reflectance`. Auto decides by content, then by extension. Points that are not finite,
+/// at zero range or of no time of the scan are left out and counted. Per-point times are taken relative to `stamp_ns`
+/// (Unix time of the scan; 0: not known), see find_time_scale. Throws Error naming file and line or byte, and
+/// Error(Unsupported) for coordinates of a map.
 ReadCloud read_cloud_file(const std::filesystem::path& path, std::int64_t stamp_ns,
-                          CloudFormat format = CloudFormat::Auto);
+                          CloudFormat format = CloudFormat::Auto, PointTimes times = PointTimes::Used);
 /// Its points alone.
 PointCloud load_cloud(const std::filesystem::path& path, std::int64_t stamp_ns, CloudFormat format = CloudFormat::Auto);
 

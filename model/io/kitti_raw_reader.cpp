@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 
+#include "algorithms/core/median.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/input_file.h"
 #include "model/io/several_sessions.h"
@@ -151,20 +152,49 @@ std::vector<ScanFile> list_scans(const fs::path& drive, const std::vector<std::o
   return scans;
 }
 
-/// The scans of `sync` take the OXTS stamps; how far their own differ is worth knowing.
+/// Whether scan and INS sample of one number are of one time: as many of both, and their own stamps never further apart
+/// than half a scan. Otherwise numbers were lost or given anew.
+bool numbers_agree(const std::vector<std::optional<std::int64_t>>& oxts,
+                   const std::vector<std::optional<std::int64_t>>& velodyne, std::string& why) {
+  constexpr double kHalfAScan_s = 0.06;
+  if (oxts.size() != velodyne.size()) {
+    why = "There are " + std::to_string(velodyne.size()) + " stamps of scans and " + std::to_string(oxts.size()) +
+          " of the INS";
+    return false;
+  }
+  std::size_t apart = 0, both = 0;
+  for (std::size_t i = 0; i < oxts.size(); ++i) {
+    if (!oxts[i] || !velodyne[i]) continue;
+    ++both;
+    apart += std::abs(static_cast<double>(*velodyne[i] - *oxts[i]) * 1e-9) > kHalfAScan_s ? 1 : 0;
+  }
+  if (apart == 0) return true;
+  why = "The stamps of " + std::to_string(apart) + " of " + std::to_string(both) +
+        " scans are further than half a scan from those of the INS of their number";
+  return false;
+}
+
+/// The scans of `sync` take the OXTS stamps of their numbers, where these are of one time; how far their own differ is
+/// worth knowing.
 std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std::optional<std::int64_t>>& oxts,
                                                           const std::vector<std::optional<std::int64_t>>& velodyne,
                                                           Session& session) {
+  std::string why;
+  if (!numbers_agree(oxts, velodyne, why)) {
+    session.findings.push_back(make_finding(
+        Severity::Warning, "stamps-not-by-number", "velodyne_points/timestamps.txt",
+        why + ": scans and INS samples of one number do not belong together, and go by their own stamps."));
+    return velodyne;
+  }
   std::vector<std::optional<std::int64_t>> stamps = velodyne;
   std::vector<double> differences_s;
-  for (std::size_t i = 0; i < std::min(stamps.size(), oxts.size()); ++i) {
+  for (std::size_t i = 0; i < stamps.size(); ++i) {
     if (!oxts[i]) continue;
     if (velodyne[i]) differences_s.push_back(static_cast<double>(*velodyne[i] - *oxts[i]) * 1e-9);
     stamps[i] = oxts[i];
   }
   if (differences_s.empty()) return stamps;
-  std::sort(differences_s.begin(), differences_s.end());
-  const double median = differences_s[differences_s.size() / 2];
+  const double median = median_of(differences_s);
   if (std::abs(median) > 1e-3)
     session.findings.push_back(
         make_finding(Severity::Note, "stamps-by-number", "velodyne_points/timestamps.txt",
@@ -263,6 +293,7 @@ Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
   for (const ScanFile& scan : scans) session.files.push_back(scan.path);
   session.scan_timing = ScanTiming::SweepAzimuth;
   session.sweep = {turn_period_s(drive, scans, session.findings), 0.0, false, extract};
+  session.sweep.direction_known = false;
   session.scans = std::make_shared<FileScanSource>(std::move(scans));
   read_calibration(drive, session);
   return session;

@@ -1,4 +1,4 @@
-// LAS 1.2 to 1.4 (ASPRS), point formats 0 to 10, as single scans in the sensor's frame.
+// LAS 1.0 to 1.4 (ASPRS), point formats 0 to 10, as single scans in the sensor's frame.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,7 +13,6 @@ namespace remount {
 namespace {
 
 constexpr bool kSwapLas = std::endian::native == std::endian::big;
-constexpr double kFarthest_m = 1e5;  ///< as CloudBuilder: beyond it nothing is a return
 
 /// What a point of a format holds at least, and where its time lies; 0: it has none.
 struct PointLayout {
@@ -37,8 +36,8 @@ class HeaderReader {
     if (!bytes_.starts_with("LASF")) fail(0, "expected \"LASF\"");
     if (bytes_.size() < 227) fail(bytes_.size(), "ends within the header, expected at least 227 bytes");
     const int major = static_cast<int>(value(24, ScalarType::U8)), minor = static_cast<int>(value(25, ScalarType::U8));
-    if (major != 1 || minor < 2 || minor > 4)
-      fail(24, "is LAS " + std::to_string(major) + "." + std::to_string(minor) + ", expected 1.2 to 1.4");
+    if (major != 1 || minor > 4)
+      fail(24, "is LAS " + std::to_string(major) + "." + std::to_string(minor) + ", expected 1.0 to 1.4");
     LasHeader header;
     const auto format = static_cast<std::size_t>(value(104, ScalarType::U8));
     if ((format & 0xc0U) != 0)
@@ -49,7 +48,8 @@ class HeaderReader {
     if (header.record_bytes < kLayouts[format].bytes)
       fail(105, "points of " + std::to_string(header.record_bytes) + " bytes, format " + std::to_string(format) +
                     " has at least " + std::to_string(kLayouts[format].bytes));
-    header.whole_gps_time = (static_cast<unsigned>(value(6, ScalarType::U16)) & 1U) != 0;
+    // Before 1.2 these bytes were a number of the flight, and all times seconds of a week.
+    header.whole_gps_time = minor >= 2 && (static_cast<unsigned>(value(6, ScalarType::U16)) & 1U) != 0;
     header.points_at = static_cast<std::size_t>(value(96, ScalarType::U32));
     header.points = point_count(minor);
     if (header.points_at < 227 || header.points_at > bytes_.size() ||
@@ -127,7 +127,8 @@ bool has_times(const LasHeader& header, const char* points) {
 
 }  // namespace
 
-ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
+ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns,
+                    PointTimes times) {
   const LasHeader header = HeaderReader(bytes, path).read();
   const char* points = bytes.data() + header.points_at;
   CloudColumns columns{0, 1, 2, 3, -1, -1};
@@ -135,7 +136,6 @@ ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, s
   if (timed) columns.time = 4;
   CloudBuilder builder(columns, {ScalarType::F64, 1.0}, header.points);
   const PointClock clock(header.whole_gps_time, stamp_ns);
-  double farthest_m = 0.0;
   for (std::size_t i = 0; i < header.points; ++i) {
     const char* record = points + i * header.record_bytes;
     const auto coordinate = [&](std::size_t axis) {
@@ -143,16 +143,12 @@ ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, s
     };
     RawPoint point{coordinate(0), coordinate(1), coordinate(2)};
     point.intensity = read_scalar(record + 12, ScalarType::U16, kSwapLas);
-    if (timed)
-      point.time = clock.unix_s(read_scalar(record + kLayouts[header.format].time_at, ScalarType::F64, kSwapLas));
-    farthest_m = std::max({farthest_m, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    if (timed) point.time = clock.unix_s(read_scalar(record + kLayouts[header.format].time_at, ScalarType::F64, kSwapLas));
     builder.add(point);
   }
-  ReadCloud read = builder.finish(stamp_ns);
-  if (read.cloud.points.empty() && farthest_m > kFarthest_m)
-    throw Error(ErrorCode::Unsupported, path.string(),
-                "holds coordinates of a map (up to " + std::to_string(std::llround(farthest_m)) +
-                    " m), expected metres in the frame of the sensor, one scan a file");
+  ReadCloud read = builder.finish(stamp_ns, path.string(), times);
+  read.columns = "x y z intensity";
+  if (kLayouts[header.format].time_at > 0) read.columns += timed ? " gps_time" : " gps_time (one value for all points)";
   return read;
 }
 

@@ -137,18 +137,30 @@ InsTableLayout read_layout(const DocumentView& columns) {
 }
 
 void read_timing(const DocumentView& node, Session& session) {
-  session.scan_timing = choice<ScanTiming>(
-      node.at("timing"),
-      {{"instant", ScanTiming::Instant}, {"per-point", ScanTiming::PerPoint}, {"sweep", ScanTiming::SweepAzimuth}});
+  session.scan_timing = choice<ScanTiming>(node.at("timing"), {{"instant", ScanTiming::Instant},
+                                                               {"per-point", ScanTiming::PerPoint},
+                                                               {"sweep", ScanTiming::SweepAzimuth},
+                                                               {"unknown", ScanTiming::Unknown}});
   const auto sweep = node.find("sweep");
   if ((session.scan_timing == ScanTiming::SweepAzimuth) != sweep.has_value())
     node.fail("'sweep' stands with timing: sweep and only there");
   if (!sweep) return;
-  sweep->allow_only({"period_s", "stamp_azimuth_deg", "clockwise", "certain"});
+  sweep->allow_only({"period_s", "stamp_azimuth_deg", "clockwise", "certain", "direction_certain"});
   session.sweep.period_s = positive(sweep->at("period_s"));
   session.sweep.stamp_azimuth_rad = degrees_to_radians(sweep->at("stamp_azimuth_deg").number());
   session.sweep.clockwise = sweep->at("clockwise").boolean();
   if (const auto certain = sweep->find("certain")) session.sweep.certain = certain->boolean();
+  if (const auto certain = sweep->find("direction_certain")) session.sweep.direction_known = certain->boolean();
+}
+
+/// Throws where times of points are declared and the points of the first scans tell none: they would be used as if they
+/// had been measured at once.
+void require_point_times(const DocumentView& timing, const FileScanSource& scans) {
+  const FoundPointTimes found = find_point_times(scans);
+  if (found.usable || found.scan.empty()) return;
+  timing.fail("per-point is declared, but " + found.problem + " in " + found.scan + ". " + expected_time_columns() +
+              " Or declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown "
+              "otherwise");
 }
 
 void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
@@ -173,10 +185,14 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
   if (scans.empty()) node.fail("no scan with a stamp is found in " + directory.string());
   keep_ascending(scans, "scan", directory.string(), session.findings);
   for (const ScanFile& scan : scans) session.files.push_back(scan.path);
-  const auto files = std::make_shared<const FileScanSource>(std::move(scans), format);
-  session.scans = files;
   read_timing(node, session);
-  if (session.scan_timing == ScanTiming::PerPoint && !source.only_new()) report_point_clock(*files, session.findings);
+  const bool timed = session.scan_timing == ScanTiming::PerPoint;
+  const auto files = std::make_shared<FileScanSource>(std::move(scans), format,
+                                                      timed ? TimesOfPoints::Required : TimesOfPoints::Unused);
+  if (timed) require_point_times(node.at("timing"), *files);
+  if (timed && !source.only_new()) report_point_clock(*files, session.findings);
+  if (session.scan_timing == ScanTiming::Unknown && !source.only_new()) report_no_point_times(*files, session);
+  session.scans = files;
 }
 
 std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& folder, SessionSource& source,

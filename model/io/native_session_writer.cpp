@@ -96,11 +96,13 @@ std::string scans_section(const Session& session, CloudFormat scans) {
                      "\n  stamps: scan_stamps.csv\n  timing: ";
   if (session.scan_timing == ScanTiming::Instant) return text + "instant\n";
   if (session.scan_timing == ScanTiming::PerPoint) return text + "per-point\n";
+  if (session.scan_timing == ScanTiming::Unknown) return text + "unknown\n";
   const SweepModel& sweep = session.sweep;
   const auto yes_no = [](bool value) { return value ? "true" : "false"; };
   return text + "sweep\n  sweep: {period_s: " + exact_text(sweep.period_s) +
          ", stamp_azimuth_deg: " + exact_text(radians_to_degrees(sweep.stamp_azimuth_rad)) +
-         ", clockwise: " + yes_no(sweep.clockwise) + ", certain: " + yes_no(sweep.certain) + "}\n";
+         ", clockwise: " + yes_no(sweep.clockwise) + ", certain: " + yes_no(sweep.certain) +
+         (sweep.direction_known ? "" : ", direction_certain: false") + "}\n";
 }
 
 std::string optional_sections(const Session& session) {

@@ -81,10 +81,15 @@ void report_choice(const std::vector<fs::path>& files, const char* code, const c
 void use_scans(OpencalibContents& contents, Session& session) {
   keep_ascending(contents.scans, "scan", contents.scan_folder.string(), session.findings);
   for (const ScanFile& scan : contents.scans) session.files.push_back(scan.path);
-  const auto scans = std::make_shared<const FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
-  session.scan_timing = has_point_times(*scans) ? ScanTiming::PerPoint : ScanTiming::Instant;
-  if (session.scan_timing == ScanTiming::PerPoint) report_point_clock(*scans, session.findings);
+  const auto scans = std::make_shared<FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
   session.scans = scans;
+  if (!find_point_times(*scans).usable) {
+    report_no_point_times(*scans, session);
+    return;
+  }
+  session.scan_timing = ScanTiming::PerPoint;
+  scans->use_times(TimesOfPoints::Required);
+  report_point_clock(*scans, session.findings);
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ void read_entry(Entries& entries, const std::vector<std::string_view>& tokens, c
   } else if (key == "count") {
     entries.counts.clear();
     for (std::size_t i = 1; i < tokens.size(); ++i)
-      entries.counts.push_back(header_integer(tokens[i], "COUNT", 1, kMostOfField, path, line));
+      entries.counts.push_back(header_integer(tokens[i], "COUNT", 0, kMostOfField, path, line));
   } else if (key == "type") {
     entries.types.clear();
     for (std::size_t i = 1; i < tokens.size(); ++i) {
@@ -143,7 +143,8 @@ void count_points(Header& header, const Entries& entries, const std::filesystem:
   if (height != 0 && width > std::numeric_limits<std::int64_t>::max() / height)
     fail(path, header.data_line, "WIDTH times HEIGHT does not fit 64 bits");
   const std::int64_t points = entries.points.value_or(width * height);
-  if (width * height != points)
+  // Some writers leave WIDTH or HEIGHT at 0: what follows is as many points as POINTS says.
+  if (width * height != points && width * height != 0)
     fail(path, header.data_line,
          "POINTS is " + std::to_string(points) + ", but WIDTH times HEIGHT is " + std::to_string(width * height));
   header.points = static_cast<std::size_t>(points);
@@ -252,12 +253,11 @@ std::string decompress(const Header& header, std::string_view data, const std::f
 
 }  // namespace
 
-ReadCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
+ReadCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns,
+                    PointTimes times) {
   const Header header = read_header(bytes, path);
   const CloudColumns columns = find_cloud_columns(header.fields, path.string());
   if (header.encoding != Encoding::Ascii) refuse_narrow_coordinates(header.fields, columns, path.string());
-  const ScalarType time_type =
-      columns.time >= 0 ? header.fields[static_cast<std::size_t>(columns.time)].type : ScalarType::F32;
   const std::string_view data = bytes.substr(header.data_offset);
   const std::size_t smallest = header.encoding == Encoding::Ascii        ? 2 * header.values_per_point
                                : header.encoding == Encoding::Compressed ? 1
@@ -272,12 +272,14 @@ ReadCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, s
   if (header.points == 0) return {};
   std::string decoded;
   if (header.encoding == Encoding::Compressed) decoded = decompress(header, data, path);
-  CloudBuilder builder(columns, {time_type, {}}, header.points);
+  CloudBuilder builder(columns, time_column(header.fields, columns), header.points);
   if (header.encoding == Encoding::Ascii)
     read_ascii(builder, header, columns, data, path);
   else
     read_binary(builder, header, columns, header.encoding == Encoding::Compressed ? decoded.data() : data.data());
-  return builder.finish(stamp_ns);
+  ReadCloud read = builder.finish(stamp_ns, path.string(), times);
+  read.columns = column_names(header.fields);
+  return read;
 }
 
 }  // namespace remount

@@ -215,15 +215,13 @@ class RowReader {
 };
 
 ReadCloud read_vertices(RowReader& rows, const Element& element, bool as_bytes, const std::filesystem::path& path,
-                        std::int64_t stamp_ns) {
+                        std::int64_t stamp_ns, PointTimes times) {
   std::vector<CloudField> fields;
   for (const Property& property : element.properties) fields.push_back(property.field);
   const CloudColumns columns = find_cloud_columns(fields, path.string());
   if (as_bytes) refuse_narrow_coordinates(fields, columns, path.string());
   const auto at = [](int index) { return static_cast<std::size_t>(index); };
-  TimeColumn time;
-  if (columns.time >= 0) time.type = fields[at(columns.time)].type;
-  CloudBuilder builder(columns, time, element.count);
+  CloudBuilder builder(columns, time_column(fields, columns), element.count);
   std::vector<double> values;
   for (std::size_t i = 0; i < element.count; ++i) {
     rows.read(element, values);
@@ -233,12 +231,15 @@ ReadCloud read_vertices(RowReader& rows, const Element& element, bool as_bytes, 
     if (columns.time >= 0) point.time = values[at(columns.time)];
     builder.add(point);
   }
-  return builder.finish(stamp_ns);
+  ReadCloud read = builder.finish(stamp_ns, path.string(), times);
+  read.columns = column_names(fields);
+  return read;
 }
 
 }  // namespace
 
-ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns) {
+ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, std::int64_t stamp_ns,
+                    PointTimes times) {
   const PlyHeader header = read_ply_header(bytes, path);
   RowReader rows(header, bytes.substr(header.data_offset), path);
   std::vector<double> skipped;
@@ -248,7 +249,7 @@ ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, s
                   "element '" + element.name + "' promises " + std::to_string(element.count) +
                       " rows, the file holds at most " + std::to_string(rows.fitting_rows(element)));
     if (element.name == "vertex")
-      return read_vertices(rows, element, header.encoding != PlyEncoding::Ascii, path, stamp_ns);
+      return read_vertices(rows, element, header.encoding != PlyEncoding::Ascii, path, stamp_ns, times);
     if (element.properties.empty()) continue;
     for (std::size_t i = 0; i < element.count; ++i) rows.read(element, skipped);
   }

@@ -1,9 +1,11 @@
 #include "model/io/stream_tools.h"
 
 #include <cmath>
+#include <set>
 
 #include "algorithms/geometry/rotation.h"
 #include "model/count_words.h"
+#include "model/io/cloud_fields.h"
 #include "model/io/input_file.h"
 
 namespace remount {
@@ -168,18 +170,63 @@ const ScanFile& FileScanSource::at(std::size_t scan) const {
   return files_[scan];
 }
 
-bool has_point_times(const ScanSource& scans) {
-  for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3); ++i) {
+bool has_point_times(const PointCloud& cloud) {
+  constexpr float kLeast_s = 1e-3f;
+  constexpr std::size_t kMany = 256, kFewest = 8;  // points, and different times of so many
+  const std::vector<float>& times_s = cloud.time_from_stamp_s;
+  if (times_s.empty()) return false;
+  const auto [low, high] = std::minmax_element(times_s.begin(), times_s.end());
+  if (!(*high - *low > kLeast_s)) return false;
+  std::set<float> different;
+  for (std::size_t i = 0; i < times_s.size() && different.size() < kFewest; ++i) different.insert(times_s[i]);
+  return times_s.size() < kMany || different.size() >= kFewest;
+}
+
+PointCloud TimedScanSource::load(std::size_t scan) const {
+  PointCloud cloud = read(scan).cloud;
+  // A column or two of a sweep may be all that a torn scan has.
+  constexpr std::size_t kMany = 256;
+  const bool untimed = cloud.time_from_stamp_s.empty() || (cloud.size() >= kMany && !has_point_times(cloud));
+  if (times_ == TimesOfPoints::Required && !cloud.points.empty() && untimed)
+    throw Error(ErrorCode::Format, name(scan),
+                "its points have no times, or all the same, while those of other scans have: it would be used as if it "
+                "had been measured at once");
+  return cloud;
+}
+
+FoundPointTimes find_point_times(const TimedScanSource& scans) {
+  FoundPointTimes found;
+  for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3) && !found.usable; ++i) {
     try {
-      const PointCloud cloud = scans.load(i);
-      if (cloud.time_from_stamp_s.empty()) return false;
-      const auto [low, high] = std::minmax_element(cloud.time_from_stamp_s.begin(), cloud.time_from_stamp_s.end());
-      return *high - *low > 1e-3f;
+      const ReadCloud read = scans.read(i);
+      found.usable = has_point_times(read.cloud);
+      if (!found.scan.empty() || read.cloud.points.empty()) continue;
+      found.scan = scans.name(i);
+      found.problem = std::string(read.cloud.time_from_stamp_s.empty()
+                                      ? "the points have no times"
+                                      : "the times of the points are all the same, or few for all points") +
+                      " (columns: " + read.columns + ")";
     } catch (const Error&) {
       continue;  // becomes known when the scan is used
     }
   }
-  return false;
+  return found;
+}
+
+std::string expected_time_columns() {
+  std::string names;
+  for (const std::string_view name : kTimeColumns) names += (names.empty() ? "" : ", ") + std::string(name);
+  return "Columns of times that are known: " + names + ", also behind scalar_.";
+}
+
+void report_no_point_times(TimedScanSource& scans, Session& session) {
+  const FoundPointTimes found = find_point_times(scans);
+  session.scan_timing = ScanTiming::Unknown;
+  scans.use_times(TimesOfPoints::Unused);
+  session.findings.push_back(make_finding(
+      Severity::Warning, "no-point-times", found.scan.empty() ? scans.name(0) : found.scan,
+      "When the points were measured is not known: " + (found.problem.empty() ? "no scan can be read" : found.problem) +
+          "."));
 }
 
 void report_point_clock(const TimedScanSource& scans, std::vector<Finding>& findings) {

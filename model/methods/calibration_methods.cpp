@@ -4,6 +4,7 @@
 #include "model/io/document.h"
 #include "model/method_needs.h"
 #include "model/methods/builtin.h"
+#include "model/methods/settled_sweeps.h"
 #include "model/pipeline/input_checks.h"
 
 namespace remount {
@@ -73,7 +74,9 @@ void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
   const std::string_view id = kMethodIds.at(static_cast<std::size_t>(input.settings.run.method));
   const CalibrationMethod& method = calibration_method(id);
-  PipelineOutput output = method.run(input, progress);
+  const SettledSweeps settled = settle_sweeps(input, progress);
+  PipelineOutput output = method.run(settled.input, progress);
+  add_sweep_doubts(settled, method.run, output, progress);
   if (id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
   // Others take no values: with a sigma they are refused or named by the method.
   if (output.result.reference_frame == "ins" && output.result.calibrated == "lidar")

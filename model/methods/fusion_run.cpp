@@ -33,7 +33,7 @@ OdometryScan load_scan(const Session& session, std::size_t index, bool compensat
   OdometryScan scan;
   scan.stamp_ns = session.scans->stamp_ns(index);
   scan.cloud_in_lidar = session.scans->load(index);
-  if (compensated) scan.time_from_stamp_s = told_times(session, scan.cloud_in_lidar, true);
+  if (compensated) scan.time_from_stamp_s = told_times(session, scan.cloud_in_lidar, sweep_of(session, DeskewMode::On));
   return scan;
 }
 

@@ -191,7 +191,9 @@ TrajectoryOutcome TrajectoryFeed::finish(const std::vector<std::shared_ptr<const
     problem_ = {};
     problem_.nominal_ins_from_lidar = nominal_;
     problem_.measured = Measured(settings_.measured, std::nullopt);
-    problem_.estimate_clock = settings_.solve.apply_time_offset;
+    problem_.estimate_clock =
+        settings_.solve.apply_time_offset &&
+        std::ranges::all_of(sessions, [&](const auto& session) { return tells_clock(*session, settings_.run.deskew); });
     for (std::size_t s = 0; s < sessions.size(); ++s)
       problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, clocks_s[s]));
     outcome = solve_alignment(problem_, settings_.trajectory, settings_.solve, progress);

@@ -20,6 +20,7 @@
 #include "model/pipeline/stages.h"
 #include "model/pipeline/suspect_stage.h"
 #include "model/result_file.h"
+#include "model/scan_times.h"
 
 namespace remount {
 namespace {
@@ -61,27 +62,15 @@ std::vector<RigidTransform> poses_of(const std::vector<JointNode>& nodes) {
   return poses;
 }
 
-// Which sessions' scans are compensated by the sweep's azimuth.
-std::vector<bool> choose_compensation(const StageContext& context, const std::vector<Pair>& pairs,
-                                      std::vector<Finding>& findings, Progress& progress) {
-  std::vector<bool> uses_sweep;
-  for (int s = 0; s < context.motion.session_count(); ++s) {
-    const Session& session = context.motion.session(s);
-    bool use = session.scan_timing == ScanTiming::SweepAzimuth && context.settings.run.deskew != DeskewMode::Off;
-    if (use && !session.sweep.certain && context.settings.run.deskew == DeskewMode::Auto) {
-      double ratio = 1.0;
-      use = sweep_compensation_helps(context, s, pairs, ratio, progress);
-      char text[240];
-      std::snprintf(
-          text, sizeof text,
-          "The format does not say whether its scans are compensated for motion. Compensating them changes the "
-          "registration residual by %+.1f%%: scans are %s.",
-          100.0 * (ratio - 1.0), use ? "compensated" : "used as they are");
-      findings.push_back({Severity::Note, use ? "deskew-on" : "deskew-off", session.name, text});
-    }
-    uses_sweep.push_back(use);
+// Which sessions' scans are compensated by a sweep, and by which.
+void choose_compensation(const PipelineInput& input, PipelineOutput& output) {
+  output.session_uses_sweep.clear();
+  output.session_sweeps.clear();
+  for (const auto& session : input.sessions) {
+    const std::optional<SweepModel> sweep = sweep_of(*session, input.settings.run.deskew);
+    output.session_uses_sweep.push_back(sweep.has_value());
+    output.session_sweeps.push_back(sweep.value_or(session->sweep));
   }
-  return uses_sweep;
 }
 
 void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<KeyframeObjects>& objects,
@@ -103,8 +92,7 @@ void drop_clock_of_failed(PipelineOutput& output) {
   // What the clock alone made unusable is known by it.
   const bool by_clock = output.clock_bias && result.status == Status::Degenerate;
   if (is_usable(result) || result.time_offset.applied || by_clock) return;
-  result.time_offset = {};
-  result.session_time_offset_s.clear();
+  drop_clock(result);
 }
 
 // The X that is exported stays in the list wherever it ranks.
@@ -204,13 +192,13 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
                      std::optional<PipelineOutput>& first_pass, Progress& progress) {
   RigidTransform x = output.initial_ins_from_lidar;
   std::vector<KeyframeObjects> objects;
-  std::vector<bool>& uses_sweep = output.session_uses_sweep;
+  const std::vector<bool>& uses_sweep = output.session_uses_sweep;
   for (int pass = 0; pass < 2 && !progress.cancelled(); ++pass) {
     const StageContext context{motion, input.settings, output.keyframes, x, input.threads};
     ScanStore scans(motion, input.settings.registration, static_cast<std::size_t>(input.settings.run.cache_mb) << 20);
     const bool compensate = input.settings.run.deskew != DeskewMode::Off;
-    if (compensate && pass == 0) uses_sweep = choose_compensation(context, output.pairs, output.findings, progress);
-    if (compensate) scans.compensate_motion(x, uses_sweep);
+    if (compensate && pass == 0) choose_compensation(input, output);
+    if (compensate) scans.compensate_motion(x, uses_sweep, output.session_sweeps);
     output.compensation_ins_from_lidar = x;
     if (pass == 0 && !match_objects_of_pairs(context, scans, output, objects, progress)) return;
     register_pairs(context, scans, objects, output.pairs, progress);
@@ -268,6 +256,8 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   PipelineOutput output;
   for (const auto& session : input.sessions)
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+  output.clock_told = std::ranges::all_of(
+      input.sessions, [&](const auto& session) { return tells_clock(*session, input.settings.run.deskew); });
   output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);
   output.pairs = propose_pairs(output.keyframes, poses_of(motion.nodes(output.keyframes)), input.settings.pairing);
   keep_independent_odometry(motion, output.keyframes, output.pairs);
@@ -320,14 +310,17 @@ void compensate_as_solved(const PipelineInput& input, const PipelineOutput& outp
   if (input.settings.run.deskew == DeskewMode::Off) return;
   std::vector<bool> uses_sweep = output.session_uses_sweep;
   uses_sweep.resize(input.sessions.size(), false);
-  scans.compensate_motion(output.compensation_ins_from_lidar, uses_sweep);
+  scans.compensate_motion(output.compensation_ins_from_lidar, uses_sweep, output.session_sweeps);
 }
 
 bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
   DriveMotion motion = motion_as_solved(input, output);
   PipelineOutput solved = output;  // a cancelled call leaves the output as it was
   solved.result = solve_pairwise(solver_input(input, motion, solved), solved.pairs, progress);
-  if (output.result.time_offset.applied) {
+  if (!output.clock_told) {
+    drop_clock(solved.result);
+    doubt_sweeps(solved.sweep_doubts, input.settings.solve, solved.result);
+  } else if (output.result.time_offset.applied) {
     solved.result.time_offset = output.result.time_offset;
     solved.result.session_time_offset_s = output.result.session_time_offset_s;
   } else if (clock_differs(solved.result) != solved.clock_bias.has_value()) {

@@ -147,48 +147,6 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
   });
 }
 
-bool sweep_compensation_helps(const StageContext& context, int session, const std::vector<Pair>& pairs, double& ratio,
-                              Progress& progress) {
-  constexpr std::size_t kSample = 12;
-  std::vector<const Pair*> fastest;
-  for (const Pair& pair : pairs)
-    if (context.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session == session && pair.gap_s > 0.0)
-      fastest.push_back(&pair);
-  // Distortion grows with speed and turn rate; it cancels between scans of equal motion, so turning counts most.
-  const auto agitation = [](const Pair& pair) { return (pair.baseline_m / 10.0 + pair.rotation_rad) / pair.gap_s; };
-  std::stable_sort(fastest.begin(), fastest.end(),
-                   [&](const Pair* left, const Pair* right) { return agitation(*left) > agitation(*right); });
-  fastest.resize(std::min(fastest.size(), kSample));
-  ScanStore raw(context.motion, context.settings.registration, std::size_t{256} << 20);
-  ScanStore compensated(context.motion, context.settings.registration, std::size_t{256} << 20);
-  compensated.compensate_motion(context.ins_from_lidar,
-                                std::vector<bool>(static_cast<std::size_t>(context.motion.session_count()), true));
-  std::vector<double> log_ratios(fastest.size(), 0.0);
-  parallel_for(fastest.size(), context.threads, [&](std::size_t i) {
-    const Pair& pair = *fastest[i];
-    try {
-      const RigidTransform start = predicted_lidar_motion(pair.ins_b_from_ins_a, context.ins_from_lidar);
-      double rmse_m[2];
-      for (ScanStore* store : {&raw, &compensated}) {
-        const auto a = store->prepared(pair.keyframe_a, context.keyframes[static_cast<std::size_t>(pair.keyframe_a)],
-                                       {}, progress);
-        const auto b = store->prepared(pair.keyframe_b, context.keyframes[static_cast<std::size_t>(pair.keyframe_b)],
-                                       {}, progress);
-        const RegistrationResult result = align_scans(*a, *b, start, context.settings.registration, progress);
-        if (!result.quality.failure.empty()) return;
-        rmse_m[store == &raw ? 0 : 1] = result.quality.rmse_m;
-      }
-      if (rmse_m[0] > 0.0 && rmse_m[1] > 0.0) log_ratios[i] = std::log(rmse_m[1] / rmse_m[0]);
-    } catch (const Error&) {
-      // A scan that cannot be read is reported where all pairs are registered.
-    }
-  });
-  double sum = 0.0;
-  for (const double value : log_ratios) sum += value;
-  ratio = fastest.empty() ? 1.0 : std::exp(sum / static_cast<double>(fastest.size()));
-  return ratio < 1.0;
-}
-
 void relinearise_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
                        const std::vector<RigidTransform>& predicted_lidar_b_from_lidar_a, std::vector<Pair>& pairs,
                        Progress& progress) {

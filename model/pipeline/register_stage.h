@@ -39,11 +39,6 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
 void register_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,
                     std::vector<Pair>& pairs, Progress& progress);
 
-/// Whether scans whose format leaves it open still carry the distortion of motion: registers a sample of the fastest
-/// pairs of a session with and without compensation and compares the residuals. `ratio` is with over without.
-bool sweep_compensation_helps(const StageContext& context, int session, const std::vector<Pair>& pairs, double& ratio,
-                              Progress& progress);
-
 /// Q and its information from the clouds at the motion that the joint solution predicts, instead of each pair's own
 /// minimum: a direction that a pair does not show stays at the prediction. For the joint alignment of all clouds.
 void relinearise_pairs(const StageContext& context, ScanStore& scans, const std::vector<KeyframeObjects>& objects,

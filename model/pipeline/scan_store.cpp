@@ -9,9 +9,18 @@
 
 namespace remount {
 
-void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep) {
+void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep,
+                                  const std::vector<SweepModel>& sweeps) {
   compensation_ = ins_from_lidar;
-  session_uses_sweep_ = session_uses_sweep;
+  sweeps_.assign(session_uses_sweep.size(), std::nullopt);
+  for (std::size_t s = 0; s < sweeps_.size(); ++s) {
+    if (!session_uses_sweep[s]) continue;
+    const Session& session = motion_.session(static_cast<int>(s));
+    if (s < sweeps.size())
+      sweeps_[s] = sweeps[s];
+    else if (session.scan_timing == ScanTiming::SweepAzimuth)
+      sweeps_[s] = session.sweep;
+  }
 }
 
 PointCloud ScanStore::load(const Keyframe& keyframe, const Progress& progress) const {
@@ -19,9 +28,7 @@ PointCloud ScanStore::load(const Keyframe& keyframe, const Progress& progress) c
   if (!session.scans) throw Error(ErrorCode::Contract, session.name, "the session has lidar poses and no scans");
   PointCloud cloud = session.scans->load(static_cast<std::size_t>(keyframe.scan));
   if (!compensation_ || cloud.points.empty() || progress.cancelled()) return cloud;
-  const bool by_sweep = session.scan_timing == ScanTiming::SweepAzimuth &&
-                        session_uses_sweep_[static_cast<std::size_t>(keyframe.session)];
-  const std::vector<float> times = told_times(session, cloud, by_sweep);
+  const std::vector<float> times = told_times(session, cloud, sweeps_[static_cast<std::size_t>(keyframe.session)]);
   if (times.empty()) return cloud;
   const auto passage = motion_.passage(keyframe.session, keyframe.stamp_ns);
   if (!passage) return cloud;

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,9 @@ class ScanStore {
       : motion_(motion), options_(options), bound_bytes_(bound_bytes) {}
 
   /// Motion within a scan is taken from the INS through this X; without a call scans are used as they are.
-  void compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep);
+  /// @param sweeps of each session, that were found; empty: the sessions' own
+  void compensate_motion(const RigidTransform& ins_from_lidar, const std::vector<bool>& session_uses_sweep,
+                         const std::vector<SweepModel>& sweeps = {});
 
   /// The scan, compensated, in the lidar frame at its stamp; not compensated where cancelled. Throws Error where it
   /// cannot be read.
@@ -50,7 +53,7 @@ class ScanStore {
   RegistrationOptions options_;
   std::size_t bound_bytes_;
   std::optional<RigidTransform> compensation_;
-  std::vector<bool> session_uses_sweep_;
+  std::vector<std::optional<SweepModel>> sweeps_;  // nothing: not by a sweep
 
   std::mutex mutex_;
   std::map<int, Future> ready_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/calibration/observability.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -42,6 +43,25 @@ CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& 
 }
 
 }  // namespace
+
+void drop_clock(CalibrationResult& result) {
+  result.time_offset = {};
+  result.session_time_offset_s.clear();
+}
+
+void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& options, CalibrationResult& result) {
+  if (doubts.empty() || !is_usable(result)) return;
+  for (const Vector6d& doubt : doubts)
+    add_doubt(doubt, "how the scans are bent by motion is not known", options, result);
+  result.advice.emplace_back(
+      "How the scans are bent by motion is not known, which biases X; the sigmas include it. Record scans with the "
+      "times of their points, or declare how they were swept.");
+  if (!std::ranges::all_of(result.observed, [](bool observed) { return observed; })) result.status = Status::Degenerate;
+  result.message =
+      is_usable(result)
+          ? solved_message(result)
+          : "Nothing is known: how the scans are bent by motion makes more of a difference than X can bear.";
+}
 
 bool clock_differs(const CalibrationResult& result) {
   const TimeOffset& clock = result.time_offset;
@@ -83,6 +103,11 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
                                    PairwiseDetails& details, const Progress& progress) {
   output.clock_bias.reset();
   CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
+  if (!output.clock_told) {
+    drop_clock(result);
+    doubt_sweeps(output.sweep_doubts, input.settings.solve, result);
+    return result;
+  }
   if (input.settings.solve.apply_time_offset)
     return solve_without_offset(input, motion, output, std::move(result), details, progress);
   if (!clock_differs(result)) return result;

@@ -19,6 +19,13 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
 CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                                    PairwiseDetails& details, const Progress& progress);
 
+/// Takes an estimate of the clocks out of a result: where X is wrong, or where scans may be bent by their motion, which
+/// looks like an offset and is none.
+void drop_clock(CalibrationResult& result);
+
+/// Widens a result by how far X moves where the scans were swept otherwise than was taken, and says so.
+void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& options, CalibrationResult& result);
+
 /// Whether the estimated offset, or that of one session, stands out of its error.
 bool clock_differs(const CalibrationResult& result);
 

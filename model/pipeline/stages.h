@@ -7,6 +7,7 @@ namespace remount::stage {
 
 inline constexpr std::string_view kFindingMounting = "finding the mounting", kFindingObjects = "finding objects",
                                   kRegisteringPairs = "registering pairs", kSolving = "solving",
-                                  kAligningAllClouds = "aligning all clouds", kCheckingMap = "checking the map";
+                                  kAligningAllClouds = "aligning all clouds", kCheckingMap = "checking the map",
+                                  kTryingSweeps = "trying how scans were swept";
 
 }  // namespace remount::stage

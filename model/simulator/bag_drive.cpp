@@ -69,10 +69,6 @@ std::unique_ptr<BagWriter> make_writer(const std::filesystem::path& folder, cons
 void write_bag_drive(const SimulatedDrive& drive, const std::filesystem::path& folder, const std::string& format,
                      int threads, Progress& progress) {
   const Session& session = drive.session;
-  if (session.scan_timing == ScanTiming::SweepAzimuth)
-    throw Error(ErrorCode::Contract, format,
-                "this format does not say how scans are distorted; simulate with per_point_time, or without "
-                "motion_distortion");
   const std::unique_ptr<BagWriter> bag = make_writer(folder, format);
   const std::uint32_t scans =
       bag->add_topic("/lidar/points", message_definition("sensor_msgs/PointCloud2", bag->encoding()));

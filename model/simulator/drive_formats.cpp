@@ -11,16 +11,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What readers of KITTI take for granted.
+/// What readers of KITTI take for granted; they tell from the scans which way the sensor turns.
 void check_fits_kitti(const SimulatedDrive& drive) {
   if (drive.session.scan_timing == ScanTiming::Instant)
     throw Error(ErrorCode::Contract, "kitti-raw",
                 "drives of this format are taken to be distorted by motion; simulate with motion_distortion, or write "
                 "the native format");
-  if (drive.session.sweep.clockwise)
-    throw Error(ErrorCode::Contract, "kitti-raw",
-                "the LiDAR of this format turns counter-clockwise; simulate with clockwise false, or write the native "
-                "format");
 }
 
 void write_native(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {

@@ -104,10 +104,6 @@ Eigen::Vector3d earth_from(const EarthPlace& place) {
 
 void write_opencalib_drive(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {
   const Session& session = drive.session;
-  if (session.scan_timing == ScanTiming::SweepAzimuth)
-    throw Error(ErrorCode::Contract, "opencalib",
-                "this format does not say how scans are distorted; simulate with per_point_time, or without "
-                "motion_distortion");
   std::string lines;
   for (const StampedPose& pose : metric_poses(session)) {
     lines += name_from_stamp(pose.stamp_ns);

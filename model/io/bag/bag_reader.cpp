@@ -28,7 +28,7 @@ class BagScanSource final : public TimedScanSource {
     const BagEntry& entry = topic_.entries[at(scan).index];
     const std::string bytes = bag_->message(entry);
     MessageReader reader(bytes, topic_.encoding, bag_->files().front().string() + ": " + name(scan));
-    return read_cloud(reader, message_kind(topic_.type), at(scan).stamp_ns);
+    return read_cloud(reader, message_kind(topic_.type), at(scan).stamp_ns, times_for_reading());
   }
 
  private:
@@ -44,15 +44,14 @@ class BagScanSource final : public TimedScanSource {
   std::vector<IndexedScan> scans_;
 };
 
-/// Whether points have times, from the first scan (of three) that can be read.
-void judge_point_times(const BagScanSource& scans, Session& session) {
-  session.scan_timing = has_point_times(scans) ? ScanTiming::PerPoint : ScanTiming::Instant;
-  if (session.scan_timing == ScanTiming::Instant) {
-    session.findings.push_back(
-        make_finding(Severity::Note, "no-point-times", scans.name(0),
-                     "The points have no times of their own: scans are taken to be compensated for motion already."));
+/// Whether points have times, from the first scans that can be read.
+void judge_point_times(BagScanSource& scans, Session& session) {
+  if (!find_point_times(scans).usable) {
+    report_no_point_times(scans, session);
     return;
   }
+  session.scan_timing = ScanTiming::PerPoint;
+  scans.use_times(TimesOfPoints::Required);
   report_point_clock(scans, session.findings);
 }
 
@@ -69,7 +68,7 @@ void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& role
   std::vector<IndexedScan> scans = std::move(streams.scans.scans);
   if (scans.empty()) throw Error(ErrorCode::Format, where, "no scan of this topic can be read");
   keep_ascending(scans, "scan", where, session.findings);
-  const auto source = std::make_shared<const BagScanSource>(bag, *roles.lidar, std::move(scans));
+  const auto source = std::make_shared<BagScanSource>(bag, *roles.lidar, std::move(scans));
   judge_point_times(*source, session);
   session.scans = source;
 }

@@ -95,9 +95,7 @@ CloudBuilder read_points(MessageReader& reader, Layout& layout) {
   check_columns(layout, columns, reader);
   check_rows(layout, data.size(), reader);
   const auto type_of = [&](int column) { return layout.fields[static_cast<std::size_t>(column)].type; };
-  TimeColumn time;
-  if (columns.time >= 0) time.type = type_of(columns.time);
-  CloudBuilder builder(columns, time, layout.height * layout.width);
+  CloudBuilder builder(columns, time_column(layout.fields, columns), layout.height * layout.width);
   const bool swap = layout.big_endian != (std::endian::native == std::endian::big);
   for (std::uint64_t row = 0; row < layout.height; ++row)
     for (std::uint64_t i = 0; i < layout.width; ++i) {
@@ -151,10 +149,16 @@ CloudBuilder read_livox(MessageReader& reader) {
 
 }  // namespace
 
-ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns) {
-  if (kind == MessageKind::LivoxCustom) return read_livox(reader).finish(stamp_ns);
+ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns, PointTimes times) {
+  if (kind == MessageKind::LivoxCustom) {
+    ReadCloud read = read_livox(reader).finish(stamp_ns, reader.where(), times);
+    read.columns = "offset_time x y z reflectivity tag line";
+    return read;
+  }
   Layout layout = read_layout(reader);
-  return read_points(reader, layout).finish(stamp_ns);
+  ReadCloud read = read_points(reader, layout).finish(stamp_ns, reader.where(), times);
+  read.columns = column_names(layout.fields);
+  return read;
 }
 
 CloudOutline read_cloud_outline(MessageReader& reader, MessageKind kind) {

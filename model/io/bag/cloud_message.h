@@ -11,7 +11,8 @@ namespace remount {
 /// nanoseconds from it (Ouster), `timestamp` in seconds (Hesai, RoboSense) or nanoseconds (Livox) since 1970 or the
 /// sensor's start, `offset_time` in nanoseconds. Columns that are used share no byte with another. @param stamp_ns the
 /// stamp that the scan has in the session
-ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns);
+ReadCloud read_cloud(MessageReader& reader, MessageKind kind, std::int64_t stamp_ns,
+                     PointTimes times = PointTimes::Used);
 
 /// How many points a message promises and whether it has times of points or rings, from its beginning.
 struct CloudOutline {

@@ -58,7 +58,7 @@ TEST_F(cli_faults, wrong_usage_is_said_with_one_prefix_and_is_exit_code_1) {
   expect("calibrate " + drive + " --config " + path("contradiction.yaml"), 1, both);
   expect("settings --config " + path("contradiction.yaml"), 1, both);
   expect("calibrate " + drive + " --set pairing.min_distance_m=50", 1, "exceeds pairing.max_distance_m = 10");
-  expect("simulate street " + path("x") + " --format kitti-raw --clockwise true", 1, "turns counter-clockwise");
+  expect("simulate street " + path("x") + " --format kitti-raw --motion-distortion false", 1, "distorted by motion");
   expect("calibrate " + drive + " " + drive, 1, "same recording");
 }
 

@@ -272,7 +272,7 @@ TEST_F(cloud_file, malformed_ply_is_an_error_that_names_the_place) {
 
 TEST_F(cloud_file, kitti_bin_of_wrong_length_and_text_scans) {
   EXPECT_ERROR(load("a.bin", ""), "holds 0 bytes");
-  EXPECT_ERROR(load("a.bin", std::string(17, 'x')), "multiple of 16");
+  EXPECT_ERROR(load("a.bin", std::string(17, 'x')), "holds 17 bytes that are no points");
   const PointCloud text = load("a.txt", "1.5 2 3 0.5\n0 0 0 0\n4 5 6 0.25\n");
   EXPECT_EQ(text.size(), 2u);
   EXPECT_EQ(text.dropped_points, 1u);

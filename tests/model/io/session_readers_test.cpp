@@ -120,6 +120,38 @@ TEST(kitti_raw_reader, extract_keeps_its_own_stamps_and_takes_the_period_of_a_tu
   EXPECT_NEAR(session.sweep.period_s, 0.0985, 1e-9);
   EXPECT_FALSE(session.sweep.clockwise);
   EXPECT_TRUE(session.sweep.certain);
+  EXPECT_FALSE(session.sweep.direction_known);
+}
+
+TEST(kitti_raw_reader, sync_goes_by_stamps_where_numbers_do_not_belong_together) {
+  const auto stamp = [](int i) { return "2011-09-26 13:02:25." + std::to_string(i) + "00000000\n"; };
+  const TemporaryFolder folder;
+  write_kitti(folder, "a_sync");
+  EXPECT_EQ(find(open(folder.path() / "a_sync"), "stamps-not-by-number"), nullptr);
+  // The first sample of the INS is gone, and those that are left are numbered anew.
+  std::string stamps;
+  for (int i = 0; i < 3; ++i) {
+    folder.write("a_sync/oxts/data/000000000" + std::to_string(i) + ".txt", oxts(49.0 + 1e-6 * (i + 1), 0.1 * (i + 1)));
+    stamps += stamp(i + 1);
+  }
+  std::filesystem::remove(folder.path() / "a_sync/oxts/data/0000000003.txt");
+  folder.write("a_sync/oxts/timestamps.txt", stamps);
+  const Session fewer = open(folder.path() / "a_sync");
+  const Finding* finding = find(fewer, "stamps-not-by-number");
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->severity, Severity::Warning);
+  EXPECT_TRUE(contains(finding->explanation, "4 stamps of scans and 3 of the INS")) << finding->explanation;
+  ASSERT_EQ(fewer.ins.size(), 3U);
+  ASSERT_EQ(fewer.scans->size(), 4U);
+  EXPECT_EQ(fewer.scans->stamp_ns(1), fewer.ins[0].stamp_ns);
+  // As many of both, but not the same: a scan was taken out in front, and one of the INS at the end.
+  write_kitti(folder, "b_sync");
+  stamps.clear();
+  for (int i = 0; i < 4; ++i) stamps += stamp(i + 1);
+  folder.write("b_sync/velodyne_points/timestamps.txt", stamps);
+  const Session shifted = open(folder.path() / "b_sync");
+  ASSERT_NE(find(shifted, "stamps-not-by-number"), nullptr);
+  EXPECT_EQ(shifted.scans->stamp_ns(0), shifted.ins[1].stamp_ns);
 }
 
 TEST(kitti_raw_reader, real_drives) {

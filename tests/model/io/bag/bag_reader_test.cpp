@@ -213,8 +213,28 @@ TEST_F(bag_reader, says_that_points_have_no_times) {
   bag.add_scans("/points", 20, 30, false);
   bag.finish();
   const Session session = open(path());
-  EXPECT_EQ(session.scan_timing, ScanTiming::Instant);
+  EXPECT_EQ(session.scan_timing, ScanTiming::Unknown);
+  const Finding* finding = find(session, "no-point-times");
+  ASSERT_TRUE(finding);
+  EXPECT_EQ(finding->severity, Severity::Warning);
+  EXPECT_TRUE(contains(finding->explanation, "columns: x y z")) << finding->explanation;
+}
+
+TEST_F(bag_reader, takes_times_that_are_all_zero_for_none) {
+  BagMaker bag(path());
+  bag.add_ins("/ins", 41);
+  for (int i = 0; i < 20; ++i) {
+    PointCloud cloud;
+    for (int k = 0; k < 30; ++k) cloud.points.emplace_back(static_cast<float>(k + 1), static_cast<float>(i), 1.0f);
+    cloud.time_from_stamp_s.assign(cloud.size(), 0.0f);
+    bag.add(kStart_ns + i * kStep_ns, "/points", "sensor_msgs/PointCloud2",
+            cloud_message(cloud, kStart_ns + i * kStep_ns, "lidar", kRos1));
+  }
+  bag.finish();
+  const Session session = open(path());
+  EXPECT_EQ(session.scan_timing, ScanTiming::Unknown);
   EXPECT_TRUE(find(session, "no-point-times"));
+  EXPECT_EQ(session.scans->load(3).size(), 30U);
 }
 
 /// A layout as Hesai's driver has it, its clock counting from the sensor's start.

@@ -1,0 +1,150 @@
+// Scans of bare 32-bit floats. Nothing in such a file says how many make a point: KITTI has 4, NCLT's converters 3,
+// nuScenes 5, Waymo's 6. The numbers tell: in the right layout each column holds one kind of number, so that from point
+// to point it changes by little; in a wrong one coordinates and reflectances take turns.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
+#include "model/io/cloud_fields.h"
+
+namespace remount {
+namespace {
+
+constexpr bool kSwapBin = std::endian::native == std::endian::big;
+constexpr std::size_t kFloatBytes = 4;
+/// Of files that may be either, the first is taken. Of 6 and 3, both fit wherever 3 does: the smaller comes before.
+constexpr std::array<std::size_t, 4> kFloatsAPoint{4, 3, 5, 6};
+
+/// The floats of a file, as many as are needed to tell their layout.
+class Floats {
+ public:
+  explicit Floats(std::string_view bytes) : bytes_(bytes) {}
+  std::size_t size() const { return bytes_.size() / kFloatBytes; }
+  double operator[](std::size_t i) const {
+    return read_scalar(bytes_.data() + kFloatBytes * i, ScalarType::F32, kSwapBin);
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+/// Numbers that sensors and converters write; bytes of other types rarely make such floats.
+bool is_measured_number(double value) {
+  const double size = std::abs(value);
+  return std::isnan(value) || size == 0.0 || (size > 1e-12 && size < 1e8);
+}
+
+/// How much the columns of `width` floats a point change from point to point, as the mean logarithm; nothing where they
+/// are no points: other bytes, or all values of one coordinate before those of the next.
+std::optional<double> change_of_columns(const Floats& floats, std::size_t width) {
+  constexpr std::size_t kMost = 4000;  // points, from the middle
+  constexpr double kFew = 0.02;        // share of what is damaged
+  constexpr double kSmallest = 1e-3;   // change that is none
+  const std::size_t all = floats.size() / width, points = std::min(all, kMost), first = (all - points) / 2 * width;
+  std::size_t odd = 0;
+  double sum = 0.0;
+  std::vector<double> changes, apart, spread;
+  for (std::size_t column = 0; column < width; ++column) {
+    changes.clear();
+    for (std::size_t i = 0; i < points; ++i) {
+      const double value = floats[first + i * width + column];
+      odd += is_measured_number(value) ? 0 : 1;
+      const double change = i > 0 ? value - floats[first + (i - 1) * width + column] : std::nan("");
+      if (std::isfinite(change)) changes.push_back(std::abs(change));
+    }
+    if (changes.empty()) return std::nullopt;
+    sum += std::log(median_of(changes) + kSmallest);
+  }
+  if (static_cast<double>(odd) > kFew * static_cast<double>(points * width)) return std::nullopt;
+  for (std::size_t i = 0; i < points; ++i) {
+    const std::size_t at = first + i * width;
+    const double x = floats[at], y = floats[at + 1], z = floats[at + 2];
+    if (!std::isfinite(x + y + z)) continue;
+    apart.push_back(std::abs(x - y) + std::abs(y - z));
+    spread.push_back(std::abs(x) + std::abs(y) + std::abs(z));
+  }
+  constexpr double kApart = 0.05;  // of coordinates of one point, as a share of their size
+  if (apart.empty() || median_of(apart) < kApart * median_of(spread)) return std::nullopt;
+  return sum / static_cast<double>(width);
+}
+
+/// NCLT's own files: three coordinates of 16 bits, intensity and laser (of 32) of 8.
+bool looks_like_nclt(std::string_view bytes) {
+  constexpr std::size_t kRecord = 8, kLasers = 32;
+  if (bytes.empty() || bytes.size() % kRecord != 0) return false;
+  for (std::size_t at = kRecord - 1; at < bytes.size(); at += kRecord)
+    if (static_cast<unsigned char>(bytes[at]) >= kLasers) return false;
+  return true;
+}
+
+[[noreturn]] void refuse_bin(std::string_view bytes, const std::filesystem::path& path) {
+  const std::string expected =
+      "expected 32-bit floats, 3 to 6 a point: x, y, z, then reflectance (KITTI), ring (nuScenes) and one more";
+  if (looks_like_nclt(bytes))
+    throw Error(ErrorCode::Unsupported, path.string(),
+                "looks like NCLT's records of 8 bytes (16-bit coordinates, intensity, laser), " + expected +
+                    ". Convert the scans, to PCD for instance");
+  throw Error(ErrorCode::Format, path.string(),
+              "holds " + std::to_string(bytes.size()) + " bytes that are no points, " + expected +
+                  ". Convert the scans to one of these, or to PCD, whose header says what is in it");
+}
+
+/// Throws Error where no layout makes points of the bytes.
+std::size_t floats_a_point(std::string_view bytes, const std::filesystem::path& path) {
+  constexpr std::size_t kFewest = 64;  // points: fewer do not tell
+  // Every second point of a scan changes hardly more than every one: twice as wide a layout is to be clearly better.
+  constexpr double kClearly = 0.25;
+  const Floats floats(bytes);
+  std::optional<std::size_t> best;
+  double least = 0.0;
+  for (const std::size_t width : kFloatsAPoint) {
+    if (bytes.empty() || bytes.size() % (width * kFloatBytes) != 0) continue;
+    if (floats.size() < kFewest * width) {
+      if (!best) best = width;
+      continue;
+    }
+    const std::optional<double> change = change_of_columns(floats, width);
+    if (!change || (best && *change > least - kClearly)) continue;
+    best = width;
+    least = *change;
+  }
+  if (!best) refuse_bin(bytes, path);
+  return *best;
+}
+
+/// Whether the fifth of the floats is the number of a beam.
+bool has_rings(const Floats& floats, std::size_t width) {
+  constexpr double kMostBeams = 256.0;
+  if (width < 5) return false;
+  for (std::size_t at = 4; at < floats.size(); at += width)
+    if (!(floats[at] >= 0.0 && floats[at] < kMostBeams && floats[at] == std::floor(floats[at]))) return false;
+  return true;
+}
+
+}  // namespace
+
+ReadCloud parse_bin(std::string_view bytes, const std::filesystem::path& path) {
+  const std::size_t width = floats_a_point(bytes, path);
+  const Floats floats(bytes);
+  CloudColumns columns;
+  if (width > 3) columns.intensity = 3;
+  const bool ringed = has_rings(floats, width);
+  if (ringed) columns.ring = 4;
+  CloudBuilder builder(columns, {}, floats.size() / width);
+  for (std::size_t at = 0; at + width <= floats.size(); at += width) {
+    RawPoint point{floats[at], floats[at + 1], floats[at + 2]};
+    if (width > 3) point.intensity = floats[at + 3];
+    if (ringed) point.ring = floats[at + 4];
+    builder.add(point);
+  }
+  ReadCloud read = builder.finish(0, path.string());
+  constexpr std::string_view kNames[] = {"x y z", "x y z reflectance", "x y z reflectance and one more",
+                                         "x y z reflectance and two more"};
+  read.columns = ringed && width == 5 ? "x y z reflectance ring" : std::string(kNames[width - 3]);
+  return read;
+}
+
+}  // namespace remount

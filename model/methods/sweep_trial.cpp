@@ -1,0 +1,322 @@
+#include "model/methods/sweep_trial.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "algorithms/core/error.h"
+#include "algorithms/core/parallel.h"
+#include "algorithms/odometry/lidar_odometry.h"
+#include "model/io/stream_tools.h"
+#include "model/metric_poses.h"
+#include "model/pipeline/stages.h"
+#include "model/scan_times.h"
+
+namespace remount {
+namespace {
+
+constexpr std::size_t kMostTrialScans = 96;
+constexpr std::size_t kMostTrialPoints = 30'000;  ///< of a scan
+constexpr std::size_t kBlock = 8;                 ///< scans: neighbours share the map they are compared with
+constexpr std::size_t kFirstScans = 4;            ///< have next to no map before them
+
+struct StampedCloud {
+  std::int64_t stamp_ns = 0;
+  PointCloud cloud;
+};
+
+/// The stretch that turns most, as the INS has it; the middle of the recording where there is none.
+std::size_t first_of_stretch(const Session& session) {
+  const ScanSource& scans = *session.scans;
+  if (scans.size() <= kMostTrialScans) return 0;
+  const MetricPoses poses(session);
+  std::vector<double> turned_rad(scans.size(), 0.0);
+  std::size_t pose = 0;
+  std::optional<std::size_t> before;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    while (pose + 1 < poses.size() && poses[pose + 1].stamp_ns <= scans.stamp_ns(i)) ++pose;
+    const bool within = pose + 1 < poses.size() && poses[pose].stamp_ns <= scans.stamp_ns(i);
+    turned_rad[i] = i > 0 ? turned_rad[i - 1] : 0.0;
+    if (within && before) turned_rad[i] += rotation_angle_between_rad(poses[*before].pose, poses[pose].pose);
+    before = within ? std::optional(pose) : std::nullopt;
+  }
+  std::size_t best = (scans.size() - kMostTrialScans) / 2;
+  const auto turned_within = [&](std::size_t first) {
+    return turned_rad[first + kMostTrialScans - 1] - turned_rad[first];
+  };
+  for (std::size_t first = 0; first + kMostTrialScans <= scans.size(); ++first)
+    if (turned_within(first) > turned_within(best)) best = first;
+  return best;
+}
+
+PointCloud thinned_in_order(const PointCloud& cloud) {
+  if (cloud.size() <= kMostTrialPoints) return cloud;
+  PointCloud out;
+  for (std::size_t k = 0; k < kMostTrialPoints; ++k)
+    out.points.push_back(cloud.points[k * cloud.size() / kMostTrialPoints]);
+  return out;
+}
+
+std::vector<StampedCloud> load_stretch(const Session& session, int threads, Progress& progress) {
+  const std::size_t first = first_of_stretch(session);
+  const std::size_t count = std::min(kMostTrialScans, session.scans->size() - first);
+  std::vector<StampedCloud> loaded(count);
+  parallel_for(count, threads, [&](std::size_t i) {
+    if (progress.cancelled()) return;
+    try {
+      loaded[i] = {session.scans->stamp_ns(first + i), thinned_in_order(session.scans->load(first + i))};
+    } catch (const Error&) {
+      // Named where the scans are used.
+    }
+  });
+  std::erase_if(loaded, [](const StampedCloud& scan) { return scan.cloud.points.empty(); });
+  return loaded;
+}
+
+/// What the odometry leaves between each scan and the map: the logarithm of the distance, larger the fewer points have
+/// a counterpart.
+std::vector<double> residuals_of(const std::vector<StampedCloud>& scans, const SweepGuess& guess,
+                                 const Settings& settings, const Progress& progress) {
+  const double lost = std::log(settings.registration.max_rmse_m / std::max(0.1, settings.registration.min_overlap));
+  Session timing;  // how the guess tells times, nothing else
+  timing.scan_timing = ScanTiming::Unknown;
+  LidarOdometry odometry(settings.lidar_odometry, settings.registration);
+  std::vector<double> residuals;
+  for (const StampedCloud& scan : scans) {
+    if (progress.cancelled()) return {};
+    const OdometryPose pose = odometry.push(scan.cloud, told_times(timing, scan.cloud, guess), scan.stamp_ns, progress);
+    const bool judged = pose.aligned && pose.rmse_m > 0.0 && pose.overlap > 0.0;
+    residuals.push_back(judged ? std::min(lost, std::log(pose.rmse_m / pose.overlap)) : lost);
+  }
+  return residuals;
+}
+
+/// How one guess compares with another over the stretch.
+struct Comparison {
+  double mean = 0.0;  ///< of the logarithm of the ratio of residuals; below 0: the first is better
+  bool clear = false;
+};
+
+Comparison compare_residuals(const std::vector<double>& first, const std::vector<double>& second) {
+  constexpr double kLeast = 0.02;   // share
+  constexpr double kClearly = 4.0;  // times its own scatter
+  std::vector<double> blocks;
+  for (std::size_t from = kFirstScans; from + kBlock <= first.size(); from += kBlock) {
+    double sum = 0.0;
+    for (std::size_t i = from; i < from + kBlock; ++i) sum += first[i] - second[i];
+    blocks.push_back(sum / kBlock);
+  }
+  Comparison out;
+  if (blocks.size() < 3) return out;
+  const auto count = static_cast<double>(blocks.size());
+  out.mean = std::accumulate(blocks.begin(), blocks.end(), 0.0) / count;
+  double squares = 0.0;
+  for (const double block : blocks) squares += (block - out.mean) * (block - out.mean);
+  const double sigma = std::sqrt(squares / (count - 1.0) / count);
+  out.clear = out.mean < -kLeast && out.mean < -kClearly * sigma;
+  return out;
+}
+
+/// Guesses that differ in detail only are of one kind: none, a direction of turning, the order of the points.
+int kind_of(const SweepGuess& guess) {
+  if (!guess) return 0;
+  if (guess->by_order) return 1;
+  return guess->clockwise ? 2 : 3;
+}
+
+/// Half a turn after it begins.
+SweepModel sweep_from(double first_azimuth_rad, bool clockwise, double period_s) {
+  SweepModel sweep;
+  sweep.period_s = period_s;
+  sweep.clockwise = clockwise;
+  sweep.stamp_azimuth_rad = wrap_angle_rad(first_azimuth_rad + kPi);
+  return sweep;
+}
+
+/// How long a turn takes, as the time between scans has it: of a recording that leaves out every other one, half.
+std::vector<double> likely_periods_s(const std::vector<StampedCloud>& scans) {
+  constexpr double kShortest_s = 0.04, kLongest_s = 0.26, kThinned_s = 0.15;
+  const double step_s = median_period_s(scans);
+  if (step_s < kShortest_s) return {0.1};
+  if (step_s > kLongest_s) return {0.1, 0.05, 0.2};
+  if (step_s > kThinned_s) return {step_s, 0.5 * step_s};
+  return {step_s};
+}
+
+/// Compares guesses on one stretch of scans, each of them once.
+class Trial {
+ public:
+  Trial(const std::vector<StampedCloud>& scans, const Settings& settings, int threads, Progress& progress)
+      : scans_(scans), settings_(settings), threads_(threads), progress_(progress) {}
+
+  void add(const std::vector<SweepGuess>& guesses) {
+    const std::size_t from = guesses_.size();
+    guesses_.insert(guesses_.end(), guesses.begin(), guesses.end());
+    residuals_.resize(guesses_.size());
+    progress_.report(stage::kTryingSweeps, from, guesses_.size());
+    parallel_for(guesses.size(), threads_, [&](std::size_t i) {
+      residuals_[from + i] = residuals_of(scans_, guesses_[from + i], settings_, progress_);
+    });
+  }
+
+  /// Of all, or of a kind.
+  std::optional<std::size_t> best(std::optional<int> kind = std::nullopt) const {
+    std::optional<std::size_t> found;
+    double least = 0.0;
+    for (std::size_t i = 0; i < guesses_.size(); ++i) {
+      if (residuals_[i].empty() || (kind && kind_of(guesses_[i]) != *kind)) continue;
+      const double sum = std::accumulate(residuals_[i].begin(), residuals_[i].end(), 0.0);
+      if (found && sum >= least) continue;
+      found = i;
+      least = sum;
+    }
+    return found;
+  }
+
+  SweepTrial outcome() const {
+    SweepTrial out;
+    const auto first = best();
+    if (!first || progress_.cancelled()) return out;
+    out.best = guesses_[*first];
+    out.proved = guesses_.size() > 1;
+    double next = -1e9;
+    for (const int kind : {0, 1, 2, 3}) {
+      const auto other = best(kind);
+      if (!other || kind == kind_of(out.best)) continue;
+      const Comparison comparison = compare_residuals(residuals_[*first], residuals_[*other]);
+      next = std::max(next, comparison.mean);
+      if (comparison.clear) continue;
+      out.proved = false;
+      out.others.push_back(guesses_[*other]);
+    }
+    out.gain = 1.0 - std::exp(next);
+    return out;
+  }
+
+  const SweepGuess& guess(std::size_t i) const { return guesses_[i]; }
+
+ private:
+  const std::vector<StampedCloud>& scans_;
+  const Settings& settings_;
+  int threads_;
+  Progress& progress_;
+  std::vector<SweepGuess> guesses_;
+  std::vector<std::vector<double>> residuals_;
+};
+
+/// Where a sweep begins, for points in another order than that of their times: first by quarters of a turn, then around
+/// the best of them.
+void find_first_azimuth(Trial& trial, const std::vector<double>& periods_s) {
+  std::vector<SweepGuess> quarters;
+  for (const double period_s : periods_s)
+    for (const bool clockwise : {true, false})
+      for (int quarter = 0; quarter < 4; ++quarter)
+        quarters.emplace_back(sweep_from(0.5 * kPi * quarter, clockwise, period_s));
+  trial.add(quarters);
+  for (const double step_rad : {kPi / 4.0, kPi / 8.0, kPi / 16.0}) {
+    std::vector<SweepGuess> nearer;
+    for (const int kind : {2, 3}) {
+      const auto best = trial.best(kind);
+      if (!best) continue;
+      for (const double side : {-1.0, 1.0}) {
+        SweepModel moved = *trial.guess(*best);
+        moved.stamp_azimuth_rad = wrap_angle_rad(moved.stamp_azimuth_rad + side * step_rad);
+        nearer.emplace_back(moved);
+      }
+    }
+    trial.add(nearer);
+  }
+}
+
+void try_unknown(Trial& trial, const std::vector<StampedCloud>& scans) {
+  const std::vector<double> periods_s = likely_periods_s(scans);
+  const PointCloud& example = scans[scans.size() / 2].cloud;
+  const std::optional<SweepOrder> order = sweep_order(example);
+  if (!looks_around(example)) {
+    for (const double period_s : periods_s) {
+      SweepModel by_order;
+      by_order.period_s = period_s;
+      by_order.by_order = true;
+      trial.add({by_order});
+    }
+  } else if (order) {
+    for (const double period_s : periods_s)
+      trial.add({sweep_from(order->first_azimuth_rad, order->clockwise, period_s),
+                 sweep_from(order->first_azimuth_rad, !order->clockwise, period_s)});
+  } else {
+    find_first_azimuth(trial, periods_s);
+  }
+}
+
+}  // namespace
+
+std::optional<SweepOrder> sweep_order(const PointCloud& cloud) {
+  constexpr std::size_t kParts = 48;
+  constexpr double kNearest_m = 1.0;  // nearer points are of the vehicle, at any azimuth
+  if (cloud.size() < 16 * kParts) return std::nullopt;
+  std::vector<double> azimuths_rad;  // the mean of each part
+  for (std::size_t part = 0; part < kParts; ++part) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    double count = 0.0;
+    for (std::size_t i = part * cloud.size() / kParts; i < (part + 1) * cloud.size() / kParts; ++i) {
+      const Eigen::Vector2d flat = cloud.points[i].head<2>().cast<double>();
+      if (flat.norm() < kNearest_m) continue;
+      sum += flat.normalized();
+      count += 1.0;
+    }
+    constexpr double kTogether = 0.8;  // points of a part of a turn lie on one side
+    if (!(sum.norm() > kTogether * count)) return std::nullopt;
+    azimuths_rad.push_back(std::atan2(sum.y(), sum.x()));
+  }
+  double turned_rad = 0.0;
+  int backward = 0, forward = 0;
+  for (std::size_t part = 1; part < kParts; ++part) {
+    const double step_rad = wrap_angle_rad(azimuths_rad[part] - azimuths_rad[part - 1]);
+    turned_rad += step_rad;
+    ++(step_rad > 0.0 ? forward : backward);
+  }
+  const double whole_turns = std::abs(turned_rad) / (2.0 * kPi);
+  const bool one_turn = whole_turns > 0.75 && whole_turns < 1.1;
+  if (!one_turn || std::min(forward, backward) > static_cast<int>(kParts) / 10) return std::nullopt;
+  // The middle of the first part is half of it from where the sweep begins.
+  const double half_a_part_rad = 0.5 * turned_rad / static_cast<double>(kParts - 1);
+  return SweepOrder{turned_rad < 0.0, wrap_angle_rad(azimuths_rad.front() - half_a_part_rad)};
+}
+
+bool looks_around(const PointCloud& cloud) {
+  constexpr std::size_t kSectors = 36, kMostEmpty = 10;  // a body may hide a quarter of the view
+  std::array<bool, kSectors> seen{};
+  for (const Eigen::Vector3f& point : cloud.points) {
+    const double turns = std::atan2(point.y(), point.x()) / (2.0 * kPi) + 0.5;
+    seen[std::min(kSectors - 1, static_cast<std::size_t>(turns * kSectors))] = true;
+  }
+  return std::count(seen.begin(), seen.end(), false) <= static_cast<std::ptrdiff_t>(kMostEmpty);
+}
+
+bool needs_sweep_trial(const Session& session, DeskewMode mode) {
+  if (!session.scans || session.scans->size() == 0 || mode == DeskewMode::Off) return false;
+  if (session.scan_timing == ScanTiming::Unknown) return true;
+  if (session.scan_timing != ScanTiming::SweepAzimuth) return false;
+  return !session.sweep.direction_known || (!session.sweep.certain && mode == DeskewMode::Auto);
+}
+
+SweepTrial try_sweeps(const Session& session, const Settings& settings, int threads, Progress& progress) {
+  const std::vector<StampedCloud> scans = load_stretch(session, threads, progress);
+  if (scans.size() < 2) return {};
+  Trial trial(scans, settings, threads, progress);
+  const bool surely_swept = settings.run.deskew == DeskewMode::On ||
+                            (session.scan_timing == ScanTiming::SweepAzimuth && session.sweep.certain);
+  if (!surely_swept) trial.add({std::nullopt});
+  if (session.scan_timing == ScanTiming::Unknown) {
+    try_unknown(trial, scans);
+  } else {
+    SweepModel reversed = session.sweep;
+    reversed.clockwise = !reversed.clockwise;
+    trial.add({session.sweep});
+    if (!session.sweep.direction_known) trial.add({reversed});
+  }
+  return trial.outcome();
+}
+
+}  // namespace remount

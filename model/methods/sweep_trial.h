@@ -1,0 +1,45 @@
+// How the points of a session's scans were swept, where the format does not say: told by the scans themselves.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/core/progress.h"
+#include "model/session.h"
+#include "model/settings.h"
+
+namespace remount {
+
+/// One way in which scans may have been taken; nothing: at once, or compensated already.
+using SweepGuess = std::optional<SweepModel>;
+
+struct SweepTrial {
+  bool proved = false;             ///< `best` fits the scans clearly better than all that was tried besides
+  SweepGuess best;                 ///< fits them best
+  std::vector<SweepGuess> others;  ///< those that the scans do not refute, one of a kind
+  double gain = 0.0;  ///< how much less `best` leaves as residual than the next of another kind, as a share
+};
+
+/// Whether the scans of a session leave open how they were swept, as far as the settings ask.
+bool needs_sweep_trial(const Session& session, DeskewMode mode);
+
+/// Runs the LiDAR's own odometry over the stretch of scans that turns most, once for each way in which they may have
+/// been swept, and compares what is left between each scan and the map before it. Needs no INS and no mounting. Tried
+/// are: no sweep (unless the format says that there is one), both directions of turning (unless it says which), where
+/// nothing is said of the sweep the azimuth at which it begins too, and the order of the points for sensors that do not
+/// spin. Scans that cannot be read are passed over. Not proved where cancelled.
+SweepTrial try_sweeps(const Session& session, const Settings& settings, int threads, Progress& progress);
+
+/// The way in which points follow each other in a scan: those of a sensor that spins, in the order of their times.
+struct SweepOrder {
+  bool clockwise = true;
+  double first_azimuth_rad = 0.0;
+};
+/// Nothing where the order is another: by rings, by place, or of a sensor that does not spin.
+std::optional<SweepOrder> sweep_order(const PointCloud& cloud);
+
+/// Whether there are points all around.
+bool looks_around(const PointCloud& cloud);
+
+}  // namespace remount
