@@ -17,4 +17,13 @@ std::vector<float> scan_times(const Session& session, const PointCloud& cloud, D
   return told_times(session, cloud, session.sweep.certain || mode == DeskewMode::On);
 }
 
+std::string scan_name_at(const ScanSource& scans, std::int64_t stamp_ns) {
+  std::size_t first = 0, last = scans.size();  // [first, last)
+  while (last - first > 1) {
+    const std::size_t middle = first + (last - first) / 2;
+    (scans.stamp_ns(middle) <= stamp_ns ? first : last) = middle;
+  }
+  return scans.name(first);
+}
+
 }  // namespace remount

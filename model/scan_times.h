@@ -1,6 +1,7 @@
 // When the points of a scan were measured, as far as the session and the settings say.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "model/session.h"
@@ -14,5 +15,8 @@ std::vector<float> told_times(const Session& session, const PointCloud& cloud, b
 
 /// The same as the settings have it; empty where the scan is to be used as it is.
 std::vector<float> scan_times(const Session& session, const PointCloud& cloud, DeskewMode mode);
+
+/// Of the scan with a stamp, which is one of the source's; stamps ascend.
+std::string scan_name_at(const ScanSource& scans, std::int64_t stamp_ns);
 
 }  // namespace remount
