@@ -11,6 +11,7 @@
 #include "algorithms/cloud/objects.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/quality/map_sharpness.h"
+#include "model/mounting_frames.h"
 #include "model/session.h"
 #include "model/settings.h"
 #include "model/verdicts.h"
@@ -21,9 +22,11 @@ namespace remount {
 struct PipelineInput {
   std::vector<std::shared_ptr<const Session>> sessions;  ///< of one vehicle
   Settings settings;
-  std::optional<RigidTransform> nominal_ins_from_lidar;  ///< nothing: unknown mounting
-  std::vector<PairVerdict> verdicts;                     ///< obeyed as soon as the pairs are registered
-  int threads = 0;                                       ///< 0: one per core; the result does not depend on it
+  /// Nothing: unknown mounting. In another frame than the INS's for a method that finds the LiDAR in that.
+  std::optional<RigidTransform> nominal_ins_from_lidar;
+  MountingFrames nominal_frames;
+  std::vector<PairVerdict> verdicts;  ///< obeyed as soon as the pairs are registered
+  int threads = 0;                    ///< 0: one per core; the result does not depend on it
 };
 
 /// Whether the accumulated map was compared under the result and others, and why not.

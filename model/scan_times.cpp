@@ -42,4 +42,13 @@ bool tells_clock(const Session& session, DeskewMode mode) {
   return session.scan_timing == ScanTiming::PerPoint || sweep_of(session, mode).has_value();
 }
 
+std::string scan_name_at(const ScanSource& scans, std::int64_t stamp_ns) {
+  std::size_t first = 0, last = scans.size();  // [first, last)
+  while (last - first > 1) {
+    const std::size_t middle = first + (last - first) / 2;
+    (scans.stamp_ns(middle) <= stamp_ns ? first : last) = middle;
+  }
+  return scans.name(first);
+}
+
 }  // namespace remount

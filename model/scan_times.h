@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "model/session.h"
@@ -23,5 +24,8 @@ std::vector<float> scan_times(const Session& session, const PointCloud& cloud, D
 /// Whether a clock offset may be told from the scans of a session, or its LiDAR poses: sweeps that are not compensated
 /// lie at another time on one side of the sensor than on the other, which looks like an offset.
 bool tells_clock(const Session& session, DeskewMode mode);
+
+/// Of the scan with a stamp, which is one of the source's; stamps ascend.
+std::string scan_name_at(const ScanSource& scans, std::int64_t stamp_ns);
 
 }  // namespace remount

@@ -236,6 +236,18 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Only motion tells where the LiDAR sits."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Poses that are predicted come from no scan: what the LiDAR did there is not known."),
+      QT_TRANSLATE_NOOP("remount::model", "A place on the vehicle is another number in another frame."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Give the nominal mounting in the frame in which the method finds the sensor, or none."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Points that are matched with points, or with cells, are off by more than their number says, the "
+          "same way in every pair."),
+      QT_TRANSLATE_NOOP("remount::model", "Choose plane-to-plane or pcl-gicp where the sigma is to hold."),
+      QT_TRANSLATE_NOOP("remount::model", "A tyre differs by a per cent or two: one of the two is not in metres."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Look at the wheel radius or the units of the wheel speeds, and at the units of the sensor's "
+                        "poses."),
       QT_TRANSLATE_NOOP(
           "remount::model",
           "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."),

@@ -119,6 +119,46 @@ const std::vector<const char*>& method_phrases() {
                         "100 m with turns."),
       QT_TRANSLATE_NOOP("remount::model", "%1 of %2 scans could not be aligned: %3: %4."),
       QT_TRANSLATE_NOOP("remount::model", "There is no IMU: turns are taken from the attitude of the INS."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The way of the wheels is %1 times as long as that by the sensor's poses: one of the two is not "
+          "in metres."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The way by the sensor's poses is %1 times as long as that of the wheels: one of the two is not "
+          "in metres."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Look at the units of the wheel speeds and of the sensor's poses. Where the poses have no scale, "
+          "as those of one camera, let it be estimated (vehicle_frame.scale)."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The way of the wheels and that of the sensor differ by %1%; the sensor's is taken for metres."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The way of the %1 is %2 times as long as that of the %3: poses of the LiDAR are not in metres, "
+          "or are of another drive."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Look at the units of the LiDAR's poses, and at how points of scans are scaled."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "places %1 in %2, and the method '%3' finds %4 in %5: the numbers of one are wrong in the other. "
+          "Give a nominal mounting in that frame, or none."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The nominal mounting of the session places %1 in %2, and the method '%3' finds %4 in %5: it is "
+          "not used. Give a nominal mounting in that frame, or none."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "places %1 in %2, and %3 in %4 is asked for: the numbers of one are wrong in the other."),
+      QT_TRANSLATE_NOOP("remount::model", "the LiDAR"),
+      QT_TRANSLATE_NOOP("remount::model", "the antenna"),
+      QT_TRANSLATE_NOOP("remount::model", "the sensor"),
+      QT_TRANSLATE_NOOP("remount::model", "the INS frame"),
+      QT_TRANSLATE_NOOP("remount::model", "the vehicle's frame (middle of the rear axle, on the ground)"),
+      QT_TRANSLATE_NOOP("remount::model", "the machine's frame (on the slew axis)"),
+      QT_TRANSLATE_NOOP("remount::model", "the LiDAR's own axes about the antenna"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 is for comparison: errors may be several times the sigma that is stated."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The height of the sensor is not observed: the ground was too flat. Drive over ramps or "
                         "slopes, or measure it."),
@@ -255,6 +295,7 @@ const std::vector<const char*>& method_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "gyro bias y"),
       QT_TRANSLATE_NOOP("remount::model", "gyro bias z"),
       QT_TRANSLATE_NOOP("remount::model", "track width"),
+      QT_TRANSLATE_NOOP("remount::model", "pitch centre ahead of the rear axle"),
       QT_TRANSLATE_NOOP("remount::model", "rotation equation singular value %1"),
       QT_TRANSLATE_NOOP("remount::model", "yaw rate bias"),
       QT_TRANSLATE_NOOP("remount::model", "distance"),

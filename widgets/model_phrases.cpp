@@ -306,7 +306,10 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Decision: stop where an obstacle is closer than this to the outline."),
       QT_TRANSLATE_NOOP("remount::model",
                         "What lies wholly within the outline is the vehicle itself, not an obstacle."),
-      QT_TRANSLATE_NOOP("remount::model", "How two scans are aligned: own plane-to-plane engine, or PCL's."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "How two scans are aligned: own plane-to-plane engine, or PCL's. With pcl-icp and pcl-ndt "
+                        "errors may be several "
+                        "times the sigma that is stated: for comparison only."),
       QT_TRANSLATE_NOOP("remount::model", "Edge of the voxels that thin a scan before alignment."),
       QT_TRANSLATE_NOOP("remount::model", "Points farther than this from the sensor are left out."),
       QT_TRANSLATE_NOOP("remount::model", "Points nearer than this to the sensor (the vehicle itself) are left out."),

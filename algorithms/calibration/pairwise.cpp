@@ -9,6 +9,7 @@
 #include "algorithms/calibration/motion_agreement.h"
 #include "algorithms/calibration/noise_prior.h"
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/out_of_range.h"
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pair_judgement.h"
 #include "algorithms/calibration/robust_start.h"
@@ -128,11 +129,7 @@ void set_status(const PairwiseInput& input, const std::string& lost, Calibration
                          ? "Nothing is observed: the motion of this drive does not determine any component of X."
                          : lost;
   } else if (!outside.empty()) {
-    result.status = Status::OutOfRange;
-    result.message = "The solution lies outside the search range: " + outside + ".";
-    result.advice.insert(result.advice.begin(),
-                         "Widen the search range where it is too narrow. Where it is right, the data contradict it: "
-                         "check axes and units of the INS, and whether the LiDAR is the one that the range is for.");
+    refuse_out_of_range(outside, result);
   } else {
     result.status = observed < 6 ? Status::Degenerate : Status::Ok;
     result.message = solved_message(result);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "algorithms/calibration/trajectory_condense.h"
 #include "algorithms/calibration/trajectory_start.h"
@@ -71,6 +72,40 @@ bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& optio
   for (std::size_t kind = 0; kind < kTermKinds; ++kind)
     if (2 * without[kind] > all[kind] || solution.noise.factor[kind] > kBeyondBelief) return true;
   return false;
+}
+
+// How many times as long as the odometry's the way of INS or fixes is; 1 where they have too little in common.
+double metres_per_unit(const TrajectoryProblem& problem) {
+  double measured_m = 0.0, odometry_m = 0.0;
+  for (const TrajectorySession& session : problem.sessions)
+    for (std::size_t i = 1; i < session.epochs.size(); ++i) {
+      const TrajectoryEpoch &before = session.epochs[i - 1], &here = session.epochs[i];
+      if (!before.ins || !here.ins) continue;
+      measured_m += (here.ins->enu_from_ins.translation() - before.ins->enu_from_ins.translation()).norm();
+      odometry_m += (here.odometry_from_lidar.translation() - before.odometry_from_lidar.translation()).norm();
+    }
+  return measured_m > kLeastTravel_m && odometry_m > 0.0 ? measured_m / odometry_m : 1.0;
+}
+
+// A LiDAR beside the INS goes as far as it does, but for some metres in turns.
+TrajectoryAnswer why_not_aligned(const TrajectoryProblem& problem) {
+  constexpr double kOtherScale = 1.25;
+  const double ratio = metres_per_unit(problem);
+  if (std::abs(std::log(ratio)) < std::log(kOtherScale)) {
+    TrajectoryAnswer answer = without_numbers(Status::NotConverged, "The trajectories could not be aligned.");
+    answer.result.advice.emplace_back(
+        "Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?");
+    return answer;
+  }
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "The way of the %s is %.2f times as long as that of the %s: poses of the LiDAR are not in metres, or are "
+      "of another drive.",
+      ratio > 1.0 ? "INS" : "LiDAR", std::max(ratio, 1.0 / ratio), ratio > 1.0 ? "LiDAR" : "INS");
+  TrajectoryAnswer answer = without_numbers(Status::Inconsistent, text);
+  answer.result.advice.emplace_back("Look at the units of the LiDAR's poses, and at how points of scans are scaled.");
+  return answer;
 }
 
 // What the drive does not show stays where it was.
@@ -301,9 +336,7 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
     return outcome;
   }
   if (!outcome.solution.converged || contradict(usable, options, outcome.solution)) {
-    outcome.answer = without_numbers(Status::NotConverged, "The trajectories could not be aligned.");
-    outcome.answer.result.advice.emplace_back(
-        "Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?");
+    outcome.answer = why_not_aligned(usable);
     return outcome;
   }
   count_outliers(usable, options, outcome);

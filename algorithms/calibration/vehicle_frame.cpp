@@ -85,12 +85,15 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   problem.free[7] = options.scale == ScaleMode::Known;
   problem.free[14] = streams.wheels_differ;
   if (streams.one_axis)
-    for (const int held : {8, 9, 11, 12, 13}) problem.free[static_cast<std::size_t>(held)] = false;
+    for (const int held : {8, 9, 11, 12, 13, 18}) problem.free[static_cast<std::size_t>(held)] = false;
   if (!streams.reference)
     for (const int held : {15, 16, 17}) problem.free[static_cast<std::size_t>(held)] = false;
   problem.prior = start.state;
   if (nominal_vehicle_from_sensor) problem.prior.vehicle_from_sensor = *nominal_vehicle_from_sensor;
   problem.prior.gyro_bias_radps.setZero();
+  // The middle between the axles, of anything from a small car to a lorry.
+  constexpr double kPitchCentre_m = 1.3, kPitchCentreSigma_m = 1.3;
+  problem.prior.pitch_centre_m = kPitchCentre_m;
   // An IMU whose mounting nobody stated is held where the start found it, by next to nothing.
   if (options.imu_mounting_sigma_deg < 90.0) problem.prior.vehicle_from_imu = stated_imu_mounting(options);
   const bool nominal = nominal_vehicle_from_sensor.has_value();
@@ -98,7 +101,7 @@ VehicleFrameProblem problem_of(const std::vector<VehicleInterval>& intervals, co
   problem.prior_sigma << Vector3d::Constant(nominal ? 2.0 : 5.0), Vector3d::Constant(nominal ? 0.2 : 1.0), 3.0,
       options.estimate_wheel_scale ? 0.1 : kTyre, Vector3d::Constant(bias_radps),
       Vector3d::Constant(degrees_to_radians(options.imu_mounting_sigma_deg)), 1.0,
-      Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg));
+      Vector3d::Constant(degrees_to_radians(options.ins_alignment_sigma_deg)), kPitchCentreSigma_m;
   return problem;
 }
 
@@ -187,6 +190,9 @@ void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolut
                                            covariance(8 + k, 8 + k), "rad/s", 0.5 * problem.prior_sigma[8 + k]));
   if (problem.free[14])
     result.quantities.push_back(quantity("track width", solution.state.track_m, covariance(14, 14), "m", 0.3));
+  if (problem.free[18])
+    result.quantities.push_back(quantity("pitch centre ahead of the rear axle", solution.state.pitch_centre_m,
+                                         covariance(18, 18), "m", 0.5 * problem.prior_sigma[18]));
   if (!result.imu_to_reference) return;
   constexpr std::array<const char*, 4> kValues{
       "rotation equation singular value 1", "rotation equation singular value 2", "rotation equation singular value 3",
@@ -212,6 +218,33 @@ void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) 
   std::snprintf(text, sizeof text, "Vehicle from sensor by %d intervals of wheels and IMU; %s.", result.intervals,
                 observed == 6 ? "all six parameters are observed" : "some parameters are not observed");
   calibration.message = text;
+}
+
+// "2.50 times as long as".
+std::string times_as_long(double ratio) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f times as long as", ratio);
+  return text;
+}
+
+// Poses that are said to be in metres and are not: no tyre is wrong by so much. Empty where they may be.
+std::string other_scale(double metres_per_unit, const VehicleFrameOptions& options) {
+  constexpr double kBeyondTyres = 1.15;
+  const double limit = options.estimate_wheel_scale ? kBeyondTyres * kBeyondTyres : kBeyondTyres;
+  if (options.scale != ScaleMode::Known || std::abs(std::log(metres_per_unit)) < std::log(limit)) return {};
+  return metres_per_unit > 1.0 ? "The way of the wheels is " + times_as_long(metres_per_unit) +
+                                     " that by the sensor's poses: one of the two is not in metres."
+                               : "The way by the sensor's poses is " + times_as_long(1.0 / metres_per_unit) +
+                                     " that of the wheels: one of the two is not in metres.";
+}
+
+void refuse_scale(const std::string& why, CalibrationResult& calibration) {
+  claim_nothing("the sensor's poses and the wheels are of different scales", calibration);
+  calibration.status = Status::Inconsistent;
+  calibration.message = why;
+  calibration.advice = {
+      "Look at the units of the wheel speeds and of the sensor's poses. Where the poses have no scale, as those of one "
+      "camera, let it be estimated (vehicle_frame.scale)."};
 }
 
 VehicleFrameResult too_few(std::size_t intervals) {
@@ -257,6 +290,10 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
   CalibrationResult& calibration = result.calibration;
   calibration.reference_frame = "vehicle";
   calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
+  if (const std::string why = other_scale(start.metres_per_unit, options); !why.empty()) {
+    refuse_scale(why, calibration);
+    return result;
+  }
   progress.report("solving vehicle frame", 0, 0);
   const VehicleFrameSolution first = solve_problem(problem, start.state, progress);
   if (first.converged) judge(intervals, problem, first, solve, calibration);

@@ -23,6 +23,8 @@ WheelPreintegration with_bias(const IntegratedInterval& interval, const Vector3d
   for (int k = 0; k < 3; ++k) {
     turn += change[k] * interval.turn_by_bias[static_cast<std::size_t>(k)];
     sum.travel_map_m += change[k] * interval.map_by_bias[static_cast<std::size_t>(k)];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      sum.turn_maps_rad[axis] += change[k] * interval.turn_maps_by_bias[static_cast<std::size_t>(k)][axis];
   }
   sum.imu_start_from_imu_end = so3_exp(turn) * sum.imu_start_from_imu_end;
   sum.turn_in_imu_rad -= change * sum.duration_s;
@@ -217,6 +219,7 @@ VehicleFrameState moved(const VehicleFrameState& state, const StateVector& delta
   out.vehicle_from_imu = so3_exp(delta.segment<3>(11)) * state.vehicle_from_imu;
   out.track_m += delta[14];
   out.vehicle_from_reference = so3_exp(delta.segment<3>(15)) * state.vehicle_from_reference;
+  out.pitch_centre_m += delta[18];
   return out;
 }
 
@@ -225,7 +228,8 @@ StateVector difference(const VehicleFrameState& from, const VehicleFrameState& t
   delta << difference(from.vehicle_from_sensor, to.vehicle_from_sensor), to.log_scale - from.log_scale,
       to.log_wheel_scale - from.log_wheel_scale, to.gyro_bias_radps - from.gyro_bias_radps,
       so3_log(to.vehicle_from_imu * from.vehicle_from_imu.transpose()), to.track_m - from.track_m,
-      so3_log(to.vehicle_from_reference * from.vehicle_from_reference.transpose());
+      so3_log(to.vehicle_from_reference * from.vehicle_from_reference.transpose()),
+      to.pitch_centre_m - from.pitch_centre_m;
   return delta;
 }
 
@@ -243,6 +247,8 @@ IntegratedInterval integrated(const VehicleInterval& interval, const Vector3d& b
     out.turn_by_bias[at] =
         so3_log(up.imu_start_from_imu_end * down.imu_start_from_imu_end.transpose()) / (2.0 * kStep_radps);
     out.map_by_bias[at] = (up.travel_map_m - down.travel_map_m) / (2.0 * kStep_radps);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      out.turn_maps_by_bias[at][axis] = (up.turn_maps_rad[axis] - down.turn_maps_rad[axis]) / (2.0 * kStep_radps);
   }
   return out;
 }
@@ -250,7 +256,7 @@ IntegratedInterval integrated(const VehicleInterval& interval, const Vector3d& b
 IntervalResidual residual_of(const IntegratedInterval& interval, const VehicleFrameState& state) {
   const WheelPreintegration sum = with_bias(interval, state.gyro_bias_radps);
   const double wheel_scale = std::exp(state.log_wheel_scale);
-  const RigidTransform p = sum.start_from_end(state.vehicle_from_imu, wheel_scale);
+  const RigidTransform p = sum.start_from_end(state.vehicle_from_imu, wheel_scale, state.pitch_centre_m);
   const RigidTransform& q = interval.interval->sensor_begin_from_sensor_end;
   const Matrix3d& rotation = state.vehicle_from_sensor.linear();
   const Vector3d lever_m = state.vehicle_from_sensor.translation();

@@ -11,7 +11,7 @@ namespace remount {
 
 /// Everything that is estimated at once. The tangent has kUnknowns entries in the order of the members.
 struct VehicleFrameState {
-  static constexpr int kUnknowns = 18;
+  static constexpr int kUnknowns = 19;
   RigidTransform vehicle_from_sensor = RigidTransform::Identity();       // 0-5, `perturbed`
   double log_scale = 0.0;                                                // 6, sensor
   double log_wheel_scale = 0.0;                                          // 7
@@ -19,6 +19,7 @@ struct VehicleFrameState {
   Eigen::Matrix3d vehicle_from_imu = Eigen::Matrix3d::Identity();        // 11-13, left
   double track_m = 1.6;                                                  // 14, distance of the rear wheels
   Eigen::Matrix3d vehicle_from_reference = Eigen::Matrix3d::Identity();  // 15-17, left
+  double pitch_centre_m = 0.0;                                           // 18, ahead of the rear axle
 };
 using StateVector = Eigen::Matrix<double, VehicleFrameState::kUnknowns, 1>;
 using StateMatrix = Eigen::Matrix<double, VehicleFrameState::kUnknowns, VehicleFrameState::kUnknowns>;
@@ -34,6 +35,7 @@ struct IntegratedInterval {
   WheelPreintegration nominal;
   std::array<Eigen::Vector3d, 3> turn_by_bias;  ///< of Log(imu_start_from_imu_end) to the left, for each axis
   std::array<Eigen::Matrix3d, 3> map_by_bias;
+  std::array<std::array<Eigen::Matrix3d, 3>, 3> turn_maps_by_bias;
 };
 IntegratedInterval integrated(const VehicleInterval& interval, const Eigen::Vector3d& bias_radps);
 

@@ -146,6 +146,8 @@ VehicleFrameStart start_of(const std::vector<VehicleInterval>& intervals, const 
         {yaw_pitch_roll_from_rotation(motions[i].linear()).yaw_rad, motions[i].translation().head<2>(), way.head<2>()});
   }
   start.planar = solve_planar_mounting(planar, options.scale == ScaleMode::Known);
+  const PlanarMounting of_any_scale = solve_planar_mounting(planar, false);
+  if (of_any_scale.solved && of_any_scale.scale > 0.0) start.metres_per_unit = of_any_scale.scale;
   const double height_m = nominal_vehicle_from_sensor ? nominal_vehicle_from_sensor->translation().z() : 0.0;
   Vector3d lever_m(start.planar.x_m, start.planar.y_m, height_m);
   if (!start.planar.position_observed && nominal_vehicle_from_sensor)

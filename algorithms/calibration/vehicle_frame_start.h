@@ -21,6 +21,7 @@ struct VehicleFrameStart {
   std::optional<RotationEquationResult> imu_to_reference;
   RotationEquationResult imu_to_sensor;  ///< a: sensor, b: IMU
   PlanarMounting planar;
+  double metres_per_unit = 1.0;  ///< of the sensor's poses by the way of the wheels, whatever the options say
 };
 
 /// Step 2 (IMU to vehicle), pitch and roll of the sensor, then x, y, yaw and scale in the plane.

@@ -1,5 +1,6 @@
 #include "algorithms/odometry/lidar_odometry.h"
 
+#include <array>
 #include <cmath>
 
 #include "algorithms/cloud/deskew.h"
@@ -16,16 +17,19 @@ struct LidarOdometry::Scan {
 struct LidarOdometry::Attempt {
   std::unique_ptr<PreparedCloud> cloud;
   RegistrationResult result;
-  RigidTransform odometry_from_lidar;
+  RigidTransform odometry_from_lidar = RigidTransform::Identity();
+  bool aligned() const { return cloud && result.quality.failure.empty(); }
+};
+
+// The newest scan, with a pose that is good enough to tell how the one before it moved.
+struct LidarOdometry::Waiting {
+  PointCloud cloud;
+  std::vector<float> times_s;
+  OdometryPose pose;
+  Attempt found;  ///< nothing for the first scan
 };
 
 namespace {
-
-// What the motion at a constant velocity makes in a time.
-RigidTransform motion(const Vector6d& velocity, double time_s) {
-  const Eigen::Vector3d turn = velocity.tail<3>() * time_s;
-  return make_rigid(so3_exp(turn), so3_left_jacobian(turn) * velocity.head<3>() * time_s);
-}
 
 // Inverse of the information, with what neighbouring surfaces and voxels do not average (measured on simulated
 // streets), and a bound where hardly anything is known.
@@ -49,7 +53,15 @@ Matrix6d covariance_of(const Matrix6d& information, const Eigen::Matrix3d& lidar
 RegistrationOptions for_odometry(RegistrationOptions registration, double voxel_m) {
   registration.voxel_m = voxel_m;
   registration.search_when_doubtful = false;  // the prediction is near, and time is short
+  // Rings of a sparse sensor on open ground lie between those of the map: less in common than two scans of a street
+  // have is no sign of another place, where the prediction is near.
+  registration.min_overlap *= 0.5;
   return registration;
+}
+
+TimedMotion seen_from(const OdometryPose& here, const OdometryPose& other) {
+  return {static_cast<double>(other.stamp_ns - here.stamp_ns) * 1e-9,
+          here.odometry_from_lidar.inverse() * other.odometry_from_lidar};
 }
 
 }  // namespace
@@ -59,26 +71,21 @@ LidarOdometry::LidarOdometry(LidarOdometryOptions options, RegistrationOptions r
       registration_(for_odometry(registration, options.voxel_m)),
       map_(registration_, static_cast<std::size_t>(options.map_keyframes)) {}
 
-PreparedCloud LidarOdometry::prepared(const Scan& scan, const Vector6d& velocity, const Progress& progress) const {
-  if (scan.times_s.empty()) return PreparedCloud(scan.cloud, registration_, {}, progress);
+LidarOdometry::~LidarOdometry() = default;
+
+std::unique_ptr<PreparedCloud> LidarOdometry::prepared(const Scan& scan, const SweepMotion& motion,
+                                                       const Progress& progress) const {
+  const std::vector<bool> all;
+  if (scan.times_s.empty()) return std::make_unique<PreparedCloud>(scan.cloud, registration_, all, progress);
   const PointCloud compensated =
-      deskew(scan.cloud, scan.times_s, [&](double time_s) { return motion(velocity, time_s); });
-  return PreparedCloud(compensated, registration_, {}, progress);
+      deskew(scan.cloud, scan.times_s, [&motion](double time_s) { return motion.at(time_s); });
+  return std::make_unique<PreparedCloud>(compensated, registration_, all, progress);
 }
 
-Vector6d LidarOdometry::velocity_to(const RigidTransform& odometry_from_lidar, std::int64_t stamp_ns) const {
-  const double step_s = static_cast<double>(stamp_ns - last_.stamp_ns) * 1e-9;
-  const RigidTransform step = last_.odometry_from_lidar.inverse() * odometry_from_lidar;
-  const Eigen::Vector3d turn = so3_log(step.linear());
-  Vector6d velocity;
-  velocity << so3_left_jacobian_inverse(turn) * step.translation() / step_s, turn / step_s;
-  return velocity;
-}
-
-LidarOdometry::Attempt LidarOdometry::attempt(const Scan& scan, const RigidTransform& start, const Vector6d& velocity,
+LidarOdometry::Attempt LidarOdometry::attempt(const Scan& scan, const RigidTransform& start, const SweepMotion& motion,
                                               const Progress& progress) const {
   Attempt out;
-  out.cloud.reset(new PreparedCloud(prepared(scan, velocity, progress)));
+  out.cloud = prepared(scan, motion, progress);
   const RigidTransform& odometry_from_map = map_.odometry_from_map();
   out.result = align_scans(*out.cloud, map_.cloud(), odometry_from_map.inverse() * start, registration_, progress);
   out.odometry_from_lidar = odometry_from_map * out.result.target_from_source;
@@ -87,9 +94,10 @@ LidarOdometry::Attempt LidarOdometry::attempt(const Scan& scan, const RigidTrans
   return out;
 }
 
-void LidarOdometry::start_map(const Scan& scan, const Vector6d& velocity, const Progress& progress) {
+void LidarOdometry::start_map(const Scan& scan, const RigidTransform& odometry_from_lidar, const SweepMotion& motion,
+                              const Progress& progress) {
   map_.clear();
-  map_.insert(prepared(scan, velocity, progress), last_.odometry_from_lidar, progress);
+  map_.insert(*prepared(scan, motion, progress), odometry_from_lidar, progress);
 }
 
 bool LidarOdometry::joins_map(const RigidTransform& odometry_from_lidar) const {
@@ -98,60 +106,67 @@ bool LidarOdometry::joins_map(const RigidTransform& odometry_from_lidar) const {
          so3_log(away.linear()).norm() > degrees_to_radians(options_.keyframe_angle_deg);
 }
 
-void LidarOdometry::start(const Scan& scan, std::int64_t stamp_ns, const Progress& progress) {
-  last_ = {};
-  last_.stamp_ns = stamp_ns;
-  first_cloud_ = scan.cloud;
-  first_times_s_.assign(scan.times_s.begin(), scan.times_s.end());
-  start_map(scan, velocity_, progress);
-}
-
-LidarOdometry::Attempt LidarOdometry::best_attempt(const Scan& scan, const RigidTransform& predicted,
-                                                   std::int64_t stamp_ns, const Progress& progress) {
-  constexpr double kNewVelocity_mps = 0.15, kNewRate_radps = 0.015;
-  Attempt best = attempt(scan, predicted, velocity_, progress);
-  // Scans that were compensated by a velocity that is not theirs are compensated again; so is the first one, which had
-  // none.
-  const Scan first{first_cloud_, first_times_s_};
-  const bool first_step = scans_ == 2 && !first_times_s_.empty();
-  for (int repeat = 0; repeat < (first_step ? 3 : 1) && best.result.quality.failure.empty(); ++repeat) {
-    const Vector6d found = velocity_to(best.odometry_from_lidar, stamp_ns);
-    const Vector6d change = found - velocity_;
-    const bool other = change.head<3>().norm() > kNewVelocity_mps || change.tail<3>().norm() > kNewRate_radps;
-    if (scan.times_s.empty() || (!other && !first_step)) break;
-    if (first_step) start_map(first, found, progress);
-    Attempt again = attempt(scan, best.odometry_from_lidar, found, progress);
-    if (!again.result.quality.failure.empty()) {
+// Only the second scan tells by which motion the first one, the map so far, is torn: both are compensated again.
+void LidarOdometry::mend_first_map(const Scan& second, OdometryPose pose, Attempt& found, const Progress& progress) {
+  constexpr int kRepeats = 3;
+  const Scan first{waiting_->cloud, waiting_->times_s};
+  const RigidTransform& odometry_from_first = waiting_->pose.odometry_from_lidar;
+  SweepMotion before;
+  for (int repeat = 0; repeat < kRepeats && found.aligned(); ++repeat) {
+    pose.odometry_from_lidar = found.odometry_from_lidar;
+    const SweepMotion motion = SweepMotion::through(std::array{seen_from(waiting_->pose, pose)});
+    start_map(first, odometry_from_first, motion, progress);
+    Attempt again = attempt(second, found.odometry_from_lidar, motion, progress);
+    if (!again.aligned()) {
       // Times that make it worse: what fitted before is kept, with the map that it fitted.
-      if (first_step) start_map(first, velocity_, progress);
-      break;
+      start_map(first, odometry_from_first, before, progress);
+      return;
     }
-    velocity_ = found;
-    best = std::move(again);
+    before = motion;
+    found = std::move(again);
   }
-  if (scans_ == 2) first_cloud_ = {};
-  return best;
 }
 
-OdometryPose LidarOdometry::accept(const Scan& scan, const Attempt& best, OdometryPose pose, const Progress& progress) {
+// What a scan is first compensated with is the motion before it. Its own brings it near enough to tell how the scan
+// before it moved.
+void LidarOdometry::compensate_again(const Scan& scan, OdometryPose pose, const OdometryPose& before, Attempt& found,
+                                     const Progress& progress) const {
+  if (!found.aligned()) return;
+  pose.odometry_from_lidar = found.odometry_from_lidar;
+  Attempt again =
+      attempt(scan, found.odometry_from_lidar, SweepMotion::through(std::array{seen_from(pose, before)}), progress);
+  if (again.aligned()) found = std::move(again);
+}
+
+// Through the scans on both sides where they are known, else through the two before.
+SweepMotion LidarOdometry::motion_around(const OdometryPose& pose, const OdometryPose* after) const {
+  std::vector<TimedMotion> others;
+  if (after && after->aligned) others.push_back(seen_from(pose, *after));
+  for (auto before = final_.rbegin(); before != final_.rend() && others.size() < 2; ++before)
+    if (before->aligned) others.push_back(seen_from(pose, *before));
+  return SweepMotion::through(others);
+}
+
+// The map goes on with a scan whose pose is final.
+OdometryPose LidarOdometry::accept(const Scan& scan, const Attempt& best, const SweepMotion& motion, OdometryPose pose,
+                                   const Progress& progress) {
   constexpr int kMostFailures = 3;
   const RegistrationQuality& quality = best.result.quality;
   pose.rmse_m = quality.rmse_m;
   pose.overlap = quality.overlap;
   pose.problem = quality.failure;
-  pose.aligned = quality.failure.empty();
+  pose.aligned = best.aligned();
   pose.undetermined = pose.aligned ? quality.undetermined : std::string();
   const Eigen::Matrix3d lidar_from_map = best.result.target_from_source.linear().transpose();
   if (pose.aligned) pose.odometry_from_lidar = best.odometry_from_lidar;
   pose.covariance = covariance_of(pose.aligned ? quality.information : Matrix6d(Matrix6d::Zero()), lidar_from_map);
   failures_ = pose.aligned ? 0 : failures_ + 1;
-  if (pose.aligned) velocity_ = velocity_to(pose.odometry_from_lidar, pose.stamp_ns);
   const bool lost = failures_ >= kMostFailures && !progress.cancelled();
-  pose.map += lost ? 1 : 0;
-  last_ = pose;
+  maps_ += lost ? 1 : 0;
+  pose.map = maps_;
   if (progress.cancelled()) return pose;
   if (lost) {
-    start_map(scan, velocity_, progress);  // the old surroundings are lost: go on from here
+    start_map(scan, pose.odometry_from_lidar, motion, progress);  // the old surroundings are lost: go on from here
     failures_ = 0;
   } else if (pose.aligned && joins_map(pose.odometry_from_lidar)) {
     map_.insert(*best.cloud, pose.odometry_from_lidar, progress);
@@ -159,23 +174,66 @@ OdometryPose LidarOdometry::accept(const Scan& scan, const Attempt& best, Odomet
   return pose;
 }
 
-OdometryPose LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<const float> times_s,
-                                 std::int64_t stamp_ns, const Progress& progress,
-                                 const std::optional<RigidTransform>& predicted_step) {
-  const Scan scan{cloud_in_lidar, times_s};
-  if (scans_++ == 0) {
-    start(scan, stamp_ns, progress);
-    return last_;
-  }
-  if (stamp_ns <= last_.stamp_ns) throw Error(ErrorCode::Contract, "LiDAR odometry", "the stamps of scans must ascend");
-  const double step_s = static_cast<double>(stamp_ns - last_.stamp_ns) * 1e-9;
+// The scan that waits, with the motion on both its sides.
+OdometryPose LidarOdometry::settle(const OdometryPose* after, const Progress& progress) {
+  const std::unique_ptr<Waiting> waiting = std::move(waiting_);
+  if (final_.empty()) return keep(waiting->pose);
+  const Scan scan{waiting->cloud, waiting->times_s};
+  const SweepMotion motion = motion_around(waiting->pose, after);
+  Attempt best = attempt(scan, waiting->pose.odometry_from_lidar, motion, progress);
+  if (!best.aligned()) best = std::move(waiting->found);
+  return keep(accept(scan, best, motion, waiting->pose, progress));
+}
+
+OdometryPose LidarOdometry::keep(OdometryPose pose) {
+  if (final_.size() == 2) final_.erase(final_.begin());
+  final_.push_back(pose);
+  return pose;
+}
+
+std::vector<OdometryPose> LidarOdometry::start(const Scan& scan, std::int64_t stamp_ns, const Progress& progress) {
   OdometryPose pose;
   pose.stamp_ns = stamp_ns;
-  pose.map = last_.map;
-  pose.odometry_from_lidar = last_.odometry_from_lidar * predicted_step.value_or(motion(velocity_, step_s));
-  if (predicted_step) velocity_ = velocity_to(pose.odometry_from_lidar, stamp_ns);
-  const Attempt best = best_attempt(scan, pose.odometry_from_lidar, stamp_ns, progress);
-  return accept(scan, best, std::move(pose), progress);
+  start_map(scan, pose.odometry_from_lidar, {}, progress);
+  if (scan.times_s.empty()) return {keep(pose)};
+  waiting_.reset(new Waiting{scan.cloud, {scan.times_s.begin(), scan.times_s.end()}, pose, {}});
+  return {};
+}
+
+std::vector<OdometryPose> LidarOdometry::push(const PointCloud& cloud_in_lidar, std::span<const float> times_s,
+                                              std::int64_t stamp_ns, const Progress& progress,
+                                              const std::optional<RigidTransform>& predicted_step) {
+  const Scan scan{cloud_in_lidar, times_s};
+  if (map_.empty()) return start(scan, stamp_ns, progress);
+  const OdometryPose before = waiting_ ? waiting_->pose : final_.back();
+  if (stamp_ns <= before.stamp_ns)
+    throw Error(ErrorCode::Contract, "LiDAR odometry", "the stamps of scans must ascend");
+  const double step_s = static_cast<double>(stamp_ns - before.stamp_ns) * 1e-9;
+  OdometryPose pose;
+  pose.stamp_ns = stamp_ns;
+  if (predicted_step) velocity_ = SweepMotion::through(std::array{TimedMotion{step_s, *predicted_step}}).velocity;
+  const SweepMotion expected{velocity_, Vector6d::Zero()};
+  pose.odometry_from_lidar = before.odometry_from_lidar * expected.at(step_s);
+  Attempt found = attempt(scan, pose.odometry_from_lidar, expected, progress);
+  if (final_.empty() && !times_s.empty())
+    mend_first_map(scan, pose, found, progress);
+  else if (!times_s.empty())
+    compensate_again(scan, pose, before, found, progress);
+  pose.aligned = found.aligned();
+  if (pose.aligned) pose.odometry_from_lidar = found.odometry_from_lidar;
+  std::vector<OdometryPose> final_now;
+  if (waiting_) final_now.push_back(settle(&pose, progress));
+  if (pose.aligned) velocity_ = SweepMotion::through(std::array{seen_from(pose, final_.back())}).velocity;
+  if (times_s.empty())
+    final_now.push_back(keep(accept(scan, found, expected, pose, progress)));
+  else
+    waiting_.reset(new Waiting{cloud_in_lidar, {times_s.begin(), times_s.end()}, pose, std::move(found)});
+  return final_now;
+}
+
+std::vector<OdometryPose> LidarOdometry::finish(const Progress& progress) {
+  if (!waiting_) return {};
+  return {settle(nullptr, progress)};
 }
 
 }  // namespace remount

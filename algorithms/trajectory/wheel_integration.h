@@ -1,6 +1,7 @@
 // Motion of a vehicle from the speed of its wheels and the rates of its IMU, integrated three ways (seeds 001, step 4).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -61,19 +62,22 @@ std::vector<RigidTransform> integrate_steps(const std::vector<MotionStep>& steps
                                             const Eigen::Vector3d& rate_bias_radps, WheelIntegration integration);
 
 /// The closed form over many steps, freed of the mounting of the IMU: with R = vehicle_from_imu the motion of the
-/// vehicle is start_from_end = (R imu_turn R', R travel_map R' e_x).
+/// vehicle is start_from_end = (R imu_turn R', R travel_map R' e_x + lift), where `lift` is what the rear axle moves
+/// along z as the vehicle pitches. A vehicle stands on four wheels: over a crest its axes are a chord of the road, and
+/// the road is parallel to them under the middle of the chord, not under the rear axle.
 struct WheelPreintegration {
   Eigen::Matrix3d imu_start_from_imu_end = Eigen::Matrix3d::Identity();
-  Eigen::Matrix3d travel_map_m = Eigen::Matrix3d::Zero();     ///< sum of R_k J(alpha_k) u_k, in axes of the IMU
-  Eigen::Vector3d turn_in_imu_rad = Eigen::Vector3d::Zero();  ///< plain sum of the steps' rotation vectors
+  Eigen::Matrix3d travel_map_m = Eigen::Matrix3d::Zero();  ///< sum of R_k J(alpha_k) u_k, in axes of the IMU
+  std::array<Eigen::Matrix3d, 3> turn_maps_rad{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(),
+                                               Eigen::Matrix3d::Zero()};  ///< sum of R_k e_j alpha_k', for each axis j
+  Eigen::Vector3d turn_in_imu_rad = Eigen::Vector3d::Zero();              ///< plain sum of the steps' rotation vectors
   double duration_s = 0.0;
   double travel_m = 0.0;
   double wheel_difference_m = 0.0;
 
-  RigidTransform start_from_end(const Eigen::Matrix3d& vehicle_from_imu, double wheel_scale = 1.0) const {
-    return make_rigid(vehicle_from_imu * imu_start_from_imu_end * vehicle_from_imu.transpose(),
-                      wheel_scale * vehicle_from_imu * travel_map_m * vehicle_from_imu.transpose().col(0));
-  }
+  /// @param pitch_centre_m how far ahead of the rear axle the point is that does not move along z
+  RigidTransform start_from_end(const Eigen::Matrix3d& vehicle_from_imu, double wheel_scale = 1.0,
+                                double pitch_centre_m = 0.0) const;
 };
 WheelPreintegration preintegrate(const std::vector<MotionStep>& steps, const Eigen::Vector3d& rate_bias_radps);
 

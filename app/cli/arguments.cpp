@@ -88,15 +88,24 @@ ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& do
   if (is_file(text)) return read_any_mounting(text, &doubts);
   if (std::filesystem::exists(text, none)) return read_any_mounting(text);  // which says why it cannot
   const std::size_t colon = text.find(':');
+  const std::string before = text.substr(0, colon == std::string::npos ? 0 : colon);
+  if (before == "vehicle" || before == "machine") return {parse_six(text.substr(colon + 1)), {}, {before, ""}};
   for (const auto& format : exporters())
-    if (colon != std::string::npos && text.substr(0, colon) == format->id()) {
+    if (before == format->id()) {
       const std::string file = text.substr(colon + 1);
       const std::string contents = read_regular_file(file, kMaxNominalBytes);
-      return {format->read(contents, file), format->axes(contents)};
+      return {format->read(contents, file), format->axes(contents), frames_told_in(contents)};
     }
   if (text.find(',') == std::string::npos)
     throw Error(ErrorCode::Io, text, "is neither a file nor six numbers x,y,z,yaw,pitch,roll in m and degrees");
-  return {parse_six(text), {}};
+  return {parse_six(text), {}, {}};
+}
+
+ReadMounting parse_ins_nominal(const std::string& text, std::vector<std::string>& doubts) {
+  ReadMounting mounting = parse_nominal(text, doubts);
+  if (const std::string problem = not_in_ins_frame(mounting.frames); !problem.empty())
+    throw Error(ErrorCode::Contract, text, problem);
+  return mounting;
 }
 
 void apply_range(SearchRange& range, const std::string& text) {
@@ -156,7 +165,8 @@ TopicChoice TopicArguments::choice() const {
 void SolveArguments::add_to(CLI::App& verb) {
   verb.add_option("--nominal", nominal,
                   "Where the LiDAR was before: x,y,z,yaw,pitch,roll (m, degrees), or a result or exported file "
-                  "(FORMAT:FILE where a file does not say what it is); "
+                  "(FORMAT:FILE where a file does not say what it is); in the INS frame, or vehicle:SIX or machine:SIX "
+                  "in the frame in which a method finds it; "
                   "\"none\" ignores what the data declare")
       ->type_name("SIX|FILE");
   verb.add_option(

@@ -53,10 +53,12 @@ PipelineInput input_of(const FleetVehicle& vehicle, const FleetJob& job, Console
   arguments.nominal = vehicle.nominal;
   const std::optional<ReadMounting> nominal = arguments.nominal_mounting(console);
   input.sessions = open_sessions(job.sessions, std::vector(job.sessions.size(), vehicle.topics), console);
-  if (nominal)
+  if (nominal) {
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, vehicle.nominal, input.sessions, console);
-  else if (vehicle.nominal.empty())
-    input.nominal_ins_from_lidar = declared_nominal(input.sessions);
+    input.nominal_frames = nominal->frames;
+  } else if (vehicle.nominal.empty()) {
+    input.nominal_ins_from_lidar = declared_nominal(input.sessions, input.settings.run.method);
+  }
   return input;
 }
 

@@ -75,7 +75,9 @@ int follow(const CalibrateArguments& arguments, Console& console) {
   if (const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console)) {
     std::vector<std::string> doubts;
     input.nominal_ins_from_lidar = in_axes_of(*nominal, std::nullopt, doubts);
+    input.nominal_frames = nominal->frames;
   }
+  check_nominal(input);
   FollowOptions options;
   options.settled_s = arguments.settled_s;
   options.declared_nominal = arguments.solve.nominal.empty();
@@ -154,9 +156,11 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   input.sessions = open_sessions(project.sessions, project.topics, console);
   if (nominal) {
     input.nominal_ins_from_lidar = nominal_in_axes(*nominal, arguments.solve.nominal, input.sessions, console);
+    input.nominal_frames = nominal->frames;
   } else if (arguments.solve.nominal.empty()) {
     input.nominal_ins_from_lidar = project.nominal_ins_from_lidar;
-    if (!input.nominal_ins_from_lidar) input.nominal_ins_from_lidar = declared_nominal(input.sessions);
+    if (!input.nominal_ins_from_lidar)
+      input.nominal_ins_from_lidar = declared_nominal(input.sessions, input.settings.run.method);
   }
 
   input.verdicts = project.verdicts;
@@ -170,7 +174,9 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
   const int code = finish(make_result_file(input, output, inputs), arguments.solve.output, console);
   if (!arguments.save_project.empty() && !keeps_old_file(output.result, arguments.save_project, console)) {
     project.settings = input.settings;
-    project.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
+    // A project's nominal is of the LiDAR in the INS frame.
+    project.nominal_ins_from_lidar =
+        input.nominal_frames.reference == "ins" ? input.nominal_ins_from_lidar : std::nullopt;
     project.inputs = std::move(inputs);
     project.output = std::move(output);
     project.basis = basis_of(input);

@@ -59,17 +59,22 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
                      ")");
     return kNoResult;
   }
+  if (const std::string problem = not_in_ins_frame(frames_of(result.result)); !problem.empty())
+    throw Error(ErrorCode::Contract, arguments.result,
+                problem +
+                    " The outline of the vehicle is given about the INS: use a result of the method pairwise, "
+                    "trajectory or fusion-odometry");
   for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
   const auto session =
       std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()));
   std::vector<std::string> doubts;
   const auto in_session = [&](const ReadMounting& mounting) { return in_axes_of(mounting, session->ins_axes, doubts); };
-  const RigidTransform calibrated = in_session({result.result.ins_from_lidar, result.ins_axes});
+  const RigidTransform calibrated = in_session({result.result.ins_from_lidar, result.ins_axes, {}});
   std::optional<RigidTransform> nominal = session->nominal_ins_from_lidar;
   if (!arguments.nominal.empty())
-    nominal = in_session(parse_nominal(arguments.nominal, doubts));
+    nominal = in_session(parse_ins_nominal(arguments.nominal, doubts));
   else if (result.nominal_ins_from_lidar)
-    nominal = in_session({*result.nominal_ins_from_lidar, result.ins_axes});
+    nominal = in_session({*result.nominal_ins_from_lidar, result.ins_axes, {}});
   for (const std::string& doubt : doubts) console.complain("warning: " + doubt);
   const ObstacleComparison comparison =
       compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),

@@ -24,7 +24,7 @@ std::optional<RigidTransform> nominal_of(const OdometryArguments& arguments, con
   if (arguments.nominal == "none") return std::nullopt;
   if (arguments.nominal.empty()) return session.nominal_ins_from_lidar;
   std::vector<std::string> doubts;
-  const RigidTransform nominal = in_axes_of(parse_nominal(arguments.nominal, doubts), session.ins_axes, doubts);
+  const RigidTransform nominal = in_axes_of(parse_ins_nominal(arguments.nominal, doubts), session.ins_axes, doubts);
   for (const std::string& doubt : doubts) console.complain("warning: " + arguments.nominal + ": " + doubt);
   return nominal;
 }

@@ -2,6 +2,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/session_reader.h"
+#include "model/mounting_frames.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -16,8 +17,9 @@ Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const st
   return sessions;
 }
 
-std::optional<RigidTransform> declared_nominal(const Sessions& sessions) {
+std::optional<RigidTransform> declared_nominal(const Sessions& sessions, MethodChoice method) {
   std::optional<RigidTransform> declared;
+  if (!starts_from_ins(method)) return declared;
   for (const auto& session : sessions) {
     if (!session->nominal_ins_from_lidar) continue;
     if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))

@@ -10,6 +10,7 @@
 #include "app/cli/console.h"
 #include "model/exporters/exporter.h"
 #include "model/session.h"
+#include "model/settings.h"
 #include "model/topic_choice.h"
 
 namespace remount {
@@ -21,9 +22,9 @@ using Sessions = std::vector<std::shared_ptr<const Session>>;
 Sessions open_sessions(const std::vector<std::filesystem::path>& paths, const std::vector<TopicChoice>& topics,
                        Console& console);
 
-/// What the sessions declare themselves, where they do. Throws Error(Contract) where they contradict each other: that
-/// is for the user to decide.
-std::optional<RigidTransform> declared_nominal(const Sessions& sessions);
+/// What the sessions declare themselves, where they do and the method starts from the LiDAR in the INS frame. Throws
+/// Error(Contract) where they contradict each other: that is for the user to decide.
+std::optional<RigidTransform> declared_nominal(const Sessions& sessions, MethodChoice method);
 
 /// A mounting that was given as `text`, in the axes of the sessions. Warns of what its file leaves open.
 RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& text, const Sessions& sessions,

@@ -37,8 +37,11 @@ int solve(const PairsArguments& arguments, Console& console) {
   arguments.solve.check_output();
   PipelineInput input;
   input.settings = arguments.solve.settings();
-  if (const auto nominal = arguments.solve.nominal_mounting(console))
+  if (const auto nominal = arguments.solve.nominal_mounting(console)) {
+    if (const std::string problem = not_in_ins_frame(nominal->frames); !problem.empty())
+      throw Error(ErrorCode::Contract, arguments.solve.nominal, problem);
     input.nominal_ins_from_lidar = nominal->ins_from_lidar;
+  }
   MotionPairs motions = read_motion_pairs(arguments.pairs);
   keep_sets(motions, arguments.sets);
 

@@ -49,6 +49,13 @@ PipelineInput Workbench::input_of_next_run() const {
   input.sessions = sessions_;
   input.settings = settings_;
   input.nominal_ins_from_lidar = nominal_ins_from_lidar_;
+  // What a session declares is of the LiDAR in the INS frame: a method with another does without.
+  const auto declares_it = [&](const auto& session) {
+    return session->nominal_ins_from_lidar && nominal_ins_from_lidar_->isApprox(*session->nominal_ins_from_lidar);
+  };
+  if (nominal_ins_from_lidar_ && !starts_from_ins(settings_.run.method) &&
+      std::any_of(sessions_.begin(), sessions_.end(), declares_it))
+    input.nominal_ins_from_lidar.reset();
   return input;
 }
 
@@ -74,9 +81,12 @@ bool Workbench::may_calibrate() {
     emit message(Severity::Warning, {}, tr("There is nothing to calibrate yet: open a recorded session first."));
     return false;
   }
-  const std::string nominal = nominal_problem(nominal_ins_from_lidar_, settings_.range);
+  const PipelineInput input = input_of_next_run();
+  std::string nominal = nominal_problem(input.nominal_ins_from_lidar, settings_.range);
+  if (input.nominal_ins_from_lidar && nominal.empty())
+    nominal = frame_problem(input.nominal_frames, settings_.run.method, sessions_);
   if (!nominal.empty()) {
-    emit message(Severity::Problem, tr("Nominal mounting"), QString::fromStdString(nominal));
+    emit message(Severity::Problem, tr("Nominal mounting"), model_text(nominal));
     return false;
   }
   const std::vector<std::string> problems = settings_.check();
@@ -255,7 +265,11 @@ void Workbench::edit_nominal(const std::optional<RigidTransform>& ins_from_lidar
 }
 
 void Workbench::use_result_as_nominal() {
-  if (output_ && is_usable(output_->result)) edit_nominal(output_->result.ins_from_lidar);
+  if (!output_ || !is_usable(output_->result)) return;
+  if (const std::string problem = not_in_ins_frame(frames_of(output_->result)); !problem.empty())
+    emit message(Severity::Problem, tr("Nominal mounting"), model_text(problem));
+  else
+    edit_nominal(output_->result.ins_from_lidar);
 }
 
 void Workbench::apply_nominal(const std::optional<RigidTransform>& ins_from_lidar) {

@@ -22,6 +22,15 @@ DataCheck method_run_check() {
           {"trajectory-outliers", "Either these positions and attitudes are wrong, or their clock is.",
            "Look for lost corrections and reflected signals there; where they are many, look at clocks and "
            "conventions."},
+          {"nominal-unused", "A place on the vehicle is another number in another frame.",
+           "Give the nominal mounting in the frame in which the method finds the sensor, or none."},
+          {"registration-sigma",
+           "Points that are matched with points, or with cells, are off by more than their number says, the same way "
+           "in "
+           "every pair.",
+           "Choose plane-to-plane or pcl-gicp where the sigma is to hold."},
+          {"wheel-scale", "A tyre differs by a per cent or two: one of the two is not in metres.",
+           "Look at the wheel radius or the units of the wheel speeds, and at the units of the sensor's poses."},
           {"drive-gap", "Dead reckoning does not reach across a gap.",
            "Look for messages that the recorder drops (disk, network, buffers); record again where much is missing."},
           {"first-session-only", "The other sessions take no part.", "Give one session, or poses of a sensor."},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "algorithms/core/error.h"
+#include "model/mounting_frames.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -62,7 +63,11 @@ RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::str
 struct ReadMounting {
   RigidTransform ins_from_lidar = RigidTransform::Identity();
   std::optional<InsAxes> axes;
+  MountingFrames frames;  ///< as far as the file says; of most formats: of the LiDAR in the INS frame
 };
+
+/// What the text of an export says of its frames, where its format has room for remarks.
+MountingFrames frames_told_in(const std::string& text);
 
 /// The mounting of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
 /// degrees), recognised by its content. What the file leaves open is added to `doubts`. Throws Error that says what was
@@ -70,6 +75,7 @@ struct ReadMounting {
 ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<std::string>* doubts = nullptr);
 
 /// The mounting in the axes of sessions, turned where both are known and differ; then a sentence is added to `doubts`.
+/// One that is not in the INS frame has nothing to turn.
 RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
                           std::vector<std::string>& doubts);
 

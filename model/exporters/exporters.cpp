@@ -9,6 +9,19 @@
 #include "model/session_frames.h"
 
 namespace remount {
+namespace {
+
+constexpr const char kOtherFrame[] = "the reference frame is the ";
+constexpr const char kNotIns[] = "'s, not the INS's: what is called ins here is ";
+
+}  // namespace
+
+MountingFrames frames_told_in(const std::string& text) {
+  const std::size_t told = text.find(kOtherFrame), end = text.find(kNotIns);
+  if (told == std::string::npos || end == std::string::npos || end < told) return {};
+  const std::size_t begin = told + std::string(kOtherFrame).size();
+  return {text.substr(begin, end - begin), ""};
+}
 
 const std::vector<std::unique_ptr<Exporter>>& exporters() {
   static const std::vector<std::unique_ptr<Exporter>> list = [] {
@@ -63,8 +76,7 @@ std::vector<std::string> export_warnings(const CalibrationResult& result) {
                        "); do not use these numbers");
   if (is_preliminary(result)) warnings.push_back(result.message);
   if (result.reference_frame != "ins")
-    warnings.push_back("the reference frame is the " + result.reference_frame +
-                       "'s, not the INS's: what is called ins here is " + result.reference_frame);
+    warnings.push_back(std::string(kOtherFrame) + result.reference_frame + kNotIns + result.reference_frame);
   const std::string missing = parameter_names(result.observed, false);
   if (!missing.empty()) warnings.push_back("not observed, and therefore nominal or in doubt, not measured: " + missing);
   return warnings;
@@ -90,14 +102,14 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<st
       throw Error(
           ErrorCode::Format, where,
           "is a result without a usable transform (status " + std::string(to_string(result.result.status)) + ")");
-    return {result.result.ins_from_lidar, result.ins_axes};
+    return {result.result.ins_from_lidar, result.ins_axes, frames_of(result.result)};
   }
   // Formats whose readers accept what others mean differently come after those that recognise themselves. Exports say
   // which axes they have; those of Apollo's own files cannot be recognised and are taken as the result's.
   std::string tried;
   for (const char* id : {"opencalib", "ros2", "ros1", "urdf", "apollo", "kitti", "matrix", "autoware"}) {
     try {
-      const ReadMounting mounting{exporter(id).read(text, where), exporter(id).axes(text)};
+      const ReadMounting mounting{exporter(id).read(text, where), exporter(id).axes(text), frames_told_in(text)};
       const std::string doubt = exporter(id).doubt(text);
       if (doubts && !doubt.empty()) doubts->push_back(where + ": " + doubt);
       return mounting;
@@ -108,7 +120,7 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<st
   try {
     const std::vector<double> six = numbers_in(text, where);
     if (six.size() == 6)
-      return {rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, where, ErrorCode::Format), {}};
+      return {rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, where, ErrorCode::Format), {}, {}};
   } catch (const Error& error) {
     tried += "\n  six numbers: " + std::string(error.what());
   }
@@ -117,7 +129,8 @@ ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<st
 
 RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
                           std::vector<std::string>& doubts) {
-  if (!mounting.axes || !axes || *mounting.axes == *axes) return mounting.ins_from_lidar;
+  if (mounting.frames.reference != "ins" || !mounting.axes || !axes || *mounting.axes == *axes)
+    return mounting.ins_from_lidar;
   doubts.push_back("the mounting is given in INS axes " + std::string(to_string(*mounting.axes)) +
                    "; it is turned to those of the log, " + std::string(to_string(*axes)));
   return forward_left_up_from(axes).inverse() * forward_left_up_from(mounting.axes) * mounting.ins_from_lidar;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "algorithms/calibration/out_of_range.h"
 #include "algorithms/core/error.h"
 #include "model/io/document.h"
 #include "model/method_needs.h"
@@ -9,6 +10,32 @@
 
 namespace remount {
 namespace {
+
+// Without an attitude there are no angles that could lie anywhere.
+SearchRange range_of(const CalibrationResult& result, SearchRange range) {
+  if (result.calibrated != "antenna" && result.reference_frame != "antenna") return range;
+  range.yaw_min_rad = range.pitch_min_rad = range.roll_min_rad = -kPi;
+  range.yaw_max_rad = range.pitch_max_rad = range.roll_max_rad = kPi;
+  return range;
+}
+
+RigidTransform unobserved_in_range(const CalibrationResult& result, const SearchRange& range) {
+  SixParameters six = six_from_rigid(result.ins_from_lidar);
+  bool moved = false;
+  const auto take = [&](std::size_t parameter, double& value, double minimum, double maximum) {
+    if (result.observed[parameter] || (value >= minimum && value <= maximum)) return;
+    value = value < minimum ? minimum : maximum;
+    moved = true;
+  };
+  take(0, six.x_m, range.x_min_m, range.x_max_m);
+  take(1, six.y_m, range.y_min_m, range.y_max_m);
+  take(2, six.z_m, range.z_min_m, range.z_max_m);
+  take(3, six.yaw_rad, range.yaw_min_rad, range.yaw_max_rad);
+  take(4, six.pitch_rad, range.pitch_min_rad, range.pitch_max_rad);
+  take(5, six.roll_rad, range.roll_min_rad, range.roll_max_rad);
+  return moved ? rigid_from_six(six) : result.ins_from_lidar;
+}
+
 std::string_view words(MethodChoice method) { return needs_of(method).words; }
 }  // namespace
 
@@ -71,12 +98,49 @@ void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins
          takes_ins_height ? lacks_sigma : ", and is not used: this method takes no height of the INS. Leave it out.");
 }
 
+void check_nominal(const PipelineInput& input) {
+  if (!input.nominal_ins_from_lidar) return;
+  for (const std::string& problem : {frame_problem(input.nominal_frames, input.settings.run.method, input.sessions),
+                                     nominal_problem(input.nominal_ins_from_lidar, input.settings.range)})
+    if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
+}
+
+void keep_in_range(const SearchRange& whole, bool nominal_known, CalibrationResult& result) {
+  if (!is_usable(result)) return;
+  const SearchRange range = range_of(result, whole);
+  if (!nominal_known) result.ins_from_lidar = unobserved_in_range(result, range);
+  const std::string outside = outside_range(result.ins_from_lidar, range);
+  if (!outside.empty()) refuse_out_of_range(outside, result);
+}
+
+// What a session declares is of the LiDAR in the INS frame.
+void tell_unused_nominal(const PipelineInput& input, std::vector<Finding>& findings) {
+  const std::string unused = unused_declaration(input.settings.run.method, input.sessions);
+  if (unused.empty() || input.nominal_ins_from_lidar) return;
+  for (const auto& session : input.sessions)
+    if (session->nominal_ins_from_lidar) findings.push_back({Severity::Note, "nominal-unused", session->name, unused});
+}
+
+// Their errors are the same in every pair: neither residuals nor the number of pairs tell of them.
+void tell_of_registration(RegistrationAlgorithm algorithm, std::vector<Finding>& findings) {
+  if (algorithm != RegistrationAlgorithm::PclIcp && algorithm != RegistrationAlgorithm::PclNdt) return;
+  const bool icp = algorithm == RegistrationAlgorithm::PclIcp;
+  findings.push_back({Severity::Warning, "registration-sigma", "registration",
+                      std::string(icp ? "pcl-icp" : "pcl-ndt") +
+                          " is for comparison: errors may be several times the sigma that is stated."});
+}
+
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
   const std::string_view id = kMethodIds.at(static_cast<std::size_t>(input.settings.run.method));
   const CalibrationMethod& method = calibration_method(id);
+  require_valid(input.settings);
+  check_nominal(input);
   const SettledSweeps settled = settle_sweeps(input, progress);
   PipelineOutput output = method.run(settled.input, progress);
   add_sweep_doubts(settled, method.run, output, progress);
+  keep_in_range(input.settings.range, input.nominal_ins_from_lidar.has_value(), output.result);
+  tell_unused_nominal(input, output.findings);
+  tell_of_registration(input.settings.registration.algorithm, output.findings);
   if (id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
   // Others take no values: with a sigma they are refused or named by the method.
   if (output.result.reference_frame == "ins" && output.result.calibrated == "lidar")

@@ -92,6 +92,16 @@ bool TrajectoryFeed::used_are_first_of(const ScanSource& scans) const {
   return true;
 }
 
+void TrajectoryFeed::keep_poses(const Session& session, const std::vector<OdometryPose>& poses) {
+  SessionOdometry& odometry = odometry_.back();
+  for (const OdometryPose& pose : poses) {
+    if (!pose.aligned && odometry.unaligned++ == 0)
+      odometry.first_unaligned = scan_name_at(*session.scans, pose.stamp_ns) + ": " + pose.problem;
+    odometry.undetermined += pose.undetermined.empty() ? 0 : 1;
+    odometry.poses.push_back(pose);
+  }
+}
+
 void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after,
                                   Progress& progress) {
   SessionOdometry& odometry = odometry_.back();
@@ -115,12 +125,8 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
         if (odometry.unreadable++ == 0) odometry.first_unreadable = failures[i];
         continue;
       }
-      const OdometryPose pose = running_->push(clouds[i], scan_times(session, clouds[i], settings_.run.deskew),
-                                               session.scans->stamp_ns(first + i), progress);
-      if (!pose.aligned && odometry.unaligned++ == 0)
-        odometry.first_unaligned = session.scans->name(first + i) + ": " + pose.problem;
-      odometry.undetermined += pose.undetermined.empty() ? 0 : 1;
-      odometry.poses.push_back(pose);
+      keep_poses(session, running_->push(clouds[i], scan_times(session, clouds[i], settings_.run.deskew),
+                                         session.scans->stamp_ns(first + i), progress));
     }
     after();
   }
@@ -172,6 +178,7 @@ void TrajectoryFeed::offer(const Session& session, bool complete, double least_u
     if (complete && !used_are_first_of(*session.scans)) begin_odometry();
     const std::size_t ready = session.scans->size() - std::min(held_back, session.scans->size());
     run_odometry(session, ready, complete && !tell ? std::function<void()>([] {}) : push, progress);
+    if (complete && !progress.cancelled()) keep_poses(session, running_->finish(progress));
   } else {
     const std::size_t given = session.odometry_from_lidar.size();
     if (complete && !begins_with(session.odometry_from_lidar, odometry.poses)) odometry.poses.clear();

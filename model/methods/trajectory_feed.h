@@ -67,6 +67,7 @@ class TrajectoryFeed {
  private:
   void begin_odometry();
   bool used_are_first_of(const ScanSource& scans) const;
+  void keep_poses(const Session& session, const std::vector<OdometryPose>& poses);
   void run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after, Progress& progress);
   void push_epochs(const Session& session, std::int64_t until_ns, double least_update_s, const Tell& tell,
                    Progress& progress);

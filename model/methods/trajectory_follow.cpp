@@ -6,6 +6,7 @@
 #include "model/io/growing_session.h"
 #include "model/io/session_reader.h"
 #include "model/method_needs.h"
+#include "model/methods/calibration_method.h"
 #include "model/methods/trajectory_method.h"
 
 namespace remount {
@@ -40,6 +41,7 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   const auto begin = [&](const Session& session) {
     if (options.declared_nominal && !with_session.nominal_ins_from_lidar)
       with_session.nominal_ins_from_lidar = session.nominal_ins_from_lidar;
+    check_nominal(with_session);
     feed.emplace(input.settings, with_session.nominal_ins_from_lidar, input.threads);
     feed->begin(session);
   };
@@ -68,6 +70,7 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   if (!feed) begin(*followed.session);
   feed->offer(*followed.session, true, 0.0, tell, finishing);
   followed.output = trajectory_output(with_session, *feed, feed->finish(with_session.sessions, finishing));
+  keep_in_range(input.settings.range, with_session.nominal_ins_from_lidar.has_value(), followed.output.result);
   followed.nominal_ins_from_lidar = with_session.nominal_ins_from_lidar;
   return followed;
 }

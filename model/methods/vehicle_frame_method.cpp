@@ -1,6 +1,7 @@
 // The vehicle-frame calibration of sessions (seeds 001): wheels and IMU integrated, the sensor's poses against them.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "algorithms/calibration/plot_curves.h"
 #include "algorithms/calibration/vehicle_frame.h"
@@ -51,20 +52,26 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
   std::vector<StampedPose> poses;
   std::size_t failed = 0;
   std::string first_failure;
+  const auto fail = [&](const std::string& what) {
+    if (failed++ == 0) first_failure = what;
+  };
+  const auto take = [&](const std::vector<OdometryPose>& final_poses) {
+    for (const OdometryPose& pose : final_poses)
+      if (pose.aligned)
+        poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
+      else
+        fail(scan_name_at(*session.scans, pose.stamp_ns) + ": " + pose.problem);
+  };
   for (std::size_t i = 0; i < session.scans->size() && !progress.cancelled(); ++i) {
     progress.report("LiDAR odometry", i, session.scans->size());
-    std::string problem;
     try {
       const PointCloud cloud = session.scans->load(i);
-      const OdometryPose pose =
-          odometry.push(cloud, scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i), progress);
-      if (pose.aligned) poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
-      problem = pose.problem;
+      take(odometry.push(cloud, scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i), progress));
     } catch (const Error& error) {
-      problem = error.what();
+      fail(session.scans->name(i) + ": " + error.what());
     }
-    if (!problem.empty() && failed++ == 0) first_failure = session.scans->name(i) + ": " + problem;
   }
+  if (!progress.cancelled()) take(odometry.finish(progress));
   if (failed > 0)
     findings.push_back({Severity::Warning, "odometry-scans", session.name,
                         std::to_string(failed) + " of " + std::to_string(session.scans->size()) +
@@ -163,11 +170,19 @@ std::vector<Plot> plots_of(const Integrated& drive) {
   return plots;
 }
 
-void report(const VehicleFrameResult& result, std::vector<Finding>& findings) {
+void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vector<Finding>& findings) {
   if (result.imu_to_reference)
     findings.push_back({Severity::Note, "imu-to-vehicle", "IMU", result.imu_to_reference->words});
   if (!result.imu_to_sensor.words.empty())
     findings.push_back({Severity::Note, "imu-to-sensor", "IMU and sensor", result.imu_to_sensor.words});
+  constexpr double kTyres = 0.06;  // four times what tyres are expected to differ by
+  if (is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres && !wheel_scale_asked) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "The way of the wheels and that of the sensor differ by %.1f%%; the sensor's is taken for metres.",
+                  100.0 * std::abs(1.0 - 1.0 / result.wheel_scale));
+    findings.push_back({Severity::Warning, "wheel-scale", "wheels", text});
+  }
   if (result.calibration.status == Status::Degenerate && !result.calibration.observed[2])
     findings.push_back({Severity::Warning, "height-unobserved", "vehicle frame",
                         "The height of the sensor is not observed: the ground was too flat. Drive over ramps or "
@@ -200,7 +215,7 @@ PipelineOutput run_vehicle_frame(const PipelineInput& input, Progress& progress)
       input.nominal_ins_from_lidar ? *input.nominal_ins_from_lidar : result.calibration.ins_from_lidar;
   output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
   output.session_uses_sweep.assign(input.sessions.size(), false);
-  report(result, output.findings);
+  report(result, input.settings.vehicle_frame.estimate_wheel_scale, output.findings);
   blame_attitude(blamed, output.result);
   if (result.calibration.status == Status::Ok || result.calibration.status == Status::Degenerate) {
     progress.report("comparing integrations", 0, 0);

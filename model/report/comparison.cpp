@@ -16,6 +16,8 @@ std::string not_comparable(const NamedResult& a, const NamedResult& b) {
   const std::string &frame_a = a.file.result.reference_frame, &frame_b = b.file.result.reference_frame;
   if (frame_a != frame_b)
     return a.name + " is in the frame \"" + frame_a + "\" and " + b.name + " in \"" + frame_b + "\"";
+  const std::string &sensor_a = a.file.result.calibrated, &sensor_b = b.file.result.calibrated;
+  if (sensor_a != sensor_b) return a.name + " places the " + sensor_a + " and " + b.name + " the " + sensor_b;
   if (a.file.ins_axes && b.file.ins_axes && *a.file.ins_axes != *b.file.ins_axes)
     return a.name + " and " + b.name + " have other INS axes";
   return {};

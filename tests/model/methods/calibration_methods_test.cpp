@@ -94,6 +94,109 @@ TEST(calibration_methods, ask_for_no_sigma_of_a_height_that_they_do_not_take) {
   }
 }
 
+/// A drive whose LiDAR's poses are exact, for methods that need no scans; flat ground does not show the height.
+std::shared_ptr<Session> flat_drive(const SimulatedDrive& drive) {
+  auto session = std::make_shared<Session>(drive.session);
+  session->scans = nullptr;
+  for (const StampedPose& pose : drive.enu_from_ins)
+    session->odometry_from_lidar.push_back({pose.stamp_ns, pose.pose * drive.ins_from_lidar});
+  return session;
+}
+
+SimulatedDrive flat_figure() {
+  SimulationOptions options;
+  options.scenario = ScenarioKind::Flat;
+  options.duration_s = 60.0;
+  return simulate_drive(options);
+}
+
+TEST(calibration_methods, give_no_result_outside_the_search_range) {
+  const SimulatedDrive drive = flat_figure();
+  PipelineInput input;
+  input.sessions = {flat_drive(drive)};
+  for (const MethodChoice method : {MethodChoice::Trajectory, MethodChoice::VehicleFrame}) {
+    const double x_m = method == MethodChoice::Trajectory ? 0.9 : 1.3;
+    input.settings = {};
+    input.settings.run.method = method;
+    Progress progress;
+    const CalibrationResult free = calibrate(input, progress).result;
+    ASSERT_TRUE(is_usable(free)) << free.message;
+    EXPECT_NEAR(free.ins_from_lidar.translation().x(), x_m, 0.05);
+    ASSERT_FALSE(free.observed[2]);
+    input.settings.range.x_min_m = 2.0;
+    const CalibrationResult outside = calibrate(input, progress).result;
+    EXPECT_EQ(outside.status, Status::OutOfRange) << outside.message;
+    EXPECT_NE(outside.message.find("below 2.00 m"), std::string::npos) << outside.message;
+    // What nobody knows lies in the range: that says nothing against the drive.
+    input.settings.range.x_min_m = 0.0;
+    input.settings.range.z_min_m = 1.5;
+    const CalibrationResult high = calibrate(input, progress).result;
+    EXPECT_TRUE(is_usable(high)) << high.message;
+    EXPECT_NEAR(high.ins_from_lidar.translation().z(), 1.5, 1e-9);
+    EXPECT_NEAR(high.ins_from_lidar.translation().x(), x_m, 0.05);
+  }
+}
+
+TEST(calibration_methods, refuse_a_nominal_outside_the_range_or_in_another_frame) {
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>());
+  input.settings.range.z_min_m = 1.0;
+  const auto refusal = [&](MethodChoice method, const RigidTransform& nominal, const MountingFrames& frames) {
+    input.settings.run.method = method;
+    input.nominal_ins_from_lidar = nominal;
+    input.nominal_frames = frames;
+    Progress progress;
+    try {
+      calibrate(input, progress);
+    } catch (const Error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const MountingFrames ins, vehicle{"vehicle", ""}, machine{"machine", ""};
+  const RigidTransform low = rigid_from_six({}), high = rigid_from_six({0.0, 0.0, 2.0, 0.0, 0.0, 0.0});
+  const std::string outside = "lies outside the search range", other = "are wrong in the other";
+  EXPECT_NE(refusal(MethodChoice::Trajectory, low, ins).find(outside), std::string::npos);
+  EXPECT_NE(refusal(MethodChoice::VehicleFrame, low, vehicle).find(outside), std::string::npos);
+  EXPECT_NE(refusal(MethodChoice::Slew, low, machine).find(outside), std::string::npos);
+  EXPECT_NE(refusal(MethodChoice::VehicleFrame, high, ins).find(other), std::string::npos);
+  EXPECT_NE(refusal(MethodChoice::Slew, high, ins).find(other), std::string::npos);
+  EXPECT_NE(refusal(MethodChoice::Slew, high, vehicle).find(other), std::string::npos);
+  EXPECT_NE(refusal(MethodChoice::Pairwise, high, vehicle).find(other), std::string::npos);
+  EXPECT_NE(refusal(MethodChoice::Trajectory, high, machine).find(other), std::string::npos);
+}
+
+TEST(calibration_methods, do_not_take_a_declared_mounting_for_one_in_another_frame) {
+  const SimulatedDrive drive = flat_figure();
+  PipelineInput input;
+  const std::shared_ptr<Session> session = flat_drive(drive);
+  session->nominal_ins_from_lidar = drive.ins_from_lidar;
+  input.sessions = {session};
+  input.settings.run.method = MethodChoice::VehicleFrame;
+  Progress progress;
+  const PipelineOutput output = calibrate(input, progress);
+  EXPECT_NEAR(output.result.ins_from_lidar.translation().z(), 0.0, 1e-12) << "not where it is in the INS frame";
+  EXPECT_EQ(std::count_if(output.findings.begin(), output.findings.end(),
+                          [](const Finding& finding) { return finding.code == "nominal-unused"; }),
+            1);
+}
+
+TEST(calibration_methods, say_which_registrations_no_sigma_contains) {
+  const SimulatedDrive drive = flat_figure();
+  PipelineInput input;
+  input.sessions = {flat_drive(drive)};
+  input.settings.run.method = MethodChoice::Trajectory;
+  for (const RegistrationAlgorithm algorithm : {RegistrationAlgorithm::PlaneToPlane, RegistrationAlgorithm::PclIcp,
+                                                RegistrationAlgorithm::PclGicp, RegistrationAlgorithm::PclNdt}) {
+    input.settings.registration.algorithm = algorithm;
+    Progress progress;
+    const std::vector<Finding> findings = calibrate(input, progress).findings;
+    const bool told = std::any_of(findings.begin(), findings.end(),
+                                  [](const Finding& finding) { return finding.code == "registration-sigma"; });
+    EXPECT_EQ(told, algorithm == RegistrationAlgorithm::PclIcp || algorithm == RegistrationAlgorithm::PclNdt);
+  }
+}
+
 TEST(calibration_methods, that_are_unknown_are_answered_with_the_known_ones) {
   try {
     calibration_method("guess");

@@ -18,14 +18,20 @@ SimulatedDrive street_of(double duration_s) {
   return simulate_drive(options);
 }
 
+void append(const std::vector<OdometryPose>& more, std::vector<OdometryPose>& poses) {
+  poses.insert(poses.end(), more.begin(), more.end());
+}
+
 std::vector<OdometryPose> odometry_of(const SimulatedDrive& drive, bool compensated, const Progress& progress = {}) {
   LidarOdometry odometry({}, {});
   std::vector<OdometryPose> poses;
   for (std::size_t i = 0; i < drive.session.scans->size(); ++i) {
     const PointCloud cloud = drive.session.scans->load(i);
-    poses.push_back(odometry.push(cloud, compensated ? cloud.time_from_stamp_s : std::vector<float>{},
-                                  drive.session.scans->stamp_ns(i), progress));
+    append(odometry.push(cloud, compensated ? cloud.time_from_stamp_s : std::vector<float>{},
+                         drive.session.scans->stamp_ns(i), progress),
+           poses);
   }
+  append(odometry.finish(progress), poses);
   return poses;
 }
 
@@ -87,7 +93,8 @@ TEST(lidar_odometry_drive, empty_scans_keep_the_prediction_and_say_so) {
   LidarOdometry odometry({}, {});
   const PointCloud first = drive.session.scans->load(0), second = drive.session.scans->load(1);
   odometry.push(first, first.time_from_stamp_s, 100, {});
-  const OdometryPose lost = odometry.push(PointCloud{}, {}, 100'000'100, {}, rigid_from_six({0.6, 0, 0, 0, 0, 0}));
+  const OdometryPose lost =
+      odometry.push(PointCloud{}, {}, 100'000'100, {}, rigid_from_six({0.6, 0, 0, 0, 0, 0})).back();
   EXPECT_FALSE(lost.aligned);
   EXPECT_FALSE(lost.problem.empty());
   EXPECT_NEAR(lost.odometry_from_lidar.translation().x(), 0.6, 1e-9);
@@ -105,14 +112,15 @@ TEST(lidar_odometry_drive, point_times_that_make_it_worse_do_not_cost_the_alignm
   std::vector<float> nonsense_s;
   for (std::size_t i = 0; i < second.size(); ++i)
     nonsense_s.push_back(static_cast<float>(i * 7919 % 1000) / 500.0f - 1.0f);
-  const OdometryPose pose = odometry.push(second, nonsense_s, scans.stamp_ns(1), {});
+  EXPECT_EQ(odometry.push(second, nonsense_s, scans.stamp_ns(1), {}).size(), 1u);
+  const OdometryPose pose = odometry.push(third, third.time_from_stamp_s, scans.stamp_ns(2), {}).back();
   EXPECT_TRUE(pose.aligned) << pose.problem;
   const auto off_m = [&](const OdometryPose& found, std::size_t scan) {
     const RigidTransform truth = true_lidar(drive, 0).inverse() * true_lidar(drive, scan);
     return (found.odometry_from_lidar.translation() - truth.translation()).norm();
   };
   EXPECT_LT(off_m(pose, 1), 0.3);  // neither scan is compensated
-  const OdometryPose next = odometry.push(third, third.time_from_stamp_s, scans.stamp_ns(2), {});
+  const OdometryPose next = odometry.finish({}).back();
   EXPECT_TRUE(next.aligned) << next.problem;
   EXPECT_LT(off_m(next, 2), 0.3);
 }
@@ -121,10 +129,10 @@ TEST(lidar_odometry_drive, a_map_that_begins_anew_has_a_number_of_its_own) {
   const SimulatedDrive drive = street_of(1.0);
   LidarOdometry odometry({}, {});
   const PointCloud first = drive.session.scans->load(0);
-  EXPECT_EQ(odometry.push(first, {}, 0, {}).map, 0);
-  EXPECT_EQ(odometry.push(PointCloud{}, {}, 100'000'000, {}).map, 0);
-  EXPECT_EQ(odometry.push(PointCloud{}, {}, 200'000'000, {}).map, 0);
-  const OdometryPose began = odometry.push(PointCloud{}, {}, 300'000'000, {});
+  EXPECT_EQ(odometry.push(first, {}, 0, {}).back().map, 0);
+  EXPECT_EQ(odometry.push(PointCloud{}, {}, 100'000'000, {}).back().map, 0);
+  EXPECT_EQ(odometry.push(PointCloud{}, {}, 200'000'000, {}).back().map, 0);
+  const OdometryPose began = odometry.push(PointCloud{}, {}, 300'000'000, {}).back();
   EXPECT_EQ(began.map, 1);
   EXPECT_GT(began.covariance(0, 0), 0.5);
 }
@@ -137,7 +145,7 @@ TEST(lidar_odometry_drive, cancelled_calls_return_the_prediction) {
   const PointCloud first = drive.session.scans->load(0);
   odometry.push(first, {}, 0, progress);
   stop.request_stop();
-  EXPECT_FALSE(odometry.push(first, {}, 100'000'000, progress).aligned);
+  EXPECT_FALSE(odometry.push(first, {}, 100'000'000, progress).back().aligned);
 }
 
 }  // namespace

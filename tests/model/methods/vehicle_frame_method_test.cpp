@@ -95,6 +95,28 @@ TEST(vehicle_frame_method, poses_without_scale_get_one) {
   EXPECT_NEAR(output.quantities[0].value / 3.7, 1.0, 0.005);
 }
 
+TEST(vehicle_frame_method, poses_of_another_scale_are_named_where_the_scale_is_said_to_be_known) {
+  for (const double scale : {2.5, 0.4}) {
+    const CalibrationResult result = run(simulated(ScenarioKind::Hill, scale)).result;
+    EXPECT_EQ(result.status, Status::Inconsistent) << result.message;
+    EXPECT_NE(result.message.find("2.50 times as long"), std::string::npos) << result.message;
+    EXPECT_EQ(result.message.find(scale > 1.0 ? "The way of the wheels is" : "The way by the sensor's poses is"), 0u)
+        << result.message;
+    ASSERT_EQ(result.advice.size(), 1u);
+    EXPECT_NE(result.advice[0].find("estimated"), std::string::npos) << result.advice[0];
+  }
+}
+
+TEST(vehicle_frame_method, wheels_that_measure_wrongly_by_more_than_tyres_are_named) {
+  for (const double scale : {1.0, 1.08}) {
+    const PipelineOutput output = run(simulated(ScenarioKind::Hill, scale));
+    bool told = false;
+    for (const Finding& finding : output.findings) told = told || finding.code == "wheel-scale";
+    EXPECT_EQ(told, scale > 1.0) << output.result.message;
+    EXPECT_TRUE(is_usable(output.result)) << output.result.message;
+  }
+}
+
 TEST(vehicle_frame_method, scans_become_poses_by_the_lidars_own_odometry) {
   SimulationOptions options;
   options.scenario = ScenarioKind::Hill;

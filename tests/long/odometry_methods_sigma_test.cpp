@@ -1,0 +1,129 @@
+// Methods that rest on the LiDAR's own odometry: over many drives, sensors that turn slowly and fast, one way and the
+// other, their errors must be as large as the stated sigma says. One kind of drive takes some ten minutes;
+// REMOUNT_DRIVES sets another number of drives than 40, and a filter picks kinds:
+//   REMOUNT_DRIVES=10 build/headless/bin/long_tests --gtest_filter='*odometry_methods_sigma*/figure_eight_5_Hz_*'
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "algorithms/core/parallel.h"
+#include "model/methods/builtin.h"
+#include "model/methods/trajectory_method.h"
+#include "model/simulator/road.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+struct KindOfDrive {
+  const char* name;
+  ScenarioKind scenario;
+  int scan_rate_hz;
+  bool clockwise;
+};
+
+std::size_t odometry_drives() {
+  const char* text = std::getenv("REMOUNT_DRIVES");
+  const int count = text != nullptr ? std::atoi(text) : 40;
+  return count > 0 ? static_cast<std::size_t>(count) : 40U;
+}
+
+/// Errors over sigma of both methods, in order of kParameterNames; not a number where not observed.
+struct ErrorsOfDrive {
+  std::array<double, 6> trajectory, vehicle_frame;
+};
+
+SimulationOptions odometry_drive(const KindOfDrive& kind, int seed) {
+  SimulationOptions options;
+  options.scenario = kind.scenario;
+  options.scan_rate_hz = kind.scan_rate_hz;
+  options.clockwise = kind.clockwise;
+  options.seed = seed;
+  options.beams = 24;
+  options.azimuth_steps = 400;
+  options.duration_s = 40.0;
+  return options;
+}
+
+// Both methods on the poses of one odometry, which each would find for itself.
+ErrorsOfDrive errors_of_drive(const SimulationOptions& options) {
+  const SimulatedDrive drive = simulate_drive(options);
+  PipelineInput input;
+  input.sessions = {std::make_shared<Session>(drive.session)};
+  input.nominal_ins_from_lidar = drive.ins_from_lidar;
+  input.threads = 1;
+  Progress progress;
+  TrajectoryFeed feed(input.settings, input.nominal_ins_from_lidar, input.threads);
+  feed.begin(*input.sessions.front());
+  feed.offer(*input.sessions.front(), true, options.duration_s, {}, progress);
+  ErrorsOfDrive errors;
+  errors.trajectory = normalised_errors(feed.finish(input.sessions, progress).answer.result, drive.ins_from_lidar);
+
+  auto with_poses = std::make_shared<Session>(drive.session);
+  with_poses->scans = nullptr;
+  for (const OdometryPose& pose : feed.odometry().front().poses)
+    if (pose.aligned) with_poses->odometry_from_lidar.push_back({pose.stamp_ns, pose.odometry_from_lidar});
+  input.sessions = {with_poses};
+  const RigidTransform vehicle_from_lidar = vehicle_from_ins(options.scenario) * drive.ins_from_lidar;
+  input.nominal_ins_from_lidar = vehicle_from_lidar;
+  errors.vehicle_frame = normalised_errors(run_vehicle_frame(input, progress).result, vehicle_from_lidar);
+  return errors;
+}
+
+// What chi-square exceeds in one of a hundred cases, by Wilson and Hilferty.
+double most_squares(double freedom) {
+  constexpr double kNormal = 2.3263;  // one-sided 1%
+  const double spread = 2.0 / (9.0 * freedom);
+  return freedom * std::pow(1.0 - spread + kNormal * std::sqrt(spread), 3.0);
+}
+
+void expect_as_stated(const char* method, const std::vector<ErrorsOfDrive>& drives,
+                      std::array<double, 6> ErrorsOfDrive::*errors_of_method) {
+  for (std::size_t parameter = 0; parameter < 6; ++parameter) {
+    double squares = 0.0, sum = 0.0, largest = 0.0, count = 0.0;
+    for (const ErrorsOfDrive& drive : drives) {
+      const double error = (drive.*errors_of_method)[parameter];
+      if (!std::isfinite(error)) continue;
+      squares += error * error;
+      sum += error;
+      largest = std::max(largest, std::abs(error));
+      count += 1.0;
+    }
+    if (count == 0.0) continue;
+    std::printf("  %-13s %-5s: %2.0f drives, chi-square %6.1f (at most %.1f), mean %+.2f, largest %.2f sigma\n", method,
+                kParameterNames[parameter].data(), count, squares, most_squares(count), sum / count, largest);
+    EXPECT_LT(squares, most_squares(count)) << method << ", " << kParameterNames[parameter];
+  }
+}
+
+class odometry_methods_sigma : public ::testing::TestWithParam<KindOfDrive> {};
+
+TEST_P(odometry_methods_sigma, is_as_large_as_the_errors) {
+  const KindOfDrive& kind = GetParam();
+  std::vector<ErrorsOfDrive> drives(odometry_drives());
+  parallel_for(drives.size(), 0,
+               [&](std::size_t i) { drives[i] = errors_of_drive(odometry_drive(kind, 26000 + static_cast<int>(i))); });
+  expect_as_stated("trajectory", drives, &ErrorsOfDrive::trajectory);
+  expect_as_stated("vehicle-frame", drives, &ErrorsOfDrive::vehicle_frame);
+}
+
+std::vector<KindOfDrive> kinds_of_drives() {
+  std::vector<KindOfDrive> kinds;
+  for (const auto& [name, scenario] :
+       {std::pair{"flat", ScenarioKind::Flat}, std::pair{"street", ScenarioKind::Street},
+        std::pair{"hill", ScenarioKind::Hill}, std::pair{"figure_eight", ScenarioKind::FigureEight}})
+    for (const int rate_hz : {5, 10, 20})
+      for (const bool clockwise : {true, false}) kinds.push_back({name, scenario, rate_hz, clockwise});
+  return kinds;
+}
+
+INSTANTIATE_TEST_SUITE_P(drives, odometry_methods_sigma, ::testing::ValuesIn(kinds_of_drives()),
+                         [](const ::testing::TestParamInfo<KindOfDrive>& kind) {
+                           return std::string(kind.param.name) + "_" + std::to_string(kind.param.scan_rate_hz) +
+                                  "_Hz_" + (kind.param.clockwise ? "clockwise" : "counterclockwise");
+                         });
+
+}  // namespace
+}  // namespace remount
