@@ -150,8 +150,8 @@ TEST_F(small_screen, placeholders_and_empty_boxes_can_be_seen_on_a_dark_palette)
   show();
   calibrate_drive();
   trigger("Ctrl+Shift+B");
-  HelpWindow help(":/help/en");
-  for (const QLineEdit* line : {child<PairsPanel>().findChild<QLineEdit*>(), help.findChild<QLineEdit*>()}) {
+  HelpWindow pages(":/help/en");
+  for (const QLineEdit* line : {child<PairsPanel>().findChild<QLineEdit*>(), pages.findChild<QLineEdit*>()}) {
     const QPalette now = line->palette();
     EXPECT_GE(contrast(now.color(QPalette::PlaceholderText), now.color(QPalette::Base)), 4.5);
     EXPECT_EQ(now.color(QPalette::Base), dark.color(QPalette::Base)) << "the rest follows the application";

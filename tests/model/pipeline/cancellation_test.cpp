@@ -75,7 +75,8 @@ void expect_back_soon(const char* what, int moments, const Body& body) {
     wall.push_back(back_wall_ms - asked_wall_ms);
     cpu.push_back(back_cpu_ms - asked_cpu_ms);
     said += says_so;
-    EXPECT_LT(cpu.back(), kBound_ms) << what << ", while " << doing << ", after " << asked_wall_ms - started_ms << " ms";
+    EXPECT_LT(cpu.back(), kBound_ms) << what << ", while " << doing << ", after " << asked_wall_ms - started_ms
+                                     << " ms";
     constexpr double kMoment_ms = 5.0 * kSanitizerSlowdown;
     EXPECT_TRUE(says_so || cpu.back() < kMoment_ms)
         << what << ": worked on for " << cpu.back() << " ms, and says nothing";

@@ -20,7 +20,7 @@ RigidTransform on_curve(double time_s) {
 }
 
 /// 20 s at 100 Hz, with white noise on every sample; the lidar's odometry has a pose every 0.1 s.
-std::shared_ptr<Session> drive(double position_sigma_m = 0.0, double attitude_sigma_rad = 0.0) {
+std::shared_ptr<Session> driven_session(double position_sigma_m = 0.0, double attitude_sigma_rad = 0.0) {
   std::mt19937 random(11);
   std::normal_distribution<double> normal;
   const auto vector = [&](double sigma) -> Eigen::Vector3d {
@@ -51,7 +51,7 @@ std::pair<double, double> rms_error(const DriveMotion& motion) {
 }
 
 TEST(drive_motion, poses_follow_the_ins_between_its_samples) {
-  const DriveMotion motion({drive()});
+  const DriveMotion motion({driven_session()});
   const auto [position_m, attitude_rad] = rms_error(motion);
   EXPECT_LT(position_m, 1e-5);
   EXPECT_LT(attitude_rad, 1e-5);
@@ -61,7 +61,7 @@ TEST(drive_motion, poses_follow_the_ins_between_its_samples) {
 
 TEST(drive_motion, noise_of_samples_is_averaged_and_the_noise_model_told_so) {
   constexpr double kPosition_m = 0.02, kAttitude_rad = 1e-3;
-  const auto noisy = drive(kPosition_m, kAttitude_rad);
+  const auto noisy = driven_session(kPosition_m, kAttitude_rad);
   noisy->ins_position_white_sigma_m = kPosition_m;
   noisy->ins_attitude_white_sigma_rad = kAttitude_rad;
   const DriveMotion motion({noisy});
@@ -75,7 +75,7 @@ TEST(drive_motion, noise_of_samples_is_averaged_and_the_noise_model_told_so) {
 }
 
 TEST(drive_motion, the_clock_offset_moves_the_lidar_along_the_trajectory) {
-  DriveMotion motion({drive()});
+  DriveMotion motion({driven_session()});
   motion.set_offset_s(0, 0.25);
   const RigidTransform pose = *motion.local_from_ins(0, at_ns(3.0));
   EXPECT_LT((pose.translation() - on_curve(3.25).translation()).norm(), 1e-5);
@@ -83,7 +83,7 @@ TEST(drive_motion, the_clock_offset_moves_the_lidar_along_the_trajectory) {
 }
 
 TEST(drive_motion, nodes_carry_pose_time_and_velocity_and_stay_where_the_offset_leaves_the_data) {
-  DriveMotion motion({drive()});
+  DriveMotion motion({driven_session()});
   motion.set_offset_s(0, 0.25);
   const std::vector<JointNode> nodes = motion.nodes({{0, 50, at_ns(5.0), 0.0}, {0, 199, at_ns(19.9), 0.0}});
   ASSERT_EQ(nodes.size(), 2U);
@@ -123,7 +123,7 @@ TEST(drive_motion, a_session_without_ins_is_refused_with_its_path) {
 }
 
 TEST(drive_motion, no_pair_spans_a_break_of_the_odometry) {
-  const auto session = drive();
+  const auto session = driven_session();
   session->odometry_breaks_ns = {at_ns(0.5)};
   const DriveMotion motion({session});
   std::vector<Keyframe> keyframes;

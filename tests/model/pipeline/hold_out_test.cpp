@@ -13,11 +13,11 @@ namespace {
 
 constexpr int kKeyframes = 40, kPartners = 3;
 constexpr double kStep_s = 0.4;
-const SixParameters kTruth{1.2, -0.3, 1.6, 0.03, -0.02, 0.015};
+const SixParameters kHeldOutTruth{1.2, -0.3, 1.6, 0.03, -0.02, 0.015};
 constexpr std::size_t kHeldOutZ = 2, kYaw = 3;
 
 struct HeldOutDrive {
-  RigidTransform ins_from_lidar = rigid_from_six(kTruth);
+  RigidTransform ins_from_lidar = rigid_from_six(kHeldOutTruth);
   bool flat = false;
   double noise = 1.0;  // of INS and registration, as a multiple of what the pairs declare
 };
@@ -124,7 +124,8 @@ TEST(hold_out, noise_alone_makes_no_disagreement) {
 TEST(hold_out, a_lidar_that_was_turned_between_the_sessions_is_seen) {
   HeldOutDrive turned;
   turned.ins_from_lidar =
-      rigid_from_six({kTruth.x_m, kTruth.y_m, kTruth.z_m, kTruth.yaw_rad + 0.01, kTruth.pitch_rad, kTruth.roll_rad});
+      rigid_from_six({kHeldOutTruth.x_m, kHeldOutTruth.y_m, kHeldOutTruth.z_m, kHeldOutTruth.yaw_rad + 0.01,
+                      kHeldOutTruth.pitch_rad, kHeldOutTruth.roll_rad});
   const World world({HeldOutDrive{}, turned});
   const HoldOut found = world.check();
   ASSERT_EQ(found.differences.size(), 1U);
@@ -160,7 +161,7 @@ TEST(hold_out, what_was_measured_by_hand_is_no_agreement) {
   HeldOutDrive flat;
   flat.flat = true;
   World world({flat, flat});
-  world.input.settings.measured.z_m = kTruth.z_m;
+  world.input.settings.measured.z_m = kHeldOutTruth.z_m;
   world.input.settings.measured.z_sigma_m = 0.01;
   const HoldOut found = world.check();
   ASSERT_EQ(found.differences.size(), 1U);
