@@ -8,13 +8,14 @@
 namespace remount {
 
 double assumed_tilt_sigma_rad(const std::vector<InsSample>& ins) {
-  // What measures a tilt knows it far better than this, and never finds it level throughout to all digits.
-  constexpr double kLeastGuess_rad = kPi / 180.0, kLevel = 1e-9;
+  // What measures a roll knows it far better than this, and never finds it level throughout: not even to what
+  // interpolation makes of two levels with another pitch. Two antennas measure pitch, and leave roll open.
+  constexpr double kLeastGuess_rad = kPi / 180.0, kLevel = 2e-3;
   double largest = 0.0;
   for (const InsSample& sample : ins) {
     const double sigma = std::max(sample.sigma.attitude_rad.x(), sample.sigma.attitude_rad.y());
-    const Eigen::Vector3d up = sample.enu_from_ins * Eigen::Vector3d::UnitZ();
-    if (!(sigma >= kLeastGuess_rad) || up.head<2>().norm() > kLevel) return 0.0;
+    const double roll = (sample.enu_from_ins * Eigen::Vector3d::UnitY()).z();
+    if (!(sigma >= kLeastGuess_rad) || std::abs(roll) > kLevel) return 0.0;
     largest = std::max(largest, sigma);
   }
   return largest;

@@ -13,6 +13,7 @@
 #include "model/checks/data_check.h"
 #include "model/clock_hint.h"
 #include "model/count_words.h"
+#include "model/printable_text.h"
 
 namespace remount {
 namespace {
@@ -195,6 +196,9 @@ std::string usable_lines(const SessionReport& report) {
          (told.empty() ? "" : ", for " + told) + perhaps + (untold.empty() ? "" : "; not for " + untold) + "\n";
 }
 
+/// A name that must not look like more than one line.
+std::string on_one_line(std::string_view name) { return printable(name, LineBreaks::Escaped); }
+
 /// The topics of a bag: count, rate, and what each is used as or could be.
 std::string topic_lines(const Session& session) {
   std::string text = session.topics.empty() ? "" : "  topics:\n";
@@ -204,7 +208,7 @@ std::string topic_lines(const Session& session) {
     return list;
   };
   for (const SessionTopic& topic : session.topics) {
-    text += "    " + topic.name + " (" + topic.type + "): " + std::to_string(topic.count);
+    text += "    " + on_one_line(topic.name) + " (" + on_one_line(topic.type) + "): " + std::to_string(topic.count);
     if (topic.rate_hz > 0.0) text += ", " + number(topic.rate_hz, 1) + " Hz";
     if (!topic.used_as.empty())
       text += ", used as " + joined(topic.used_as);
@@ -293,7 +297,7 @@ SessionReport report_session(const Session& session, Progress& progress) {
 }
 
 std::string describe(const Session& session, const SessionReport& report) {
-  std::string text = session.path.string() + "\n  format: " + session.format + "\n" + topic_lines(session);
+  std::string text = on_one_line(session.path.string()) + "\n  format: " + session.format + "\n" + topic_lines(session);
   text += stream_line(session.scans ? "scans" : "LiDAR poses", report.lidar);
   text += stream_line(session.ins.empty() ? "INS poses" : "INS samples", report.ins);
   for (const auto& [name, stream] : {std::pair{"IMU", &report.imu},
@@ -319,7 +323,7 @@ std::string describe(const Session& session, const SessionReport& report) {
   constexpr const char* kSeverity[] = {"note", "warning", "problem"};
   for (const Finding& finding : report.findings) {
     text += std::string("  ") + kSeverity[static_cast<int>(finding.severity)] + " [" + finding.code + "] " +
-            finding.where + ": " + finding.explanation + "\n";
+            on_one_line(finding.where) + ": " + finding.explanation + "\n";
     if (const FindingKind* kind = finding_kind(finding.code))
       text += "    " + std::string(kind->meaning) + "\n    do: " + std::string(kind->remedy) + "\n";
   }

@@ -70,7 +70,7 @@ const std::vector<const char*>& bag_phrases() {
                         "corrections (RTK) were lost."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), "
-                        "which no frame of ROS stands for. Give the nominal with --nominal."),
+                        "which no frame of ROS stands for. Give the nominal mounting yourself."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The static transforms are not used: the messages of the INS name no frame of their own."),
       QT_TRANSLATE_NOOP("remount::model", "The static transforms are not used: the scans name no frame."),
@@ -209,13 +209,6 @@ const std::vector<const char*>& bag_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "the bag holds no readable message"),
       QT_TRANSLATE_NOOP("remount::model", "the bag holds no readable message: %1"),
       QT_TRANSLATE_NOOP("remount::model", "promises %1 bytes, more than the file has"),
-      QT_TRANSLATE_NOOP(
-          "remount::model",
-          "cannot be unpacked in %1: %2; set TMPDIR to a folder with more room, or unpack it with 'zstd -d'"),
-      QT_TRANSLATE_NOOP("remount::model", "after %1 only %2 are free"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "cannot be unpacked, there is no folder for temporary files: %1; set TMPDIR to one, or unpack "
-                        "it with 'zstd -d'"),
       QT_TRANSLATE_NOOP("remount::model", "the compressed file is damaged here"),
       QT_TRANSLATE_NOOP("remount::model", "unpacks to more than %1, which no bag of this size does"),
       QT_TRANSLATE_NOOP("remount::model", "the compressed file was cut: its end is missing"),

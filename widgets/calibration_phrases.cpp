@@ -32,10 +32,6 @@ const std::vector<const char*>& calibration_phrases() {
           "LiDAR and INS contradict each other under every mounting: their motions differ by %1 m on ways "
           "of %2 m."),
       QT_TRANSLATE_NOOP("remount::model", "the motions of LiDAR and INS contradict each other"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Look whether poses of the LiDAR are what they are taken for: of this drive, in metres, from "
-                        "the LiDAR to the world, with the parts of the quaternion in that order. Then look at clock "
-                        "and attitude of the INS."),
       QT_TRANSLATE_NOOP("remount::model", "the distances of LiDAR and INS differ"),
       QT_TRANSLATE_NOOP("remount::model",
                         "The LiDAR moves %1 times as far as the INS: one of them measures distances wrongly, which "

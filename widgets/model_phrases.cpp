@@ -7,6 +7,7 @@
 #include "widgets/check_phrases.h"
 #include "widgets/document_phrases.h"
 #include "widgets/file_phrases.h"
+#include "widgets/log_phrases.h"
 #include "widgets/method_phrases.h"
 #include "widgets/model_text.h"
 #include "widgets/reader_phrases.h"
@@ -16,7 +17,7 @@ namespace remount {
 namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
   for (const auto* others :
-       {&bag_phrases(), &calibration_phrases(), &check_phrases(), &document_phrases(), &file_phrases(),
+       {&bag_phrases(), &calibration_phrases(), &check_phrases(), &document_phrases(), &file_phrases(), &log_phrases(),
         &method_phrases(), &method_option_phrases(), &reader_phrases(), &topic_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;

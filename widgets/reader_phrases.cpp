@@ -73,7 +73,6 @@ const std::vector<const char*>& reader_phrases() {
                         "attitude: {unit: deg} in session.yaml, unless the INS is mounted like that."),
       QT_TRANSLATE_NOOP("remount::model", "GPS week '' and time '' are no GPS time"),
       QT_TRANSLATE_NOOP("remount::model", "GPS week '%1' and time '%2' are no GPS time"),
-      QT_TRANSLATE_NOOP("remount::model", "expected '#INSPVAXA,<header>;<data>*<crc>'"),
       QT_TRANSLATE_NOOP("remount::model", "the header has too few fields"),
       QT_TRANSLATE_NOOP("remount::model", "roll, pitch or azimuth is no angle in degrees"),
       QT_TRANSLATE_NOOP("remount::model", "holds no usable INSPVAX line."),

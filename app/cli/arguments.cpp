@@ -10,6 +10,7 @@
 #include "model/io/atomic_save.h"
 #include "model/io/document.h"
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 #include "model/settings_file.h"
 
 namespace remount {
@@ -93,7 +94,7 @@ ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& do
   for (const auto& format : exporters())
     if (before == format->id()) {
       const std::string file = text.substr(colon + 1);
-      const std::string contents = read_regular_file(file, kMaxNominalBytes);
+      const std::string contents = read_text_file(file, kMaxNominalBytes);
       return {format->read(contents, file), format->axes(contents), frames_told_in(contents)};
     }
   if (text.find(',') == std::string::npos)

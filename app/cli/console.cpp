@@ -12,6 +12,7 @@
 #include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
 #include "model/io/regular_file.h"
+#include "model/printable_text.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -100,7 +101,7 @@ void Console::log(std::string_view text) {
   errno = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
-    log_ << stamp << text.substr(0, end) << "\n";
+    log_ << stamp << printable(text.substr(0, end)) << "\n";
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   if (log_.flush()) return;
@@ -113,7 +114,7 @@ void Console::lose(bool& lost, const std::string& what) {
   if (lost) return;
   lost = true;
   clear_line();
-  std::fprintf(stderr, "remount-cli: %s%s%s\n", what.c_str(), reason != 0 ? ": " : "",
+  std::fprintf(stderr, "remount-cli: %s%s%s\n", printable(what).c_str(), reason != 0 ? ": " : "",
                reason != 0 ? std::strerror(reason) : "");
 }
 
@@ -138,7 +139,7 @@ void Console::show(const ProgressUpdate& update) {
   if (!terminal_ || options_.quiet) return;
   if (!new_stage && seconds(now - shown_) < 0.1 && update.done != update.total) return;
   shown_ = now;
-  std::string line = stage_;
+  std::string line = printable(stage_, LineBreaks::Escaped);
   if (update.total > 0) {
     line.append(" ").append(std::to_string(update.done)).append("/").append(std::to_string(update.total));
     const double spent_s = seconds(now - stage_started_);
@@ -172,8 +173,9 @@ void Console::deliver(std::string_view text) {
 }
 
 void Console::write(std::string_view text) {
+  const std::string shown = printable(text);
   errno = 0;
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fwrite(shown.data(), 1, shown.size(), stdout);
   if (std::fflush(stdout) != 0 || std::ferror(stdout)) lose(output_lost_, "the output cannot be written");
 }
 
@@ -181,19 +183,24 @@ void Console::complain(std::string_view text) {
   const std::scoped_lock lock(mutex_);
   clear_line();
   log(text);
-  std::fprintf(stderr, "remount-cli: %.*s\n", static_cast<int>(text.size()), text.data());
+  std::fprintf(stderr, "remount-cli: %s\n", printable(text).c_str());
+}
+
+void Console::complain(const Error& error) {
+  const std::string where = printable(error.where(), LineBreaks::Escaped);
+  complain(where.empty() ? error.what_happened() : where + ": " + error.what_happened());
 }
 
 void Console::report(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    const std::string text = finding.where + ": " + finding.explanation + " [" + finding.code + "]" +
-                             (kind ? "\n  do: " + std::string(kind->remedy) : "");
+    const std::string text = printable(finding.where, LineBreaks::Escaped) + ": " + finding.explanation + " [" +
+                             finding.code + "]" + (kind ? "\n  do: " + std::string(kind->remedy) : "");
     const std::scoped_lock lock(mutex_);
     clear_line();
     const bool note = finding.severity == Severity::Note;
     log((note ? "note: " : "warning: ") + text);
-    if (!note && !options_.quiet) std::fprintf(stderr, "warning: %s\n", text.c_str());
+    if (!note && !options_.quiet) std::fprintf(stderr, "warning: %s\n", printable(text).c_str());
   }
 }
 

@@ -31,7 +31,8 @@ struct ConsoleOptions {
 };
 
 /// Shows progress on one line of a terminal that is rewritten, keeps the log, and turns Ctrl-C into a stop request:
-/// the first is obeyed at the next opportunity, the second ends the program at once.
+/// the first is obeyed at the next opportunity, the second ends the program at once. What files and their names hold
+/// reaches terminal and log in a printable form (model/printable_text.h).
 class Console {
  public:
   /// Must be made before any other thread, so that only its own receives the signals.
@@ -54,6 +55,8 @@ class Console {
   void deliver(std::string_view text);
   /// To stderr always, and to the log.
   void complain(std::string_view text);
+  /// The place of an error is one line, whatever the names of its files.
+  void complain(const Error& error);
   /// What a verb ends with that would end with `code`: kUnreadable instead of kSolved where something that was printed
   /// or logged got lost on the way, for a full disk.
   int end(int code) const;

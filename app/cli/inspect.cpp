@@ -24,7 +24,7 @@ int inspect(const InspectArguments& arguments, Console& console) {
       console.print(describe(session, report));
       if (!report.usable && code == kSolved) code = kNoResult;
     } catch (const Error& error) {
-      console.complain(error.what());
+      console.complain(error);
       if (code != kUnreadable) code = exit_code_of(error);
     }
     if (console.cancelled()) return kNoResult;

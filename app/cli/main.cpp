@@ -69,7 +69,7 @@ int run_main(int argc, char** argv) {
     console.start(command_line);
     return console.end(run());
   } catch (const Error& error) {
-    console.complain(error.what());
+    console.complain(error);
     return exit_code_of(error);
   } catch (const std::bad_alloc&) {
     console.complain("there is not enough memory");

@@ -7,6 +7,7 @@
 
 #include "model/display_units.h"
 #include "model/io/document.h"
+#include "model/printable_text.h"
 #include "model/report/drawing.h"
 
 namespace remount {
@@ -50,7 +51,8 @@ std::string text_line(const Fleet& fleet, const FleetRow& row) {
   return line + "\n";
 }
 
-std::string csv_cell(const std::string& text) {
+std::string csv_cell(const std::string& cell) {
+  const std::string text = printable(cell);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);

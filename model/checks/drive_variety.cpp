@@ -83,7 +83,8 @@ void look_at_variety(const CheckedSession& checked, std::vector<Finding>& findin
 DataCheck drive_variety_check() {
   return {.kinds = {{"little-turning",
                      "Only turns tell where the LiDAR sits: straight driving tells how it is turned, no more.",
-                     "Drive at least one full turn to each side, a figure of eight for instance."},
+                     "Turn fully to each side at least once: in a figure of eight with a vehicle, on the spot with a "
+                     "machine that slews."},
                     {"flat-driving", "Only tilting tells the height: on level ground it keeps the nominal value.",
                      "Drive over a ramp or a kerb, or measure the height and give it with --measured."}},
           .look = look_at_variety,

@@ -49,7 +49,7 @@ DataCheck reading_check() {
           {"height-missing", "A height that falls to zero is taken for motion.",
            "Export the track with its heights, or take out the points that have none."},
           {"nominal-unreadable", "The search begins without the mounting that lies beside the drive.",
-           "Mend the file, or give the mounting with --nominal."},
+           "Mend the file, or give the nominal mounting yourself."},
           {"rotation-not-orthonormal", "Digits were lost, or the numbers are in another order than was taken.",
            "Export the poses again with all digits, and check their layout."},
           {"scan-without-ins", "Scans without a motion of the INS cannot be compared with anything.",
@@ -58,7 +58,9 @@ DataCheck reading_check() {
           {"too-few-scans", "A motion lies between two scans.",
            "Record a drive, and see whether the folder holds all of its scans."},
           {"no-motion", "Only motion tells where the LiDAR sits.",
-           "Drive at least one full turn to each side, a figure of eight for instance."},
+           "Turn fully to each side at least once: in a figure of eight with a vehicle, on the spot with a machine "
+           "that "
+           "slews."},
           {"bad-*", "Lines that are damaged are left out.", "Export the log again where they are many."}}};
 }
 

@@ -6,7 +6,9 @@ namespace remount {
 DataCheck stamp_check() {
   return {
       .kinds = {
-          {"*-duplicate-stamps", "Of entries with one stamp only the first is used.",
+          {"*-duplicate-stamps",
+           "Of entries with one stamp only one is used: the best where they say how good they are, otherwise the "
+           "first.",
            "See whether two recorders write into one log, or whether stamps are rounded."},
           {"*-reversed-stamps", "Entries that go back in time are left out; where they belong is not known.",
            "Check the clock of the recorder: it was set while it recorded, or messages were put in order of arrival."},

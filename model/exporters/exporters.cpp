@@ -5,6 +5,7 @@
 #include "model/exporters/export_text.h"
 #include "model/exporters/exporter.h"
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 #include "model/preliminary.h"
 #include "model/session_frames.h"
 
@@ -54,7 +55,7 @@ const Exporter& exporter(std::string_view id) {
 void check_replaces_export(const std::filesystem::path& path, const Exporter& format) {
   constexpr std::size_t kLongest = std::size_t{1} << 20;  // longer, it is no export
   if (!is_file(path)) return;
-  const std::string text = read_file_head(path, kLongest);
+  const std::string text = read_text_head(path, kLongest);
   if (text.empty()) return;
   try {
     format.read(text, path.string());
@@ -93,7 +94,7 @@ RigidTransform rigid_from_typed(const std::array<double, 6>& six, const std::str
 }
 
 ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<std::string>* doubts) {
-  const std::string text = read_regular_file(path, std::uint64_t{64} << 20U);
+  const std::string text = read_text_file(path, std::uint64_t{64} << 20U);
   const std::string where = path.string();
   if (text.find("remount-result/") != std::string::npos) {
     // A damaged or useless result must not pass as something else.

@@ -8,6 +8,7 @@
 #include "model/count_words.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 #include "model/io/time_stamp.h"
 
 namespace remount {
@@ -17,7 +18,29 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSigma_m = 3.0, kSigmaUp_m = 5.0;
-constexpr std::string_view kPoint = "<trkpt";
+
+bool is_name_char(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+}
+
+/// Where an element begins: its '<', and the prefix of its namespace with the colon ("ns2:", or nothing).
+struct Tag {
+  std::size_t at = std::string_view::npos;
+  std::string_view prefix;
+};
+
+/// The first element of a name from a place on, whatever the prefix of its namespace.
+Tag find_tag(std::string_view text, std::string_view name, std::size_t from) {
+  for (std::size_t at = text.find(name, from); at != std::string_view::npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if (end < text.size() && is_name_char(text[end])) continue;
+    std::size_t begin = at;
+    if (begin > 0 && text[begin - 1] == ':')
+      for (--begin; begin > 0 && is_name_char(text[begin - 1]);) --begin;
+    if (begin > 0 && text[begin - 1] == '<') return {begin - 1, text.substr(begin, at - begin)};
+  }
+  return {};
+}
 
 /// The value of name="..." or name='...' within a tag; nothing where there is none.
 std::optional<std::string_view> attribute(std::string_view tag, std::string_view name) {
@@ -36,12 +59,18 @@ std::optional<std::string_view> attribute(std::string_view tag, std::string_view
 }
 
 /// What stands between <name> and </name>; nothing where there is none.
-std::optional<std::string_view> element(std::string_view text, const std::string& name) {
-  const std::size_t begin = text.find("<" + name + ">");
-  if (begin == std::string_view::npos) return std::nullopt;
-  const std::size_t from = begin + name.size() + 2, end = text.find("</" + name, from);
-  if (end == std::string_view::npos) return std::nullopt;
-  return trimmed(text.substr(from, end - from));
+std::optional<std::string_view> element(std::string_view text, std::string_view prefix, std::string_view name) {
+  const std::string qualified = std::string(prefix).append(name);
+  for (std::size_t at = text.find("<" + qualified); at != std::string_view::npos;
+       at = text.find("<" + qualified, at + 1)) {
+    const std::size_t end_of_name = at + 1 + qualified.size(), from = text.find('>', end_of_name);
+    if (from == std::string_view::npos) return std::nullopt;
+    if (is_name_char(text[end_of_name]) || text[end_of_name] == ':' || text[from - 1] == '/') continue;
+    const std::size_t end = text.find("</" + qualified, from);
+    if (end == std::string_view::npos) return std::nullopt;
+    return trimmed(text.substr(from + 1, end - from - 1));
+  }
+  return std::nullopt;
 }
 
 /// "2026-11-22T10:00:00.25Z", or with "+01:00" for "Z".
@@ -61,58 +90,79 @@ std::optional<std::int64_t> time_ns(std::string_view text) {
   return *stamp - ahead_ns;
 }
 
-/// `point` reaches from "<trkpt" to the next one. Throws Error(Format) at `where`.
-GnssFix fix_of(std::string_view point, const std::string& where, bool& has_height) {
-  point = point.substr(0, point.find("</trkpt"));  // what follows the last point is not its own
+/// A fix, and how good the receiver calls it: corrected before one without corrections.
+struct TrackPoint {
+  GnssFix fix;
+  int rank = 0;
+  bool has_height = false;
+};
+
+/// Of <fix>: none, 2d, 3d, dgps or pps. Throws Error(Format) at `where` where there was none.
+int rank_of(std::optional<std::string_view> fix, const std::string& where) {
+  if (fix == "none") throw Error(ErrorCode::Format, where, "the receiver had no fix");
+  return fix == "dgps" || fix == "pps" ? 2 : fix == "3d" ? 1 : 0;
+}
+
+/// `point` reaches from its '<' to the next one. Throws Error(Format) at `where`.
+TrackPoint point_of(std::string_view point, std::string_view prefix, const std::string& where) {
+  point = point.substr(0, point.find("</" + std::string(prefix) + "trkpt"));  // what follows the last is not its own
   const std::size_t tag_end = point.find('>');
   if (tag_end == std::string_view::npos) throw Error(ErrorCode::Format, where, "the tag <trkpt does not end");
   const std::string_view tag = point.substr(0, tag_end);
   const auto latitude = attribute(tag, "lat"), longitude = attribute(tag, "lon");
   const auto latitude_deg = latitude ? parse_number(*latitude) : std::nullopt;
   const auto longitude_deg = longitude ? parse_number(*longitude) : std::nullopt;
-  const auto time = element(point, "time"), height = element(point, "ele");
+  const auto time = element(point, prefix, "time"), height = element(point, prefix, "ele");
   const auto stamp = time ? time_ns(*time) : std::nullopt;
   const auto height_m = height ? parse_number(*height) : std::nullopt;
   if (!latitude_deg || !longitude_deg || !stamp)
     throw Error(ErrorCode::Format, where, "a track point needs lat, lon and a time like 2026-11-22T10:00:00Z");
-  has_height = height_m.has_value();
-  GnssFix fix{*stamp, degrees_to_radians(*latitude_deg), degrees_to_radians(*longitude_deg), height_m.value_or(0.0),
-              Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigmaUp_m * kSigmaUp_m).asDiagonal()};
+  const GnssFix fix{*stamp, degrees_to_radians(*latitude_deg), degrees_to_radians(*longitude_deg),
+                    height_m.value_or(0.0),
+                    Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigmaUp_m * kSigmaUp_m).asDiagonal()};
   if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
     throw Error(ErrorCode::Format, where, "the position is not on the Earth");
-  return fix;
+  return {fix, rank_of(element(point, prefix, "fix"), where), height_m.has_value()};
 }
 
 }  // namespace
 
 bool recognise_gpx(const fs::path& path) {
   try {
-    return read_file_head(path, 4096).find("<gpx") != std::string::npos;
+    return find_tag(read_text_head(path, 8192), "gpx", 0).at != std::string::npos;
   } catch (const Error&) {
     return false;
   }
 }
 
 std::vector<GnssFix> read_gpx(const fs::path& path, std::vector<Finding>& findings) {
-  const std::string bytes = read_regular_file(path);
+  const std::string bytes = read_text_file(path);
   const std::string_view text = bytes;
   std::vector<GnssFix> fixes;
   BadItems bad;
-  std::size_t flat = 0, line = 1, counted = 0;
-  for (std::size_t at = text.find(kPoint); at != std::string_view::npos;) {
-    const std::size_t next = text.find(kPoint, at + kPoint.size());
+  std::size_t flat = 0, line = 1, counted = 0, repeated = 0;
+  int last_rank = 0;
+  const auto take = [&](const TrackPoint& point) {
+    const bool again = !fixes.empty() && fixes.back().stamp_ns == point.fix.stamp_ns;
+    repeated += again;
+    if (again && point.rank <= last_rank) return;
+    if (again) fixes.pop_back();
+    fixes.push_back(point.fix);
+    last_rank = point.rank;
+    flat += !point.has_height;
+  };
+  for (Tag tag = find_tag(text, "trkpt", 0); tag.at != std::string_view::npos;) {
+    const Tag next = find_tag(text, "trkpt", tag.at + tag.prefix.size() + 2);  // behind the beginning of its name
     line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(counted),
-                                                text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-    counted = at;
+                                                text.begin() + static_cast<std::ptrdiff_t>(tag.at), '\n'));
+    counted = tag.at;
     try {
-      bool has_height = false;
-      fixes.push_back(
-          fix_of(text.substr(at, next == std::string_view::npos ? next : next - at), at_line(path, line), has_height));
-      flat += !has_height;
+      const std::size_t length = next.at == std::string_view::npos ? next.at : next.at - tag.at;
+      take(point_of(text.substr(tag.at, length), tag.prefix, at_line(path, line)));
     } catch (const Error& error) {
       bad.add(error);
     }
-    at = next;
+    tag = next;
   }
   if (fixes.empty())
     throw Error(ErrorCode::Format, path.string(),
@@ -124,6 +174,8 @@ std::vector<GnssFix> read_gpx(const fs::path& path, std::vector<Finding>& findin
     findings.push_back(
         make_finding(Severity::Warning, "height-missing", path.string(),
                      number_of(flat, "track point has", "track points have") + " no height; it is taken to be zero."));
+  report_one_stamp(repeated, true, "gnss", path.string(), findings);
+  keep_near(fixes, path.string(), findings);
   keep_ascending(fixes, "gnss", path.string(), findings);
   return fixes;
 }

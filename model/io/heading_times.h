@@ -33,6 +33,7 @@ class HeadingPlaces {
   void add_other() { ++others_; }
   void add_heading(double heading_rad);
   HeadingTimes times() const;
+  std::size_t count() const { return places_.size(); }
   void reserve(std::size_t headings) { places_.reserve(headings); }
 
  private:

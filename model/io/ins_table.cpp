@@ -6,6 +6,7 @@
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 #include "model/io/time_stamp.h"
 
 namespace remount {
@@ -42,9 +43,9 @@ class RowParser {
     split_csv(line, fields_);
     InsSample sample;
     sample.stamp_ns = stamp_ns();
-    sample.latitude_rad = number(layout_.latitude) * layout_.position_unit_rad;
-    sample.longitude_rad = number(layout_.longitude) * layout_.position_unit_rad;
-    sample.height_m = number(layout_.height);
+    sample.latitude_rad = known(layout_.latitude) * layout_.position_unit_rad;
+    sample.longitude_rad = known(layout_.longitude) * layout_.position_unit_rad;
+    sample.height_m = known(layout_.height);
     if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
       throw Error(ErrorCode::Format, at_line(path_, line_),
                   plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
@@ -73,10 +74,25 @@ class RowParser {
     return column.name.empty() ? "column " + std::to_string(column.index) : column.name;
   }
   double number(const ColumnRef& column) const { return require_number(field(column), label(column), path_, line_); }
-  /// An empty field or nan: this line does not state it.
+  /// A number that is none of those which stand for a missing one.
+  double known(const ColumnRef& column) const {
+    const double value = number(column);
+    if (means_not_known(value)) fail_not_known(column);
+    return value;
+  }
+  double angle(const ColumnRef& column) const {
+    const double value = number(column);
+    if (angle_means_not_known(value)) fail_not_known(column);
+    return value;
+  }
+  [[noreturn]] void fail_not_known(const ColumnRef& column) const {
+    fail(label(column) + " is '" + std::string(field(column).substr(0, 40)) +
+         "', which stands for a value that was not known");
+  }
+  /// An empty field, nan or a number that stands for a missing one: this line does not state it.
   double sigma(const ColumnRef& column) const {
     const auto value = parse_number(field(column));
-    return value && *value > 0.0 ? *value : std::numeric_limits<double>::quiet_NaN();
+    return value && *value > 0.0 && !means_not_known(*value) ? *value : std::numeric_limits<double>::quiet_NaN();
   }
 
   std::int64_t stamp_ns() const {
@@ -107,7 +123,7 @@ class RowParser {
 
   Eigen::Quaterniond attitude() {
     const auto& columns = layout_.yaw_pitch_roll;
-    logged_ = {number(columns[0]), number(columns[1]), number(columns[2])};
+    logged_ = {angle(columns[0]), angle(columns[1]), angle(columns[2])};
     const double unit = layout_.attitude_unit_rad;
     return enu_from_ins({logged_.yaw_rad * unit, logged_.pitch_rad * unit, logged_.roll_rad * unit}, layout_.attitude);
   }
@@ -161,7 +177,7 @@ std::string_view to_string(InsQuality quality) { return kQualityNames[static_cas
 
 std::vector<InsSample> read_ins_table(const fs::path& path, const InsTableLayout& layout,
                                       std::vector<Finding>& findings) {
-  return parse_ins_table(read_regular_file(path), path, layout, findings);
+  return parse_ins_table(read_text_file(path), path, layout, findings);
 }
 
 std::vector<InsSample> parse_ins_table(std::string_view text, const fs::path& path, const InsTableLayout& layout,

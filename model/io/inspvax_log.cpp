@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "algorithms/core/median.h"
 #include "model/io/attitude_convention.h"
@@ -11,6 +12,7 @@
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 #include "model/io/time_stamp.h"
 
 namespace remount {
@@ -87,40 +89,107 @@ std::int64_t gps_stamp(std::string_view week_text, std::string_view time_text, s
                   std::string(time_text.substr(0, 20)) + "' are no GPS time");
 }
 
-InsSample parse_ascii(std::string_view line, std::size_t number, const fs::path& path,
-                      std::vector<std::string_view>& fields) {
-  const std::size_t star = line.rfind('*'), body = line.find(';');
-  if (star == std::string_view::npos || body == std::string_view::npos || body > star)
-    throw Error(ErrorCode::Format, at_line(path, number), "expected '#INSPVAXA,<header>;<data>*<crc>'");
-  const std::string_view digits = trimmed(line.substr(star + 1)).substr(0, 8);
+/// The ASCII logs that are read. INSPVA has no errors; INSPVAS is the same with a short header.
+enum class AsciiKind { Inspvax, Inspva };
+struct AsciiMark {
+  std::string_view begin;
+  AsciiKind kind;
+  std::size_t time;  ///< place of the week in the header, behind which the time of week stands
+};
+constexpr std::array<AsciiMark, 3> kMarks{
+    {{"#INSPVAXA,", AsciiKind::Inspvax, 5}, {"#INSPVAA,", AsciiKind::Inspva, 5}, {"%INSPVASA,", AsciiKind::Inspva, 1}}};
+
+/// Where a log begins within a line, from a place on; null where none does.
+const AsciiMark* find_mark(std::string_view line, std::size_t from, std::size_t& at) {
+  const AsciiMark* found = nullptr;
+  at = std::string_view::npos;
+  for (const AsciiMark& mark : kMarks)
+    if (const std::size_t place = line.find(mark.begin, from); place < at) found = &mark, at = place;
+  return found;
+}
+
+/// "<week>,<seconds>,<latitude>,<longitude>,<height>,3 speeds,<roll>,<pitch>,<azimuth>,<status>"
+InspvaxValues inspva_values(const std::vector<std::string_view>& fields, const fs::path& path, std::size_t line) {
+  constexpr std::size_t kInspvaFields = 12;
+  if (fields.size() < kInspvaFields)
+    throw Error(ErrorCode::Format, at_line(path, line),
+                "has " + std::to_string(fields.size()) + " data fields, expected " + std::to_string(kInspvaFields));
+  const auto number = [&](std::size_t i, const char* name) { return require_number(fields[i], name, path, line); };
+  InspvaxValues values = InspvaxValues::without_errors();
+  values.quality = inspvax_quality(fields[11]);
+  values.latitude_deg = number(2, "latitude");
+  values.longitude_deg = number(3, "longitude");
+  values.height_m = number(4, "height");
+  values.roll_deg = number(8, "roll");
+  values.pitch_deg = number(9, "pitch");
+  values.azimuth_deg = number(10, "azimuth");
+  return values;
+}
+
+/// @param log from its '#' or '%' on
+/// @param misnamed becomes larger where the status is none of an INS
+InsSample parse_ascii(std::string_view log, const AsciiMark& mark, std::size_t number, const fs::path& path,
+                      std::vector<std::string_view>& fields, std::size_t& misnamed) {
+  const std::size_t body = log.find(';'), star = log.find('*', std::min(body, log.size()));
+  if (star == std::string_view::npos || body == std::string_view::npos)
+    throw Error(ErrorCode::Format, at_line(path, number),
+                "expected '" + std::string(mark.begin) + "<header>;<data>*<crc>'");
+  const std::string_view digits = trimmed(log.substr(star + 1)).substr(0, 8);
   std::uint32_t crc = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), crc, 16);
   if (error != std::errc() || digits.size() != 8 || end != digits.data() + 8 ||
-      crc != novatel_crc32(line.substr(1, star - 1)))
+      crc != novatel_crc32(log.substr(1, star - 1)))
     throw Error(ErrorCode::Format, at_line(path, number), "the checksum does not agree with the line");
-  split_csv(line.substr(0, body), fields);
-  if (fields.size() < 7) throw Error(ErrorCode::Format, at_line(path, number), "the header has too few fields");
-  const std::int64_t stamp_ns = gps_stamp(fields[5], fields[6], 1'000'000'000, path, number);
-  split_csv(line.substr(body + 1, star - body - 1), fields);
-  if (fields.size() < kAsciiFields)
-    throw Error(ErrorCode::Format, at_line(path, number),
-                "has " + std::to_string(fields.size()) + " data fields, expected " + std::to_string(kAsciiFields));
-  InsSample sample = sample_from(fields, ascii_columns(), path, number);
+  split_csv(log.substr(0, body), fields);
+  if (fields.size() < mark.time + 2)
+    throw Error(ErrorCode::Format, at_line(path, number), "the header has too few fields");
+  std::int64_t stamp_ns = gps_stamp(fields[mark.time], fields[mark.time + 1], 1'000'000'000, path, number);
+  split_csv(log.substr(body + 1, star - body - 1), fields);
+  InsSample sample;
+  if (mark.kind == AsciiKind::Inspva) {
+    sample = ins_sample(inspva_values(fields, path, number), at_line(path, number));
+    misnamed += is_of_wrong_table(fields[11]);
+    stamp_ns = gps_stamp(fields[0], fields[1], 1'000'000'000, path, number);  // to nanoseconds, the header's to ms
+  } else {
+    if (fields.size() < kAsciiFields)
+      throw Error(ErrorCode::Format, at_line(path, number),
+                  "has " + std::to_string(fields.size()) + " data fields, expected " + std::to_string(kAsciiFields));
+    sample = sample_from(fields, ascii_columns(), path, number);
+    misnamed += is_of_wrong_table(fields[0]);
+  }
   sample.stamp_ns = stamp_ns;
   return sample;
 }
 
-void read_ascii(const std::string& text, const fs::path& path, InspvaxLog& log, BadItems& bad) {
+void read_ascii(const std::string& text, const fs::path& path, InspvaxLog& log, BadItems& bad,
+                std::vector<Finding>& findings) {
   LineReader lines(text);
   std::vector<std::string_view> fields;
+  std::vector<InsSample> inspva;
+  std::size_t misnamed = 0;
   for (std::string_view line; lines.next(line);) {
-    if (!line.starts_with("#INSPVAXA,")) continue;  // other logs of the same receiver
-    try {
-      log.ins.push_back(parse_ascii(line, lines.line_number(), path, fields));
-    } catch (const Error& error) {
-      bad.add(error);
+    std::size_t at = 0;
+    for (const AsciiMark* mark = find_mark(line, 0, at); mark != nullptr;) {
+      std::size_t next_at = 0;
+      const AsciiMark* next = find_mark(line, at + 1, next_at);
+      try {
+        auto& ins = mark->kind == AsciiKind::Inspva ? inspva : log.ins;
+        ins.push_back(parse_ascii(line.substr(at, next_at - at), *mark, lines.line_number(), path, fields, misnamed));
+      } catch (const Error& error) {
+        bad.add(error);
+      }
+      mark = next;
+      at = next_at;
     }
   }
+  report_misnamed(misnamed, path.string(), findings);
+  if (inspva.size() <= 3 * log.ins.size()) return;
+  std::swap(log.ins, inspva);
+  if (inspva.empty()) return;
+  std::vector<Finding> told_elsewhere;
+  keep_ascending(log.ins, "ins", path.string(), findings);
+  keep_ascending(inspva, "ins", path.string(), told_elsewhere);
+  give_errors(log.ins, inspva);
 }
 
 /// The column of the time of week is called seconds and holds milliseconds in some drivers: its steps tell. At 4 units
@@ -181,7 +250,7 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadI
   std::vector<std::string_view> fields;
   std::vector<double> host_offsets_s;
   std::string last_host;
-  std::size_t distinct = 0;
+  std::size_t distinct = 0, misnamed = 0;
   while (lines.next(line)) {
     if (trimmed(line).empty()) continue;
     try {
@@ -190,6 +259,7 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadI
         throw Error(ErrorCode::Format, at_line(path, lines.line_number()),
                     "has " + std::to_string(fields.size()) + " fields, expected " + std::to_string(header.size()));
       InsSample sample = sample_from(fields, columns, path, lines.line_number());
+      misnamed += is_of_wrong_table(fields[columns.status]);
       sample.stamp_ns = gps_stamp(fields[week], fields[time], unit_ns, path, lines.line_number());
       log.ins.push_back(sample);
       const auto host_ns = host >= 0 ? parse_number(fields[static_cast<std::size_t>(host)]) : std::nullopt;
@@ -203,19 +273,11 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadI
   }
   log.distinct_host_times =
       static_cast<double>(distinct) / static_cast<double>(std::max<std::size_t>(log.ins.size(), 1));
+  report_misnamed(misnamed, path.string(), findings);
   report_host_clock(host_offsets_s, log.distinct_host_times, path, findings);
 }
 
 }  // namespace
-
-InsQuality inspvax_quality(std::string_view status) {
-  // Numbers in bags and their CSVs, names in ASCII logs (OEM6/OEM7 manuals, "Inertial Solution Status").
-  if (status == "3" || status == "INS_SOLUTION_GOOD") return InsQuality::Good;
-  if (status == "2" || status == "INS_HIGH_VARIANCE" || status == "6" || status == "INS_SOLUTION_FREE" ||
-      status == "7" || status == "INS_ALIGNMENT_COMPLETE")
-    return InsQuality::Degraded;
-  return InsQuality::Invalid;
-}
 
 InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
   InsSample sample;
@@ -229,26 +291,43 @@ InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
                     : "latitude, longitude or height is not possible");
   for (const double angle_deg : {values.roll_deg, values.pitch_deg, values.azimuth_deg})
     if (!(std::abs(angle_deg) <= 360.0))
-      throw Error(ErrorCode::Format, where, "roll, pitch or azimuth is no angle in degrees");
+      throw Error(ErrorCode::Format, where,
+                  angle_means_not_known(angle_deg)
+                      ? "roll, pitch or azimuth is a number that stands for a value that was not known"
+                      : "roll, pitch or azimuth is no angle in degrees");
   sample.enu_from_ins = enu_from_ins({degrees_to_radians(values.azimuth_deg), degrees_to_radians(values.pitch_deg),
                                       degrees_to_radians(values.roll_deg)},
                                      AttitudeConvention::NovAtel);
-  sample.sigma.position_enu_m = {values.longitude_std_m, values.latitude_std_m, values.height_std_m};
-  sample.sigma.attitude_rad =
-      axis_sigma_rad({degrees_to_radians(values.azimuth_std_deg), degrees_to_radians(values.pitch_std_deg),
-                      degrees_to_radians(values.roll_std_deg)},
-                     AttitudeConvention::NovAtel);
+  const auto stated = [](double sigma) { return means_not_known(sigma) || sigma < 0.0 ? std::nan("") : sigma; };
+  sample.sigma.position_enu_m = {stated(values.longitude_std_m), stated(values.latitude_std_m),
+                                 stated(values.height_std_m)};
+  sample.sigma.attitude_rad = axis_sigma_rad(
+      {degrees_to_radians(stated(values.azimuth_std_deg)), degrees_to_radians(stated(values.pitch_std_deg)),
+       degrees_to_radians(stated(values.roll_std_deg))},
+      AttitudeConvention::NovAtel);
   sample.quality = values.quality;
   return sample;
+}
+
+InspvaxValues InspvaxValues::without_errors() {
+  InspvaxValues values;
+  for (double InspvaxValues::*const error :
+       {&InspvaxValues::latitude_std_m, &InspvaxValues::longitude_std_m, &InspvaxValues::height_std_m,
+        &InspvaxValues::roll_std_deg, &InspvaxValues::pitch_std_deg, &InspvaxValues::azimuth_std_deg})
+    values.*error = std::numeric_limits<double>::quiet_NaN();
+  return values;
 }
 
 std::uint32_t novatel_crc32(std::string_view text) { return plain_crc32(text); }
 
 std::optional<InspvaxFormat> recognise_inspvax(const fs::path& path) {
   try {
-    const std::string head = read_file_head(path, kHeadBytes);
-    if (head.starts_with("#INSPVAXA,") || head.find("\n#INSPVAXA,") != std::string::npos)
-      return InspvaxFormat::AsciiLog;
+    const std::string head = read_text_head(path, kHeadBytes);
+    std::size_t at = 0;
+    for (const AsciiMark* mark = find_mark(head, 0, at); mark != nullptr; mark = find_mark(head, at + 1, at)) {
+      const std::string_view log = std::string_view(head).substr(at, head.find_first_of("\r\n", at) - at);
+      if (log.find(';') != std::string_view::npos) return InspvaxFormat::AsciiLog;  // not only mentioned in a text
+    }
     LineReader lines(head);
     std::string_view line;
     if (!lines.next(line) || line.find("gps_week") == std::string_view::npos) return std::nullopt;
@@ -262,11 +341,11 @@ std::optional<InspvaxFormat> recognise_inspvax(const fs::path& path) {
 }
 
 InspvaxLog read_inspvax(const fs::path& path, InspvaxFormat format, std::vector<Finding>& findings) {
-  const std::string text = read_regular_file(path);
+  const std::string text = read_text_file(path);
   InspvaxLog log;
   BadItems bad;
   if (format == InspvaxFormat::AsciiLog)
-    read_ascii(text, path, log, bad);
+    read_ascii(text, path, log, bad, findings);
   else
     read_csv(text, path, log, bad, findings);
   if (log.ins.empty())

@@ -10,6 +10,7 @@
 #include "model/io/input_file.h"
 #include "model/io/several_sessions.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 #include "model/io/time_stamp.h"
 
 namespace remount {
@@ -46,7 +47,7 @@ std::vector<fs::path> find_drives(const fs::path& path) {
 
 /// Line i of a stamps file is for number i; an empty or unreadable line has no stamp.
 std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::vector<Finding>& findings) {
-  const std::string text = read_regular_file(path);
+  const std::string text = read_text_file(path);
   std::vector<std::optional<std::int64_t>> stamps;
   BadItems bad;
   LineReader lines(text);
@@ -68,7 +69,7 @@ fs::path numbered(const fs::path& folder, std::size_t number, const char* extens
 
 /// @param largest_angle out: of yaw, pitch and roll, whatever their unit
 InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns, double& largest_angle) {
-  const std::string text = read_regular_file(path, kMaxOxtsBytes);
+  const std::string text = read_text_file(path, kMaxOxtsBytes);
   std::vector<std::string_view> tokens;
   LineReader lines(text);
   std::string_view line;
@@ -86,10 +87,14 @@ InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns, double& largest
   if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
     throw Error(ErrorCode::Format, at_line(path, 1), "latitude, longitude or height is not possible");
   const AttitudeAngles angles{number(5), number(4), number(3)};
+  for (const double angle : {angles.yaw_rad, angles.pitch_rad, angles.roll_rad})
+    if (angle_means_not_known(angle))
+      throw Error(ErrorCode::Format, at_line(path, 1),
+                  "roll, pitch or yaw is a number that stands for a value that was not known");
   largest_angle = std::max({std::abs(angles.yaw_rad), std::abs(angles.pitch_rad), std::abs(angles.roll_rad)});
   sample.enu_from_ins = enu_from_ins(angles, AttitudeConvention::EnuYaw);
   const double accuracy_m = number(kPositionAccuracy);
-  if (accuracy_m > 0.0) sample.sigma.position_enu_m.setConstant(accuracy_m);
+  if (accuracy_m > 0.0 && !means_not_known(accuracy_m)) sample.sigma.position_enu_m.setConstant(accuracy_m);
   return sample;
 }
 
@@ -228,7 +233,7 @@ void read_calibration(const fs::path& drive, Session& session) {
     const fs::path file = folder / "calib_imu_to_velo.txt";
     if (!is_file(file)) continue;
     try {
-      const std::string text = read_regular_file(file, kMaxManifestBytes);
+      const std::string text = read_text_file(file, kMaxManifestBytes);
       std::map<std::string, std::vector<double>> entries;
       std::vector<std::string_view> tokens;
       LineReader lines(text);

@@ -8,6 +8,7 @@
 #include "algorithms/core/error.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 
 namespace remount {
 namespace {
@@ -114,7 +115,7 @@ class PairsReader {
 }  // namespace
 
 MotionPairs read_motion_pairs(const std::filesystem::path& path) {
-  const std::string text = read_regular_file(path, std::uint64_t{1} << 30U);
+  const std::string text = read_text_file(path, std::uint64_t{1} << 30U);
   LineReader lines(text);
   std::optional<PairsReader> reader;
   std::vector<std::string_view> fields;

@@ -8,6 +8,7 @@
 #include "model/io/gnss_log_reader.h"
 #include "model/io/gpx_track.h"
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 #include "model/io/ins_table.h"
 #include "model/io/native_declared.h"
 #include "model/io/nmea_log.h"
@@ -288,7 +289,7 @@ int NativeSessionReader::probe(const fs::path& path) const {
   // A broken session.yaml is ours where nothing else is: open() then says what is wrong with it, and where.
   const int by_name = manifest.filename() == "session.yaml" ? 10 : 0;
   try {
-    const std::string head = read_file_head(manifest, 64 * 1024);
+    const std::string head = read_text_head(manifest, 64 * 1024);
     return head.find("remount-session/") != std::string::npos ? 100 : by_name;
   } catch (const Error&) {
     return by_name;

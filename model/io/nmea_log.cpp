@@ -8,6 +8,7 @@
 #include "model/assumed_tilt.h"
 #include "model/io/input_file.h"
 #include "model/io/nmea_records.h"
+#include "model/io/text_file.h"
 
 namespace remount {
 
@@ -18,18 +19,26 @@ namespace {
 constexpr std::int64_t kNearAttitude_ns = 250'000'000;
 constexpr double kHeadingSigma_rad = 0.5 * kPi / 180.0;
 
-/// What the quality of a GGA usually means, m.
+/// What the quality of a GGA usually means, m; NaN where none is stated.
 double usual_sigma_m(const NmeaFix& fix) {
   switch (fix.quality) {
+    case 0:
+      return std::nan("");
     case 4:
       return 0.02;
     case 5:
       return 0.3;
     case 2:
+    case 9:
       return 0.8;
     default:
       return 2.0 * std::clamp(static_cast<double>(fix.hdop), 1.0, 20.0);
   }
+}
+
+InsQuality quality_of(const NmeaFix& fix) {
+  if (fix.quality == 0) return InsQuality::Unknown;
+  return fix.quality == 4 ? InsQuality::Good : InsQuality::Degraded;
 }
 
 /// In the order of their times: as the log measures them, or of headings alone where it has nothing better. Headings
@@ -88,25 +97,30 @@ class NmeaAssembly {
       findings_.push_back(make_finding(Severity::Warning, "log-cut", at_line(path_, records_.cut_line),
                                        "The log ends within a sentence, which is left out."));
     take_attitudes();
+    records_.keep_best_fixes();  // those of an INS and of an antenna are of two places
+    report_one_stamp(records_.of_one_time, true, "gnss", path_.string(), findings_);
     NmeaLog log;
     log.ins = ins();
     tell(log);
     tell_missing(log);
     attitudes_ = {};
     log.fixes = fixes();
+    keep_near(log.fixes, path_.string(), findings_);
     keep_ascending(log.fixes, "gnss", path_.string(), findings_);
     std::vector<Finding> told_already;
+    keep_near(log.ins, path_.string(), told_already);
     keep_ascending(log.ins, "ins", path_.string(), told_already);
     return log;
   }
 
  private:
   void take_attitudes() {
-    attitudes_.measured = std::move(records_.attitudes);
-    std::stable_sort(attitudes_.measured.begin(), attitudes_.measured.end(),
-                     [](const NmeaAttitude& a, const NmeaAttitude& b) { return a.time_ns < b.time_ns; });
     const HeadingPlaces places = std::exchange(records_.places, {});
-    if (!attitudes_.measured.empty()) return;
+    const auto best = records_.best_attitudes();
+    // Attitudes that come too rarely give no motion; headings that come often give some of it.
+    const bool rather_headings = best && places.count() > 4 * records_.of(*best).samples.size();
+    if (best && !rather_headings) return take_measured(*best);
+    records_.attitudes = {};
     HeadingTimes times = places.times();
     attitudes_.headings = std::move(times.headings);
     if (times.order == HeadingOrder::Unknown)
@@ -116,9 +130,41 @@ class NmeaAssembly {
                                        "come one position too early."));
   }
 
+  void take_measured(NmeaAttitudeKind kind) {
+    const std::size_t other_fixes = records_.keep_fixes_of(kind);
+    std::string others;
+    for (std::size_t i = 0; i < records_.attitudes.size(); ++i) {
+      const auto other = static_cast<NmeaAttitudeKind>(i);
+      if (other != kind && !records_.attitudes[i].samples.empty())
+        others += (others.empty() ? "" : "; ") + std::string(NmeaRecords::name(other));
+    }
+    if (!others.empty() || other_fixes > 0)
+      findings_.push_back(make_finding(Severity::Note, "attitude-chosen", path_.string(),
+                                       "The attitude is taken from " + std::string(NmeaRecords::name(kind)) +
+                                           (other_fixes > 0 ? ", and the position with it; " : "; ") +
+                                           std::to_string(other_fixes) + " other positions are not used" +
+                                           (others.empty() ? "." : ", nor the attitudes of " + others + ".")));
+    const bool rolls = records_.of(kind).rolls;
+    attitudes_.measured = std::move(records_.of(kind).samples);
+    records_.attitudes = {};
+    std::stable_sort(attitudes_.measured.begin(), attitudes_.measured.end(),
+                     [](const NmeaAttitude& a, const NmeaAttitude& b) { return a.time_ns < b.time_ns; });
+    if (rolls) return;
+    // Two antennas: what is not guessed is known as well as a heading.
+    for (NmeaAttitude& attitude : attitudes_.measured) {
+      attitude.sigma_rad.x() = kAssumedTilt_rad;
+      for (Eigen::Index axis = 1; axis < 3; ++axis)
+        if (std::isnan(attitude.sigma_rad[axis])) attitude.sigma_rad[axis] = kHeadingSigma_rad;
+    }
+    findings_.push_back(make_finding(Severity::Warning, "roll-assumed", path_.string(),
+                                     "The log has the heading and pitch of two antennas (" +
+                                         std::string(NmeaRecords::name(kind)) +
+                                         ") and no roll: it is taken to be zero, with an error of 3 degrees (1 sigma) "
+                                         "that lasts over the drive."));
+  }
+
   Eigen::Vector3d sigma_enu_m(const NmeaFix& fix) const {
-    if (const auto error = records_.errors.find(fix.time_ns); error != records_.errors.end())
-      return {error->second.east_m, error->second.north_m, error->second.up_m};
+    if (const NmeaErrors* error = records_.errors_of(fix)) return {error->east_m, error->north_m, error->up_m};
     const double usual = usual_sigma_m(fix);
     return {usual, usual, 1.5 * usual};
   }
@@ -138,7 +184,7 @@ class NmeaAssembly {
                          fix.height_m,
                          attitude.enu_from_ins,
                          {sigma_enu_m(fix), attitude.sigma_rad},
-                         fix.quality == 4 ? InsQuality::Good : InsQuality::Degraded});
+                         quality_of(fix)});
     }
     return samples;
   }
@@ -146,9 +192,13 @@ class NmeaAssembly {
   std::vector<GnssFix> fixes() const {
     std::vector<GnssFix> fixes;
     fixes.reserve(records_.fixes.size());
-    for (const NmeaFix& fix : records_.fixes)
+    constexpr double kUnstated_m = 1.0;
+    for (const NmeaFix& fix : records_.fixes) {
+      const Eigen::Vector3d stated_m = sigma_enu_m(fix);
+      const Eigen::Vector3d sigma_m = stated_m.allFinite() ? stated_m : Eigen::Vector3d::Constant(kUnstated_m);
       fixes.push_back({stamp_ns(fix), fix.latitude_rad, fix.longitude_rad, fix.height_m,
-                       Eigen::Matrix3d(sigma_enu_m(fix).cwiseAbs2().asDiagonal())});
+                       Eigen::Matrix3d(sigma_m.cwiseAbs2().asDiagonal())});
+    }
     return fixes;
   }
 
@@ -198,16 +248,18 @@ class NmeaAssembly {
 
 bool recognise_nmea(const fs::path& path) {
   try {
-    const std::string head = read_file_head(path, 16 * 1024);
+    const std::string head = read_text_head(path, 64 * 1024);
     LineReader lines(head);
     std::size_t known = 0, other = 0;
     for (std::string_view line; lines.next(line) && known + other < 40;) {
       NmeaSentence sentence;
       if (trimmed(line).empty()) continue;
       // With a wrong checksum, too: a log that has nothing else is to be refused for that, not as something unknown.
-      const bool is_one =
-          parse_nmea(line, sentence) != NmeaLine::NoSentence && (sentence.type.size() == 3 || sentence.type == "PASHR");
-      ++(is_one ? known : other);
+      if (parse_nmea(line, sentence) == NmeaLine::NoSentence)
+        ++other;
+      else if (!sentence.talker.empty() || NmeaRecords::reads(sentence.type))
+        ++known;
+      // Sentences of makers say neither: receivers write many between those that are read.
     }
     return known > 0 && known >= 3 * other;
   } catch (const Error&) {

@@ -1,5 +1,5 @@
-// NMEA 0183 logs of a GNSS receiver: positions (GGA, GST), time (RMC, ZDA), and attitude where there is any (PASHR,
-// HDT).
+// NMEA 0183 logs of a GNSS receiver: positions (GGA, GST), time (RMC, ZDA), attitude where there is any (PASHR; of two
+// antennas PTNL,AVR, PSAT,HPR, PSSN,HRP; headings HDT and THS), and sentences that have all of it (KSXT, FPD, CHC).
 #pragma once
 
 #include <filesystem>
@@ -17,6 +17,8 @@ struct NmeaLog {
 /// From the first lines. Never throws.
 bool recognise_nmea(const std::filesystem::path& path);
 
+/// Of several fixes of one time the best by its quality, whoever wrote it, and in whatever order. Where the INS writes
+/// its own position beside the attitude (FPD, CHC), that one alone.
 /// Heading from true north clockwise, pitch positive nose up, roll positive right side down; INS axes forward-left-up.
 /// Attitudes are interpolated to the times of the positions; nothing is where neither is near, with a warning. With HDT
 /// alone, whose times HeadingPlaces finds, roll and pitch are taken to be zero, with a warning. Sentences whose

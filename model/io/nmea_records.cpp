@@ -5,6 +5,7 @@
 
 #include "model/io/attitude_convention.h"
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 #include "model/io/time_stamp.h"
 
 namespace remount {
@@ -23,13 +24,6 @@ std::optional<NmeaErrors> stated(const NmeaSentence& sentence) {
   return NmeaErrors{*north, *east, *up};
 }
 
-/// An angle in degrees; nothing where it is none or beyond two turns.
-std::optional<double> angle_rad(std::string_view text) {
-  const auto degrees = parse_number(text);
-  if (!degrees || std::abs(*degrees) > 720.0) return std::nullopt;
-  return degrees_to_radians(*degrees);
-}
-
 std::size_t occurrences(std::string_view text, std::string_view word) {
   std::size_t count = 0;
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + word.size())) ++count;
@@ -38,11 +32,54 @@ std::size_t occurrences(std::string_view text, std::string_view word) {
 
 bool tells_date(std::string_view type) { return type == "RMC" || type == "ZDA"; }
 
+/// How good a position is by the quality that GGA states: fixed, float, corrected in another way, precise service,
+/// alone, and what is estimated, entered or simulated.
+int rank_of_quality(int quality) {
+  switch (quality) {
+    case 4:
+      return 6;
+    case 5:
+      return 5;
+    case 2:
+    case 9:
+      return 4;
+    case 3:
+      return 3;
+    case 1:
+      return 2;
+    default:
+      return 1;
+  }
+}
+
+/// What a talker's fixes are like beside those that others give of the same times.
+struct TalkerRecord {
+  std::size_t wins = 0, fixes = 0;
+  bool operator<(const TalkerRecord& other) const {
+    return std::pair(wins, fixes) < std::pair(other.wins, other.fixes);
+  }
+};
+
+NmeaTalker talker_of(const NmeaSentence& sentence) {
+  return sentence.talker.size() == 2 ? NmeaTalker{sentence.talker[0], sentence.talker[1]} : NmeaTalker{};
+}
+
+/// Receivers that write into one log write of one time close together.
+constexpr std::size_t kFixesOfOneTime = 32;
+
+/// The fix of the same time among the last ones before place `end`; `end` where there is none.
+std::size_t of_same_time(const std::vector<NmeaFix>& fixes, std::size_t end, std::int64_t time_ns) {
+  const std::size_t first = end - std::min(end, kFixesOfOneTime);
+  for (std::size_t i = end; i > first; --i)
+    if (fixes[i - 1].time_ns == time_ns) return i - 1;
+  return end;
+}
+
 }  // namespace
 
 NmeaRecords NmeaRecords::read(const fs::path& path) {
   NmeaRecords records(path);
-  const std::string text = read_regular_file(path);
+  const std::string text = read_text_file(path);
   records.reserve(text);
   records.take_lines(text);
   records.require_fixes_and_date();
@@ -50,11 +87,16 @@ NmeaRecords NmeaRecords::read(const fs::path& path) {
   return records;
 }
 
+bool NmeaRecords::reads(std::string_view type) { return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end(); }
+
 // Growing by doubling would take several times as much. What a file only promises is bounded by the shortest sentence.
 void NmeaRecords::reserve(std::string_view text) {
   constexpr std::size_t kShortestFix = 40, kShortestAttitude = 40, kShortestHeading = 24;  // with the line of its time
   fixes.reserve(std::min(occurrences(text, "GGA,"), text.size() / kShortestFix));
-  attitudes.reserve(std::min(occurrences(text, "PASHR,"), text.size() / kShortestAttitude));
+  for (std::size_t kind = 0; kind < attitudes.size(); ++kind) {
+    const std::string mark = std::string(name(static_cast<NmeaAttitudeKind>(kind))) + ",";
+    attitudes[kind].samples.reserve(std::min(occurrences(text, mark), text.size() / kShortestAttitude));
+  }
   places.reserve(std::min(occurrences(text, "HDT,"), text.size() / kShortestHeading));
 }
 
@@ -122,7 +164,7 @@ void NmeaRecords::require_fixes_and_date() const {
 bool NmeaRecords::take(const NmeaSentence& sentence) {
   timed_ = false;
   const bool taken = take_kind(sentence);
-  if (!timed_ && sentence.type != "HDT") places.add_other();
+  if (!timed_ && sentence.type != "HDT" && sentence.type != "THS") places.add_other();
   return taken;
 }
 
@@ -133,15 +175,17 @@ bool NmeaRecords::take_kind(const NmeaSentence& sentence) {
     return take_date(sentence.field(0),
                      std::string(sentence.field(1)) + std::string(sentence.field(2)) + std::string(sentence.field(3)));
   if (sentence.type == "GST") return take_error(sentence);
-  if (sentence.type == "HDT") return take_heading(sentence);
-  if (sentence.type == "PASHR" && sentence.field(2) == "T") return take_attitude(sentence);
+  if (sentence.type == "HDT" || sentence.type == "THS") return take_heading(sentence);
+  if (sentence.type == "PASHR" && sentence.field(2) == "T") return take_pashr(sentence);
+  if (sentence.type == "KSXT") return take_ksxt(sentence);
+  if (sentence.type == "FPD" || sentence.type == "CHC") return take_gps_time_record(sentence);
+  if (sentence.type.find(',') != std::string_view::npos) return take_two_antennas(sentence);
   return true;
 }
 
 // Time of day to time since the first midnight: a step back by most of a day is a new one, and a step ahead by
 // nearly all of one a sentence from before midnight that comes late.
-std::optional<std::int64_t> NmeaRecords::running(std::string_view text) {
-  const auto time = nmea_time_ns(text);
+std::optional<std::int64_t> NmeaRecords::running(std::optional<std::int64_t> time) {
   if (!time) return std::nullopt;
   std::int64_t now = days_ * kDay_ns + *time;
   if (now < last_ns_ - kDay_ns / 2)
@@ -156,10 +200,10 @@ std::optional<std::int64_t> NmeaRecords::running(std::string_view text) {
 
 bool NmeaRecords::take_fix(const NmeaSentence& sentence) {
   places.add_position();
-  const auto time = running(sentence.field(0));
+  const auto time = running(nmea_time_ns(sentence.field(0)));
   const auto quality = parse_integer(sentence.field(5));
   if (!time || !quality) return sentence.field(0).empty();  // before the first fix receivers leave all empty
-  if (*quality <= 0 || *quality > 8) return true;
+  if (*quality <= 0 || *quality > 9) return true;
   const auto latitude = nmea_angle_rad(sentence.field(1), sentence.field(2));
   const auto longitude = nmea_angle_rad(sentence.field(3), sentence.field(4));
   const auto height = parse_number(sentence.field(8)), geoid = parse_number(sentence.field(10));
@@ -167,13 +211,14 @@ bool NmeaRecords::take_fix(const NmeaSentence& sentence) {
     return false;
   without_geoid += !geoid;
   fixes.push_back({*time, *latitude, *longitude, *height + geoid.value_or(0.0),
-                   static_cast<float>(parse_number(sentence.field(7)).value_or(1.0)), static_cast<int>(*quality)});
+                   static_cast<float>(parse_number(sentence.field(7)).value_or(1.0)),
+                   static_cast<std::int8_t>(*quality), talker_of(sentence)});
   return true;
 }
 
 // ddmmyy or ddmmyyyy
 bool NmeaRecords::take_date(std::string_view time_text, std::string_view date) {
-  const auto time = running(time_text);
+  const auto time = running(nmea_time_ns(time_text));
   if (!time || dated_ || date.empty()) return true;
   if (date.size() != 6 && date.size() != 8) return false;
   const std::string year = (date.size() == 6 ? "20" : "") + std::string(date.substr(4));
@@ -186,30 +231,51 @@ bool NmeaRecords::take_date(std::string_view time_text, std::string_view date) {
 }
 
 bool NmeaRecords::take_error(const NmeaSentence& sentence) {
-  const auto time = running(sentence.field(0));
+  const auto time = running(nmea_time_ns(sentence.field(0)));
   const auto error = stated(sentence);
-  if (time && error) errors[*time] = *error;
+  if (time && error) errors[{*time, talker_of(sentence)}] = *error;
   return time.has_value();
 }
 
 bool NmeaRecords::take_heading(const NmeaSentence& sentence) {
-  const auto heading = angle_rad(sentence.field(0));
-  if (heading) places.add_heading(*heading);
+  const auto heading = nmea_degrees_rad(sentence.field(0));
+  const bool invalid = sentence.type == "THS" && sentence.field(1) == "V";
+  if (heading && !invalid) places.add_heading(*heading);
   return heading || sentence.field(0).empty();
 }
 
-bool NmeaRecords::take_attitude(const NmeaSentence& sentence) {
-  const auto time = running(sentence.field(0));
-  const auto heading = angle_rad(sentence.field(1)), roll = angle_rad(sentence.field(3)),
-             pitch = angle_rad(sentence.field(4));
-  if (!time || !heading || !roll || !pitch) return false;
-  const auto sigma = [&](std::size_t field) {
-    const auto value = parse_number(sentence.field(field));
-    return value && *value > 0.0 ? degrees_to_radians(*value) : std::nan("");
+void NmeaRecords::keep_best_fixes() {
+  std::map<NmeaTalker, TalkerRecord> talkers;
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    ++talkers[fixes[i].talker].fixes;
+    const std::size_t other = of_same_time(fixes, i, fixes[i].time_ns);
+    if (other == i || fixes[other].talker == fixes[i].talker) continue;
+    const int better = rank_of_quality(fixes[i].quality) - rank_of_quality(fixes[other].quality);
+    if (better != 0) ++talkers[fixes[better > 0 ? i : other].talker].wins;
+  }
+  if (talkers.size() < 2) return;  // what one writes twice is put in order with its stamps
+  const auto is_better = [&](const NmeaFix& one, const NmeaFix& other) {
+    const int by = rank_of_quality(one.quality) - rank_of_quality(other.quality);
+    return by > 0 || (by == 0 && talkers[other.talker] < talkers[one.talker]);
   };
-  attitudes.push_back({*time, enu_from_ins({*heading, *pitch, *roll}, AttitudeConvention::Heading),
-                       axis_sigma_rad({sigma(8), sigma(7), sigma(6)}, AttitudeConvention::Heading)});
-  return true;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < fixes.size(); ++i) {
+    const NmeaFix fix = fixes[i];
+    const std::size_t same = of_same_time(fixes, kept, fix.time_ns);
+    if (same == kept || fixes[same].talker == fix.talker) {
+      fixes[kept++] = fix;
+      continue;
+    }
+    ++of_one_time;
+    if (is_better(fix, fixes[same])) fixes[same] = fix;
+  }
+  fixes.resize(kept);
+}
+
+const NmeaErrors* NmeaRecords::errors_of(const NmeaFix& fix) const {
+  if (const auto own = errors.find({fix.time_ns, fix.talker}); own != errors.end()) return &own->second;
+  const auto any = errors.lower_bound({fix.time_ns, NmeaTalker{}});
+  return any != errors.end() && any->first.first == fix.time_ns ? &any->second : nullptr;
 }
 
 }  // namespace remount

@@ -1,5 +1,6 @@
 #include "model/io/nmea_sentence.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
@@ -18,6 +19,19 @@ std::optional<unsigned> hexadecimal(std::string_view two) {
     value = value * 16 + static_cast<unsigned>(digit ? c - '0' : lower - 'a' + 10);
   }
   return value;
+}
+
+/// Letters and digits, as names of sentences are.
+bool is_name(std::string_view head) {
+  constexpr std::size_t kShortest = 4, kLongest = 10;
+  return head.size() >= kShortest && head.size() <= kLongest && std::all_of(head.begin(), head.end(), [](char c) {
+           return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+         });
+}
+
+/// Makers that say in the first field what a sentence of theirs is.
+bool divides_its_sentences(std::string_view maker) {
+  return maker == "PTNL" || maker == "PSAT" || maker == "PSSN" || maker == "PUBX";
 }
 
 }  // namespace
@@ -41,9 +55,16 @@ NmeaLine parse_nmea(std::string_view line, NmeaSentence& sentence) {
   }
   split_csv(line, sentence.fields);
   const std::string_view head = sentence.fields.empty() ? std::string_view{} : sentence.fields.front();
-  if (head.size() != 5) return right ? NmeaLine::NoSentence : NmeaLine::WrongChecksum;
-  sentence.type = head.front() == 'P' ? head : head.substr(2);
-  sentence.fields.erase(sentence.fields.begin());
+  if (!is_name(head)) return right ? NmeaLine::NoSentence : NmeaLine::WrongChecksum;
+  const bool of_talker = head.size() == 5 && head.front() != 'P';
+  const std::size_t names = divides_its_sentences(head) ? std::min<std::size_t>(sentence.fields.size(), 2) : 1;
+  sentence.talker = of_talker ? head.substr(0, 2) : std::string_view{};
+  // Both names stand side by side in the line.
+  const std::string_view last = sentence.fields[names - 1];
+  sentence.type =
+      of_talker ? head.substr(2)
+                : std::string_view(head.data(), static_cast<std::size_t>(last.data() - head.data()) + last.size());
+  sentence.fields.erase(sentence.fields.begin(), sentence.fields.begin() + static_cast<std::ptrdiff_t>(names));
   return right ? NmeaLine::Sentence : NmeaLine::WrongChecksum;
 }
 
@@ -55,6 +76,12 @@ std::optional<std::int64_t> nmea_time_ns(std::string_view text) {
       *seconds_ns < 0 || *seconds_ns >= 61'000'000'000)
     return std::nullopt;
   return (*hours * 3600 + *minutes * 60) * 1'000'000'000 + *seconds_ns;
+}
+
+std::optional<double> nmea_degrees_rad(std::string_view text) {
+  const auto degrees = parse_number(text);
+  if (!degrees || std::abs(*degrees) > 720.0) return std::nullopt;
+  return degrees_to_radians(*degrees);
 }
 
 std::optional<double> nmea_angle_rad(std::string_view text, std::string_view side) {

@@ -11,6 +11,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 
 namespace remount {
 namespace {
@@ -212,7 +213,7 @@ DocumentNode parse_json(std::string_view text, const std::string& where, const D
 }
 
 DocumentNode read_document(const std::filesystem::path& path, const DocumentLimits& limits) {
-  const std::string text = read_regular_file(path, limits.max_bytes);
+  const std::string text = read_text_file(path, limits.max_bytes);
   const std::filesystem::path ending = path.extension();
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool looks_like_json =

@@ -6,6 +6,7 @@
 
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
 
@@ -180,7 +181,7 @@ std::optional<PoseFormat> pose_format_from_string(std::string_view text) {
 
 std::optional<PoseFormat> recognise_pose_file(const fs::path& path) {
   try {
-    const std::string head = read_file_head(path, 16 * 1024);
+    const std::string head = read_text_head(path, 16 * 1024);
     LineReader lines(head);
     for (std::string_view line; lines.next(line);) {
       line = trimmed(line);
@@ -244,7 +245,7 @@ void tell_apollo(const std::vector<StampedPose>& poses, std::size_t not_fixed, c
 }  // namespace
 
 std::vector<StampedPose> read_pose_file(const fs::path& path, PoseFormat format, std::vector<Finding>& findings) {
-  return parse_poses(read_regular_file(path), path, format, findings);
+  return parse_poses(read_text_file(path), path, format, findings);
 }
 
 std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path, PoseFormat format,

@@ -11,6 +11,7 @@
 #include "model/io/input_file.h"
 #include "model/io/number_text.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 
 namespace remount {
 
@@ -44,14 +45,22 @@ class Row {
     if (!stamp) fail("time_ns is '" + std::string(text.substr(0, 40)) + "', expected nanoseconds since 1970");
     return *stamp;
   }
-  double number(std::string_view column) const { return require_number(field(column), column, path_, line_); }
+  double number(std::string_view column) const {
+    const double value = require_number(field(column), column, path_, line_);
+    if (means_not_known(value))
+      fail(std::string(column) + " is '" + std::string(field(column).substr(0, 40)) +
+           "', which stands for a value that was not known");
+    return value;
+  }
   Eigen::Vector3d numbers(const std::array<std::string_view, 3>& columns) const {
     return {number(columns[0]), number(columns[1]), number(columns[2])};
   }
-  /// NaN where the field is empty or "nan": this line does not state it.
+  /// NaN where the field is empty, "nan" or a number that stands for a missing one: this line does not state it.
   double number_or_nan(std::string_view column) const {
     const std::string_view text = field(column);
-    return text.empty() || text == "nan" ? std::numeric_limits<double>::quiet_NaN() : number(column);
+    if (text.empty() || text == "nan") return std::numeric_limits<double>::quiet_NaN();
+    const double value = require_number(text, column, path_, line_);
+    return means_not_known(value) ? std::numeric_limits<double>::quiet_NaN() : value;
   }
 
  private:
@@ -93,6 +102,7 @@ std::vector<Sample> parse_table(std::string_view text, const fs::path& path, con
     throw Error(ErrorCode::Format, path.string(),
                 "holds no usable line." + (bad.count() ? " First problem: " + bad.first() : ""));
   bad.report(findings, "bad-" + sensor, path.string(), "lines");
+  if constexpr (std::is_same_v<Sample, GnssFix>) keep_near(samples, path.string(), findings);
   keep_ascending(samples, sensor, path.string(), findings);
   return samples;
 }
@@ -131,7 +141,7 @@ std::string header_line(const std::vector<std::string_view>& columns) {
 }  // namespace
 
 std::vector<ImuSample> read_imu_table(const fs::path& path, std::vector<Finding>& findings) {
-  return parse_table<ImuSample>(read_regular_file(path), path, "imu", all({kRates}), findings, [](const Row& row) {
+  return parse_table<ImuSample>(read_text_file(path), path, "imu", all({kRates}), findings, [](const Row& row) {
     ImuSample sample{row.stamp_ns(), row.numbers(kRates),
                      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())};
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -142,7 +152,7 @@ std::vector<ImuSample> read_imu_table(const fs::path& path, std::vector<Finding>
 }
 
 std::vector<GnssFix> read_gnss_table(const fs::path& path, std::vector<Finding>& findings) {
-  return parse_gnss_table(read_regular_file(path), path, findings);
+  return parse_gnss_table(read_text_file(path), path, findings);
 }
 
 std::vector<GnssFix> parse_gnss_table(std::string_view text, const fs::path& path, std::vector<Finding>& findings) {
@@ -159,13 +169,13 @@ std::vector<GnssFix> parse_gnss_table(std::string_view text, const fs::path& pat
 
 std::vector<WheelSample> read_wheel_table(const fs::path& path, std::vector<Finding>& findings) {
   return parse_table<WheelSample>(
-      read_regular_file(path), path, "wheels", {"rear_left_mps", "rear_right_mps"}, findings, [](const Row& row) {
+      read_text_file(path), path, "wheels", {"rear_left_mps", "rear_right_mps"}, findings, [](const Row& row) {
         return WheelSample{row.stamp_ns(), row.number("rear_left_mps"), row.number("rear_right_mps")};
       });
 }
 
 std::vector<BarometerSample> read_barometer_table(const fs::path& path, std::vector<Finding>& findings) {
-  return parse_table<BarometerSample>(read_regular_file(path), path, "barometer", {"height_m"}, findings,
+  return parse_table<BarometerSample>(read_text_file(path), path, "barometer", {"height_m"}, findings,
                                       [](const Row& row) {
                                         return BarometerSample{row.stamp_ns(), row.number("height_m")};
                                       });

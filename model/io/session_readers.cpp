@@ -5,6 +5,7 @@
 #include "model/io/gnss_log_reader.h"
 #include "model/io/input_file.h"
 #include "model/io/kitti_raw_reader.h"
+#include "model/io/known_files.h"
 #include "model/io/native_session_reader.h"
 #include "model/io/novatel_reader.h"
 #include "model/io/opencalib_reader.h"
@@ -14,6 +15,7 @@
 #include "model/io/several_sessions.h"
 #include "model/io/smartloc_reader.h"
 #include "model/io/system_call.h"
+#include "model/printable_text.h"
 
 namespace remount {
 
@@ -80,6 +82,25 @@ std::vector<std::filesystem::path> sessions_below(const std::filesystem::path& f
   return found;
 }
 
+/// What lies there, where it is known without being a session: of a file itself, of a folder the first such file.
+/// Empty where nothing is known.
+std::string known_words(const std::filesystem::path& path) {
+  constexpr std::size_t kMostLookedAt = 200;
+  if (!is_folder(path)) {
+    const auto known = known_file(path);
+    if (!known) return {};
+    return "is no session that Remount knows: it is " + std::string(known->what) + ". " + std::string(known->remedy);
+  }
+  std::size_t looked_at = 0;
+  for (const std::filesystem::path& file : files_in(path)) {
+    if (looked_at++ == kMostLookedAt) break;
+    if (const auto known = known_file(file))
+      return "is no session that Remount knows. It holds " + std::string(known->what) + " (" +
+             printable(file.filename().string(), LineBreaks::Escaped) + "). " + std::string(known->remedy);
+  }
+  return {};
+}
+
 /// The reader that is surest of what lies there. Throws Error where none recognises it.
 const SessionReader& reader_of(const std::filesystem::path& path, const Progress& progress) {
   std::error_code error;
@@ -95,7 +116,10 @@ const SessionReader& reader_of(const std::filesystem::path& path, const Progress
     throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
   std::string known;
   for (const auto& reader : session_readers()) known += "\n  " + std::string(reader->description());
-  throw Error(ErrorCode::Unsupported, path.string(), "is no session that Remount knows. It looks for:" + known);
+  const std::string words = known_words(path);
+  throw Error(ErrorCode::Unsupported, path.string(),
+              words.empty() ? "is no session that Remount knows. It looks for:" + known
+                            : words + " Remount looks for:" + known);
 }
 
 Session looked_at(Session session, LookAt look_at, const Progress& progress) {

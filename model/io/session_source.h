@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 
 namespace remount {
 
@@ -18,8 +19,8 @@ class SessionSource {
   virtual ~SessionSource() = default;
   /// Whether only what is new is handed out: a stream may then have nothing.
   virtual bool only_new() const { return false; }
-  /// Text of a table. Throws as read_regular_file.
-  virtual std::string table(const std::filesystem::path& file) { return read_regular_file(file); }
+  /// Text of a table. Throws as read_text_file.
+  virtual std::string table(const std::filesystem::path& file) { return read_text_file(file); }
   /// Files of a folder, in the order of their names.
   virtual std::vector<std::filesystem::path> files(const std::filesystem::path& folder) { return files_in(folder); }
 };

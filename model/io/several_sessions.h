@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/core/error.h"
+#include "model/printable_text.h"
 
 namespace remount {
 
@@ -28,7 +29,8 @@ class SeveralSessions : public Error {
 inline std::string list_of(const std::vector<std::filesystem::path>& paths) {
   constexpr std::size_t kShown = 20;
   std::string list;
-  for (std::size_t i = 0; i < paths.size() && i < kShown; ++i) list += "\n  " + paths[i].string();
+  for (std::size_t i = 0; i < paths.size() && i < kShown; ++i)
+    list += "\n  " + printable(paths[i].string(), LineBreaks::Escaped);
   return paths.size() > kShown ? list + "\n  …" : list;
 }
 

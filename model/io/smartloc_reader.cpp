@@ -8,6 +8,7 @@
 #include "model/io/input_file.h"
 #include "model/io/several_sessions.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 
 namespace remount {
 
@@ -23,7 +24,7 @@ constexpr double kTruthSigma_m = 0.1;
 /// Calls `take(tokens, line number)` for every line that starts with `keyword`. What it throws is collected.
 template <class Take>
 void for_lines(const fs::path& path, std::string_view keyword, BadItems& bad, Take&& take) {
-  const std::string text = read_regular_file(path);
+  const std::string text = read_text_file(path);
   LineReader lines(text);
   std::string_view line;
   std::vector<std::string_view> tokens;
@@ -51,8 +52,13 @@ Vector3d vector(const std::vector<std::string_view>& tokens, std::size_t first, 
     throw Error(ErrorCode::Format, at_line(path, line),
                 "has " + std::to_string(tokens.size()) + " columns, expected at least " + std::to_string(first + 3));
   Vector3d v;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    v[static_cast<Eigen::Index>(axis)] = require_number(tokens[first + axis], what, path, line);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const double value = require_number(tokens[first + axis], what, path, line);
+    if (means_not_known(value))
+      throw Error(ErrorCode::Format, at_line(path, line),
+                  std::string(what) + " is a number that stands for a value that was not known");
+    v[static_cast<Eigen::Index>(axis)] = value;
+  }
   return v;
 }
 
@@ -93,6 +99,7 @@ void read_truth(const fs::path& path, Session& session) {
     throw Error(ErrorCode::Format, path.string(),
                 "holds no usable point3 line." + (bad.count() ? " First problem: " + bad.first() : ""));
   bad.report(session.findings, "bad-truth", path.string(), "lines");
+  keep_near(session.gnss, path.string(), session.findings);
   keep_ascending(session.gnss, "gnss", path.string(), session.findings);
   session.files.push_back(path);
 }
@@ -104,7 +111,7 @@ namespace {
 bool is_input(const fs::path& file) {
   if (!file.filename().string().ends_with(kInput) || !is_file(file)) return false;
   try {
-    const std::string head = read_file_head(file, 4096);
+    const std::string head = read_text_head(file, 4096);
     return head.starts_with("odom3 ") || head.starts_with("pseudorange3 ");
   } catch (const Error&) {
     return false;

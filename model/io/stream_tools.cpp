@@ -97,24 +97,69 @@ std::string_view without_cut_line(std::string_view text, const std::string& path
   return text.substr(0, last);
 }
 
-void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings) {
-  if (ins.empty()) return;
-  std::vector<double> latitudes, longitudes;
-  for (const InsSample& sample : ins) {
-    latitudes.push_back(sample.latitude_rad);
+namespace {
+
+template <class Item>
+void keep_near_median(std::vector<Item>& items, const std::string& code, const char* one, const char* many,
+                      const std::string& where, std::vector<Finding>& findings) {
+  if (items.empty()) return;
+  const double first_longitude = items.front().longitude_rad;
+  double latitude = 0.0, longitude = 0.0;
+  {
+    std::vector<double> values(items.size());
+    std::transform(items.begin(), items.end(), values.begin(), [](const Item& item) { return item.latitude_rad; });
+    latitude = median_of(values);
     // From the first sample, so that a drive across the date line stays in one piece.
-    longitudes.push_back(wrap_angle_rad(sample.longitude_rad - ins.front().longitude_rad));
+    std::transform(items.begin(), items.end(), values.begin(),
+                   [&](const Item& item) { return wrap_angle_rad(item.longitude_rad - first_longitude); });
+    longitude = median_of(std::move(values)) + first_longitude;
   }
-  const double latitude = median_of(latitudes), longitude = median_of(longitudes) + ins.front().longitude_rad;
-  const std::size_t far = std::erase_if(ins, [&](const InsSample& sample) {
-    return std::abs(sample.latitude_rad - latitude) > kFarthest_rad ||
-           std::abs(wrap_angle_rad(sample.longitude_rad - longitude)) > kFarthest_rad;
+  const std::size_t far = std::erase_if(items, [&](const Item& item) {
+    return std::abs(item.latitude_rad - latitude) > kFarthest_rad ||
+           std::abs(wrap_angle_rad(item.longitude_rad - longitude)) > kFarthest_rad;
   });
-  if (ins.empty()) throw Error(ErrorCode::Format, where, "the positions lie all over the Earth: is that one drive?");
+  if (items.empty()) throw Error(ErrorCode::Format, where, "the positions lie all over the Earth: is that one drive?");
   if (far > 0)
-    findings.push_back(make_finding(Severity::Warning, "ins-far-away", where,
-                                    number_of(far, "sample lies", "samples lie") +
-                                        " more than 2 degrees of latitude or longitude from the rest: left out."));
+    findings.push_back(make_finding(Severity::Warning, code, where,
+                                    number_of(far, one, many) +
+                                        " more than 2 degrees of latitude or longitude from the rest: left "
+                                        "out."));
+}
+
+/// Of two items with one stamp: whether the later is clearly better by what it says of itself. A little better is no
+/// reason: where stamps are rounded, items with one stamp are of different moments, and the first has it.
+template <class Item>
+bool is_better(const Item&, const Item&) {
+  return false;
+}
+bool is_better(const GnssFix& later, const GnssFix& first) {
+  return 4.0 * later.covariance_enu_m2.trace() < first.covariance_enu_m2.trace();
+}
+bool is_better(const InsSample& later, const InsSample& first) {
+  const auto rank = [](const InsSample& sample) {
+    return sample.quality == InsQuality::Good ? 2 : sample.quality == InsQuality::Invalid ? 0 : 1;
+  };
+  if (rank(later) != rank(first)) return rank(later) > rank(first);
+  return 2.0 * later.sigma.position_enu_m.norm() < first.sigma.position_enu_m.norm();
+}
+
+}  // namespace
+
+void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings) {
+  keep_near_median(ins, "ins-far-away", "sample lies", "samples lie", where, findings);
+}
+
+void keep_near(std::vector<GnssFix>& fixes, const std::string& where, std::vector<Finding>& findings) {
+  keep_near_median(fixes, "gnss-far-away", "fix lies", "fixes lie", where, findings);
+}
+
+void report_one_stamp(std::size_t count, bool best, const std::string& code, const std::string& where,
+                      std::vector<Finding>& findings) {
+  if (count == 0) return;
+  findings.push_back(
+      make_finding(Severity::Note, code + "-duplicate-stamps", where,
+                   number_of(count, "entry repeats the stamp before it", "entries repeat the stamp before them") +
+                       (best ? "; the best of each is used." : "; the first of each is used.")));
 }
 
 template <class Item>
@@ -128,7 +173,7 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
     findings.push_back(make_finding(Severity::Warning, code + "-impossible-stamps", where,
                                     number_of(impossible, "entry has", "entries have") +
                                         " no possible time (expected nanoseconds since 1970): left out."));
-  std::size_t duplicates = 0, reversed = 0, kept = 0;  // in place: there may be millions
+  std::size_t duplicates = 0, reversed = 0, replaced = 0, kept = 0;  // in place: there may be millions
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::int64_t stamp = items[i].stamp_ns;
     const auto behind_last = [&](std::int64_t other) { return kept == 0 || other > items[kept - 1].stamp_ns; };
@@ -137,16 +182,16 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
     if (!glitch && behind_last(stamp)) {
       if (kept != i) items[kept] = std::move(items[i]);
       ++kept;
-    } else {
-      ++(!glitch && stamp == items[kept - 1].stamp_ns ? duplicates : reversed);
+      continue;
     }
+    const bool repeats = !glitch && stamp == items[kept - 1].stamp_ns;
+    ++(repeats ? duplicates : reversed);
+    if (!repeats || !is_better(items[i], items[kept - 1])) continue;
+    items[kept - 1] = std::move(items[i]);
+    ++replaced;
   }
   items.erase(items.begin() + static_cast<std::ptrdiff_t>(kept), items.end());
-  if (duplicates > 0)
-    findings.push_back(make_finding(
-        Severity::Note, code + "-duplicate-stamps", where,
-        number_of(duplicates, "entry repeats the stamp before it", "entries repeat the stamp before them") +
-            "; the first of each is used."));
+  report_one_stamp(duplicates, replaced > 0, code, where, findings);
   if (reversed > 0)
     findings.push_back(make_finding(
         Severity::Warning, code + "-reversed-stamps", where,
@@ -253,7 +298,20 @@ Eigen::Matrix3d checked_rotation(const Eigen::Matrix3d& logged, const std::strin
 }
 
 bool plausible_geodetic(double latitude_rad, double longitude_rad, double height_m) {
-  return std::abs(latitude_rad) <= kPi / 2.0 && std::abs(longitude_rad) <= 2.0 * kPi && std::abs(height_m) < 1e5;
+  constexpr double kLowest_m = -9000.0, kHighest_m = 1e5;
+  return std::abs(latitude_rad) <= kPi / 2.0 && std::abs(longitude_rad) <= 2.0 * kPi && height_m > kLowest_m &&
+         height_m < kHighest_m;
+}
+
+bool means_not_known(double value) { return !(std::abs(value) < 1e8); }
+
+bool angle_means_not_known(double logged) {
+  constexpr double kMostTurns_deg = 1e6;  // of a yaw that counts on
+  const double size = std::abs(logged);
+  if (!(size < kMostTurns_deg)) return true;
+  for (const double nines : {999.0, 9999.0, 99999.0, 999999.0, 32767.0, 32768.0, 65535.0})
+    if (size == nines) return true;
+  return false;
 }
 
 }  // namespace remount

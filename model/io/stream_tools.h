@@ -41,17 +41,23 @@ class BadItems {
 std::string_view without_cut_line(std::string_view text, const std::string& path, std::vector<Finding>& findings);
 
 /// Makes stamps strictly ascending: stamps that are no time at all and single stamps far in the future are taken out,
-/// then every item that is not later than the one before it. What was taken out becomes findings
-/// "<code>-duplicate-stamps", "<code>-reversed-stamps" and "<code>-impossible-stamps". Throws Error(Format) where no
-/// stamp is possible.
+/// then every item that is not later than the one before it; of fixes and INS samples with one stamp the best by what
+/// they say of themselves stays, of others the first. What was taken out becomes findings "<code>-duplicate-stamps",
+/// "<code>-reversed-stamps" and "<code>-impossible-stamps". Throws Error(Format) where no stamp is possible.
 template <class Item>
 void keep_ascending(std::vector<Item>& items, const std::string& code, const std::string& where,
                     std::vector<Finding>& findings);
 
+/// Adds "<code>-duplicate-stamps" where entries repeat the stamp before them.
+/// @param best the best of each stamp was used, not the first
+void report_one_stamp(std::size_t count, bool best, const std::string& code, const std::string& where,
+                      std::vector<Finding>& findings);
+
 /// Leaves out samples that lie more than 2 degrees from the median: glitches that no drive contains, and that no one
-/// grid could hold. What was taken out becomes a finding "ins-far-away".
+/// grid could hold. What was taken out becomes a finding "ins-far-away", of fixes "gnss-far-away".
 /// Throws Error(Format) where nothing is left.
 void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings);
+void keep_near(std::vector<GnssFix>& fixes, const std::string& where, std::vector<Finding>& findings);
 
 struct ScanFile {
   std::filesystem::path path;
@@ -145,7 +151,14 @@ double median_period_s(const std::vector<Item>& items) {
 /// off at most. Throws Error(Format) at `where` beyond 0.1: that is no rotation.
 Eigen::Matrix3d checked_rotation(const Eigen::Matrix3d& logged, const std::string& where, double& defect);
 
-/// True where latitude and longitude (rad) and height (m) are possible.
+/// True where latitude and longitude (rad) and height (m) are possible. Depths that loggers write for "not known"
+/// (-9999) are not.
 bool plausible_geodetic(double latitude_rad, double longitude_rad, double height_m);
+
+/// True for what receivers and loggers write in place of any quantity that they do not have: -2e10 ("do not use" of
+/// Septentrio, also where a driver turned it into other units), 1e10 and the like.
+bool means_not_known(double value);
+/// The same for an angle as it was logged, in degrees or radians: nines (-9999), and limits of 16 and 32 bits, too.
+bool angle_means_not_known(double logged);
 
 }  // namespace remount

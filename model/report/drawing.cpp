@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "model/printable_text.h"
+
 namespace remount {
 namespace {
 
@@ -40,7 +42,7 @@ struct SvgWriter {
 
 std::string html_escaped(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
+  for (const char c : printable(text)) {
     if (c == '&')
       escaped += "&amp;";
     else if (c == '<')

@@ -130,6 +130,7 @@ void add_gnss(const FixStream& stream, const std::string& where, Session& sessio
         make_finding(Severity::Note, "gnss-covariance-unknown", where,
                      number_of(unknown, "fix does not state its covariance", "fixes do not state their covariance") +
                          "; a sigma of 1 m is assumed."));
+  keep_near(session.gnss, where, session.findings);
   if (!session.gnss.empty()) keep_ascending(session.gnss, "gnss", where, session.findings);
 }
 
@@ -167,15 +168,49 @@ void report_lost_corrections(const FixStream& stream, const std::string& where, 
   report_lost_corrections(positions, where, findings);
 }
 
-std::vector<InsSample> ins_from_inspvax(const InspvaxStream& stream, const std::string& where,
-                                        std::vector<Finding>& findings) {
+/// Of fixes with one stamp the best by what the receiver says of them.
+void keep_best_of_each_stamp(FixStream& stream, const std::string& where, std::vector<Finding>& findings) {
+  const auto is_better = [](const FixMessage& later, const FixMessage& first) {
+    if (later.status != first.status) return later.status > first.status;
+    const auto variance_m2 = [](const FixMessage& fix) {
+      return fix.covariance_enu_m2 ? fix.covariance_enu_m2->trace() : std::numeric_limits<double>::infinity();
+    };
+    return 4.0 * variance_m2(later) < variance_m2(first);
+  };
+  std::size_t repeated = 0;
+  std::vector<FixMessage> kept;
+  kept.reserve(stream.messages.size());
+  for (FixMessage& fix : stream.messages) {
+    const bool again = !kept.empty() && kept.back().header.stamp_ns == fix.header.stamp_ns;
+    repeated += again;
+    if (!again)
+      kept.push_back(std::move(fix));
+    else if (is_better(fix, kept.back()))
+      kept.back() = std::move(fix);
+  }
+  stream.messages = std::move(kept);
+  report_one_stamp(repeated, true, "gnss", where, findings);
+}
+
+std::vector<InsSample> ins_from_inspvax(const InspvaxStream& stream, const InspvaxStream& beside,
+                                        const std::string& where, std::vector<Finding>& findings) {
   std::vector<InsSample> ins;
   std::vector<CorrectionStatus> positions;
+  std::size_t misnamed = 0;
   for (const InspvaxMessage& message : stream.messages) {
     ins.push_back(message.sample);
-    positions.push_back(correction_status(message));
+    misnamed += message.misnamed;
+    if (beside.messages.empty()) positions.push_back(correction_status(message));
   }
+  for (const InspvaxMessage& message : beside.messages) positions.push_back(correction_status(message));
   report_lost_corrections(positions, where, findings);
+  report_misnamed(misnamed, where, findings);
+  if (beside.messages.empty()) return ins;
+  std::vector<InsSample> with_errors;
+  for (const InspvaxMessage& message : beside.messages) with_errors.push_back(message.sample);
+  std::vector<Finding> told_elsewhere;
+  keep_ascending(with_errors, "ins", where, told_elsewhere);
+  give_errors(ins, with_errors);
   return ins;
 }
 
@@ -188,7 +223,8 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
                      device = shift_ns(s.attitude.clock, lidar), gnss = shift_ns(s.gnss.clock, lidar),
                      imu = shift_ns(s.imu.clock, lidar);
   for (StampedPose& pose : s.ins_poses.world_from_child) pose.stamp_ns += poses;
-  for (InspvaxMessage& message : s.inspvax.messages) message.sample.stamp_ns += inspvax;
+  for (InspvaxStream* stream : {&s.inspvax, &s.inspvax_beside})
+    for (InspvaxMessage& message : stream->messages) message.sample.stamp_ns += inspvax;
   // Fixes and attitudes of one device have one clock: moved apart they would not be of one moment any more.
   for (ImuMessage& message : s.attitude.messages) message.header.stamp_ns += device;
   for (FixMessage& message : s.position.messages) message.header.stamp_ns += device;
@@ -308,6 +344,12 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
   const std::string file = bag.files().front().string();
   const auto place = [&](std::size_t topic) { return file + ": " + bag.topics()[topic].name; };
   share_lidar_clock(bag, roles, s, session.findings);
+  if (roles.ins_position) keep_best_of_each_stamp(s.position, place(*roles.ins_position), session.findings);
+  if (roles.gnss) {
+    std::vector<Finding> told_already;
+    const bool told = roles.gnss == roles.ins_position;
+    keep_best_of_each_stamp(s.gnss, place(*roles.gnss), told ? told_already : session.findings);
+  }
   if (roles.ins && is_pose(message_kind(bag.topics()[*roles.ins].type))) {
     session.world_from_ins = std::move(s.ins_poses.world_from_child);
     if (message_kind(bag.topics()[*roles.ins].type) != MessageKind::Odometry) session.ins_axes.reset();
@@ -315,9 +357,9 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
       keep_ascending(session.world_from_ins, "ins", place(*roles.ins), session.findings);
     report_slow(median_period_s(session.world_from_ins), chosen.faster, place(*roles.ins), session.findings);
   } else if (roles.ins) {
-    const bool inspvax = message_kind(bag.topics()[*roles.ins].type) == MessageKind::Inspvax;
+    const bool inspvax = is_inspva(message_kind(bag.topics()[*roles.ins].type));
     if (inspvax) session.ins_axes = InsAxes::RightForwardUp;
-    session.ins = inspvax ? ins_from_inspvax(s.inspvax, place(*roles.ins), session.findings)
+    session.ins = inspvax ? ins_from_inspvax(s.inspvax, s.inspvax_beside, place(*roles.ins), session.findings)
                           : ins_from_fixes(s.position, s.attitude, place(*roles.ins), session.findings);
     if (!session.ins.empty()) {
       keep_near(session.ins, place(*roles.ins), session.findings);
@@ -326,9 +368,13 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
     report_slow(median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
     if (!inspvax && roles.ins_position) report_antenna(bag, roles, place(*roles.ins_position), session.findings);
   }
-  if (roles.ins && session.ins.empty() && session.world_from_ins.empty())
-    throw Error(ErrorCode::Format, place(*roles.ins),
-                "no usable INS is in this topic" + what_is_missing(roles, s) + what_was_bad(session.findings));
+  if (roles.ins && session.ins.empty() && session.world_from_ins.empty()) {
+    const std::string why =
+        "no usable INS is in this topic" + what_is_missing(roles, s) + what_was_bad(session.findings);
+    if (session.topic_choice.contains("ins")) throw Error(ErrorCode::Format, place(*roles.ins), why);
+    // Nobody asked for it: what else the bag has is still worth knowing.
+    session.findings.push_back(make_finding(Severity::Problem, "ins-unusable", place(*roles.ins), why));
+  }
   if (roles.ins_position) report_lost_corrections(s.position, place(*roles.ins_position), session.findings);
   if (roles.gnss && roles.gnss != roles.ins_position)
     report_lost_corrections(s.gnss, place(*roles.gnss), session.findings);

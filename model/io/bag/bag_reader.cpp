@@ -83,9 +83,9 @@ std::string ins_frame(const BagFile& bag, const TopicRoles& roles, const BagStre
 /// Why static transforms cannot lead from the LiDAR to the INS; empty where they may.
 std::string why_no_nominal(const BagFile& bag, const TopicRoles& roles, const std::string& ins,
                            const std::string& lidar) {
-  if (message_kind(bag.topics()[*roles.ins].type) == MessageKind::Inspvax)
+  if (is_inspva(message_kind(bag.topics()[*roles.ins].type)))
     return "The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), which no frame "
-           "of ROS stands for. Give the nominal with --nominal.";
+           "of ROS stands for. Give the nominal mounting yourself.";
   if (ins.empty()) return "The static transforms are not used: the messages of the INS name no frame of their own.";
   if (lidar.empty()) return "The static transforms are not used: the scans name no frame.";
   if (ins == lidar)

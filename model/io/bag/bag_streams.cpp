@@ -131,9 +131,9 @@ class StreamReader {
       note(stream.clock, stream.messages.back().header.stamp_ns, entry);
     });
   }
-  void add_inspvax(std::size_t topic) {
+  void add_inspvax(std::size_t topic, InspvaxStream& stream) {
     const std::string& type = bag_.topics()[topic].type;
-    add(topic, kAll, [&s = streams_.inspvax, &type](const BagEntry& entry, std::size_t, MessageReader& reader) {
+    add(topic, kAll, [&s = stream, &type](const BagEntry& entry, std::size_t, MessageReader& reader) {
       s.messages.push_back(read_inspvax_message(reader, type));
       note(s.clock, s.messages.back().sample.stamp_ns, entry);
     });
@@ -170,6 +170,7 @@ void settle_all(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std:
   settle(s.ins_poses.world_from_child, s.ins_poses.clock, own_stamp, name(roles.ins), findings);
   const auto sample_stamp = [](InspvaxMessage& message) -> std::int64_t& { return message.sample.stamp_ns; };
   settle(s.inspvax.messages, s.inspvax.clock, sample_stamp, name(roles.ins), findings);
+  settle(s.inspvax_beside.messages, s.inspvax_beside.clock, sample_stamp, name(roles.ins), findings);
   settle(s.attitude.messages, s.attitude.clock, header_stamp, name(roles.ins), findings);
   settle(s.position.messages, s.position.clock, header_stamp, name(roles.ins_position), findings);
   settle(s.gnss.messages, s.gnss.clock, header_stamp, name(roles.gnss), findings);
@@ -194,6 +195,20 @@ double ends_after_s(const BagFile& bag, std::size_t topic_index, const ScanStrea
   return std::clamp(median_period_s(stream.scans), 0.0, kLongest_s);
 }
 
+/// The INSPVAX that one INS publishes beside the INSPVA which serves: of the same device, or the only one there is.
+std::optional<std::size_t> inspvax_beside(const BagFile& bag, const TopicRoles& roles) {
+  if (!roles.ins || message_kind(bag.topics()[*roles.ins].type) != MessageKind::Inspva) return std::nullopt;
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < bag.topics().size(); ++i) {
+    const BagTopic& topic = bag.topics()[i];
+    if (message_kind(topic.type) != MessageKind::Inspvax || topic.entries.empty()) continue;
+    if (topic.encoding == MessageEncoding::Other) continue;
+    if (of_one_device(bag.topics()[*roles.ins].name, topic.name)) return i;
+    all.push_back(i);
+  }
+  return all.size() == 1 ? std::optional(all.front()) : std::nullopt;
+}
+
 }  // namespace
 
 double StreamClock::behind_s() const {
@@ -212,7 +227,8 @@ BagStreams read_streams(const BagFile& bag, const TopicRoles& roles, std::vector
   if (roles.lidar && is_cloud(kind(*roles.lidar))) reader.add_scans(*roles.lidar);
   if (roles.lidar && is_pose(kind(*roles.lidar))) reader.add_poses(*roles.lidar, streams.lidar_poses);
   if (roles.ins && is_pose(kind(*roles.ins))) reader.add_poses(*roles.ins, streams.ins_poses);
-  if (roles.ins && kind(*roles.ins) == MessageKind::Inspvax) reader.add_inspvax(*roles.ins);
+  if (roles.ins && is_inspva(kind(*roles.ins))) reader.add_inspvax(*roles.ins, streams.inspvax);
+  if (const auto beside = inspvax_beside(bag, roles)) reader.add_inspvax(*beside, streams.inspvax_beside);
   if (roles.ins && kind(*roles.ins) == MessageKind::Imu) reader.add_imu(*roles.ins, streams.attitude);
   if (roles.ins_position) reader.add_fixes(*roles.ins_position, streams.position);
   if (roles.gnss) reader.add_fixes(*roles.gnss, streams.gnss);

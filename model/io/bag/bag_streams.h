@@ -51,8 +51,9 @@ struct BagStreams {
   ScanStream scans;
   PoseStream lidar_poses;
   PoseStream ins_poses;
-  InspvaxStream inspvax;
-  ImuStream attitude;  ///< the IMU that serves as `ins`
+  InspvaxStream inspvax;         ///< or INSPVA
+  InspvaxStream inspvax_beside;  ///< of the same INS, where INSPVA serves, which states no errors
+  ImuStream attitude;            ///< the IMU that serves as `ins`
   FixStream position;
   FixStream gnss;
   ImuStream imu;

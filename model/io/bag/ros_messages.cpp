@@ -1,9 +1,11 @@
 #include "model/io/bag/ros_messages.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
 
@@ -45,7 +47,8 @@ Eigen::Matrix3d read_covariance(MessageReader& reader) {
 std::optional<Eigen::Vector3d> read_measured(MessageReader& reader, bool& denied) {
   const Eigen::Vector3d value = read_vector(reader);
   const bool declared = read_covariance(reader)(0, 0) != -1.0;
-  const bool there = value.allFinite() && (declared || !value.isZero(0.0));
+  const bool known = !means_not_known(value.cwiseAbs().maxCoeff()) && value.allFinite();
+  const bool there = known && (declared || !value.isZero(0.0));
   denied = denied || (there && !declared);
   return there ? std::optional(value) : std::nullopt;
 }
@@ -83,6 +86,19 @@ InspvaxValues read_values(MessageReader& reader) {
   return values;
 }
 
+/// Of INSPVA: latitude to azimuth.
+InspvaxValues read_values_without_errors(MessageReader& reader) {
+  InspvaxValues values = InspvaxValues::without_errors();
+  values.latitude_deg = reader.number<double>();
+  values.longitude_deg = reader.number<double>();
+  values.height_m = reader.number<double>();
+  reader.doubles<3>();  // velocity
+  values.roll_deg = reader.number<double>();
+  values.pitch_deg = reader.number<double>();
+  values.azimuth_deg = reader.number<double>();
+  return values;
+}
+
 /// Whatever stands between the ROS header and the status.
 struct GpsTime {
   std::int64_t week = 0, time_of_week_ns = 0;
@@ -102,18 +118,23 @@ GpsTime read_span_header(MessageReader& reader) {
   return time;
 }
 
+GpsTime read_week_and_seconds(MessageReader& reader) {
+  GpsTime time;
+  time.week = reader.number<std::uint32_t>();
+  const double seconds = reader.number<double>();
+  if (!(seconds >= 0.0 && seconds <= 604'800.0)) fail_message(reader, "the GPS time of week is not possible");
+  time.time_of_week_ns = std::llround(seconds * 1e9);
+  return time;
+}
+
 /// novatel_gps_msgs/NovatelMessageHeader.
 GpsTime read_gps_driver_header(MessageReader& reader) {
-  GpsTime time;
   reader.string();                 // message
   reader.string();                 // port
   reader.number<std::uint32_t>();  // sequence
   reader.number<float>();          // idle time
   reader.string();                 // time status
-  time.week = reader.number<std::uint32_t>();
-  const double seconds = reader.number<double>();
-  if (!(seconds >= 0.0 && seconds <= 604'800.0)) fail_message(reader, "the GPS time of week is not possible");
-  time.time_of_week_ns = std::llround(seconds * 1e9);
+  const GpsTime time = read_week_and_seconds(reader);
   constexpr int kReceiverFlags = 23;
   reader.number<std::uint32_t>();  // receiver status, in bits and once more flag by flag
   for (int i = 0; i < kReceiverFlags; ++i) reader.number<std::uint8_t>();
@@ -148,6 +169,8 @@ constexpr std::pair<std::string_view, MessageKind> kKinds[] = {
     {"novatel_msgs/INSPVAX", MessageKind::Inspvax},
     {"novatel_gps_msgs/Inspvax", MessageKind::Inspvax},
     {"novatel_oem7_msgs/INSPVAX", MessageKind::Inspvax},
+    {"novatel_gps_msgs/Inspva", MessageKind::Inspva},
+    {"novatel_oem7_msgs/INSPVA", MessageKind::Inspva},
     {"tf2_msgs/TFMessage", MessageKind::Transforms},
     {"tf/tfMessage", MessageKind::Transforms},
 };
@@ -167,13 +190,24 @@ bool is_pose(MessageKind kind) {
 
 bool is_cloud(MessageKind kind) { return kind == MessageKind::PointCloud2 || kind == MessageKind::LivoxCustom; }
 
+bool is_inspva(MessageKind kind) { return kind == MessageKind::Inspvax || kind == MessageKind::Inspva; }
+
+bool is_raw_packets(std::string_view type) {
+  const std::size_t slash = std::min(type.find('/'), type.size());
+  const std::string package = lower_case(type.substr(0, slash));
+  const std::string name = lower_case(type.substr(std::min(slash + 1, type.size())));
+  // VelodynePacket, PacketMsg, NebulaPackets, RslidarPacket, UdpFrame; VelodyneScan, PandarScan, rslidarScan.
+  return name.find("packet") != std::string::npos || name == "udpframe" ||
+         (name.ends_with("scan") && package != "sensor_msgs");
+}
+
 ImuMessage read_imu(MessageReader& reader) {
   ImuMessage message;
   message.header = read_header(reader);
   const Eigen::Quaterniond orientation = read_quaternion(reader);
   const Eigen::Matrix3d orientation_covariance = read_covariance(reader);
-  // Minus one says "not measured"; some drivers leave all zero instead.
-  if (orientation_covariance(0, 0) != -1.0 && orientation.norm() > 0.0) {
+  // Minus one says "not measured"; some drivers leave all zero instead, or what is no number.
+  if (orientation_covariance(0, 0) != -1.0 && orientation.norm() > 0.0 && orientation.coeffs().allFinite()) {
     message.orientation = checked(orientation, reader);
     const Eigen::Vector3d variance = orientation_covariance.diagonal();
     if (variance.allFinite() && variance.minCoeff() > 0.0) message.orientation_variance_rad2 = variance;
@@ -195,7 +229,9 @@ FixMessage read_fix(MessageReader& reader) {
   message.height_m = reader.number<double>();
   const Eigen::Matrix3d covariance = read_covariance(reader);
   const bool known = reader.number<std::uint8_t>() != 0;
-  if (known && covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0) message.covariance_enu_m2 = covariance;
+  const double largest_sigma_m = std::sqrt(std::max(0.0, covariance.diagonal().maxCoeff()));
+  if (known && covariance.allFinite() && covariance.diagonal().minCoeff() > 0.0 && !means_not_known(largest_sigma_m))
+    message.covariance_enu_m2 = covariance;
   // Without a fix receivers write NaN: such a message is whole, and its reader looks at the status.
   if (message.status >= 0 && !plausible_geodetic(message.latitude_rad, message.longitude_rad, message.height_m))
     fail_message(reader, "latitude, longitude or height is not possible");
@@ -211,6 +247,14 @@ PoseMessage read_pose(MessageReader& reader, MessageKind kind) {
   return message;
 }
 
+bool has_orientation(MessageReader& reader, MessageKind kind) {
+  read_header(reader);
+  if (kind == MessageKind::Odometry || kind == MessageKind::TransformStamped) reader.string();
+  read_vector(reader);
+  const Eigen::Quaterniond orientation = read_quaternion(reader);
+  return orientation.coeffs().allFinite() && orientation.norm() > 0.0;
+}
+
 std::vector<PoseMessage> read_transforms(MessageReader& reader) {
   constexpr std::size_t kLeastBytes = 64;
   std::vector<PoseMessage> transforms;
@@ -223,24 +267,28 @@ InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type
   InspvaxMessage message;
   GpsTime time;
   std::string status;
+  InspvaxValues values;
+  const bool errors = message_kind(type) == MessageKind::Inspvax;
+  const auto numbered = [&] { return std::to_string(reader.number<std::uint32_t>()); };
   if (type.starts_with("novatel_msgs/")) {
     time = read_span_header(reader);
-    status = std::to_string(reader.number<std::uint32_t>());
-    message.position_type = std::to_string(reader.number<std::uint32_t>());
   } else {
     message.frame = read_header(reader).frame;
-    if (type.starts_with("novatel_gps_msgs/")) {
-      time = read_gps_driver_header(reader);
-      status = reader.string();
-      message.position_type = reader.string();
-    } else {
-      time = read_oem7_header(reader);
-      status = std::to_string(reader.number<std::uint32_t>());
-      message.position_type = std::to_string(reader.number<std::uint32_t>());
-    }
+    time = type.starts_with("novatel_gps_msgs/") ? read_gps_driver_header(reader) : read_oem7_header(reader);
   }
-  InspvaxValues values = read_values(reader);
+  const bool named = type.starts_with("novatel_gps_msgs/");
+  const auto word = [&] { return named ? std::string(reader.string()) : numbered(); };
+  if (errors) {
+    status = word();
+    message.position_type = word();
+    values = read_values(reader);
+  } else {
+    if (named) time = read_week_and_seconds(reader);  // once more
+    values = read_values_without_errors(reader);
+    status = word();
+  }
   values.quality = inspvax_quality(status);
+  message.misnamed = is_of_wrong_table(status);
   const auto stamp_ns = unix_ns_from_gps_week(time.week, time.time_of_week_ns);
   if (!stamp_ns) fail_message(reader, "GPS week and time of week are no GPS time");
   message.sample = ins_sample(values, reader.where());

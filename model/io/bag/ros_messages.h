@@ -24,6 +24,7 @@ enum class MessageKind {
   PoseWithCovarianceStamped,
   TransformStamped,
   Inspvax,
+  Inspva,
   Transforms,  ///< tf2_msgs/TFMessage
 };
 /// Of a topic's type, "sensor_msgs/Imu".
@@ -32,6 +33,10 @@ MessageKind message_kind(std::string_view type);
 bool is_pose(MessageKind kind);
 /// PointCloud2 or LivoxCustom.
 bool is_cloud(MessageKind kind);
+/// NovAtel's own solution: INSPVAX or INSPVA.
+bool is_inspva(MessageKind kind);
+/// Whether a type holds a LiDAR's packets as they came over the wire, which the sensor's driver makes points of.
+bool is_raw_packets(std::string_view type);
 
 /// sensor_msgs/Imu.
 struct ImuMessage {
@@ -65,14 +70,18 @@ struct PoseMessage {
   RigidTransform world_from_child = RigidTransform::Identity();
 };
 PoseMessage read_pose(MessageReader& reader, MessageKind kind);
+/// Whether such a message has an orientation: a field that nobody fills in is all zero, or no number.
+bool has_orientation(MessageReader& reader, MessageKind kind);
 
 /// tf2_msgs/TFMessage: each takes coordinates of child_frame to the frame of its header.
 std::vector<PoseMessage> read_transforms(MessageReader& reader);
 
 /// INSPVAX as three drivers write it, told apart by the type's package: novatel_msgs (the log's own binary layout),
-/// novatel_gps_msgs, novatel_oem7_msgs.
+/// novatel_gps_msgs, novatel_oem7_msgs. INSPVA of the last two is the same without errors and position type, and with
+/// heights above the ellipsoid.
 struct InspvaxMessage {
-  std::string position_type;  ///< by number or by name, as the driver has it
+  std::string position_type;  ///< by number or by name, as the driver has it; empty in INSPVA
+  bool misnamed = false;      ///< its status is named after the wrong table (is_of_wrong_table)
   InsSample sample;           ///< stamped with GPS time as UTC; INS axes x right, y forward, z up
   std::string frame;          ///< empty in novatel_msgs
 };

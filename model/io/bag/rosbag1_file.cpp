@@ -80,6 +80,29 @@ Rosbag1File::Record Rosbag1File::read_record(const ByteSource& source, std::uint
   return record;
 }
 
+/// Where the next record begins: recorders that reserve room, and file systems after a crash, leave zeros between two.
+/// The offset itself where none are there, and the end where nothing else follows.
+std::uint64_t Rosbag1File::behind_zeros(const ByteSource& source, std::uint64_t offset) {
+  constexpr std::uint64_t kBlockBytes = 65536, kLengthBytes = 4;
+  // No header is empty.
+  if (source.size() - std::min(offset, source.size()) < kLengthBytes) return offset;
+  if (source.read(offset, kLengthBytes) != std::string(kLengthBytes, '\0')) return offset;
+  std::uint64_t at = offset;
+  while (at < source.size()) {
+    const std::string block = source.read(at, std::min(kBlockBytes, source.size() - at));
+    const std::size_t other = block.find_first_not_of('\0');
+    at += std::min(other, block.size());
+    if (other != std::string::npos) break;
+  }
+  // Zeros may be the first bytes of the length, as in 256.
+  for (std::uint64_t back = 0; at < source.size() && back < kLengthBytes; ++back) try {
+      if (read_record(source, at - back, false).fields.contains("op")) return at - back;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;
+    }
+  return at;
+}
+
 Rosbag1File::Rosbag1File(const std::filesystem::path& path, Progress& progress) : chunks_(path) {
   files_ = {path};
   const RandomAccessFile& file = chunks_.file();
@@ -144,11 +167,11 @@ BagChunk Rosbag1File::chunk_of(const Record& record, bool cut) const {
 void Rosbag1File::read_index(std::uint64_t index_offset, std::uint32_t chunk_count, Progress& progress) {
   const auto whole = chunks_.source(kNoChunk);
   std::vector<std::uint64_t> chunk_offsets;
-  for (std::uint64_t offset = index_offset; offset < whole->size();) {
+  for (std::uint64_t offset = behind_zeros(*whole, index_offset); offset < whole->size();) {
     const Record record = read_record(*whole, offset);
     if (record.op() == rosbag1::kConnection) add_connection(*whole, record);
     if (record.op() == rosbag1::kChunkInfo) chunk_offsets.push_back(record.number<std::uint64_t>("chunk_pos"));
-    offset = record.end();
+    offset = behind_zeros(*whole, record.end());
   }
   if (chunk_offsets.size() < chunk_count)
     throw Error(
@@ -170,7 +193,7 @@ void Rosbag1File::read_chunk_index(std::uint64_t chunk_offset) {
   if (record.op() != rosbag1::kChunk)
     throw Error(ErrorCode::Format, record.where, "the index says a chunk begins here");
   const std::uint32_t chunk = chunks_.add(chunk_of(record, false));
-  for (std::uint64_t offset = record.end(); offset < whole->size();) {
+  for (std::uint64_t offset = behind_zeros(*whole, record.end()); offset < whole->size();) {
     const Record index = read_record(*whole, offset);
     if (index.op() != rosbag1::kIndexData) return;
     if (index.number<std::uint32_t>("ver") != 1)
@@ -185,7 +208,7 @@ void Rosbag1File::read_chunk_index(std::uint64_t chunk_offset) {
       entry.chunk = chunk;
       add_entry(topic, entry, whole->size(), index.where);
     }
-    offset = index.end();
+    offset = behind_zeros(*whole, index.end());
   }
 }
 
@@ -217,6 +240,8 @@ void Rosbag1File::scan(std::uint64_t offset, const std::string& why, Progress& p
   while (offset < whole->size() && !progress.cancelled()) {
     progress.report("reading a bag without an index, MB", offset >> 20, whole->size() >> 20);
     try {
+      offset = behind_zeros(*whole, offset);
+      if (offset == whole->size()) break;
       const Record record = read_record(*whole, offset, false);
       const bool cut = record.data_bytes > whole->size() - record.data_offset;
       offset = cut ? whole->size() : record.end();

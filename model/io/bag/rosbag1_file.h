@@ -21,6 +21,7 @@ class Rosbag1File final : public BagFile {
 
  private:
   struct Record;
+  static std::uint64_t behind_zeros(const ByteSource& source, std::uint64_t offset);
   static Record read_record(const ByteSource& source, std::uint64_t offset, bool whole = true);
   void read_index(std::uint64_t index_offset, std::uint32_t chunk_count, Progress& progress);
   void read_chunk_index(std::uint64_t chunk_offset);

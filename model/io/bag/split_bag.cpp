@@ -2,6 +2,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/input_file.h"
+#include "model/io/text_file.h"
 #include "model/io/parse_document.h"
 #include "model/io/stream_tools.h"
 
@@ -37,7 +38,7 @@ std::string SplitBag::message(const BagEntry& entry, std::size_t at_most) const 
 
 bool is_rosbag2_folder(const fs::path& folder) {
   try {
-    return read_file_head(folder / "metadata.yaml", 4096).find(kInformation) != std::string::npos;
+    return read_text_head(folder / "metadata.yaml", 4096).find(kInformation) != std::string::npos;
   } catch (const Error&) {
     return false;
   }

@@ -72,6 +72,8 @@ SqliteBag::SqliteBag(const BagInput& input, Progress& progress) : input_(input),
   file_bytes_ = file.size() + (has_log_ ? log_bytes : 0);
   const bool cut = is_cut(file);
   open_database(database, cut);
+  if (has_log_ && !can_be_read()) copy_aside(cut, progress);
+  if (progress.cancelled()) return;
   read_topics();
   read_rows(cut, progress);
   sort_topics();
@@ -99,6 +101,24 @@ void SqliteBag::open_database(const std::filesystem::path& path, bool cut) {
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   // SQLite refuses a file that is shorter than its header says, but for those who mean to repair it.
   if (cut) sqlite3_exec(database, "PRAGMA writable_schema = ON", nullptr, nullptr, nullptr);
+}
+
+bool SqliteBag::can_be_read() const {
+  const Statement rows = prepare(database_.get(), "SELECT count(*) FROM sqlite_master");
+  const int code = rows ? sqlite3_step(rows.get()) : sqlite3_errcode(database_.get());
+  return code != SQLITE_CANTOPEN && code != SQLITE_READONLY && code != SQLITE_IOERR;
+}
+
+/// SQLite makes an index of the log beside it, which a folder that cannot be written refuses.
+void SqliteBag::copy_aside(bool cut, Progress& progress) {
+  const std::filesystem::path database = input_.path();
+  input_.unpacked =
+      std::make_shared<const UnpackedFile>(UnpackedFile::WithLog{database, database.string() + "-wal"}, progress);
+  if (progress.cancelled()) return;
+  open_database(input_.path(), cut);
+  findings_.push_back(make_finding(Severity::Note, "bag-copied", files_[0].string(),
+                                   "The recording was interrupted, and its folder cannot be written, which the "
+                                   "database needs to read what is in its log: a temporary copy is read."));
 }
 
 void SqliteBag::read_topics() {

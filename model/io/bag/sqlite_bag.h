@@ -25,6 +25,8 @@ class SqliteBag final : public BagFile {
  private:
   [[noreturn]] void fail(const std::string& what) const;
   void open_database(const std::filesystem::path& path, bool cut);
+  bool can_be_read() const;
+  void copy_aside(bool cut, Progress& progress);
   void read_topics();
   void read_rows(bool cut, Progress& progress);
 

@@ -30,11 +30,28 @@ void examine_imu(const BagFile& bag, const std::string& where, TopicCandidate& c
   candidate.damaged = read == 0;
 }
 
+void examine_poses(const BagFile& bag, const std::string& where, TopicCandidate& candidate) {
+  const BagTopic& topic = bag.topics()[candidate.topic];
+  const std::size_t last = topic.entries.size() - 1;
+  std::size_t read = 0, oriented = 0;
+  for (const std::size_t index : std::array{std::size_t{0}, last / 2, last}) try {
+      const std::string bytes = bag.message(topic.entries[index]);
+      MessageReader reader(bytes, topic.encoding, where);
+      oriented += has_orientation(reader, candidate.kind);
+      ++read;
+    } catch (const Error& error) {
+      if (error.code() == ErrorCode::Io) throw;
+    }
+  candidate.oriented = oriented > 0 || read == 0;
+  candidate.damaged = read == 0;
+}
+
 void examine(const BagFile& bag, TopicCandidate& candidate) {
   constexpr std::size_t kHeadBytes = 16 * 1024;
   const BagTopic& topic = bag.topics()[candidate.topic];
   const std::string where = bag.files().front().string() + ": " + topic.name;
   if (candidate.kind == MessageKind::Imu) return examine_imu(bag, where, candidate);
+  if (is_pose(candidate.kind)) return examine_poses(bag, where, candidate);
   if (!is_cloud(candidate.kind)) return;
   const std::string bytes = bag.message(topic.entries.front(), kHeadBytes);
   MessageReader reader(bytes, topic.encoding, where);
@@ -83,14 +100,16 @@ bool can_be(const TopicCandidate& candidate, std::string_view role) {
     case MessageKind::NavSatFix:
       return role == "ins-position" || role == "gnss";
     case MessageKind::Inspvax:
+    case MessageKind::Inspva:
       return role == "ins";
     default:
-      return is_pose(candidate.kind) && (role == "ins" || role == "lidar");
+      return is_pose(candidate.kind) && candidate.oriented && (role == "ins" || role == "lidar");
   }
 }
 
 bool may_be_asked_for(const TopicCandidate& candidate, std::string_view role) {
-  return can_be(candidate, role) || (candidate.kind == MessageKind::Imu && (role == "ins" || role == "imu"));
+  return can_be(candidate, role) || (candidate.kind == MessageKind::Imu && (role == "ins" || role == "imu")) ||
+         (is_pose(candidate.kind) && (role == "ins" || role == "lidar"));
 }
 
 }  // namespace remount

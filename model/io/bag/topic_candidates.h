@@ -14,7 +14,7 @@ struct TopicCandidate {
   std::size_t topic = 0;  ///< by its index in BagFile::topics()
   MessageKind kind = MessageKind::Other;
   bool damaged = false;            ///< none of the messages that were looked at can be read, perhaps others can
-  bool oriented = true;            ///< IMU: its orientation is measured
+  bool oriented = true;            ///< IMU: its orientation is measured; poses: their orientation is filled in
   bool orientation_sigma = false;  ///< IMU: its orientation states its error
   bool inertial = true;            ///< IMU: its rates are measured
   bool timed = false;              ///< cloud: its points have times or rings
@@ -23,8 +23,8 @@ struct TopicCandidate {
   double rate_hz = 0.0;  ///< messages over the time that they span; 0 for a single one
 };
 
-/// All topics whose messages can be read. Of an IMU the first message, the middle and the last are looked at: drivers
-/// publish before the INS has aligned. Throws Error(Io) where the disk fails.
+/// All topics whose messages can be read. Of an IMU and of poses the first message, the middle and the last are looked
+/// at: drivers publish before the INS has aligned. Throws Error(Io) where the disk fails.
 std::vector<TopicCandidate> candidates_of(const BagFile& bag);
 
 /// Whether it comes into question for a role, as far as its type and the messages that were looked at tell.

@@ -24,6 +24,8 @@ std::string unusable_reason(const BagTopic& topic) {
   const MessageKind kind = message_kind(topic.type);
   if (kind == MessageKind::Transforms) return "transforms that change with time are not read";
   if (kind == MessageKind::Imu) return "neither its orientation nor its rates are measured";
+  if (is_pose(kind)) return "nobody fills in its orientation: it is all zero, or no number";
+  if (is_raw_packets(topic.type)) return "packets of the sensor, which its driver makes points of";
   return "messages of this type are not read";
 }
 
@@ -111,6 +113,8 @@ class Chooser {
         "gnss", [&](const TopicCandidate& c) { return fit_gnss(c, roles.ins_position); }, false);
     roles.imu = take(
         "imu", [&](const TopicCandidate& c) { return fit_imu(c); }, false);
+    if (!roles.lidar) report_raw_packets();
+    if (!roles.ins || !roles.lidar) report_unoriented(!roles.ins);
     return {roles, list(roles), faster_than(roles)};
   }
 
@@ -126,6 +130,8 @@ class Chooser {
   Fitness fit_ins_alone(const TopicCandidate& candidate, const std::optional<std::size_t>& lidar) const {
     if (lidar == candidate.topic) return {0.0, "it stands for the LiDAR"};
     if (candidate.kind == MessageKind::Inspvax) return {1000.0, "position and attitude of the INS itself"};
+    if (candidate.kind == MessageKind::Inspva)
+      return {900.0, "position and attitude of the INS itself, without errors"};
     if (candidate.kind != MessageKind::Imu) return fit_pose(name(candidate), candidate.kind);
     if (!fixes_) return {0.0, "an orientation, but no fixes are there to give the position"};
     // A driver that states an error has an orientation; one that does not may have left the field as it was.
@@ -140,7 +146,7 @@ class Chooser {
     offer_of_topic_.assign(bag_.topics().size(), kNoOffer);
     for (const TopicCandidate& candidate : candidates_) {
       if (!can_be(candidate, "ins")) continue;
-      const bool certain = candidate.kind == MessageKind::Inspvax || name_speaks_of_ins(name(candidate));
+      const bool certain = is_inspva(candidate.kind) || name_speaks_of_ins(name(candidate));
       offer_of_topic_[candidate.topic] = ins_offers_.size();
       ins_offers_.push_back({&candidate, fit_ins_alone(candidate, lidar), ins_rate_hz(candidate), certain});
     }
@@ -272,6 +278,30 @@ class Chooser {
     findings_.push_back(make_finding(Severity::Note, "topic-chosen", taken,
                                      "Of several topics this one serves as " + std::string(role) + "; not used: " +
                                          others + ". --topic " + std::string(role) + "=TOPIC takes another."));
+  }
+
+  void report_raw_packets() {
+    for (const BagTopic& topic : bag_.topics())
+      if (is_raw_packets(topic.type) && !topic.entries.empty())
+        findings_.push_back(make_finding(Severity::Warning, "raw-packets", topic.name,
+                                         "holds the packets of a sensor as they came over the wire (" + topic.type +
+                                             "), " + std::to_string(topic.entries.size()) +
+                                             " messages. They are not read: the driver of the sensor makes points of "
+                                             "them."));
+  }
+
+  void report_unoriented(bool without_ins) {
+    for (const TopicCandidate& candidate : candidates_) {
+      if (candidate.oriented) continue;
+      if (candidate.kind == MessageKind::Imu && without_ins && fixes_)
+        findings_.push_back(make_finding(Severity::Note, "no-orientation", name(candidate),
+                                         "The orientation of this IMU is not measured. With one it would be the INS, "
+                                         "to which fixes give the position."));
+      if (is_pose(candidate.kind))
+        findings_.push_back(make_finding(Severity::Warning, "no-orientation", name(candidate),
+                                         "Nobody fills in the orientation of this topic: it is all zero, or no number. "
+                                         "It can be neither the INS nor the LiDAR."));
+    }
   }
 
   std::vector<OfferedTopic> list(const TopicRoles& roles) {

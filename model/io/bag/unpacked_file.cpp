@@ -7,6 +7,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -33,10 +34,15 @@ constexpr std::uint64_t kSpareBytes = std::uint64_t{64} << 20;
 
 std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MB"; }
 
-[[noreturn]] void no_room(const fs::path& packed, const fs::path& folder, const std::string& why) {
-  throw Error(ErrorCode::Io, packed.string(),
+/// What else helps than a folder with more room.
+std::string other_way(const fs::path& source) {
+  return source.extension() == ".zstd" ? "unpack it with 'zstd -d'" : "copy the bag to a folder that can be written";
+}
+
+[[noreturn]] void no_room(const fs::path& source, const fs::path& folder, const std::string& why) {
+  throw Error(ErrorCode::Io, source.string(),
               "cannot be unpacked in " + folder.string() + ": " + why + "; set TMPDIR to a folder with more room, or " +
-                  "unpack it with 'zstd -d'");
+                  other_way(source));
 }
 
 fs::path temporary_folder(const fs::path& packed) {
@@ -45,8 +51,16 @@ fs::path temporary_folder(const fs::path& packed) {
   if (problem)
     throw Error(ErrorCode::Io, packed.string(),
                 "cannot be unpacked, there is no folder for temporary files: " + problem.message() +
-                    "; set TMPDIR to one, or unpack it with 'zstd -d'");
+                    "; set TMPDIR to one, or " + other_way(packed));
   return folder;
+}
+
+/// Before that many bytes are written.
+void check_room(std::uint64_t bytes, const fs::path& source, const fs::path& folder) {
+  std::error_code unknown;
+  const fs::space_info space = fs::space(folder, unknown);
+  if (!unknown && space.available < kSpareBytes + bytes)
+    no_room(source, folder, "only " + megabytes(space.available) + " are free");
 }
 
 void write_all(int descriptor, std::string_view bytes, const fs::path& packed, const fs::path& folder) {
@@ -58,15 +72,27 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& packed, c
 }
 
 constexpr std::string_view kName = "remount-bag-";
+/// What stands beside a database, by its name.
+constexpr std::array<const char*, 2> kBeside{"-wal", "-shm"};
+
+bool stands_beside(const std::string& name) {
+  return std::any_of(kBeside.begin(), kBeside.end(), [&](const char* end) { return name.ends_with(end); });
+}
+
+void remove_with_beside(const fs::path& file) {
+  ::unlink(file.c_str());
+  for (const char* end : kBeside) ::unlink((file.string() + end).c_str());
+}
 
 /// Removes what processes that were killed have unpacked; nothing where the folder cannot be listed.
 void remove_leftovers(const fs::path& folder) try {
   for (const fs::path& file : files_in(folder)) {
-    if (!file.filename().string().starts_with(kName)) continue;
+    const std::string name = file.filename().string();
+    if (!name.starts_with(kName) || stands_beside(name)) continue;
     const FileDescriptor there(
         uninterrupted([&] { return ::open(file.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC); }));
     if (there.get() >= 0 && ::flock(there.get(), LOCK_EX | LOCK_NB) == 0 && lies_at(there, file))
-      ::unlink(file.c_str());
+      remove_with_beside(file);
   }
 } catch (const Error&) {
 }
@@ -91,20 +117,48 @@ FileDescriptor make_locked(const fs::path& folder, fs::path& path) {
 
 bool is_zstd(std::string_view head) { return head.starts_with("\x28\xb5\x2f\xfd"); }
 
-UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
-  const fs::path folder = temporary_folder(packed);
+void UnpackedFile::make(const fs::path& source) {
+  const fs::path folder = temporary_folder(source);
   remove_leftovers(folder);
   file_ = make_locked(folder, path_);
-  if (file_.get() < 0) no_room(packed, folder, std::strerror(errno));
+  if (file_.get() < 0) no_room(source, folder, std::strerror(errno));
+}
+
+UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
+  make(packed);
   try {
     unpack(packed, progress);
   } catch (...) {
-    ::unlink(path_.c_str());
+    remove_with_beside(path_);
     throw;
   }
 }
 
-UnpackedFile::~UnpackedFile() { ::unlink(path_.c_str()); }
+UnpackedFile::UnpackedFile(const WithLog& files, Progress& progress) {
+  make(files.database);
+  try {
+    copy(files.database, file_.get(), progress);
+    const std::string log = path_.string() + kBeside[0];
+    const FileDescriptor beside(
+        uninterrupted([&] { return ::open(log.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600); }));
+    if (beside.get() < 0) no_room(files.log, path_.parent_path(), std::strerror(errno));
+    copy(files.log, beside.get(), progress);
+  } catch (...) {
+    remove_with_beside(path_);
+    throw;
+  }
+}
+
+UnpackedFile::~UnpackedFile() { remove_with_beside(path_); }
+
+void UnpackedFile::copy(const fs::path& source, int to, Progress& progress) const {
+  const RandomAccessFile from(source);
+  for (std::uint64_t offset = 0; offset < from.size() && !progress.cancelled(); offset += kPieceBytes) {
+    progress.report("copying the bag, MB", offset >> 20, from.size() >> 20);
+    check_room(from.size() - offset, source, path_.parent_path());
+    write_all(to, from.read(offset, std::min(kPieceBytes, from.size() - offset)), source, path_.parent_path());
+  }
+}
 
 void UnpackedFile::unpack(const fs::path& packed, Progress& progress) const {
   const RandomAccessFile source(packed);
@@ -128,11 +182,7 @@ void UnpackedFile::unpack(const fs::path& packed, Progress& progress) const {
       if (written > most)
         throw Error(ErrorCode::Format, packed.string(),
                     "unpacks to more than " + megabytes(most) + ", which no bag of this size does");
-      std::error_code unknown;
-      const fs::space_info space = fs::space(path_.parent_path(), unknown);
-      if (!unknown && space.available < kSpareBytes + output.pos)
-        no_room(packed, path_.parent_path(),
-                "after " + megabytes(written) + " only " + megabytes(space.available) + " are free");
+      check_room(output.pos, packed, path_.parent_path());
       write_all(file_.get(), {out.data(), output.pos}, packed, path_.parent_path());
       // A frame that ends where the room does has given all: asked on, it would wait for a frame that is not there.
       full = output.pos == output.size && hint != 0;

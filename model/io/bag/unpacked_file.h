@@ -1,4 +1,5 @@
-// Files that were compressed as a whole (Zstandard), as ROS 2 does with databases and MCAPs.
+// Files that cannot be read where they lie: compressed as a whole (Zstandard), as ROS 2 does with databases and MCAPs,
+// or a database whose log SQLite must work on in a folder that cannot be written.
 #pragma once
 
 #include <filesystem>
@@ -21,6 +22,11 @@ class UnpackedFile {
   /// damaged or would become more than a hundred times as large, and Error(Io) that says what to do where there is no
   /// room.
   UnpackedFile(const std::filesystem::path& packed, Progress& progress);
+  /// A copy of a database with its write-ahead log beside it; likewise.
+  struct WithLog {
+    std::filesystem::path database, log;
+  };
+  UnpackedFile(const WithLog& files, Progress& progress);
   ~UnpackedFile();
   UnpackedFile(const UnpackedFile&) = delete;
   UnpackedFile& operator=(const UnpackedFile&) = delete;
@@ -28,7 +34,9 @@ class UnpackedFile {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  void make(const std::filesystem::path& source);
   void unpack(const std::filesystem::path& packed, Progress& progress) const;
+  void copy(const std::filesystem::path& source, int to, Progress& progress) const;
 
   FileDescriptor file_;  ///< locked
   std::filesystem::path path_;

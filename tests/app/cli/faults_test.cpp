@@ -42,6 +42,41 @@ class cli_faults : public ProgramFixture<cli_faults> {
   }
 };
 
+// Names and contents of files come from others: they must not steer the terminal, nor look like lines of ours.
+TEST_F(cli_faults, names_and_bytes_of_files_reach_terminal_log_and_report_escaped) {
+  const std::string evil = "\x1b[2J\x1b]0;title\x07\xe2\x80\xae\nremount-cli: all is well", folder = path("by " + evil);
+  std::filesystem::create_directories(folder + "/scans");
+  std::filesystem::copy(folder_ / "drive", folder + "/drive", std::filesystem::copy_options::recursive);
+  std::ofstream(folder + "/a.pcap") << "\xd4\xc3\xb2\xa1" << evil;
+  std::ofstream(folder + "/session.yaml") << "format: remount-session/1\nname: \x1b[31m\nscans: " << evil << "\n";
+  std::ofstream(folder + "/poses.txt") << "1 0 0 0 0 0 0 1\n2 \x1b[31m 0 0 0 0 0 1\n3 0 0 0 0 0 0 1\n";
+  const auto expect_clean = [&](const std::string& text) {
+    EXPECT_EQ(text.find('\x1b'), std::string::npos) << text;
+    EXPECT_EQ(text.find('\x07'), std::string::npos) << text;
+    EXPECT_EQ(text.find("\xe2\x80\xae"), std::string::npos) << text;
+    EXPECT_EQ(text.find("\nremount-cli: all is well"), std::string::npos) << text;
+  };
+  for (const std::string& arguments :
+       {"inspect '" + folder + "'", "inspect '" + folder + "/a.pcap'", "inspect '" + folder + "/poses.txt'",
+        "inspect '" + folder + "/drive'", "calibrate '" + folder + "' -o '" + folder + "/r.yaml'",
+        "calibrate '" + folder + "/missing'", "export '" + folder + "/poses.txt' --to yaml", "'" + evil + "'",
+        "compare '" + folder + "/poses.txt' '" + folder + "/a.pcap'",
+        "calibrate '" + folder + "/drive' -o '" + folder + "/r.yaml' --set keyframes.maximum=5"}) {
+    const Outcome outcome = run(arguments + " --log '" + path("evil.log") + "'");
+    expect_clean(outcome.out);
+    expect_clean(outcome.err);
+    expect_clean(text_of(path("evil.log")));
+    std::filesystem::remove(path("evil.log"));
+  }
+  const Outcome report = run("report '" + folder + "/r.yaml' '" + folder + "/drive' -o '" + path("r.html") + "'");
+  expect_clean(report.out + report.err);
+  if (std::filesystem::exists(path("r.html"))) {
+    const std::string page = text_of(path("r.html"));
+    EXPECT_EQ(page.find('\x1b'), std::string::npos);
+    EXPECT_NE(page.find("\\x1b"), std::string::npos) << "the name of its input";
+  }
+}
+
 TEST_F(cli_faults, wrong_usage_is_said_with_one_prefix_and_is_exit_code_1) {
   std::ofstream(path("pairs.csv"))
       << "set,i,j,P00,P01,P02,P03,P10,P11,P12,P13,P20,P21,P22,P23,Q00,Q01,Q02,Q03,Q10,Q11,"

@@ -92,6 +92,31 @@ class BagMaker {
       add(sample.stamp_ns + 10'000'000, topic, "novatel_oem7_msgs/INSPVAX", writer.bytes());
     }
   }
+  /// INSPVA of novatel_oem7_driver on the circle, at its places.
+  void add_inspva(const std::string& topic, int count) {
+    for (int i = 0; i < count; ++i) {
+      const InsSample sample = on_circle(i);
+      MessageWriter writer(kRos1);
+      writer.header(sample.stamp_ns, "gps").string("INSPVA").number<std::uint16_t>(507).number<std::uint8_t>(0);
+      writer.number<std::uint32_t>(0).number<std::uint8_t>(180).number<std::uint16_t>(2123);
+      writer.number(static_cast<std::uint32_t>(44'818'000 + (sample.stamp_ns - kStart_ns) / 1'000'000));
+      writer.number(radians_to_degrees(sample.latitude_rad)).number(radians_to_degrees(sample.longitude_rad));
+      writer.number(sample.height_m);
+      for (int k = 0; k < 3 + 2; ++k) writer.number(0.0);  // velocity, roll, pitch
+      writer.number(360.0 - radians_to_degrees(std::fmod(0.05 * i, 2.0 * kPi))).number<std::uint32_t>(3);
+      add(sample.stamp_ns + 10'000'000, topic, "novatel_oem7_msgs/INSPVA", writer.bytes());
+    }
+  }
+  /// Odometry whose orientation nobody fills in: four times `value`.
+  void add_unoriented(const std::string& topic, int count, double value = 0.0) {
+    for (int i = 0; i < count; ++i) {
+      MessageWriter writer(kRos1);
+      writer.header(kStart_ns + i * kStep_ns / 2, "map").string("base");
+      for (const double number : {1.0 * i, 0.0, 0.0, value, value, value, value}) writer.number(number);
+      for (int k = 0; k < 36 + 6 + 36; ++k) writer.number(0.0);
+      add(kStart_ns + i * kStep_ns / 2, topic, "nav_msgs/Odometry", writer.bytes());
+    }
+  }
   /// What an Imu says: variances of -1 stand for "not measured".
   struct ImuContent {
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();

@@ -153,6 +153,56 @@ TEST(ros_messages, inspvax_of_the_oem7_driver_says_what_the_log_says) {
   }
 }
 
+TEST(ros_messages, inspva_says_what_inspvax_says_without_errors) {
+  const TemporaryFolder folder;
+  std::vector<Finding> findings;
+  const InsSample logged =
+      read_inspvax(folder.write("a.log", inspvaxa(2183, 269353.56, 87.25)), InspvaxFormat::AsciiLog, findings).ins[0];
+  for (const MessageEncoding encoding : kBoth)
+    for (const bool oem7 : {true, false}) {
+      MessageWriter writer(encoding);
+      writer.header(kStart_ns, "gps").string(oem7 ? "INSPVA" : "INSPVAA");
+      if (oem7) {
+        writer.number<std::uint16_t>(507).number<std::uint8_t>(0).number<std::uint32_t>(0).number<std::uint8_t>(180);
+        writer.number<std::uint16_t>(2183).number<std::uint32_t>(269353560);
+      } else {
+        writer.string("COM1").number<std::uint32_t>(0).number(73.5f).string("FINESTEERING");
+        writer.number<std::uint32_t>(2183).number(269353.0).number<std::uint32_t>(0);
+        for (int i = 0; i < 23; ++i) writer.number<std::uint8_t>(0);
+        writer.number<std::uint32_t>(43562).number<std::uint32_t>(2183).number(269353.56);
+      }
+      doubles(writer, {51.11637873403, -114.03825114994, 1063.6093 - 16.9, 0.1, 0.2, 0.3, 1.5, -2.5, 87.25});
+      oem7 ? writer.number<std::uint32_t>(3) : writer.string("SINGULARITY");
+      MessageReader reader = reader_of(writer.bytes(), encoding);
+      const InspvaxMessage message =
+          read_inspvax_message(reader, oem7 ? "novatel_oem7_msgs/INSPVA" : "novatel_gps_msgs/Inspva");
+      EXPECT_EQ(message.sample.stamp_ns, logged.stamp_ns) << oem7;
+      EXPECT_NEAR(message.sample.height_m, logged.height_m, 1e-9);
+      EXPECT_LT(message.sample.enu_from_ins.angularDistance(logged.enu_from_ins), 1e-12);
+      EXPECT_TRUE(std::isnan(message.sample.sigma.position_enu_m.x()));
+      EXPECT_EQ(message.sample.quality, InsQuality::Good);
+      EXPECT_EQ(message.misnamed, !oem7);
+    }
+}
+
+TEST(ros_messages, rates_and_orientations_that_stand_for_none_are_none) {
+  for (const double broken : {-2e10, std::nan("")}) {
+    MessageWriter writer(MessageEncoding::Ros1);
+    writer.header(kStart_ns, "imu");
+    doubles(writer, {0.0, 0.0, 0.0, std::isnan(broken) ? broken : 0.0});
+    for (int i = 0; i < 9; ++i) writer.number(0.0);
+    doubles(writer, {0.1, broken, 0.3});
+    for (int i = 0; i < 9; ++i) writer.number(0.0);
+    doubles(writer, {0.1, 0.2, 9.8});
+    for (int i = 0; i < 9; ++i) writer.number(0.0);
+    MessageReader reader = reader_of(writer.bytes(), MessageEncoding::Ros1);
+    const ImuMessage imu = read_imu(reader);
+    EXPECT_FALSE(imu.orientation);
+    EXPECT_FALSE(imu.angular_rate_radps);
+    EXPECT_TRUE(imu.acceleration_mps2);
+  }
+}
+
 TEST(static_frames, are_followed_up_and_down) {
   std::vector<PoseMessage> transforms;
   const auto add = [&](const std::string& parent, const std::string& child, const SixParameters& six) {

@@ -31,7 +31,9 @@ struct HandMade {
 };
 
 /// One connection, one message "hello" at 1600000000.5 s, in one chunk.
-HandMade hand_made(std::uint32_t chunk_size_lie = 0, std::uint32_t count_lie = 1, std::uint32_t offset_lie = 0) {
+/// @param gap between its parts, as recorders that reserve room leave it
+HandMade hand_made(std::uint32_t chunk_size_lie = 0, std::uint32_t count_lie = 1, std::uint32_t offset_lie = 0,
+                   const std::string& gap = {}) {
   HandMade bag;
   const std::string time = raw<std::uint32_t>(1'600'000'000) + raw<std::uint32_t>(500'000'000);
   const std::string connection =
@@ -48,15 +50,16 @@ HandMade hand_made(std::uint32_t chunk_size_lie = 0, std::uint32_t count_lie = 1
                          field("conn", raw<std::uint32_t>(5)) + field("count", raw(count_lie)),
                      time + raw(static_cast<std::uint32_t>(connection.size()) + offset_lie));
   const std::string magic = "#ROSBAG V2.0\n";
-  const std::uint64_t chunk_pos = magic.size() + 4096, index_pos = chunk_pos + bag.chunk.size() + bag.index.size();
+  const std::uint64_t chunk_pos = magic.size() + 4096,
+                      index_pos = chunk_pos + bag.chunk.size() + bag.index.size() + gap.size();
   const std::string head = field("op", raw<std::uint8_t>(3)) + field("index_pos", raw(index_pos)) +
                            field("conn_count", raw<std::uint32_t>(1)) + field("chunk_count", raw<std::uint32_t>(1));
   const std::string info = record(field("op", raw<std::uint8_t>(6)) + field("ver", raw<std::uint32_t>(1)) +
                                       field("chunk_pos", raw(chunk_pos)) + field("start_time", time) +
                                       field("end_time", time) + field("count", raw<std::uint32_t>(1)),
                                   raw<std::uint32_t>(5) + raw<std::uint32_t>(1));
-  bag.bytes =
-      magic + record(head, std::string(4096 - 8 - head.size(), ' ')) + bag.chunk + bag.index + connection + info;
+  bag.bytes = magic + record(head, std::string(4096 - 8 - head.size(), ' ')) + bag.chunk + gap + bag.index + gap +
+              connection + gap + info + gap;
   return bag;
 }
 
@@ -72,6 +75,24 @@ TEST(rosbag1_file, is_read_as_its_format_is_described) {
   EXPECT_EQ(topic.entries[0].log_time_ns, 1'600'000'000'500'000'000);
   EXPECT_EQ(bag->message(topic.entries[0]), "hello");
   EXPECT_TRUE(bag->findings().empty());
+}
+
+// Where the index is said to be lie zeros, or zeros lie between the records.
+TEST(rosbag1_file, with_zeros_between_its_parts_has_its_index) {
+  const TemporaryFolder folder;
+  for (const std::size_t zeros : {4U, 8U, 100U, 4096U, 200'000U}) {
+    const auto bag = open_quietly(folder.write("a.bag", hand_made(0, 1, 0, std::string(zeros, '\0')).bytes));
+    ASSERT_EQ(bag->topics().size(), 1u) << zeros;
+    EXPECT_EQ(bag->message(bag->topics()[0].entries[0]), "hello") << zeros;
+    EXPECT_TRUE(bag->findings().empty()) << bag->findings().front().explanation;
+  }
+  // A file system that lost the end of a file that was not closed left zeros there.
+  std::string bytes = hand_made().bytes;
+  const std::size_t value = bytes.find("index_pos=") + 10;
+  bytes.replace(value, 8, std::string(8, '\0'));
+  const auto bag = open_quietly(folder.write("a.bag", bytes + std::string(10'000, '\0')));
+  EXPECT_EQ(message_count(*bag), 1u);
+  EXPECT_TRUE(contains(find(*bag, "bag-unindexed")->explanation, "It is readable to its end."));
 }
 
 TEST(rosbag1_file, is_written_and_read_in_every_compression) {

@@ -1,6 +1,8 @@
 #include "model/io/bag/sqlite_bag.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 #include "tests/model/io/bag/sqlite_fixture.h"
 #include "tests/support/temporary_files_in.h"
@@ -107,6 +109,62 @@ TEST(sqlite_bag, that_is_damaged_gives_what_can_be_read_or_an_error_with_its_nam
   std::cout << opened << " cuts gave something, " << warned << " of them warned, " << refused << " were refused\n";
   EXPECT_GT(opened, refused);
   EXPECT_EQ(opened, warned);
+}
+
+/// Nobody in particular, who may not write where the folder's owner alone may; with the folder for temporary files in
+/// a place of its own.
+class AsNobody {
+ public:
+  explicit AsNobody(const fs::path& temporary) : before_(fs::temp_directory_path()) {
+    ::setenv("TMPDIR", temporary.c_str(), 1);
+    if (was_root_) changed_ = ::seteuid(65534) == 0;
+  }
+  ~AsNobody() {
+    if (changed_) static_cast<void>(::seteuid(0));
+    ::setenv("TMPDIR", before_.c_str(), 1);
+  }
+  AsNobody(const AsNobody&) = delete;
+  AsNobody& operator=(const AsNobody&) = delete;
+  bool may_write_anywhere() const { return was_root_ && !changed_; }
+
+ private:
+  fs::path before_;
+  bool was_root_ = ::geteuid() == 0, changed_ = false;
+};
+
+TEST(sqlite_bag, with_a_log_where_nothing_can_be_written_is_copied_aside) {
+  const TemporaryFolder folder, aside;
+  const std::vector<TestMessage> messages = test_messages(60);
+  const fs::path whole = folder.path() / "whole.db3", bag_folder = folder.path() / "bag",
+                 path = bag_folder / "live.db3";
+  write_database(whole, messages);
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open(whole.c_str(), &database), SQLITE_OK);
+  run(database, "PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0;");
+  run(database, "INSERT INTO messages(topic_id, timestamp, data) SELECT topic_id, timestamp, data FROM messages");
+  fs::create_directory(bag_folder);
+  fs::copy_file(whole, path);
+  fs::copy_file(whole.string() + "-wal", path.string() + "-wal");
+  sqlite3_close(database);
+  for (const fs::path& file : {path, fs::path(path.string() + "-wal")}) fs::permissions(file, fs::perms(0444));
+  fs::permissions(bag_folder, fs::perms(0555));
+  fs::permissions(folder.path(), fs::perms(0755));
+  fs::permissions(aside.path(), fs::perms(0777));
+  {
+    const AsNobody nobody(aside.path());
+    if (nobody.may_write_anywhere()) GTEST_SKIP() << "root may write everywhere";
+    const auto bag = open_quietly(path);
+    EXPECT_EQ(message_count(*bag), 2 * messages.size()) << "those of the log, too";
+    EXPECT_TRUE(find(*bag, "bag-copied"));
+    EXPECT_EQ(bag->files().front(), path);
+    EXPECT_EQ(bag->message(bag->topics()[0].entries[0]).substr(0, 7), "message");
+    EXPECT_FALSE(fs::is_empty(aside.path()));
+    // Another that looks for leftovers takes none of what is in use.
+    EXPECT_EQ(message_count(*open_quietly(path)), 2 * messages.size());
+    EXPECT_EQ(bag->message(bag->topics()[0].entries[1]).substr(0, 7), "message");
+  }
+  EXPECT_TRUE(fs::is_empty(aside.path()));
+  fs::permissions(bag_folder, fs::perms(0755));
 }
 
 TEST(sqlite_bag, of_other_tables_is_refused) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/io/bag/ros_messages.h"
 #include "tests/model/io/bag/bag_maker.h"
 
 namespace remount {
@@ -57,6 +58,103 @@ TEST_F(topic_roles, an_ins_of_one_position_a_second_stands_behind_one_of_twenty)
   EXPECT_EQ(said(open_with({{"ins", "/novatel/oem7/inspvax"}}), "ins-slow"),
             "The INS has a position every 1.00 s only; between them the motion is interpolated. /novatel/oem7/odom has "
             "20.0 Hz: --topic ins=/novatel/oem7/odom takes it, where it is of the same INS.");
+}
+
+TEST_F(topic_roles, inspva_is_the_ins_where_inspvax_comes_once_a_second) {
+  BagMaker bag(path());
+  bag.add_scans("/points", 90, 30);
+  bag.add_inspvax("/novatel/oem7/inspvax", 11, 20);
+  bag.add_inspva("/novatel/oem7/inspva", 201);
+  bag.add_odometry("/novatel/oem7/odom", 201);
+  bag.finish();
+  const Session session = open_with();
+  EXPECT_EQ(user_of(session, "ins"), "/novatel/oem7/inspva");
+  EXPECT_EQ(why("/novatel/oem7/inspva", "ins"), "position and attitude of the INS itself, without errors");
+  ASSERT_EQ(session.ins.size(), 201U);
+  EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp);
+  for (int i = 0; i < 201; i += 40) {
+    const InsSample &read = session.ins[static_cast<std::size_t>(i)], written = BagMaker::on_circle(i);
+    EXPECT_EQ(read.stamp_ns, written.stamp_ns);
+    EXPECT_NEAR(read.latitude_rad, written.latitude_rad, 1e-12);
+    EXPECT_EQ(read.quality, InsQuality::Good);
+    EXPECT_NEAR(read.sigma.position_enu_m.x(), 0.02, 1e-6) << "as INSPVAX beside it states";
+  }
+  EXPECT_EQ(said(session, "ins-slow"), "");
+}
+
+TEST_F(topic_roles, orientations_that_nobody_fills_in_are_named_and_the_topics_listed) {
+  for (const double value : {0.0, std::nan("")}) {
+    fs::remove(path());
+    BagMaker bag(path());
+    bag.add_scans("/points", 90, 30);
+    bag.add_unoriented("/odom", 201, value);
+    bag.finish();
+    const Session session = open_with();
+    EXPECT_EQ(session.topics.size(), 2U);
+    EXPECT_EQ(user_of(session, "ins"), "none");
+    EXPECT_TRUE(contains(said(session, "no-orientation"), "it is all zero, or no number"));
+    EXPECT_EQ(find(session, "no-orientation")->where, "/odom");
+    EXPECT_ERROR(open_with({{"ins", "/odom"}}), "no usable INS is in this topic");
+  }
+}
+
+TEST_F(topic_roles, another_ins_serves_where_one_has_no_orientation) {
+  BagMaker bag(path());
+  bag.add_scans("/points", 90, 30);
+  bag.add_unoriented("/gps/odom", 201);
+  bag.add_odometry("/odom", 201);
+  bag.finish();
+  EXPECT_EQ(user_of(open_with(), "ins"), "/odom");
+  EXPECT_EQ(why("/gps/odom", "ins"), "it cannot be that");
+}
+
+TEST_F(topic_roles, packets_of_sensors_are_named_as_such) {
+  for (const char* type : {"velodyne_msgs/VelodyneScan", "velodyne_msgs/VelodynePacket", "pandar_msgs/PandarScan",
+                           "hesai_lidar/PandarScan", "hesai_ros_driver/UdpFrame", "ouster_ros/PacketMsg",
+                           "ouster_sensor_msgs/PacketMsg", "rslidar_msgs/rslidarScan", "rslidar_msg/RslidarPacket",
+                           "nebula_msgs/NebulaPackets", "lslidar_msgs/LslidarPacket"}) {
+    fs::remove(path());
+    BagMaker bag(path());
+    for (int i = 0; i < 10; ++i) bag.add(kStart_ns + i * kStep_ns, "/lidar_packets", type, std::string(1200, 'x'));
+    bag.add_odometry("/odom", 201);
+    bag.finish();
+    const Session session = open_with();
+    EXPECT_TRUE(contains(said(session, "raw-packets"), type)) << type;
+    EXPECT_EQ(find(session, "raw-packets")->where, "/lidar_packets");
+  }
+  EXPECT_FALSE(is_raw_packets("sensor_msgs/LaserScan"));
+  EXPECT_FALSE(is_raw_packets("sensor_msgs/PointCloud2"));
+  EXPECT_FALSE(is_raw_packets("scan"));
+}
+
+TEST_F(topic_roles, of_fixes_with_one_stamp_the_best_counts_in_either_order) {
+  for (const bool better_first : {true, false}) {
+    fs::remove(path());
+    BagMaker bag(path());
+    bag.add_scans("/points", 90, 30);
+    for (int i = 0; i < 201; ++i) {
+      bag.add_imu("/ins/imu", i, turning(0.05 * i, 1e-6, 1e-6));
+      for (const bool better : {better_first, !better_first}) {
+        if (better) {
+          bag.add_fix("/ins/fix", i, 2);
+          continue;
+        }
+        const InsSample sample = BagMaker::on_circle(i);
+        GnssFix fix{sample.stamp_ns, sample.latitude_rad + 1e-6, sample.longitude_rad, sample.height_m, {}};
+        fix.covariance_enu_m2 = 4.0 * Eigen::Matrix3d::Identity();
+        bag.add(sample.stamp_ns + 10'000'000, "/ins/fix", "sensor_msgs/NavSatFix", fix_message(fix, 0, "gps", kRos1));
+      }
+    }
+    bag.finish();
+    const Session session = open_with();
+    ASSERT_EQ(session.ins.size(), 201U);
+    ASSERT_EQ(session.gnss.size(), 201U);
+    for (int i = 0; i < 201; ++i) {
+      EXPECT_NEAR(session.ins[static_cast<std::size_t>(i)].latitude_rad, BagMaker::on_circle(i).latitude_rad, 1e-9);
+      EXPECT_NEAR(session.gnss[static_cast<std::size_t>(i)].latitude_rad, BagMaker::on_circle(i).latitude_rad, 1e-9);
+    }
+    EXPECT_NE(said(session, "gnss-duplicate-stamps"), "");
+  }
 }
 
 TEST_F(topic_roles, an_ins_of_ten_positions_a_second_is_kept) {

@@ -1,0 +1,18 @@
+// Text from files and file names, made safe to be printed.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace remount {
+
+enum class LineBreaks {
+  Kept,     ///< of texts that have lines
+  Escaped,  ///< of names, which must not look like a line of ours
+};
+
+/// What would steer a terminal, or turn the direction of the text around it, as an escape that shows it: "\x1b" for a
+/// control character or a byte that is no UTF-8, "\u202e" for one of Unicode's. All else stays, whatever its script.
+std::string printable(std::string_view text, LineBreaks line_breaks = LineBreaks::Kept);
+
+}  // namespace remount
