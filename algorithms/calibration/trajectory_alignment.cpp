@@ -77,13 +77,17 @@ bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& optio
 // How many times as long as the odometry's the way of INS or fixes is; 1 where they have too little in common.
 double metres_per_unit(const TrajectoryProblem& problem) {
   double measured_m = 0.0, odometry_m = 0.0;
-  for (const TrajectorySession& session : problem.sessions)
-    for (std::size_t i = 1; i < session.epochs.size(); ++i) {
-      const TrajectoryEpoch &before = session.epochs[i - 1], &here = session.epochs[i];
-      if (!before.ins || !here.ins) continue;
-      measured_m += (here.ins->enu_from_ins.translation() - before.ins->enu_from_ins.translation()).norm();
-      odometry_m += (here.odometry_from_lidar.translation() - before.odometry_from_lidar.translation()).norm();
+  for (const TrajectorySession& session : problem.sessions) {
+    const TrajectoryEpoch* before = nullptr;  // with a pose of the INS; fixes may lie between two
+    for (const TrajectoryEpoch& here : session.epochs) {
+      if (!here.ins) continue;
+      if (before) {
+        measured_m += (here.ins->enu_from_ins.translation() - before->ins->enu_from_ins.translation()).norm();
+        odometry_m += (here.odometry_from_lidar.translation() - before->odometry_from_lidar.translation()).norm();
+      }
+      before = &here;
     }
+  }
   return measured_m > kLeastTravel_m && odometry_m > 0.0 ? measured_m / odometry_m : 1.0;
 }
 

@@ -24,7 +24,8 @@ Plot parameters_against_time(const std::vector<TrajectorySnapshot>& history, boo
       curve.y.push_back(unit * values[i]);
       curve.sigma.push_back(unit * snapshot.sigma[i]);
     }
-    if (!curve.x.empty()) plot.curves.push_back(std::move(curve));
+    // What hardly any answer observes makes no curve.
+    if (!curve.x.empty() && 10 * curve.x.size() >= history.size()) plot.curves.push_back(std::move(curve));
   }
   return plot;
 }

@@ -32,6 +32,21 @@ TEST_F(cli_vehicle_frame, a_simulated_smartloc_drive_runs_end_to_end) {
   EXPECT_NE(result.find("wheel scale"), std::string::npos) << result;
 }
 
+TEST_F(cli_vehicle_frame, a_nominal_in_another_frame_is_refused_with_the_reason) {
+  const std::string calibrate = "calibrate " + path("drive");
+  const std::vector<std::pair<std::string, std::string>> refused{
+      {" --method vehicle-frame --nominal 0.9,0,0.7,0,0,0", "places the LiDAR in the INS frame"},
+      {" --method slew --nominal vehicle:0.9,0,0.7,0,0,0", "in the vehicle's frame"},
+      {" --method trajectory --nominal machine:0.9,0,0.7,0,0,0", "in the machine's frame"},
+      {" --nominal vehicle:0.9,0,0.7,0,0,0", "in the vehicle's frame"},
+      {" --method vehicle-frame --nominal vehicle:0.9,0,0.7,0,0,0 --range z=1:2", "outside the search range"}};
+  for (const auto& [arguments, reason] : refused) {
+    const Outcome outcome = run(calibrate + arguments);
+    EXPECT_EQ(outcome.code, 1) << arguments << outcome.out;
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << arguments << "\n" << outcome.err;
+  }
+}
+
 TEST_F(cli_vehicle_frame, the_recorded_smartloc_folder_runs_end_to_end) {
   if (!std::filesystem::exists(kData / "smartloc")) GTEST_SKIP() << "no recorded data at " << kData;
   const std::string result = calibrated((kData / "smartloc").string(), "berlin.yaml");

@@ -124,7 +124,8 @@ TEST(trajectory_method, one_percent_of_drift_and_a_fifth_of_wrong_fixes_are_surv
 TEST(trajectory_method, poses_of_another_scale_are_named) {
   const CalibrationResult result = run({with_poses(simulate_drive(street(30.0)), 1.5)}).result;
   EXPECT_EQ(result.status, Status::Inconsistent) << result.message;
-  EXPECT_NE(result.message.find("2.50 times as long"), std::string::npos) << result.message;
+  // Beside the INS the LiDAR goes a little farther in turns.
+  EXPECT_NE(result.message.find("The way of the LiDAR is 2.5"), std::string::npos) << result.message;
 }
 
 TEST(trajectory_method, what_cannot_be_aligned_is_refused_or_said) {
