@@ -20,8 +20,8 @@ std::string duration(double seconds) {
   return text;
 }
 
-/// What makes clocks differ by this much; the drives' own lengths leave the difference uncertain by `slack_s`.
-std::string likely_cause(double difference_s, double slack_s) {
+/// What is known to make clocks differ by this much, to within `slack_s`; empty for nothing.
+std::string known_cause(double difference_s, double slack_s) {
   const double size_s = std::abs(difference_s);
   if (std::abs(size_s - kGpsEpoch_s) < 86400.0)
     return "That is the time between the epochs of Unix and GPS: one of them counts from 1980; declare its time scale.";
@@ -33,6 +33,13 @@ std::string likely_cause(double difference_s, double slack_s) {
     std::snprintf(text, sizeof text, "That is about %g hours: likely a time zone; both must be in UTC.", hours);
     return text;
   }
+  return {};
+}
+
+/// What makes clocks differ by this much; the drives' own lengths leave the difference uncertain by `slack_s`.
+std::string likely_cause(double difference_s, double slack_s) {
+  if (std::string known = known_cause(difference_s, slack_s); !known.empty()) return known;
+  const double size_s = std::abs(difference_s);
   if (size_s > 86400.0) return "They belong to different drives, or a clock or its unit is wrong.";
   return "They belong to different drives, or one clock is not synchronised.";
 }
@@ -54,6 +61,15 @@ std::string leap_second_hint(double difference_s, double slack_s) {
     return "GPS time is 18 s ahead of UTC since 2017 (17 s before): likely leap seconds; declare the time scale.";
   if (tai) return "TAI is 19 s ahead of GPS time: likely a clock that PTP sets to TAI; declare the time scale.";
   return {};
+}
+
+std::string cause_of_apart_clocks(std::int64_t lidar_stamp_ns, std::int64_t other_stamp_ns, double apart_s) {
+  constexpr double kSlack_s = 1.0;                              // delays of recorders
+  constexpr std::int64_t kBooted_ns = 100'000'000'000'000'000;  // running for three years, or a date in 1973
+  const bool lidar_booted = std::abs(lidar_stamp_ns) < kBooted_ns, other_booted = std::abs(other_stamp_ns) < kBooted_ns;
+  if (lidar_booted && !other_booted) return "The LiDAR's clock counts from when it was switched on, not from 1970.";
+  if (other_booted && !lidar_booted) return "That clock counts from when it was switched on, not from 1970.";
+  return known_cause(apart_s, kSlack_s);
 }
 
 std::string shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins) {

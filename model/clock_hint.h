@@ -19,6 +19,10 @@ std::string time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins);
 /// empty where it is not.
 std::string leap_second_hint(double difference_s, double slack_s);
 
+/// Why a clock is known to be `apart_s` from the LiDAR's (time zone, leap seconds, since power-on), by which the first
+/// stamps need not differ; empty where nothing is.
+std::string cause_of_apart_clocks(std::int64_t lidar_stamp_ns, std::int64_t other_stamp_ns, double apart_s);
+
 /// Where a stream begins and ends by the same leap seconds before or after the other, which it should share its clock
 /// with: what to suspect, and by how much; empty where the ends differ otherwise.
 std::string shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins);

@@ -23,6 +23,7 @@ void describe(const JointProblem& problem, const Layout& layout, const State& st
   solution.ins_from_lidar.linear() = nearest_rotation(state.ins_from_lidar.linear());
   const Eigen::MatrixXd covariance = last.reduced.ldlt().solve(Eigen::MatrixXd::Identity(layout.size(), layout.size()));
   solution.covariance = covariance.topLeftCorner<6, 6>();
+  solution.last_step = last.shared_step.head<6>();
   // Marginal information of X from the pairs alone: the Schur complement over the sessions' unknowns, without the prior
   // and what was measured.
   Eigen::MatrixXd without_prior = last.reduced;
@@ -82,7 +83,9 @@ std::vector<MeasurementPull> measurement_pulls(const JointProblem& problem, cons
   const Layout layout = layout_of(problem, noise);
   State state = start_state(problem, layout, solution.ins_from_lidar);
   Eliminated step;
-  if (!iterate(problem, noise, layout, kIterations, progress, state, step)) return {};
+  iterate(problem, noise, layout, kIterations, progress, state,
+          step);  // to where it can be, see settles_where_observed
+  if (!step.valid || progress.cancelled()) return {};
   const std::vector<LinearTerm> terms = linearise(problem, state, layout);
   const NormalEquations equations = build(problem, terms, noise, state, layout);
   eliminate(equations, step);

@@ -54,6 +54,7 @@ struct JointProblem {
 struct JointSolution {
   bool converged = false;
   RigidTransform ins_from_lidar = RigidTransform::Identity();
+  Vector6d last_step = Vector6d::Zero();  ///< of X, under `perturbed`
   /// Covariance of X under `perturbed`, everything else marginalised, the weak prior and what was measured included.
   Matrix6d covariance = Matrix6d::Identity();
   /// Information of X from the pairs alone (without prior and measurements), everything else marginalised.

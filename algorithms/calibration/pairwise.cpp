@@ -189,6 +189,8 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
                                    round == 0 ? std::nullopt : std::optional(details.noise), progress);
     details.noise = with_declared_drift(details.noise, prior);
     details.joint = solve_joint(problem, details.noise, x, kIterations, progress);
+    if (!details.joint.converged && !progress.cancelled())
+      details.joint.converged = settles_where_observed(input, pairs, details);
     x = details.joint.ins_from_lidar;
     // After the last round the pairs stay as they were solved with.
     if (round + 1 == kMostRounds) break;

@@ -213,6 +213,22 @@ Matrix6d residual_information(const Pair& pair, const PairEquation& equation, co
   return ins_information - ins_information * sum.ldlt().solve(ins_information);
 }
 
+bool settles_where_observed(const PairwiseInput& input, const std::vector<Pair>& pairs,
+                            const PairwiseDetails& details) {
+  constexpr double kSettled2 = 1e-3;  // squared sigmas, as in the joint solution
+  const JointSolution& joint = details.joint;
+  if (!joint.information.allFinite() || joint.information.isZero(0.0)) return false;
+  const Vector6d step = joint.last_step.cwiseQuotient(observation_limits(input.options));
+  double left2 = 0.0;
+  for (const ObservabilityDirection& direction :
+       observed_directions(joint.information, spurious_information(input, pairs, joint.ins_from_lidar, details.noise),
+                           summarise_motion(pairs), input.options)) {
+    const double along = direction.direction.dot(step) / direction.sigma;
+    if (direction.observed) left2 += along * along;
+  }
+  return left2 < kSettled2;
+}
+
 Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair>& pairs, const JointProblem& problem,
                               const std::vector<SessionAnswer>& answers, const PairwiseDetails& details,
                               const Progress& progress, CalibrationResult& result) {

@@ -17,6 +17,11 @@ Matrix6d registration_limits();
 Matrix6d residual_information(const Pair& pair, const PairEquation& equation, const NoiseModel& noise,
                               double tilt_rad = 0.0);
 
+/// Whether what is left to move of a solution lies along directions of X that the pairs do not show. There noise passes
+/// for information and pulls without end (the height on a flat road: the further off, the better small tilts explain
+/// the noise of the way), and nothing is claimed of them.
+bool settles_where_observed(const PairwiseInput& input, const std::vector<Pair>& pairs, const PairwiseDetails& details);
+
 /// Fills `directions`, `observed`, `covariance`, `bootstrap_sigma`, `session_disagreement` and `advice` of the result
 /// from the joint solution.
 /// @param answers what each session says on its own; empty with a single one

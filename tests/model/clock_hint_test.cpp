@@ -29,6 +29,15 @@ TEST(clock_hint, says_by_how_much_and_why) {
   }
 }
 
+TEST(clock_hint, names_what_is_known_to_keep_clocks_of_one_recording_apart) {
+  EXPECT_NE(cause_of_apart_clocks(kNow, kNow, 28800.02).find("about 8 hours: likely a time zone"), std::string::npos);
+  EXPECT_NE(cause_of_apart_clocks(kNow, kNow, -17.98).find("leap seconds"), std::string::npos);
+  EXPECT_NE(cause_of_apart_clocks(5000 * kSecond, kNow, 1.7e9).find("The LiDAR's clock counts from"),
+            std::string::npos);
+  EXPECT_NE(cause_of_apart_clocks(kNow, 5000 * kSecond, -1.7e9).find("That clock counts from"), std::string::npos);
+  for (const double other_s : {1.8, -0.7, 12.0, 5000.0}) EXPECT_EQ(cause_of_apart_clocks(kNow, kNow, other_s), "");
+}
+
 std::string shifted(double begins_s, double ends_s) {
   const auto ns = [](double seconds) { return static_cast<std::int64_t>(seconds * 1e9); };
   return shifted_by_leap_seconds({kNow + ns(begins_s), kNow + 60 * kSecond + ns(ends_s)}, {kNow, kNow + 60 * kSecond});

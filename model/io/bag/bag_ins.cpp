@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/core/median.h"
+#include "model/clock_hint.h"
 #include "model/count_words.h"
 #include "model/io/bag/correction_status.h"
 #include "model/io/stream_tools.h"
@@ -28,21 +29,32 @@ LidarClock lidar_clock(const BagStreams& streams) {
           std::clamp(median_period_s(streams.lidar_poses.world_from_child), 0.0, 2.0)};
 }
 
+/// How much further behind the recorder's clock a stream is than the LiDAR's, beside what a scan takes to be recorded:
+/// it comes when it has ended, and its stamp is of its beginning.
+double clocks_apart_s(const StreamClock& stream, const LidarClock& lidar) {
+  return stream.behind_s() - lidar.behind_s + lidar.ends_after_s;
+}
+
 /// By how much a stream is to be moved, 0 where it shares the LiDAR's clock.
 std::int64_t shift_ns(const StreamClock& stream, const LidarClock& lidar) {
   if (stream.readings.empty()) return 0;
-  const double apart_s = stream.behind_s() - lidar.behind_s;
-  const double unexplained_s = apart_s < 0.0 ? std::min(0.0, apart_s + lidar.ends_after_s) : apart_s;
+  const double apart_s = clocks_apart_s(stream, lidar);
+  // Drivers that stamp scans by their ends, too, share the clock.
+  const double unexplained_s = apart_s > 0.0 ? std::max(0.0, apart_s - lidar.ends_after_s) : apart_s;
   return std::abs(unexplained_s) > kSameClock_s && std::abs(apart_s) < kNoClock_s ? std::llround(apart_s * 1e9) : 0;
 }
 
-void report_shift(std::int64_t by_ns, const std::string& where, std::vector<Finding>& findings) {
+void report_shift(std::int64_t by_ns, const StreamClock& stream, const StreamClock& lidar, const std::string& where,
+                  std::vector<Finding>& findings) {
   char text[320];
   std::snprintf(text, sizeof text,
-                "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %.3f s apart. They "
-                "are moved by that; what is left, the delays of the recording, shows as time offset.",
+                "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %.3f s apart, "
+                "beside what a scan lasts. They are moved by that; what is left, the delays of the recording, shows as "
+                "time offset.",
                 static_cast<double>(by_ns) * 1e-9);
-  findings.push_back(make_finding(Severity::Warning, "clock-moved", where, text));
+  const std::string cause = cause_of_apart_clocks(lidar.readings.front().stamp_ns, stream.readings.front().stamp_ns,
+                                                  static_cast<double>(by_ns) * 1e-9);
+  findings.push_back(make_finding(Severity::Warning, "clock-moved", where, text + (cause.empty() ? "" : " " + cause)));
 }
 
 double period_s(const StreamClock& stream) {
@@ -55,8 +67,8 @@ double period_s(const StreamClock& stream) {
 /// Too little to be moved, too much for delays.
 void report_offset(const StreamClock& stream, const LidarClock& lidar, const std::string& where,
                    std::vector<Finding>& findings) {
-  const double apart_s = stream.behind_s() - lidar.behind_s;
-  if (apart_s > -lidar.ends_after_s - kDelay_s && apart_s < period_s(stream) + kDelay_s) return;
+  const double apart_s = clocks_apart_s(stream, lidar);
+  if (apart_s > -kDelay_s && apart_s < lidar.ends_after_s + period_s(stream) + kDelay_s) return;
   if (std::abs(apart_s) >= kNoClock_s) return;
   char text[320];
   std::snprintf(text, sizeof text,
@@ -219,6 +231,7 @@ std::vector<InsSample> ins_from_inspvax(const InspvaxStream& stream, const Inspv
 void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& s, std::vector<Finding>& findings) {
   if (s.scans.clock.readings.empty() && s.lidar_poses.clock.readings.empty()) return;
   const LidarClock lidar = lidar_clock(s);
+  const StreamClock& lidar_stream = s.scans.clock.readings.empty() ? s.lidar_poses.clock : s.scans.clock;
   const std::int64_t poses = shift_ns(s.ins_poses.clock, lidar), inspvax = shift_ns(s.inspvax.clock, lidar),
                      device = shift_ns(s.attitude.clock, lidar), gnss = shift_ns(s.gnss.clock, lidar),
                      imu = shift_ns(s.imu.clock, lidar);
@@ -234,7 +247,7 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
     if (!topic || stream.readings.empty()) return;
     const std::string where = bag.files().front().string() + ": " + bag.topics()[*topic].name;
     if (by_ns != 0)
-      report_shift(by_ns, where, findings);
+      report_shift(by_ns, stream, lidar_stream, where, findings);
     else
       report_offset(stream, lidar, where, findings);
   };

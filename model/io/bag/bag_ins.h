@@ -6,8 +6,8 @@
 namespace remount {
 
 /// Moves what comes from INS, GNSS and IMU to the clock of the LiDAR where they are more than half a second apart. The
-/// recorder's clock tells: each stream is as far behind it as its clock is off and its messages are late; a scan by its
-/// own duration, where its stamp is of its first point. What is apart by less, but by more than the delays of a
+/// recorder's clock tells: each stream is as far behind it as its clock is off and its messages are late, a scan by its
+/// own duration after its stamp, which is taken off. What is apart by less, but by more than the delays of a
 /// recording, is left alone and becomes a finding "host-clock".
 void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& streams,
                        std::vector<Finding>& findings);

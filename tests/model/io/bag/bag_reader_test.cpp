@@ -134,18 +134,46 @@ TEST_F(bag_reader, takes_poses_and_the_nominal_from_static_transforms) {
   EXPECT_EQ(poses.odometry_from_lidar.size(), 41u);
 }
 
+// As late after the last of 30 points, 87 ms behind the stamp, as samples of the INS are after theirs.
+constexpr std::int64_t kRecordedAfter_ns = 87'000'000 + 10'000'000;
+
 TEST_F(bag_reader, brings_an_ins_of_another_clock_to_the_lidars) {
   BagMaker bag(path());
   bag.add_ins("/ins", 41, -214'300'000'000);
-  bag.add_scans("/points", 20, 30);
+  bag.add_scans("/points", 20, 30, true, 0, kStep_ns, kRecordedAfter_ns);
   bag.finish();
   const Session session = open(path());
   const Finding* finding = find(session, "clock-moved");
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::Warning);
-  // What is left is that one stream is recorded 10 ms later than the other.
   EXPECT_NEAR(static_cast<double>(session.ins[0].stamp_ns - kStart_ns) * 1e-9, 0.0, 0.011);
   EXPECT_EQ(session.ins[1].stamp_ns - session.ins[0].stamp_ns, kStep_ns / 2);
+}
+
+// However long a sweep lasts, the INS is moved by what the clocks are apart, and why is named where it is known.
+TEST_F(bag_reader, moves_an_ins_by_its_clock_and_not_by_the_sweep) {
+  const auto moved_to_s = [&](std::int64_t lidar_clock_ns, std::int64_t period_ns, const char* cause) {
+    BagMaker bag(path());
+    bag.add_ins("/ins", 200);
+    const std::int64_t sweep_ns = period_ns * 9 / 10;
+    bag.add_scans("/points", 10, 300, true, lidar_clock_ns, period_ns, sweep_ns + 10'000'000);
+    bag.finish();
+    const Session session = open(path());
+    const Finding* finding = find(session, "clock-moved");
+    EXPECT_TRUE(finding) << lidar_clock_ns;
+    if (finding && *cause != 0) {
+      EXPECT_TRUE(contains(finding->explanation, cause)) << finding->explanation;
+    }
+    return static_cast<double>(session.ins[0].stamp_ns - kStart_ns) * 1e-9;
+  };
+  for (const std::int64_t period_ns : {50'000'000, 100'000'000, 200'000'000, 500'000'000}) {
+    const double rounding_s = 1e-2 * static_cast<double>(period_ns) * 1e-9;
+    for (const std::int64_t clock_ns : {-1'800'000'000LL, 1'800'000'000LL, 12'345'000'000LL})
+      EXPECT_NEAR(moved_to_s(clock_ns, period_ns, ""), static_cast<double>(clock_ns) * 1e-9, rounding_s) << period_ns;
+  }
+  EXPECT_NEAR(moved_to_s(28'800'000'000'000, kStep_ns, "about 8 hours: likely a time zone"), 28800.0, 2e-3);
+  EXPECT_NEAR(moved_to_s(-kStart_ns + 3'000'000'000'000, kStep_ns, "counts from when it was switched on"),
+              -static_cast<double>(kStart_ns) * 1e-9 + 3000.0, 2e-3);
 }
 
 TEST_F(bag_reader, leaves_both_alone_where_the_recorders_clock_is_off) {
@@ -176,7 +204,7 @@ TEST_F(bag_reader, names_a_clock_that_is_off_by_less_than_what_is_moved) {
   for (const std::int64_t clock_ns : {-300'000'000, 300'000'000}) {
     BagMaker bag(path());
     bag.add_ins("/ins", 41, clock_ns);
-    bag.add_scans("/points", 20, 30);
+    bag.add_scans("/points", 20, 30, true, 0, kStep_ns, kRecordedAfter_ns);
     bag.finish();
     const Session session = open(path());
     EXPECT_FALSE(find(session, "clock-moved"));
@@ -185,8 +213,7 @@ TEST_F(bag_reader, names_a_clock_that_is_off_by_less_than_what_is_moved) {
     ASSERT_TRUE(finding);
     EXPECT_EQ(finding->severity, Severity::Warning);
     EXPECT_TRUE(contains(finding->where, "/ins/imu")) << finding->where;
-    // Scans are recorded 20 ms after their stamps, the INS 10 ms.
-    EXPECT_TRUE(contains(finding->explanation, clock_ns < 0 ? " 0.290 s apart" : "-0.310 s apart"))
+    EXPECT_TRUE(contains(finding->explanation, clock_ns < 0 ? " 0.300 s apart" : "-0.300 s apart"))
         << finding->explanation;
     std::cout << finding->explanation << "\n";
   }
