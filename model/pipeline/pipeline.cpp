@@ -51,6 +51,11 @@ std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOpt
                               " scans lie outside the INS data or in a gap of it and are not used" +
                               (outside == stamps.size() ? ": " + why_not_covered(motion, s) : ".")});
     const std::vector<Keyframe> chosen = select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
+    KeyframeOptions as_set = options;
+    as_set.minimum = 0;
+    report_closer_keyframes(motion.session(s), options,
+                            select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), as_set).size(),
+                            chosen.size(), findings);
     keyframes.insert(keyframes.end(), chosen.begin(), chosen.end());
   }
   return keyframes;
