@@ -207,7 +207,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     output.compensation_ins_from_lidar = x;
     if (pass == 0 && !match_objects_of_pairs(context, scans, output, objects, progress)) return;
     register_pairs(context, scans, objects, output.pairs, progress);
-    use_odometry(motion, output.keyframes, output.pairs);
+    use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
     apply_verdicts(input.verdicts, output);
     if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
     progress.report(stage::kSolving, 0, 0);
@@ -295,7 +295,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   } else {
     output.map_check = MapCheck::NoScans;
     if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
-    use_odometry(motion, output.keyframes, output.pairs);
+    use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
     apply_verdicts(input.verdicts, output);
     progress.report(stage::kSolving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);
