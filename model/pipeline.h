@@ -27,6 +27,9 @@ struct PipelineInput {
   MountingFrames nominal_frames;
   std::vector<PairVerdict> verdicts;  ///< obeyed as soon as the pairs are registered
   int threads = 0;                    ///< 0: one per core; the result does not depend on it
+  /// By session: of each of its LiDAR poses, how the motion since the pose before may err where it rests on an assumed
+  /// mounting, for the LiDAR did not tell it (untold_motions in algorithms/odometry/fused_poses.h). Empty: it told all.
+  std::vector<std::vector<Matrix6d>> odometry_untold;
 };
 
 /// Whether the accumulated map was compared under the result and others, and why not.

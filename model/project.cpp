@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/checks/data_check.h"
+#include "model/deciding_notes.h"
 #include "model/io/atomic_save.h"
 #include "model/io/pair_document.h"
 #include "model/io/parse_document.h"
@@ -323,9 +324,11 @@ ResultFile make_result_file(const PipelineInput& input, const PipelineOutput& ou
   file.nominal_ins_from_lidar = input.nominal_ins_from_lidar;
   file.pairs = pair_records(output.keyframes, output.pairs);
   file.sharpness = output.sharpness;
-  // Of the notes, what data are suspected of: how the program went about its work is for its log.
+  // Of the notes, what data are suspected of and what the result rests on: the rest of how the program went about its
+  // work is for its log.
   for (const Finding& finding : output.findings)
-    if (finding.severity != Severity::Note || finding_kind(finding.code)) file.findings.push_back(finding);
+    if (finding.severity != Severity::Note || finding_kind(finding.code) || is_deciding(finding))
+      file.findings.push_back(finding);
   file.version = kVersion;
   file.settings = input.settings;
   file.inputs = std::move(inputs);

@@ -119,6 +119,10 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "One keyframe only: lower keyframes.interval_s, or give a longer drive."),
       QT_TRANSLATE_NOOP(
           "remount::model",
+          "At the spacing that is set, %1, the drive has %2 keyframes, fewer than keyframes.minimum: they "
+          "were taken closer together, %3 in all. Lower keyframes.minimum to keep the spacing."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
           "One keyframe only: lower keyframes.distance_m and keyframes.rotation_deg, or give a longer drive."),
       QT_TRANSLATE_NOOP(
           "remount::model",

@@ -83,9 +83,22 @@ const std::vector<const char*>& method_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "The scans did not fit the map any more, as after a gap: %1 times it was begun anew at the "
                         "predicted pose, and poses before and after do not fit together."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 of %2 scans do not tell of every direction of the motion, nor does another sensor carry the "
+          "odometry on; no pair spans them. Drive where there is more to see."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "%1 of %2 scans do not tell of every direction of the motion; no pair spans them. Drive where "
+                        "%1 of %2 scans do not tell of every direction of the motion: hardly any pair is left to "
+                        "compare with the INS."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Nor do wheel speeds and gyroscope cover these scans: look at their stamps, or drive where "
                         "there is more to see."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Give a nominal mounting and record wheel speeds and an IMU, which carry the odometry through "
+                        "such places; or drive where there is more to see."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The mounting still changed when the odometry was repeated with it; its sigmas contain the "
+                        "last change. Give a better nominal, or drive where there is more to see."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The session has no INS with attitude: its odometry takes no part in the calibration."),
       QT_TRANSLATE_NOOP("remount::model", "The session has no %1: the odometry does without."),
@@ -96,6 +109,9 @@ const std::vector<const char*>& method_phrases() {
       QT_TRANSLATE_NOOP(
           "remount::model",
           "%1 of %2 scans do not tell of every direction of the motion; there it rests on wheels and gyroscope."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 of %2 scans do not tell of every direction of the motion; there it rests on wheels and "
+                        "gyroscope, and says nothing of the mounting."),
       QT_TRANSLATE_NOOP(
           "remount::model",
           "%1 of %2 scans do not tell of every direction of the motion, nor do wheels: there a steady motion was "

@@ -20,6 +20,9 @@ namespace remount {
 struct FusionMounting {
   RigidTransform vehicle_from_lidar = RigidTransform::Identity();
   RigidTransform vehicle_from_imu = RigidTransform::Identity();
+  /// The LiDAR's is what shall be found: wheels and gyroscope, which reach the LiDAR through it, would confirm it. They
+  /// then speak of the motion only where the scans do not.
+  bool to_be_judged = false;
 };
 
 /// Everything but the scans; each ascending in time, empty where the vehicle has none.
@@ -41,7 +44,12 @@ struct FusedScan {
   RigidTransform odometry_from_vehicle = RigidTransform::Identity();
   Matrix6d covariance = Matrix6d::Zero();       ///< of the pose since the start, as in `perturbed`
   Matrix6d step_covariance = Matrix6d::Zero();  ///< of the motion since the scan before, in odometry axes
-  int line_features = 0, plane_features = 0;    ///< found in the scan
+  /// The motion since the scan before as this step has it, without what gravity and barometer corrected of all before.
+  RigidTransform before_from_vehicle = RigidTransform::Identity();
+  /// Takes a motion (as `perturbed`, odometry axes) to that part of it which the features do not tell: there the motion
+  /// rests on the other sensors, or on the assumption that it is steady.
+  Matrix6d untold = Matrix6d::Identity();
+  int line_features = 0, plane_features = 0;  ///< found in the scan
   int line_matches = 0, plane_matches = 0;
   double residual_m = std::numeric_limits<double>::quiet_NaN();  ///< root mean square distance of features from the map
   std::string undetermined;         ///< what the scan does not tell of the motion, in words; empty where it tells all
@@ -85,7 +93,7 @@ class FusionOdometry {
   ScanFeatures features_of(const OdometryScan& scan, const std::optional<Vector6d>& velocity) const;
   void match_and_solve(Step& step, FusedScan& result) const;
   void add_prior(const Step& step, std::vector<WeighedTerm>& terms) const;
-  void add_motion(const Step& step, std::vector<WeighedTerm>& terms) const;
+  void add_motion(const Step& step, const Matrix6d& untold, std::vector<WeighedTerm>& terms) const;
   void add_absolute(const Step& step, std::vector<WeighedTerm>& terms, FusedScan& result) const;
   bool add_features(const Step& step, int iteration, std::vector<WeighedTerm>& terms, FusedScan& result) const;
   std::optional<LevelMeasurement> level_at(std::int64_t stamp_ns, const RigidTransform& odometry_from_vehicle) const;
@@ -128,9 +136,5 @@ struct FusionOdometryResult {
 FusionOdometryResult solve_fusion_odometry(std::size_t scan_count, const std::function<OdometryScan(std::size_t)>& load,
                                            const FusionMounting& mounting, const SensorStreams& streams,
                                            const FusionOptions& options, int threads, Progress& progress);
-
-/// The LiDAR's poses in the odometry frame, which then has its origin at the first scan's vehicle.
-std::vector<StampedPose> odometry_from_lidar(const std::vector<FusedScan>& scans,
-                                             const RigidTransform& vehicle_from_lidar);
 
 }  // namespace remount

@@ -122,6 +122,14 @@ void TravelTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> res
   jacobian->col(kDrift + 3) = -scale_factor_ * travel_m_.cwiseQuotient(sigma_m_);
 }
 
+void FilteredTerm::evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals,
+                            FusionJacobian* jacobian) const {
+  FusionVector filtered = x;
+  filtered.segment<6>(kMotion) = speaks_ * x.segment<6>(kMotion);
+  term_->evaluate(filtered, residuals, jacobian);
+  if (jacobian) jacobian->middleCols<6>(kMotion) *= speaks_;
+}
+
 LevelMeasurement level_from_gravity(const Eigen::Vector3d& up) {
   return {std::atan2(up.y(), up.z()), std::atan2(-up.x(), up.tail<2>().norm()), 0.0, 0.0};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "algorithms/geometry/rigid_transform.h"
@@ -99,6 +100,18 @@ class TravelTerm : public FusionTerm {
   StepAnchor anchor_;
   Eigen::Vector3d travel_m_, sigma_m_;
   double scale_factor_;
+};
+
+/// Another term that hears of the motion only through a filter: residuals are those at `speaks * motion`.
+class FilteredTerm : public FusionTerm {
+ public:
+  FilteredTerm(std::unique_ptr<FusionTerm> term, const Matrix6d& speaks) : term_(std::move(term)), speaks_(speaks) {}
+  int rows() const override { return term_->rows(); }
+  void evaluate(const FusionVector& x, Eigen::Ref<Eigen::VectorXd> residuals, FusionJacobian* jacobian) const override;
+
+ private:
+  std::unique_ptr<FusionTerm> term_;
+  Matrix6d speaks_;
 };
 
 /// Roll and pitch of the vehicle against those by the direction of gravity. With z up and R = odometry_from_vehicle =

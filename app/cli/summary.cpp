@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/deciding_notes.h"
 #include "model/display_units.h"
 #include "model/pair_words.h"
 #include "model/report/plot_chart.h"
@@ -89,6 +90,15 @@ std::string advice(const CalibrationResult& result) {
   return first_of(lines, kMost);
 }
 
+/// What the program decided on its own; its warnings have been printed already.
+std::string deciding_notes(const std::vector<Finding>& findings) {
+  constexpr std::size_t kMost = 6;
+  std::vector<std::string> lines;
+  for (const Finding& finding : findings)
+    if (is_deciding(finding)) lines.push_back("note: " + finding.where + ": " + finding.explanation);
+  return first_of(lines, kMost);
+}
+
 }  // namespace
 
 std::string summary(const ResultFile& file) {
@@ -98,7 +108,7 @@ std::string summary(const ResultFile& file) {
                      (result.message.empty() ? "" : " - " + result.message) + "\n";
   if (usable) text += parameters(result);
   // What to do comes before what it rests on.
-  text += advice(result);
+  text += advice(result) + deciding_notes(file.findings);
   if (usable && std::isfinite(result.time_offset.offset_s))
     text += format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", result.time_offset.offset_s,
                    result.time_offset.sigma_s, result.time_offset.applied ? "applied" : "not applied");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "algorithms/core/error.h"
@@ -25,8 +26,8 @@ void tell_breaks(const std::string& session, const FusionRun& run, std::vector<F
   if (!run.breaks_ns.empty())
     findings.push_back({Severity::Warning, "odometry-breaks", session,
                         std::to_string(run.breaks_ns.size()) + " of " + std::to_string(run.odometry.scans.size()) +
-                            " scans do not tell of every direction of the motion; no pair spans them. Drive where "
-                            "there is more to see."});
+                            " scans do not tell of every direction of the motion, nor does another sensor carry the "
+                            "odometry on; no pair spans them. Drive where there is more to see."});
 }
 
 CalibrationResult without_ins() {
@@ -37,54 +38,163 @@ CalibrationResult without_ins() {
   return result;
 }
 
+/// Every session driven through once, and what the calibration makes of it.
+struct FusionPass {
+  PipelineInput by_odometry;  ///< sessions with their odometry's poses instead of scans
+  std::vector<Plot> plots;
+  std::vector<NamedQuantity> quantities;
+  std::vector<Finding> findings;
+  std::size_t scans = 0, breaks = 0;  ///< of the sessions that take part
+  bool cancelled = false;
+};
+
+void add_session(const std::shared_ptr<const Session>& session, FusionRun run, FusionPass& pass) {
+  if (!has_ins(*session)) {
+    pass.findings.push_back({Severity::Warning, "odometry-without-ins", session->name,
+                             "The session has no INS with attitude: its odometry takes no part in the calibration."});
+    return;
+  }
+  pass.scans += run.odometry.scans.size();
+  pass.breaks += run.breaks_ns.size();
+  auto with_poses = std::make_shared<Session>(*session);
+  with_poses->odometry_from_lidar = std::move(run.odometry_from_lidar);
+  with_poses->odometry_breaks_ns = std::move(run.breaks_ns);
+  pass.by_odometry.odometry_untold.push_back(std::move(run.untold));
+  with_poses->scans = nullptr;
+  pass.by_odometry.sessions.push_back(std::move(with_poses));
+}
+
+FusionPass drive_through(const PipelineInput& input, const std::optional<RigidTransform>& mounting_ins_from_lidar,
+                         Progress& progress) {
+  FusionPass pass;
+  pass.by_odometry = input;
+  pass.by_odometry.sessions.clear();
+  const FusionUse use = mounting_ins_from_lidar ? FusionUse::Calibration : FusionUse::ScansAlone;
+  for (const auto& session : input.sessions) {
+    FusionRun run =
+        run_fusion_odometry(*session, mounting_ins_from_lidar, input.settings, input.threads, progress, use);
+    pass.cancelled = pass.cancelled || run.odometry.cancelled;
+    add_quantities(run, input.sessions.size() > 1 ? session->name : "", pass.quantities);
+    const std::vector<Plot> of_session = fusion_plots(*session, run);
+    pass.plots.insert(pass.plots.end(), of_session.begin(), of_session.end());
+    pass.findings.insert(pass.findings.end(), run.findings.begin(), run.findings.end());
+    tell_breaks(session->name, run, pass.findings);
+    add_session(session, std::move(run), pass);
+  }
+  return pass;
+}
+
+bool can_help(const Session& session) {
+  return !session.wheels.empty() || !session.imu.empty() || !session.barometer.empty();
+}
+
+// What the pipeline says of pairs is of no use where there was no odometry to make them of.
+void blame_scans(const FusionPass& pass, bool with_sensors, CalibrationResult& result) {
+  if (result.status != Status::TooFewPairs || 2 * pass.breaks < pass.scans) return;
+  result.message = std::to_string(pass.breaks) + " of " + std::to_string(pass.scans) +
+                   " scans do not tell of every direction of the motion: hardly any pair is left to compare with the "
+                   "INS.";
+  result.advice = {with_sensors ? "Nor do wheel speeds and gyroscope cover these scans: look at their stamps, or drive "
+                                  "where there is more to see."
+                                : "Give a nominal mounting and record wheel speeds and an IMU, which carry the "
+                                  "odometry through such places; or drive where there is more to see."};
+}
+
+PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensors, Progress& progress) {
+  PipelineOutput output;
+  if (pass.cancelled) {
+    output.result.status = Status::Cancelled;
+    output.result.message = "Cancelled.";
+  } else if (pass.by_odometry.sessions.empty()) {
+    output.result = without_ins();
+  } else {
+    output = run_pipeline(pass.by_odometry, progress);
+    blame_scans(pass, with_sensors, output.result);
+  }
+  return output;
+}
+
+Vector6d six_of(const RigidTransform& ins_from_lidar) {
+  const SixParameters six = six_from_rigid(ins_from_lidar);
+  return (Vector6d() << six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad).finished();
+}
+
+/// By how much the result differs from the mounting that its odometry took for granted; of what is observed.
+Vector6d taken_for_granted(const RigidTransform& mounting_ins_from_lidar, const CalibrationResult& result) {
+  Vector6d change = six_of(result.ins_from_lidar) - six_of(mounting_ins_from_lidar);
+  for (int i = 0; i < 6; ++i) {
+    if (i >= 3) change[i] = wrap_angle_rad(change[i]);
+    if (!result.observed[static_cast<std::size_t>(i)]) change[i] = 0.0;
+  }
+  return change;
+}
+
+// Whether another odometry with the mounting that was found would be another one.
+bool worth_another(const Vector6d& change) {
+  return change.head<3>().norm() > 0.02 || change.tail<3>().norm() > degrees_to_radians(0.05);
+}
+
+// What the mounting still moves by when it is put in feeds back into it: the next round would move it by less again,
+// and all that are left out by no more than this one did.
+void add_feedback(const Vector6d& change, CalibrationResult& result) {
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (result.observed[static_cast<std::size_t>(i)] && result.observed[static_cast<std::size_t>(j)])
+        result.covariance(i, j) += change[i] * change[j];
+}
+
+bool knows_rotation(const CalibrationResult& result) {
+  return is_usable(result) && result.observed[3] && result.observed[4] && result.observed[5];
+}
+
+// The odometry with a mounting, the mounting from the odometry, and again with that, until it stays.
+PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mounting_ins_from_lidar, FusionPass& pass,
+                                Progress& progress) {
+  constexpr int kMostRounds = 4;
+  for (int round = 1;; ++round) {
+    pass = drive_through(input, mounting_ins_from_lidar, progress);
+    PipelineOutput output = calibrate_from(pass, true, progress);
+    if (!is_usable(output.result) || progress.cancelled()) return output;
+    const Vector6d change = taken_for_granted(mounting_ins_from_lidar, output.result);
+    const bool settled = !worth_another(change);
+    if (settled || round == kMostRounds) {
+      add_feedback(change, output.result);
+      if (!settled)
+        output.findings.push_back({Severity::Warning, "odometry-unsettled", "multi-sensor odometry",
+                                   "The mounting still changed when the odometry was repeated with it; its sigmas "
+                                   "contain the last change. Give a better nominal, or drive where there is more to "
+                                   "see."});
+      return output;
+    }
+    mounting_ins_from_lidar = output.result.ins_from_lidar;
+  }
+}
+
 }  // namespace
 
 PipelineOutput run_fusion_method(const PipelineInput& input, Progress& progress) {
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
   require_valid(input.settings);
-  PipelineInput by_odometry = input;
-  by_odometry.sessions.clear();
-  std::vector<Plot> plots;
-  std::vector<NamedQuantity> quantities;
-  std::vector<Finding> findings;
-  bool cancelled = false;
   // Without an INS the odometry is shown all the same.
   for (const auto& session : input.sessions)
     if (!has_scans(*session)) require_served(MethodChoice::FusionOdometry, {session});
-  for (const auto& session : input.sessions) {
-    // The poses must not rest on the mounting that they are to judge.
-    FusionRun run =
-        run_fusion_odometry(*session, std::nullopt, input.settings, input.threads, progress, FusionSensors::ScansAlone);
-    cancelled = cancelled || run.odometry.cancelled;
-    add_quantities(run, input.sessions.size() > 1 ? session->name : "", quantities);
-    const std::vector<Plot> of_session = fusion_plots(*session, run);
-    plots.insert(plots.end(), of_session.begin(), of_session.end());
-    findings.insert(findings.end(), run.findings.begin(), run.findings.end());
-    tell_breaks(session->name, run, findings);
-    if (!has_ins(*session)) {
-      findings.push_back({Severity::Warning, "odometry-without-ins", session->name,
-                          "The session has no INS with attitude: its odometry takes no part in the calibration."});
-      continue;
-    }
-    auto with_poses = std::make_shared<Session>(*session);
-    with_poses->odometry_from_lidar = std::move(run.odometry_from_lidar);
-    with_poses->odometry_breaks_ns = std::move(run.breaks_ns);
-    with_poses->scans = nullptr;
-    by_odometry.sessions.push_back(std::move(with_poses));
-  }
+  const bool helped =
+      std::any_of(input.sessions.begin(), input.sessions.end(), [](const auto& session) { return can_help(*session); });
+  FusionPass pass;
   PipelineOutput output;
-  if (cancelled) {
-    output.result.status = Status::Cancelled;
-    output.result.message = "Cancelled.";
-  } else if (by_odometry.sessions.empty()) {
-    output.result = without_ins();
-  } else {
-    output = run_pipeline(by_odometry, progress);
+  std::optional<RigidTransform> start = input.nominal_ins_from_lidar;
+  // The other sensors reach the LiDAR through its mounting; without a nominal that is known from where scans suffice.
+  if (!start || !helped) {
+    pass = drive_through(input, std::nullopt, progress);
+    output = calibrate_from(pass, false, progress);
+    start.reset();
+    if (helped && knows_rotation(output.result) && !progress.cancelled()) start = output.result.ins_from_lidar;
   }
+  if (start) output = iterate_mounting(input, *start, pass, progress);
   output.method = "fusion-odometry";
-  output.plots = std::move(plots);
-  output.quantities = std::move(quantities);
-  output.findings.insert(output.findings.end(), findings.begin(), findings.end());
+  output.plots = std::move(pass.plots);
+  output.quantities = std::move(pass.quantities);
+  output.findings.insert(output.findings.end(), pass.findings.begin(), pass.findings.end());
   return output;
 }
 

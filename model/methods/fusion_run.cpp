@@ -6,6 +6,8 @@
 
 #include "algorithms/calibration/plot_curves.h"
 #include "algorithms/core/error.h"
+#include "algorithms/odometry/fused_poses.h"
+#include "model/deciding_notes.h"
 #include "model/io/native_session_writer.h"
 #include "model/scan_times.h"
 #include "model/session_frames.h"
@@ -134,21 +136,27 @@ void tell_restarts(const Session& session, const std::vector<FusedScan>& scans, 
                             "together."});
 }
 
-std::vector<std::int64_t> breaks_of(const std::vector<FusedScan>& scans) {
+std::vector<std::int64_t> breaks_of(const std::vector<FusedScan>& scans, FusionUse use) {
   std::vector<std::int64_t> breaks_ns;
-  for (std::size_t i = 1; i < scans.size(); ++i)
-    if (!scans[i].usable || !scans[i].undetermined.empty()) breaks_ns.push_back(scans[i].stamp_ns);
+  for (std::size_t i = 1; i < scans.size(); ++i) {
+    const FusedScan& scan = scans[i];
+    const bool told = scan.undetermined.empty() && !scan.untold.isIdentity();
+    const bool carried = use != FusionUse::ScansAlone && scan.dead_reckoned && !scan.untold.isIdentity();
+    if (!scan.usable || scan.map_restarted || !(told || carried)) breaks_ns.push_back(scan.stamp_ns);
+  }
   return breaks_ns;
 }
 
-void tell_blind(const Session& session, const std::vector<FusedScan>& scans, std::vector<Finding>& findings) {
+void tell_blind(const Session& session, const std::vector<FusedScan>& scans, FusionUse use,
+                std::vector<Finding>& findings) {
   std::size_t blind = 0, guessed = 0;
   for (std::size_t i = 1; i < scans.size(); ++i)
     if (!scans[i].undetermined.empty()) ++(scans[i].dead_reckoned ? blind : guessed);
   const std::string of = " of " + std::to_string(scans.size()) + " scans do not tell of every direction of the motion";
   if (blind > 0)
-    findings.push_back({Severity::Note, "odometry-by-wheels", session.name,
-                        std::to_string(blind) + of + "; there it rests on wheels and gyroscope."});
+    findings.push_back({Severity::Note, kOdometryByWheels, session.name,
+                        std::to_string(blind) + of + "; there it rests on wheels and gyroscope" +
+                            (use == FusionUse::Calibration ? ", and says nothing of the mounting." : ".")});
   if (guessed > 0)
     findings.push_back(
         {Severity::Warning, "odometry-guessed", session.name,
@@ -159,19 +167,20 @@ void tell_blind(const Session& session, const std::vector<FusedScan>& scans, std
 
 }  // namespace
 
-FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidTransform>& nominal_ins_from_lidar,
-                              const Settings& settings, int threads, Progress& progress, FusionSensors sensors) {
+FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidTransform>& mounting_ins_from_lidar,
+                              const Settings& settings, int threads, Progress& progress, FusionUse use) {
   if (!session.scans || session.scans->size() == 0)
     throw Error(ErrorCode::Unsupported, session.name, "has no scans; the multi-sensor odometry needs them");
   FusionRun run;
   FusionOptions options = settings.fusion;
   FusionMounting mounting;
+  mounting.to_be_judged = use == FusionUse::Calibration;
   SensorStreams streams;
-  if (sensors == FusionSensors::ScansAlone) {
+  if (use == FusionUse::ScansAlone) {
     options.ackermann = options.accelerometer = options.barometer = false;
-  } else if (nominal_ins_from_lidar) {
+  } else if (mounting_ins_from_lidar) {
     const RigidTransform vehicle_from_ins = options.vehicle_from_ins() * forward_left_up_from(session.ins_axes);
-    mounting.vehicle_from_lidar = vehicle_from_ins * *nominal_ins_from_lidar;
+    mounting.vehicle_from_lidar = vehicle_from_ins * *mounting_ins_from_lidar;
     mounting.vehicle_from_imu = options.vehicle_from_ins() * options.ins_from_imu();
     streams = {session.imu, session.wheels, session.barometer};
     tell_missing(session, options, run.findings);
@@ -186,13 +195,17 @@ FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidT
   run.odometry = solve_fusion_odometry(
       session.scans->size(), [&](std::size_t index) { return scans.get(index); }, mounting, streams, options, threads,
       progress);
-  run.odometry_from_lidar = odometry_from_lidar(run.odometry.scans, mounting.vehicle_from_lidar);
-  run.breaks_ns = breaks_of(run.odometry.scans);
+  const std::vector<FusedScan>& fused = run.odometry.scans;
+  run.odometry_from_lidar = use == FusionUse::Calibration
+                                ? uncorrected_odometry_from_lidar(fused, mounting.vehicle_from_lidar)
+                                : odometry_from_lidar(fused, mounting.vehicle_from_lidar);
+  if (use == FusionUse::Calibration) run.untold = untold_motions(fused, mounting.vehicle_from_lidar);
+  run.breaks_ns = breaks_of(fused, use);
   scans.tell_without_times();
-  tell_restarts(session, run.odometry.scans, run.findings);
-  if (sensors == FusionSensors::ScansAlone || run.odometry.cancelled) return run;
-  if (nominal_ins_from_lidar) tell_unused(session, options, run.odometry.scans, run.findings);
-  tell_blind(session, run.odometry.scans, run.findings);
+  tell_restarts(session, fused, run.findings);
+  if (use == FusionUse::ScansAlone || run.odometry.cancelled) return run;
+  if (mounting_ins_from_lidar) tell_unused(session, options, fused, run.findings);
+  tell_blind(session, fused, use, run.findings);
   return run;
 }
 

@@ -8,6 +8,7 @@
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
 #include "algorithms/trajectory/motion_track.h"
+#include "model/deciding_notes.h"
 #include "model/methods/builtin.h"
 #include "model/scan_times.h"
 
@@ -157,6 +158,13 @@ std::vector<RigidTransform> turn_poses(const Session& session, const Settings& s
   return poses;
 }
 
+// With its folder where others have the same name.
+std::string known_name(const Session& session, const std::vector<std::shared_ptr<const Session>>& all) {
+  const auto namesakes =
+      std::count_if(all.begin(), all.end(), [&](const auto& other) { return other->name == session.name; });
+  return namesakes > 1 ? session.name + " (" + session.path.filename().string() + ")" : session.name;
+}
+
 }  // namespace
 
 PipelineOutput run_slew(const PipelineInput& input, Progress& progress) {
@@ -174,7 +182,7 @@ PipelineOutput run_slew(const PipelineInput& input, Progress& progress) {
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
   for (int role = 0; role < kRoles; ++role)
     if (const Session* session = recordings[static_cast<std::size_t>(role)])
-      output.findings.push_back({Severity::Note, "recording", session->name,
+      output.findings.push_back({Severity::Note, kRecording, known_name(*session, input.sessions),
                                  std::string("Taken for the recording: ") + kRoleNames[role] + "."});
 
   SlewData data;

@@ -1,5 +1,6 @@
 #include "model/pipeline/drive_motion.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -91,7 +92,35 @@ void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyf
   pairs = std::move(kept);
 }
 
-void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs) {
+namespace {
+
+// Covariance of the LiDAR's motion from one pose to another (axes of the latter) by what it did not tell itself.
+// Motions that rest on an assumed mounting would confirm it, all of them alike: what they are off by may have the same
+// direction in axes of the vehicle throughout, and is then not known at all; a part is anew with every scan.
+Matrix6d untold_covariance(const Session& session, const std::vector<Matrix6d>& untold_motions, int from, int to) {
+  constexpr double kAlike = 30.0, kAnew = 1.0;  // times the motion itself
+  Matrix6d anew = Matrix6d::Zero(), alike = Matrix6d::Zero();
+  if (untold_motions.empty()) return anew;
+  const auto pose = [&](int scan) -> const RigidTransform& {
+    return session.odometry_from_lidar[static_cast<std::size_t>(scan)].pose;
+  };
+  for (int scan = from + 1; scan <= to; ++scan) {
+    const Eigen::Vector3d arm = pose(scan).inverse() * pose(from).translation();
+    const Eigen::Matrix3d to_axes = pose(to).linear().transpose() * pose(scan).linear();
+    Matrix6d carried = Matrix6d::Zero();
+    carried.topLeftCorner<3, 3>() = carried.bottomRightCorner<3, 3>() = to_axes;
+    carried.topRightCorner<3, 3>() = -to_axes * skew(arm);
+    const Matrix6d untold = carried * untold_motions.at(static_cast<std::size_t>(scan));
+    anew += untold * untold.transpose();
+    alike += untold;
+  }
+  return kAnew * kAnew * anew + kAlike * kAlike * alike * alike.transpose();
+}
+
+}  // namespace
+
+void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
+                  const std::vector<std::vector<Matrix6d>>& untold, std::vector<Pair>& pairs) {
   // No odometry states its errors: a centimetre and a twentieth of a degree, growing with the distance; the noise
   // model's scale is estimated from the residuals.
   constexpr double kTranslation_m = 0.01, kRotation_rad = 0.001, kDrift = 0.002;
@@ -106,8 +135,12 @@ void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyfra
     const double rotation_rad = std::hypot(kRotation_rad, kDrift * 0.05 * pair.baseline_m);
     pair.registration.attempted = pair.registration.converged = true;
     pair.registration.overlap = 1.0;
-    pair.registration.information.diagonal() << Eigen::Vector3d::Constant(1.0 / (translation_m * translation_m)),
-        Eigen::Vector3d::Constant(1.0 / (rotation_rad * rotation_rad));
+    const auto index = static_cast<std::size_t>(a.session);
+    Matrix6d covariance = Matrix6d::Zero();
+    if (index < untold.size()) covariance = untold_covariance(session, untold[index], a.scan, b.scan);
+    covariance.diagonal().head<3>().array() += translation_m * translation_m;
+    covariance.diagonal().tail<3>().array() += rotation_rad * rotation_rad;
+    pair.registration.information = covariance.llt().solve(Matrix6d::Identity());
   }
 }
 

@@ -49,6 +49,8 @@ void keep_independent_odometry(const DriveMotion& motion, const std::vector<Keyf
                                std::vector<Pair>& pairs);
 
 /// Sets Q of the pairs of sessions that have poses of somebody's odometry instead of scans: the motion between two.
-void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs);
+/// @param untold by session, as PipelineInput::odometry_untold: of the directions of motion in there, Q says nothing
+void use_odometry(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
+                  const std::vector<std::vector<Matrix6d>>& untold, std::vector<Pair>& pairs);
 
 }  // namespace remount

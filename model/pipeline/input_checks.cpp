@@ -7,6 +7,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/clock_hint.h"
+#include "model/deciding_notes.h"
 #include "model/io/document.h"
 #include "model/io/system_call.h"
 #include "model/method_needs.h"
@@ -157,6 +158,23 @@ std::string why_not_covered(const DriveMotion& motion, int session) {
   const TimeSpan lidar{stamps.front(), stamps.back()}, ins{samples.front().stamp_ns, samples.back().stamp_ns};
   if (lidar.last_ns < ins.first_ns || lidar.first_ns > ins.last_ns) return time_spans_apart(lidar, ins);
   return "they lie in gaps of the INS data.";
+}
+
+// The default spacing is nobody's wish; one that was set larger is not given up without a word.
+void report_closer_keyframes(const Session& session, const KeyframeOptions& options, std::size_t asked_for,
+                             std::size_t chosen, std::vector<Finding>& findings) {
+  const KeyframeOptions usual;
+  const bool by_time = options.mode == KeyframeMode::Time;
+  const bool set = by_time ? options.interval_s > usual.interval_s
+                           : options.distance_m > usual.distance_m || options.rotation_deg > usual.rotation_deg;
+  if (!set || chosen <= asked_for) return;
+  const std::string spacing = by_time
+                                  ? shortest(options.interval_s) + " s"
+                                  : shortest(options.distance_m) + " m or " + shortest(options.rotation_deg) + " deg";
+  findings.push_back({Severity::Note, kCloserKeyframes, session.name,
+                      "At the spacing that is set, " + spacing + ", the drive has " + std::to_string(asked_for) +
+                          " keyframes, fewer than keyframes.minimum: they were taken closer together, " +
+                          std::to_string(chosen) + " in all. Lower keyframes.minimum to keep the spacing."});
 }
 
 CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,

@@ -34,6 +34,12 @@ void refuse_vanished(const std::vector<std::shared_ptr<const Session>>& sessions
 /// Why the LiDAR's stamps of a session all lie outside its INS data; for a session where none lies within.
 std::string why_not_covered(const DriveMotion& motion, int session);
 
+/// Notes that keyframes were taken closer together than a spacing that was set larger than the default, since there
+/// were fewer than the minimum. Says nothing where they were not.
+/// @param asked_for keyframes at that spacing
+void report_closer_keyframes(const Session& session, const KeyframeOptions& options, std::size_t asked_for,
+                             std::size_t chosen, std::vector<Finding>& findings);
+
 /// The result where no pair was found, with the cause: clocks, settings, or a vehicle that stands still.
 CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
                                        const Settings& settings);

@@ -51,6 +51,11 @@ std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOpt
                               " scans lie outside the INS data or in a gap of it and are not used" +
                               (outside == stamps.size() ? ": " + why_not_covered(motion, s) : ".")});
     const std::vector<Keyframe> chosen = select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
+    KeyframeOptions as_set = options;
+    as_set.minimum = 0;
+    report_closer_keyframes(motion.session(s), options,
+                            select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), as_set).size(),
+                            chosen.size(), findings);
     keyframes.insert(keyframes.end(), chosen.begin(), chosen.end());
   }
   return keyframes;
@@ -202,7 +207,7 @@ void calibrate_scans(const PipelineInput& input, DriveMotion& motion, PipelineOu
     output.compensation_ins_from_lidar = x;
     if (pass == 0 && !match_objects_of_pairs(context, scans, output, objects, progress)) return;
     register_pairs(context, scans, objects, output.pairs, progress);
-    use_odometry(motion, output.keyframes, output.pairs);
+    use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
     apply_verdicts(input.verdicts, output);
     if (input.settings.measured.ins_height_sigma_m > 0.0) use_ground(context, scans, output, progress);
     progress.report(stage::kSolving, 0, 0);
@@ -290,7 +295,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   } else {
     output.map_check = MapCheck::NoScans;
     if (input.settings.measured.ins_height_sigma_m > 0.0) report_unseen_ground(output);
-    use_odometry(motion, output.keyframes, output.pairs);
+    use_odometry(motion, output.keyframes, input.odometry_untold, output.pairs);
     apply_verdicts(input.verdicts, output);
     progress.report(stage::kSolving, 0, 0);
     output.result = solve_with_clock(input, motion, output, details, progress);

@@ -66,6 +66,24 @@ TEST(fusion_terms, jacobians_equal_perturbation) {
   expect_true_jacobian(HeightTerm(anchor, 3.4, 0.5));
 }
 
+TEST(fusion_terms, a_filtered_term_hears_only_what_it_is_let) {
+  Matrix6d speaks = Matrix6d::Identity();
+  speaks(1, 1) = 0.0;
+  speaks(0, 1) = 0.5;
+  const auto filtered = [&](const Matrix6d& filter) {
+    return FilteredTerm(std::make_unique<TravelTerm>(some_anchor(), Eigen::Vector3d(1.4, 0.1, 0.05),
+                                                     Eigen::Vector3d(0.02, 0.003, 0.003), true),
+                        filter);
+  };
+  expect_true_jacobian(filtered(speaks));
+  Eigen::VectorXd here(3), there(3);
+  FusionVector x = some_vector();
+  filtered(Matrix6d::Zero()).evaluate(x, here, nullptr);
+  x.segment<6>(kMotion).setConstant(3.0);
+  filtered(Matrix6d::Zero()).evaluate(x, there, nullptr);
+  EXPECT_EQ(here, there);
+}
+
 TEST(fusion_terms, the_fused_pose_has_the_jacobian_that_it_states) {
   const StepAnchor anchor = some_anchor();
   const FusionVector x = some_vector();

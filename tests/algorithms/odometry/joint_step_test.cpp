@@ -61,7 +61,7 @@ TEST(joint_step, linear_terms_are_solved_exactly_with_their_information) {
   terms.push_back({std::make_unique<LinearFusionTerm>(term), false});
   const JointStep step = solve_joint_step(terms, FusionVector::Zero());
   ASSERT_TRUE(step.usable);
-  EXPECT_LT((step.x - truth).norm(), 1e-9) << (step.x - truth).transpose();
+  EXPECT_LT((step.x - truth).norm(), 1e-8) << (step.x - truth).transpose();
   Eigen::VectorXd residuals(term.rows());
   FusionJacobian root(term.rows(), kFusionUnknowns);
   term.evaluate(truth, residuals, &root);

@@ -19,7 +19,10 @@ namespace {
 // The long test does the same over nine kilometres.
 TEST(fusion_run, goes_through_a_tunnel_where_scans_alone_slip) {
   constexpr double kLength_m = 300.0;
-  const SimulatedDrive drive = simulate_drive(tunnel_options(kLength_m));
+  SimulationOptions options = tunnel_options(kLength_m);
+  // Scans alone keep the speed with which they lost sight of it; in some drives that happens to be the mean.
+  options.seed = 4;
+  const SimulatedDrive drive = simulate_drive(options);
   const Settings settings = settings_of(drive);
   Progress progress;
   const FusionRun fused = run_fusion_odometry(drive.session, drive.ins_from_lidar, settings, 0, progress);
@@ -126,7 +129,11 @@ bool told(const std::vector<Finding>& findings, const std::string& code) {
 TEST(fusion_method, no_pair_rests_on_scans_that_do_not_tell_the_motion) {
   const SimulatedDrive drive = simulate_drive(tunnel_options(200.0));
   PipelineInput input;
-  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  auto session = std::make_shared<Session>(drive.session);
+  session->wheels.clear();  // nothing carries the odometry on
+  session->imu.clear();
+  session->barometer.clear();
+  input.sessions.push_back(session);
   input.nominal_ins_from_lidar = drive.ins_from_lidar;
   Progress progress;
   const PipelineOutput output = calibration_method("fusion-odometry").run(input, progress);

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "model/deciding_notes.h"
+#include "model/project.h"
 #include "tests/support/slew_recordings.h"
 
 namespace remount {
@@ -91,7 +93,18 @@ TEST(slew_method, recordings_are_known_by_their_folders_where_all_have_one_name)
     session.path = folders[i];
     yard.sessions[i] = std::make_shared<const Session>(std::move(session));
   }
-  EXPECT_EQ(run(yard, settings_with(FirstPlane::Ground)).result.status, Status::Ok);
+  const PipelineOutput output = run(yard, settings_with(FirstPlane::Ground));
+  EXPECT_EQ(output.result.status, Status::Ok);
+  // What was taken for what stands in the result.
+  PipelineInput input;
+  input.sessions = yard.sessions;
+  std::string notes;
+  for (const Finding& finding : make_result_file(input, output, {}).findings)
+    if (finding.code == kRecording) notes += finding.where + ": " + finding.explanation + "\n";
+  EXPECT_EQ(notes,
+            "excavator (slew_ground): Taken for the recording: ground.\n"
+            "excavator (slew_arm-sweep): Taken for the recording: arm.\n"
+            "excavator (slew_full-turn): Taken for the recording: turn.\n");
 }
 
 TEST(slew_method, without_a_turn_it_says_so) {

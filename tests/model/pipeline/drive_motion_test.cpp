@@ -145,5 +145,35 @@ TEST(drive_motion, no_pair_spans_a_break_of_the_odometry) {
   EXPECT_EQ(pairs[1].keyframe_a, 2);
 }
 
+// A motion that wheels filled in through an assumed mounting would confirm it.
+TEST(drive_motion, what_the_lidar_did_not_tell_of_its_motion_is_no_information) {
+  const auto session = drive();
+  session->odometry_from_lidar.clear();
+  std::vector<Matrix6d> untold_motions;
+  const Eigen::Matrix3d turned = so3_exp({0.0, 0.0, 0.3});
+  for (int i = 0; i < 3; ++i) {
+    session->odometry_from_lidar.push_back(
+        {at_ns(0.25 * i), make_rigid(turned, turned * Eigen::Vector3d(i, 0.0, 0.0))});
+    Matrix6d untold = Matrix6d::Zero();
+    if (i > 0) untold(0, 0) = 1.0;  // a metre along its x
+    untold_motions.push_back(untold);
+  }
+  const DriveMotion motion({session});
+  std::vector<Keyframe> keyframes(2);
+  keyframes[0].stamp_ns = at_ns(0.0);
+  keyframes[1].scan = 2;
+  keyframes[1].stamp_ns = at_ns(0.5);
+  std::vector<Pair> pairs(1);
+  pairs[0].keyframe_b = 1;
+  pairs[0].baseline_m = 2.0;
+  use_odometry(motion, keyframes, {untold_motions}, pairs);
+  const Matrix6d partly = pairs[0].registration.information;
+  use_odometry(motion, keyframes, {}, pairs);
+  const Matrix6d all = pairs[0].registration.information;
+  EXPECT_LT(partly(0, 0), 1e-3);  // a sigma of more than thirty metres
+  EXPECT_GT(all(0, 0), 1e3);
+  for (int i = 1; i < 6; ++i) EXPECT_NEAR(partly(i, i), all(i, i), 1e-6 * all(i, i)) << i;
+}
+
 }  // namespace
 }  // namespace remount

@@ -213,5 +213,25 @@ TEST(input_checks, a_message_ends_with_one_full_stop) {
   EXPECT_EQ(sentence(""), "");
 }
 
+TEST(input_checks, a_spacing_that_was_set_larger_is_not_given_up_without_a_word) {
+  Session session;
+  session.name = "short";
+  const auto said = [&](const KeyframeOptions& options, std::size_t asked_for, std::size_t chosen) {
+    std::vector<Finding> findings;
+    report_closer_keyframes(session, options, asked_for, chosen, findings);
+    return findings.empty() ? std::string() : findings.front().explanation;
+  };
+  KeyframeOptions options;
+  EXPECT_EQ(said(options, 12, 48), "") << "the default is nobody's wish";
+  options.distance_m = 5.0;
+  EXPECT_EQ(said(options, 60, 60), "");
+  EXPECT_NE(said(options, 12, 48).find("5 m or 5 deg, the drive has 12 keyframes"), std::string::npos)
+      << said(options, 12, 48);
+  options.mode = KeyframeMode::Time;
+  EXPECT_EQ(said(options, 12, 48), "") << "the distance does not matter";
+  options.interval_s = 2.0;
+  EXPECT_NE(said(options, 12, 48).find("2 s, the drive has 12 keyframes"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace remount
