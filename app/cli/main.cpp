@@ -6,6 +6,7 @@
 
 #include "algorithms/core/error.h"
 #include "app/cli/verbs.h"
+#include "model/printable_text.h"
 #include "remount_version.h"
 
 namespace remount {
@@ -32,7 +33,8 @@ std::string no_verb(const CLI::App& app) {
   for (const std::string& word : app.remaining())
     if (typed.empty() && !word.starts_with('-')) typed = word;
   for (const CLI::App* verb : app.get_subcommands({})) verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
-  return (typed.empty() ? "no verb is given" : "there is no verb \"" + typed.substr(0, 60) + "\"") +
+  return (typed.empty() ? "no verb is given"
+                        : "there is no verb \"" + printable(typed.substr(0, 60), LineBreaks::Escaped) + "\"") +
          "; the verbs are " + verbs + ". remount-cli --help explains them.";
 }
 
@@ -65,7 +67,7 @@ int run_main(int argc, char** argv) {
   }
   try {
     std::string command_line;
-    for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + std::string(argv[i]);
+    for (int i = 0; i < argc; ++i) command_line += (i == 0 ? "" : " ") + printable(argv[i], LineBreaks::Escaped);
     console.start(command_line);
     return console.end(run());
   } catch (const Error& error) {
