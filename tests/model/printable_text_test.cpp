@@ -41,7 +41,8 @@ TEST(printable_text, is_what_pages_and_reports_have) {
   session.path = "drive\n\x1b[2J";
   session.topics.push_back({"/points\nall is well", "t\x1b", 3, 0.0, {}, {}});
   session.findings.push_back({Severity::Warning, "bad-scan", "a\nb", "it holds \x1b"});
-  const std::string text = describe(session, {});
+  Progress progress;
+  const std::string text = describe(session, report_session(session, progress));
   EXPECT_NE(text.find("drive\\x0a\\x1b[2J\n"), std::string::npos) << text;
   EXPECT_NE(text.find("/points\\x0aall is well"), std::string::npos) << text;
   EXPECT_NE(text.find("a\\x0ab: "), std::string::npos) << text;
