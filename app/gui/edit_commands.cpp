@@ -3,6 +3,9 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "model/methods/calibration_method.h"
+#include "widgets/model_text.h"
+
 namespace remount {
 
 QString undone(const QString& step) {
@@ -35,8 +38,18 @@ bool SettingsCommand::mergeWith(const QUndoCommand* other) {
   return true;
 }
 
-CalibrationCommand::CalibrationCommand(Workbench& workbench, const QString& text, Workbench::CalibratedPtr before)
-    : QUndoCommand(text), workbench_(workbench), before_(std::move(before)) {}
+CalibrationCommand::CalibrationCommand(Workbench& workbench, std::string method, Workbench::CalibratedPtr before)
+    : workbench_(workbench), method_(std::move(method)), before_(std::move(before)) {
+  setText(CalibrationCommand::name());
+}
+
+QString CalibrationCommand::name() const {
+  const auto& methods = calibration_methods();
+  const auto method =
+      std::find_if(methods.begin(), methods.end(), [&](const CalibrationMethod& one) { return one.id == method_; });
+  return Workbench::tr("calibration (%1)")
+      .arg(method == methods.end() ? QString::fromStdString(method_) : model_text(method->title));
+}
 
 void CalibrationCommand::undo() {
   after_ = workbench_.calibrated();
@@ -69,25 +82,21 @@ void TopicsCommand::redo() {
   if (undone_) workbench_.apply_nominal(nominal_after_);
 }
 
-namespace {
-
-QString title_of_opening(const std::vector<std::shared_ptr<const Session>>& sessions) {
-  return sessions.size() == 1
-             ? QCoreApplication::translate("remount::edit_commands", "open %1")
-                   .arg(QString::fromStdString(sessions.front()->name))
-             : QCoreApplication::translate("remount::edit_commands", "open %1 sessions").arg(sessions.size());
-}
-
-}  // namespace
-
 OpeningCommand::OpeningCommand(Workbench& workbench, std::vector<std::shared_ptr<const Session>> sessions)
-    : QUndoCommand(title_of_opening(sessions)),
-      workbench_(workbench),
+    : workbench_(workbench),
       sessions_(std::move(sessions)),
       nominal_before_(workbench.nominal_ins_from_lidar()),
       nominal_after_(nominal_before_) {
   for (const auto& session : sessions_)
     if (!nominal_after_) nominal_after_ = session->nominal_ins_from_lidar;
+  setText(OpeningCommand::name());
+}
+
+QString OpeningCommand::name() const {
+  return sessions_.size() == 1
+             ? QCoreApplication::translate("remount::edit_commands", "open %1")
+                   .arg(QString::fromStdString(sessions_.front()->name))
+             : QCoreApplication::translate("remount::edit_commands", "open %1 sessions").arg(sessions_.size());
 }
 
 void OpeningCommand::undo() {

@@ -10,6 +10,12 @@ namespace remount {
 /// "undo: reject pair 12".
 QString undone(const QString& step);
 
+/// An edit whose name is known in every language, for it may be undone after another was chosen.
+class NamedEdit : public QUndoCommand {
+ public:
+  virtual QString name() const = 0;
+};
+
 class DecisionCommand : public QUndoCommand {
  public:
   DecisionCommand(Workbench& workbench, const QString& text, std::vector<PairDecision> before,
@@ -40,15 +46,17 @@ class SettingsCommand : public QUndoCommand {
   Settings before_, after_;
 };
 
-/// A calibration that took the place of `before`. Made when it is there already.
-class CalibrationCommand : public QUndoCommand {
+/// A calibration that took the place of `before`. Made when it is there already. `method`: its id.
+class CalibrationCommand : public NamedEdit {
  public:
-  CalibrationCommand(Workbench& workbench, const QString& text, Workbench::CalibratedPtr before);
+  CalibrationCommand(Workbench& workbench, std::string method, Workbench::CalibratedPtr before);
+  QString name() const override;
   void undo() override;
   void redo() override;
 
  private:
   Workbench& workbench_;
+  std::string method_;
   Workbench::CalibratedPtr before_, after_;  ///< after: once it was undone
 };
 
@@ -68,10 +76,11 @@ class TopicsCommand : public QUndoCommand {
 };
 
 /// Sessions are opened, and with them the nominal that they bring where there is none.
-class OpeningCommand : public QUndoCommand {
+class OpeningCommand : public NamedEdit {
  public:
   static constexpr int kId = 4;
   OpeningCommand(Workbench& workbench, std::vector<std::shared_ptr<const Session>> sessions);
+  QString name() const override;
   void undo() override;
   void redo() override;
   int id() const override { return kId; }

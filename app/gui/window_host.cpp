@@ -37,6 +37,7 @@ void WindowHost::change_language(const QString& code) {
   }
   WindowHandover handover = window_->hand_over();
   speak(code, true);
+  workbench_.name_edits_anew();
   auto next = std::make_unique<MainWindow>(workbench_);
   next->take_over(std::move(handover));
   const bool visible = window_->isVisible();

@@ -181,7 +181,8 @@ class Workbench : public QObject {
   ProjectSnapshot snapshot() const;
   /// Replaces everything; the project's sessions are given opened, its paths are not used.
   void restore(std::vector<std::shared_ptr<const Session>> sessions, const Project& project, OutputPtr output);
-  void announce();  ///< everything once more, for a window that takes the place of another
+  void name_edits_anew();  ///< in the language of now, before a window shows them
+  void announce();         ///< everything once more, for a window that takes the place of another
   JobRunner& jobs() { return jobs_; }
   const Engine& engine() const { return engine_; }
 

@@ -3,9 +3,7 @@
 
 #include "app/gui/edit_commands.h"
 #include "app/gui/workbench.h"
-#include "model/methods/calibration_method.h"
 #include "model/pipeline/without_session.h"
-#include "widgets/model_text.h"
 
 namespace remount {
 
@@ -74,11 +72,7 @@ void Workbench::apply_calibration(const CalibratedPtr& calibrated, const QString
 
 void Workbench::keep_what_was(const CalibratedPtr& before) {
   if (!before) return undo_.clear();  // or redo would put an older calibration in the place of this one
-  const auto& methods = calibration_methods();
-  const auto method = std::find_if(methods.begin(), methods.end(),
-                                   [&](const CalibrationMethod& one) { return one.id == output_->method; });
-  const QString title = method == methods.end() ? QString::fromStdString(output_->method) : model_text(method->title);
-  undo_.push(new CalibrationCommand(*this, tr("calibration (%1)").arg(title), before));
+  undo_.push(new CalibrationCommand(*this, output_->method, before));
   if (before->output && !before->output->pairs.empty() && output_->pairs.empty())
     emit message(Severity::Note, {},
                  tr("This method has no pairs. Those of the calibration before come back by undo (Ctrl+Z), and "
@@ -195,6 +189,12 @@ void Workbench::apply_return(const std::shared_ptr<const Session>& session, std:
   put_back(*calibrated);
   emit sessions_changed();
   show_put_back(calibrated);
+}
+
+void Workbench::name_edits_anew() {
+  for (int i = 0; i < undo_.count(); ++i)
+    if (const auto* edit = dynamic_cast<const NamedEdit*>(undo_.command(i)))
+      const_cast<NamedEdit*>(edit)->setText(edit->name());  // the stack gives out what it holds as const alone
 }
 
 bool Workbench::has_edits() const {

@@ -10,6 +10,7 @@
 #include "widgets/itemmodels/candidate_table_model.h"
 #include "widgets/itemmodels/pair_filter.h"
 #include "widgets/itemmodels/session_list_model.h"
+#include "widgets/model_text.h"
 
 namespace remount {
 namespace {
@@ -179,7 +180,7 @@ TEST(session_list_model, every_code_is_explained) {
       model.show_sessions({std::make_shared<const Session>(session)});
       const QString told = model.index(0, 0, model.index(0, 0)).data(Qt::ToolTipRole).toString();
       for (const std::string_view part : {std::string_view(code), kind.meaning, kind.remedy})
-        EXPECT_TRUE(told.contains(QString::fromUtf8(part.data(), static_cast<qsizetype>(part.size()))))
+        EXPECT_TRUE(told.contains(in_words_of_window(QString::fromUtf8(part.data(), std::ssize(part)))))
             << code << ": " << part << "\n"
             << told.toStdString();
     }
