@@ -56,6 +56,7 @@ RegistrationOptions for_odometry(RegistrationOptions registration, double voxel_
   // Rings of a sparse sensor on open ground lie between those of the map: less in common than two scans of a street
   // have is no sign of another place, where the prediction is near.
   registration.min_overlap *= 0.5;
+  registration.max_iterations *= 3;  // a prediction in the place of a pose costs more than the few scans that need them
   return registration;
 }
 
