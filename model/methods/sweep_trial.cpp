@@ -115,7 +115,7 @@ Comparison compare_residuals(const std::vector<double>& first, const std::vector
   const auto count = static_cast<double>(blocks.size());
   out.mean = std::accumulate(blocks.begin(), blocks.end(), 0.0) / count;
   double squares = 0.0;
-  for (const double block : blocks) squares += (block - out.mean) * (block - out.mean);
+  for (const double one : blocks) squares += (one - out.mean) * (one - out.mean);
   const double sigma = std::sqrt(squares / (count - 1.0) / count);
   out.clear = out.mean < -kLeast && out.mean < -kClearly * sigma;
   return out;
