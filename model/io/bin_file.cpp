@@ -1,20 +1,19 @@
 // Scans of bare 32-bit floats. Nothing in such a file says how many make a point: KITTI has 4, NCLT's converters 3,
-// nuScenes 5, Waymo's 6. The numbers tell: in the right layout each column holds one kind of number, so that from point
-// to point it changes by little; in a wrong one coordinates and reflectances take turns.
+// nuScenes 5, Waymo's 6. The numbers tell: in the right layout each column holds one kind of number, heights that
+// differ by little and reflectances beside coordinates that differ by much; in a wrong one they take turns.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "algorithms/core/error.h"
-#include "algorithms/core/median.h"
 #include "model/io/cloud_fields.h"
 
 namespace remount {
 namespace {
 
 constexpr bool kSwapBin = std::endian::native == std::endian::big;
-constexpr std::size_t kFloatBytes = 4;
+constexpr std::size_t kFloatBytes = 4, kValueParts = 16;
 /// Of files that may be either, the first is taken. Of 6 and 3, both fit wherever 3 does: the smaller comes before.
 constexpr std::array<std::size_t, 4> kFloatsAPoint{4, 3, 5, 6};
 
@@ -37,38 +36,48 @@ bool is_measured_number(double value) {
   return std::isnan(value) || size == 0.0 || (size > 1e-12 && size < 1e8);
 }
 
-/// How much the columns of `width` floats a point change from point to point, as the mean logarithm; nothing where they
-/// are no points: other bytes, or all values of one coordinate before those of the next.
-std::optional<double> change_of_columns(const Floats& floats, std::size_t width) {
-  constexpr std::size_t kMost = 4000;  // points, from the middle
-  constexpr double kFew = 0.02;        // share of what is damaged
-  constexpr double kSmallest = 1e-3;   // change that is none
-  const std::size_t all = floats.size() / width, points = std::min(all, kMost), first = (all - points) / 2 * width;
+/// Values from the middle of a file, each with the sixteenth of all values that it is in; empty where they are no
+/// numbers that were measured.
+std::vector<std::size_t> sixteenths(const Floats& floats, std::size_t first, std::size_t count) {
+  constexpr double kFew = 0.02;  // share of what is damaged
+  std::vector<double> values;
   std::size_t odd = 0;
-  double sum = 0.0;
-  std::vector<double> changes, apart, spread;
-  for (std::size_t column = 0; column < width; ++column) {
-    changes.clear();
-    for (std::size_t i = 0; i < points; ++i) {
-      const double value = floats[first + i * width + column];
-      odd += is_measured_number(value) ? 0 : 1;
-      const double change = i > 0 ? value - floats[first + (i - 1) * width + column] : std::nan("");
-      if (std::isfinite(change)) changes.push_back(std::abs(change));
-    }
-    if (changes.empty()) return std::nullopt;
-    sum += std::log(median_of(changes) + kSmallest);
+  for (std::size_t i = 0; i < count; ++i) {
+    odd += is_measured_number(floats[first + i]) ? 0 : 1;
+    values.push_back(std::isnan(floats[first + i]) ? 0.0 : floats[first + i]);
   }
-  if (static_cast<double>(odd) > kFew * static_cast<double>(points * width)) return std::nullopt;
-  for (std::size_t i = 0; i < points; ++i) {
-    const std::size_t at = first + i * width;
-    const double x = floats[at], y = floats[at + 1], z = floats[at + 2];
-    if (!std::isfinite(x + y + z)) continue;
-    apart.push_back(std::abs(x - y) + std::abs(y - z));
-    spread.push_back(std::abs(x) + std::abs(y) + std::abs(z));
+  if (static_cast<double>(odd) > kFew * static_cast<double>(count)) return {};
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::size_t> parts;
+  for (const double value : values) {
+    const auto below = std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin();
+    parts.push_back(static_cast<std::size_t>(below) * kValueParts / count);
   }
-  constexpr double kApart = 0.05;  // of coordinates of one point, as a share of their size
-  if (apart.empty() || median_of(apart) < kApart * median_of(spread)) return std::nullopt;
-  return sum / static_cast<double>(width);
+  return parts;
+}
+
+/// How much the place of a value among `width` tells of the value: their mutual information, nats. Of a layout that is
+/// not the file's every column holds everything, and it tells nothing; the same where all values of one coordinate
+/// stand before those of the next. Nothing where the bytes are no numbers that were measured.
+std::optional<double> told_by_column(const Floats& floats, std::size_t width) {
+  constexpr std::size_t kMost = 4000;  // points
+  const std::size_t all = floats.size() / width, points = std::min(all, kMost);
+  const std::size_t first = (all - points) / 2 * width;
+  const std::vector<std::size_t> parts = sixteenths(floats, first, points * width);
+  if (parts.empty()) return std::nullopt;
+  std::vector<double> of_all(kValueParts), of_column(kValueParts * width);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    of_all[parts[i]] += 1.0;
+    of_column[i % width * kValueParts + parts[i]] += 1.0;
+  }
+  const auto count = static_cast<double>(parts.size());
+  double told = 0.0;
+  for (std::size_t i = 0; i < of_column.size(); ++i)
+    if (of_column[i] > 0.0)
+      told += of_column[i] / count * std::log(of_column[i] * static_cast<double>(width) / of_all[i % kValueParts]);
+  // Few values tell as much by chance.
+  return told - static_cast<double>((width - 1) * (kValueParts - 1)) / (2.0 * count);
 }
 
 /// NCLT's own files: three coordinates of 16 bits, intensity and laser (of 32) of 8.
@@ -95,21 +104,20 @@ bool looks_like_nclt(std::string_view bytes) {
 /// Throws Error where no layout makes points of the bytes.
 std::size_t floats_a_point(std::string_view bytes, const std::filesystem::path& path) {
   constexpr std::size_t kFewest = 64;  // points: fewer do not tell
-  // Every second point of a scan changes hardly more than every one: twice as wide a layout is to be clearly better.
-  constexpr double kClearly = 0.25;
+  constexpr double kLeast = 0.02, kClearly = 0.05;
   const Floats floats(bytes);
   std::optional<std::size_t> best;
-  double least = 0.0;
+  double most = 0.0;
   for (const std::size_t width : kFloatsAPoint) {
     if (bytes.empty() || bytes.size() % (width * kFloatBytes) != 0) continue;
     if (floats.size() < kFewest * width) {
       if (!best) best = width;
       continue;
     }
-    const std::optional<double> change = change_of_columns(floats, width);
-    if (!change || (best && *change > least - kClearly)) continue;
+    const std::optional<double> told = told_by_column(floats, width);
+    if (!told || *told < (best ? most + kClearly : kLeast)) continue;
     best = width;
-    least = *change;
+    most = *told;
   }
   if (!best) refuse_bin(bytes, path);
   return *best;

@@ -18,8 +18,7 @@ namespace {
 
 constexpr std::size_t kMostTrialScans = 96;
 constexpr std::size_t kMostTrialPoints = 30'000;  ///< of a scan
-constexpr std::size_t kBlock = 8;                 ///< scans: neighbours share the map they are compared with
-constexpr std::size_t kFirstScans = 4;            ///< have next to no map before them
+constexpr std::size_t kFirstScans = 2;            ///< have next to no map before them
 
 struct StampedCloud {
   std::int64_t stamp_ns = 0;
@@ -101,18 +100,22 @@ struct Comparison {
 Comparison compare_residuals(const std::vector<double>& first, const std::vector<double>& second) {
   constexpr double kLeast = 0.02;   // share
   constexpr double kClearly = 4.0;  // times its own scatter
+  // Neighbours share the map they are compared with: blocks of them are independent. Of a short drive, shorter ones.
+  constexpr std::size_t kLongestBlock = 8, kShortestBlock = 2, kBlocks = 6, kFewestBlocks = 4;
+  const std::size_t scans = first.size() - std::min(first.size(), kFirstScans);
+  const std::size_t block = std::clamp(scans / kBlocks, kShortestBlock, kLongestBlock);
   std::vector<double> blocks;
-  for (std::size_t from = kFirstScans; from + kBlock <= first.size(); from += kBlock) {
+  for (std::size_t from = kFirstScans; from + block <= first.size(); from += block) {
     double sum = 0.0;
-    for (std::size_t i = from; i < from + kBlock; ++i) sum += first[i] - second[i];
-    blocks.push_back(sum / kBlock);
+    for (std::size_t i = from; i < from + block; ++i) sum += first[i] - second[i];
+    blocks.push_back(sum / static_cast<double>(block));
   }
   Comparison out;
-  if (blocks.size() < 3) return out;
+  if (blocks.size() < kFewestBlocks) return out;
   const auto count = static_cast<double>(blocks.size());
   out.mean = std::accumulate(blocks.begin(), blocks.end(), 0.0) / count;
   double squares = 0.0;
-  for (const double block : blocks) squares += (block - out.mean) * (block - out.mean);
+  for (const double one : blocks) squares += (one - out.mean) * (one - out.mean);
   const double sigma = std::sqrt(squares / (count - 1.0) / count);
   out.clear = out.mean < -kLeast && out.mean < -kClearly * sigma;
   return out;
