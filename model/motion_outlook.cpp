@@ -60,7 +60,7 @@ void add_pair(const Pair& pair, const RigidTransform& ins_from_lidar, const Expe
 
 /// What would be observed if all errors were `times` as large as they are supposed to be.
 void judge_supposing(double times, SpuriousInformation information, double independent, const MotionSummary& summary,
-                     double tilt_rad, const SolveOptions& options, CalibrationResult& result) {
+                     double tilt_rad, double north_rad, const SolveOptions& options, CalibrationResult& result) {
   // What noise feigns grows as its weight falls, and stays what it is.
   information.apparent /= times * times;
   const auto directions = observed_directions(independent * information.apparent, information, summary, options);
@@ -70,6 +70,7 @@ void judge_supposing(double times, SpuriousInformation information, double indep
     covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt_rad);
   }
   judge_parameters(covariance, summary, options, result);
+  if (north_rad > 0.0) add_doubt(turned_by_north(result.ins_from_lidar, north_rad), kNorthUnknown, options, result);
 }
 
 }  // namespace
@@ -103,9 +104,10 @@ MotionOutlook motion_outlook(const Session& session, const Settings& settings, c
   MotionSummary summary = summarise_motion(pairs);
   summary.tilt_assumed = tilt_rad > 0.0;
   CalibrationResult by_larger = result, by_smaller = result;
-  judge_supposing(1.0, usual, independent, summary, tilt_rad, settings.solve, result);
-  judge_supposing(kLarger, usual, independent, summary, tilt_rad, settings.solve, by_larger);
-  judge_supposing(1.0, best, independent, summary, tilt_rad, settings.solve, by_smaller);
+  judge_supposing(1.0, usual, independent, summary, tilt_rad, session.ins_north_sigma_rad, settings.solve, result);
+  judge_supposing(kLarger, usual, independent, summary, tilt_rad, session.ins_north_sigma_rad, settings.solve,
+                  by_larger);
+  judge_supposing(1.0, best, independent, summary, tilt_rad, session.ins_north_sigma_rad, settings.solve, by_smaller);
   outlook.determinable = result.observed;
   for (std::size_t i = 0; i < outlook.open.size(); ++i)
     outlook.open[i] = by_larger.observed[i] != by_smaller.observed[i];

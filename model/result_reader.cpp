@@ -168,8 +168,11 @@ ResultFile result_from_document(const DocumentView& root) {
   result.advice = strings_of(root, "advice");
   result.ins_from_lidar = transform_from_document(root.at("ins_from_lidar"));
   if (root.has("ins_axes") && !root.at("ins_axes").is_null()) {
-    constexpr InsAxes kAxes[] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp};
-    file.ins_axes = kAxes[root.at("ins_axes").choice({to_string(kAxes[0]), to_string(kAxes[1])})];
+    constexpr InsAxes kAxes[kInsAxesCount] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp, InsAxes::BackwardRightUp,
+                                              InsAxes::LeftBackwardUp};
+    file.ins_axes =
+        kAxes[root.at("ins_axes")
+                  .choice({to_string(kAxes[0]), to_string(kAxes[1]), to_string(kAxes[2]), to_string(kAxes[3])})];
   }
   read_uncertainty(root, result);
   result.pairs_proposed = count_of(root.at("pairs").at("proposed"));

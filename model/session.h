@@ -91,6 +91,7 @@ struct Session {
   bool scan_timing_open = false;
   /// Of the INS frame in which X is expressed; nothing: as a pose file defines them, which does not say.
   std::optional<InsAxes> ins_axes = InsAxes::ForwardLeftUp;
+  bool ins_axes_by_travel = false;  ///< told by the direction of travel, against what the format has or says
   /// Errors of the INS as the data declare them; NaN where they do not. White: independent from sample to sample.
   double ins_position_white_sigma_m = std::numeric_limits<double>::quiet_NaN();
   double ins_attitude_white_sigma_rad = std::numeric_limits<double>::quiet_NaN();
@@ -99,6 +100,14 @@ struct Session {
   /// Errors that walk randomly, growing with the root of time; NaN where the data do not declare them.
   double ins_position_drift = std::numeric_limits<double>::quiet_NaN();  ///< m per root of a second
   double ins_attitude_drift = std::numeric_limits<double>::quiet_NaN();  ///< rad per root of a second
+  /// 1-sigma of an angle about the vertical by which positions and attitudes of world_from_ins may count from different
+  /// norths, that of a grid and the true one; no residual shows it.
+  double ins_north_sigma_rad = 0.0;
+  /// The source of world_from_ins is known to give attitudes to true north, whatever its positions count from.
+  bool attitudes_to_true_north = false;
+  std::string world_frame;  ///< of world_from_ins as its source names it, "utm"; empty: it does not
+  /// Stamps of `ins` were made of GPS time by the reader, leap seconds of that time included.
+  bool ins_stamps_from_gps = false;
   std::optional<RigidTransform> nominal_ins_from_lidar;
   std::vector<SessionTopic> topics;          ///< of a bag, all of them; empty for other formats
   TopicChoice topic_choice;                  ///< what was asked for; the other roles are suggestions

@@ -8,15 +8,20 @@ namespace remount {
 
 std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Session>>& sessions) {
   if (sessions.empty()) return std::nullopt;
-  const auto& axes = sessions.front()->ins_axes;
-  const bool same =
-      std::all_of(sessions.begin(), sessions.end(), [&](const auto& session) { return session->ins_axes == axes; });
+  const auto told =
+      std::find_if(sessions.begin(), sessions.end(), [](const auto& session) { return session->ins_axes_by_travel; });
+  const auto& axes = (told == sessions.end() ? sessions.front() : *told)->ins_axes;
+  const bool same = std::all_of(sessions.begin(), sessions.end(), [&](const auto& session) {
+    return session->ins_axes == axes || (told != sessions.end() && !session->ins_axes_by_travel);
+  });
   return same ? axes : std::nullopt;
 }
 
 RigidTransform forward_left_up_from(const std::optional<InsAxes>& axes) {
   RigidTransform turned = RigidTransform::Identity();
   if (axes == InsAxes::RightForwardUp) turned.linear() << 0, 1, 0, -1, 0, 0, 0, 0, 1;
+  if (axes == InsAxes::BackwardRightUp) turned.linear() << -1, 0, 0, 0, -1, 0, 0, 0, 1;
+  if (axes == InsAxes::LeftBackwardUp) turned.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
   return turned;
 }
 

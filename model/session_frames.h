@@ -9,7 +9,8 @@
 
 namespace remount {
 
-/// The INS axes that all sessions declare; nothing where one does not say or there is none.
+/// The INS axes that all sessions declare, or that the direction of travel tells of one, which the others then have as
+/// well; nothing where one does not say or there is none.
 std::optional<InsAxes> common_axes(const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// Turns INS axes into x forward, y left, z up: for what is given about the vehicle, such as its outline. Identity for

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "algorithms/geometry/rotation.h"
+
 namespace remount {
 namespace {
 
@@ -39,12 +41,17 @@ std::vector<Block> blocks_of(const Poses& poses) {
   return blocks;
 }
 
-std::optional<TravelStep> step_between(const Block& from, const Block& to, const Eigen::Matrix3d& world_from_ins,
+/// @param middle index of the pose in the middle
+template <class Poses>
+std::optional<TravelStep> step_between(const Block& from, const Block& to, std::size_t middle, const Poses& poses,
                                        double slowest_mps) {
   const Eigen::Vector3d step = to.position - from.position;
   const double speed_mps = step.norm() / (to.time_s - from.time_s);
   if (!(speed_mps > slowest_mps && speed_mps < kFastest_mps)) return std::nullopt;
-  return TravelStep{step.normalized(), speed_mps, world_from_ins};
+  const StampedPose first = poses[from.first], last = poses[to.last];
+  const double turned_rad = so3_log(first.pose.linear().transpose() * last.pose.linear()).z();
+  return TravelStep{step.normalized(), speed_mps, poses[middle].pose.linear(),
+                    turned_rad / (static_cast<double>(last.stamp_ns - first.stamp_ns) * 1e-9)};
 }
 
 /// At a walking pace a whole second, whose halves lead the same way: a receiver that stands wanders to and fro.
@@ -55,7 +62,7 @@ std::optional<TravelStep> slow_step(const std::vector<Block>& blocks, std::size_
   const std::size_t at = (middle.first + middle.last) / 2;
   const Eigen::Vector3d there = middle.position - from.position, on = to.position - middle.position;
   if (there.dot(on) < kAlike * there.norm() * on.norm()) return std::nullopt;
-  return step_between(from, to, poses[at].pose.linear(), kWalking_mps);
+  return step_between(from, to, at, poses, kWalking_mps);
 }
 
 template <class Poses>
@@ -64,8 +71,7 @@ std::vector<TravelStep> steps_of(const Poses& poses) {
   std::vector<TravelStep> steps;
   std::size_t reached = 0;
   for (std::size_t k = 1; k < blocks.size(); ++k) {
-    std::optional<TravelStep> step =
-        step_between(blocks[k - 1], blocks[k], poses[blocks[k - 1].last].pose.linear(), kSlowest_mps);
+    std::optional<TravelStep> step = step_between(blocks[k - 1], blocks[k], blocks[k - 1].last, poses, kSlowest_mps);
     if (!step && k >= reached + 2) step = slow_step(blocks, k, poses);
     if (!step) continue;
     steps.push_back(*step);

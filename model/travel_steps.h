@@ -13,6 +13,7 @@ struct TravelStep {
   Eigen::Vector3d direction;  ///< unit
   double speed_mps = 0.0;
   Eigen::Matrix3d world_from_ins;
+  double turn_rate_radps = 0.0;  ///< about the z axis of the INS, over the stretch
 };
 
 /// Between the mean positions of successive half seconds, for single samples are noisy; those at 2 to 100 m/s. From 1

@@ -204,10 +204,6 @@ const std::vector<const char*>& check_phrases() {
           "Begin the log with a heading (HDT) and end it with a position, or log PASHR, which has a time."),
       QT_TRANSLATE_NOOP("remount::model", "Between attitudes that are far apart in time the motion is not known."),
       QT_TRANSLATE_NOOP("remount::model", "Log attitude (PASHR or HDT) at the rate of the positions, at 5 Hz or more."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Yaw of the result is off by as much as the grid turns against true north there."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Give latitude and longitude where you have them, or turn the poses by the grid convergence."),
       QT_TRANSLATE_NOOP("remount::model", "Messages without a fix or an orientation are no poses of the INS."),
       QT_TRANSLATE_NOOP(
           "remount::model",

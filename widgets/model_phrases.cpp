@@ -10,6 +10,7 @@
 #include "widgets/log_phrases.h"
 #include "widgets/method_phrases.h"
 #include "widgets/model_text.h"
+#include "widgets/pose_phrases.h"
 #include "widgets/reader_phrases.h"
 #include "widgets/topic_phrases.h"
 
@@ -19,6 +20,8 @@ std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
   for (const auto* others :
        {&bag_phrases(), &calibration_phrases(), &check_phrases(), &document_phrases(), &file_phrases(), &log_phrases(),
         &method_phrases(), &method_option_phrases(), &reader_phrases(), &topic_phrases()})
+       {&bag_phrases(), &calibration_phrases(), &check_phrases(), &document_phrases(), &file_phrases(),
+        &method_phrases(), &method_option_phrases(), &pose_phrases(), &reader_phrases(), &topic_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }

@@ -134,10 +134,6 @@ const std::vector<const char*>& reader_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "header.stamp holds no seconds and nanoseconds"),
       QT_TRANSLATE_NOOP("remount::model", "'%1' is no position type, expected a whole number"),
       QT_TRANSLATE_NOOP("remount::model", "'%1' is no time like 2021-10-26-16-21-29-468"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "Positions are taken to be UTM, and attitudes to be relative to true north, as Apollo's GNSS "
-                        "driver writes them: away from the middle of a zone yaw of X is off by the grid convergence, "
-                        "up to some 2 degrees, which no residual shows."),
       QT_TRANSLATE_NOOP("remount::model", "%1 of %2 positions are not fixed by their position type."),
       QT_TRANSLATE_NOOP("remount::model", "holds no usable pose (%1)."),
       QT_TRANSLATE_NOOP("remount::model", "holds no usable pose (%1). First problem: %2"),

@@ -183,6 +183,13 @@ Matrix6d assumed_tilt_covariance(const RigidTransform& ins_from_lidar, double ti
   return tilt_rad * tilt_rad * turned * turned.transpose();
 }
 
+Vector6d turned_by_north(const RigidTransform& ins_from_lidar, double north_rad) {
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  Vector6d turned;
+  turned << up.cross(ins_from_lidar.translation()), up;
+  return north_rad * turned;
+}
+
 Matrix6d beyond_first_order(const RigidTransform& ins_from_lidar, const Matrix6d& covariance, double tilt_rad) {
   const auto open2 = [&](int axis) { return std::min(tilt_rad * tilt_rad, covariance(axis, axis)); };
   const double height2 = std::max(0.0, covariance(2, 2)), roll2 = open2(3), pitch2 = open2(4);

@@ -63,6 +63,21 @@ Matrix6d weak_prior(bool nominal_known);
 /// turns X about the origin of the INS, lever arm and all.
 Matrix6d assumed_tilt_covariance(const RigidTransform& ins_from_lidar, double tilt_rad);
 
+/// Why yaw is not known where two norths may be apart.
+inline constexpr const char* kNorthUnknown = "positions and attitudes of the INS may count from different norths";
+
+/// How far X is off, under `perturbed`, where the north of attitudes is off by `north_rad` against that of positions:
+/// it turns about the vertical through the origin of the INS, lever arm and all.
+Vector6d turned_by_north(const RigidTransform& ins_from_lidar, double north_rad);
+
+/// The largest of the sessions: where drives are of one place and one driver, no number of them makes it smaller.
+template <class Sessions>
+double north_sigma_of(const Sessions& sessions) {
+  double most_rad = 0.0;
+  for (const auto& session : sessions) most_rad = std::max(most_rad, session.north_sigma_rad);
+  return most_rad;
+}
+
 /// What an open roll and pitch do to X beyond first order, from the covariance that holds to first order: a height that
 /// is not known leans over to x and y, and two small turns about x and y make one about z. @param tilt_rad the most
 /// that roll and pitch are open by

@@ -22,6 +22,7 @@ struct SessionNoise {
   double position_drift = std::numeric_limits<double>::quiet_NaN();  ///< m per root of a second
   double attitude_drift = std::numeric_limits<double>::quiet_NaN();  ///< rad per root of a second
   double assumed_tilt_sigma_rad = 0.0;  ///< of roll and pitch that are taken to be zero; 0: they were measured
+  double north_sigma_rad = 0.0;         ///< positions and attitudes may count from norths that are apart
 };
 
 struct PairwiseInput {

@@ -121,6 +121,8 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   const Matrix6d beside = prior + measured.information(result.ins_from_lidar);
   Matrix6d covariance = widened((information + beside).inverse(), scatter) + unseen(evidence.problem);
   if (tilt.most_rad > 0.0) covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt.most_rad);
+  const Vector6d by_north = turned_by_north(result.ins_from_lidar, north_sigma_of(evidence.problem.sessions));
+  covariance += by_north * by_north.transpose();
   result.measured = measured.parameters();
   judge_parameters(covariance, motion, evidence.judged_by, result);
   set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);

@@ -50,6 +50,7 @@ struct TrajectorySession {
   /// Of INS attitudes whose log states no errors: turns this small follow braking and steering and show no lever arm.
   double doubtful_attitude_rad = 0.0;
   double assumed_tilt_sigma_rad = 0.0;  ///< of roll and pitch of the INS that nobody measured; 0: they were measured
+  double north_sigma_rad = 0.0;         ///< positions and attitudes may count from norths that are apart
   /// The INS states its errors: they are not believed to be smaller, however smooth its poses.
   bool ins_noise_stated = false;
 };

@@ -276,11 +276,14 @@ void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const Pair
     result.advice.emplace_back("A height measured by tape goes into measured.z_m, its sigma into measured.z_sigma_m.");
   // A tape that is right does not contradict pairs that are known to be biased.
   if (input.clock_bias) covariance += *input.clock_bias * input.clock_bias->transpose();
+  const Vector6d by_north = turned_by_north(details.joint.ins_from_lidar, north_sigma_of(input.sessions));
+  covariance += by_north * by_north.transpose();
   for (const Contradiction& one :
        contradictions(input.measured, details.joint.ins_from_lidar, details.joint.covariance, covariance)) {
     add_doubt(one.doubt, "what was measured contradicts the drive", input.options, result);
     result.advice.push_back(one.text);
   }
+  if (!by_north.isZero(0.0)) add_doubt(by_north, kNorthUnknown, input.options, result);
   if (!input.clock_bias) return;
   add_doubt(*input.clock_bias, "the clocks of lidar and INS differ", input.options, result);
   result.advice.emplace_back(

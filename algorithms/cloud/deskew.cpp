@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kKnotSpacing_s = 0.002;
 constexpr double kLongestSweep_s = 10.0;
+constexpr float kFarthest_m = 1000.0f;  // no sensor moves so far while it measures a scan
 
 using Affine = Eigen::Matrix<float, 3, 4>;
 
@@ -46,6 +47,11 @@ Knots sample_motion(std::span<const float> times_s, const LidarMotion& motion) {
   return knots;
 }
 
+bool is_possible(const Knots& knots) {
+  return std::all_of(knots.motion.begin(), knots.motion.end(),
+                     [](const Affine& motion) { return motion.col(3).norm() < kFarthest_m; });
+}
+
 void check(const PointCloud& cloud, std::span<const float> times_s) {
   const auto complain = [](const std::string& what) { throw Error(ErrorCode::Contract, "motion compensation", what); };
   if (times_s.size() != cloud.size())
@@ -66,11 +72,15 @@ PointCloud deskew(const PointCloud& cloud_in_lidar, std::span<const float> time_
                   const LidarMotion& lidar_at_stamp_from_lidar_at) {
   check(cloud_in_lidar, time_from_stamp_s);
   PointCloud result;
-  result.intensity = cloud_in_lidar.intensity;
-  result.ring = cloud_in_lidar.ring;
   result.dropped_points = cloud_in_lidar.dropped_points;
   if (cloud_in_lidar.points.empty()) return result;
   const Knots knots = sample_motion(time_from_stamp_s, lidar_at_stamp_from_lidar_at);
+  if (!is_possible(knots)) {
+    result.dropped_points += cloud_in_lidar.size();
+    return result;
+  }
+  result.intensity = cloud_in_lidar.intensity;
+  result.ring = cloud_in_lidar.ring;
   result.points.resize(cloud_in_lidar.size());
   for (std::size_t i = 0; i < cloud_in_lidar.size(); ++i)
     result.points[i] = knots.apply(cloud_in_lidar.points[i], time_from_stamp_s[i]);

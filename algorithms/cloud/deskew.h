@@ -15,7 +15,8 @@ using LidarMotion = std::function<RigidTransform(double time_from_stamp_s)>;
 
 /// Takes each point from the lidar frame of its own time to the lidar frame at the stamp. The motion is asked for at
 /// least every 2 ms over the sweep and interpolated in between (error under 0.1 mm at 80 m for 90 deg/s). The result
-/// has the same points in the same order, and no times any more, so that it cannot be compensated twice. Throws
+/// has the same points in the same order, and no times any more, so that it cannot be compensated twice. It has none at
+/// all where the sensor would have moved by a kilometre meanwhile: nobody knows then where they are. Throws
 /// Error(Contract) where the times are not as many as the points, not finite, or spread over more than 10 s.
 PointCloud deskew(const PointCloud& cloud_in_lidar, std::span<const float> time_from_stamp_s,
                   const LidarMotion& lidar_at_stamp_from_lidar_at);

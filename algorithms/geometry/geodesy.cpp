@@ -40,6 +40,24 @@ GridFix UtmGrid::project(double latitude_rad, double longitude_rad) const {
   return fix;
 }
 
+std::optional<GridFix> grid_fix_at(double easting_m, double northing_m, bool northern) {
+  constexpr int kAnyZone = 31;
+  GridFix fix{easting_m, northing_m, 1.0, 0.0};
+  double latitude_deg = 0.0, longitude_deg = 0.0, convergence_deg = 0.0;
+  try {
+    GeographicLib::UTMUPS::Reverse(kAnyZone, northern, easting_m, northing_m, latitude_deg, longitude_deg,
+                                   convergence_deg, fix.point_scale);
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  fix.convergence_rad = degrees_to_radians(convergence_deg);
+  return fix;
+}
+
+double metres_per_grid_metre(double point_scale, double height_m) {
+  return (1.0 + height_m / kEarthRadius_m) / point_scale;
+}
+
 std::vector<StampedPose> local_from_ins(std::span<const InsSample> samples) {
   std::vector<StampedPose> poses;
   poses.reserve(samples.size());
@@ -53,9 +71,9 @@ std::vector<StampedPose> local_from_ins(std::span<const InsSample> samples) {
     if (i > 0) {
       const double mean_scale = 0.5 * (fix.point_scale + previous.point_scale);
       const double mean_height_m = 0.5 * (sample.height_m + samples[i - 1].height_m);
-      const double metres_per_grid_metre = (1.0 + mean_height_m / kEarthRadius_m) / mean_scale;
-      position_m.x() += (fix.easting_m - previous.easting_m) * metres_per_grid_metre;
-      position_m.y() += (fix.northing_m - previous.northing_m) * metres_per_grid_metre;
+      const double metres = metres_per_grid_metre(mean_scale, mean_height_m);
+      position_m.x() += (fix.easting_m - previous.easting_m) * metres;
+      position_m.y() += (fix.northing_m - previous.northing_m) * metres;
       position_m.z() += sample.height_m - samples[i - 1].height_m;
     }
     // A direction of true azimuth A has grid azimuth A - convergence: a counter-clockwise turn by the convergence.

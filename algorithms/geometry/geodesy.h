@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,13 @@ class UtmGrid {
   int zone_ = 0;
   bool north_ = true;
 };
+
+/// Convergence and point scale at a place that is known by its coordinates on the grid: the same in every zone. Nothing
+/// where no zone reaches.
+std::optional<GridFix> grid_fix_at(double easting_m, double northing_m, bool northern);
+
+/// True metres of a metre of the grid: on the ellipsoid divided by the point scale, at a height by as much more.
+double metres_per_grid_metre(double point_scale, double height_m);
 
 /// local_from_ins for each sample: axes of the UTM grid, origin at the first sample. Attitude is turned from true to
 /// grid north by the convergence; each step of the trajectory is divided by the grid's point scale and carried from the

@@ -13,7 +13,8 @@ namespace remount {
 namespace {
 
 constexpr float kCell_m = 0.5f;
-constexpr float kRange_m = 45.0f;  // farther away a step of yaw misses the cell
+constexpr float kRange_m = 45.0f;      // farther away a step of yaw misses the cell
+constexpr double kMeeting_m = 1000.0;  // farther apart no two scans share a place, and cells could not be counted
 constexpr double kYawStep_rad = 0.02;
 constexpr std::array<float, 4> kLayersFrom_m{0.4f, 1.5f, 3.0f, 6.0f};  // cars; people and fences; signs; facades
 constexpr float kUpright = 0.6f;                                       // most cosine of a normal with up
@@ -174,6 +175,7 @@ std::vector<Cell> apart(std::vector<Cell> peaks, std::size_t most) {
 std::vector<CoarseMode> coarse_modes(const PreparedCloud& source, const PreparedCloud& target,
                                      const RigidTransform& start, const RegistrationOptions& options, std::size_t most,
                                      const Progress& progress) {
+  if (!(start.translation().norm() < kMeeting_m)) return {};
   const Level target_level = level_of(target, Eigen::Vector3f::Zero());
   if (progress.cancelled()) return {};
   Level source_level = level_of(source, Eigen::Vector3f::Zero());

@@ -7,6 +7,9 @@
 namespace remount {
 namespace {
 
+// No LiDAR sees so far, and coordinates in single precision would not tell its points apart.
+constexpr double kFarthestStart_m = 1e4;
+
 std::string percent_below(const char* what, double value, double limit, const char* unit) {
   char text[120];
   std::snprintf(text, sizeof text, "%s %.3g%s, limit %.3g%s", what, value, unit, limit, unit);
@@ -71,6 +74,12 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
     RegistrationResult result;
     result.quality.attempted = true;
     result.quality.failure = "too few points with a surface: " + std::to_string(std::min(source.size(), target.size()));
+    return result;
+  }
+  if (!(target_from_source_start.translation().norm() < kFarthestStart_m)) {  // also where it is not a number
+    RegistrationResult result;
+    result.quality.attempted = true;
+    result.quality.failure = "the two scans are expected to lie farther apart than any LiDAR sees";
     return result;
   }
   JudgedAlignment alignment = align_from(source, target, target_from_source_start, options, progress);

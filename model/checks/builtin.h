@@ -19,6 +19,7 @@ DataCheck scan_check();
 DataCheck handedness_check();
 DataCheck bag_stream_check();
 DataCheck log_reading_check();
+DataCheck pose_check();
 DataCheck reading_check();
 DataCheck calibration_check();
 DataCheck method_run_check();

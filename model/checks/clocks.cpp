@@ -54,6 +54,9 @@ DataCheck clock_check() {
            {"clock-far", "Scans are compared with the motion of another instant: no pair fits, or X is off.",
             "Move the stamps of the LiDAR by that much, and see why the clocks differ: one that is not synchronised, "
             "another time scale, stamps of arrival. The next calibration estimates what is left."},
+           {"gps-week-rollover",
+            "The receiver counts a wrong number of weeks; that is mended, and nothing is lost by it.",
+            "Update the firmware of the receiver: other programs take its stamps as they are."},
            {"sensor-clock", "The stream cannot be used: no sample of it belongs to the drive.",
             "Declare its time scale (UTC, GPS) and unit, or leave it out."},
            {"host-clock", "Whatever else is stamped by the host's clock is off by as much against the INS.",

@@ -22,8 +22,6 @@ DataCheck reading_check() {
            "Begin the log with a heading (HDT) and end it with a position, or log PASHR, which has a time."},
           {"attitude-sparse", "Between attitudes that are far apart in time the motion is not known.",
            "Log attitude (PASHR or HDT) at the rate of the positions, at 5 Hz or more."},
-          {"utm-poses", "Yaw of the result is off by as much as the grid turns against true north there.",
-           "Give latitude and longitude where you have them, or turn the poses by the grid convergence."},
           {"bag-cut-end", "Nothing is missing but the index; yet a file that lacks its end was not copied whole.",
            "Copy the bag again, whole; close the recorder before copying. mcap recover writes a new index."},
           {"bag-*", "What lies in the damaged part of the bag takes no part.",

@@ -66,9 +66,7 @@ constexpr std::string_view kRightForwardUp = "right-forward-up", kAsInResult = "
 /// any other log has x forward, y left, z up. So there are two of these exporters, and each says which axes it has.
 class ApolloExporter final : public Exporter {
  public:
-  explicit ApolloExporter(bool right_forward_up) : right_forward_up_(right_forward_up) {
-    if (right_forward_up_) axes_from_ins_ = rfu_from_flu();
-  }
+  explicit ApolloExporter(bool right_forward_up) : right_forward_up_(right_forward_up) {}
 
   std::string_view id() const override { return right_forward_up_ ? "apollo-rfu" : "apollo"; }
   std::string_view description() const override {
@@ -90,7 +88,9 @@ class ApolloExporter final : public Exporter {
       throw Error(ErrorCode::Contract, "apollo-rfu",
                   "the result does not say which axes its INS has, so that they cannot be turned: export it as apollo, "
                   "which leaves them as they are");
-    const RigidTransform x = axes_from_ins_ * result.result.ins_from_lidar;
+    const RigidTransform axes_from_ins =
+        right_forward_up_ ? rfu_from_flu() * forward_left_up_from(result.ins_axes) : RigidTransform::Identity();
+    const RigidTransform x = axes_from_ins * result.result.ins_from_lidar;
     const Eigen::Quaterniond q = canonical_quaternion(x.linear());
     DocumentNode root = DocumentNode::map();
     DocumentNode& header = root.add("header", DocumentNode::map());
@@ -145,7 +145,6 @@ class ApolloExporter final : public Exporter {
   }
 
   bool right_forward_up_;
-  RigidTransform axes_from_ins_ = RigidTransform::Identity();
 };
 
 }  // namespace

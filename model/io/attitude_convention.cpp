@@ -30,7 +30,9 @@ std::optional<Enumeration> find_name(const std::array<std::string_view, N>& name
 }  // namespace
 
 std::string_view to_string(InsAxes axes) {
-  return axes == InsAxes::ForwardLeftUp ? "x forward, y left, z up" : "x right, y forward, z up";
+  constexpr std::string_view kNames[kInsAxesCount] = {"x forward, y left, z up", "x right, y forward, z up",
+                                                      "x backward, y right, z up", "x left, y backward, z up"};
+  return kNames[static_cast<std::size_t>(axes)];
 }
 
 std::string_view to_string(AttitudeConvention convention) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -11,7 +12,11 @@ namespace remount {
 enum class InsAxes {
   ForwardLeftUp,   ///< x forward, y left, z up: OXTS as KITTI uses it, and every log without axes of its own
   RightForwardUp,  ///< x right, y forward, z up: NovAtel SPAN's body frame
+  // Boxes that are built in as there was room; only the direction of travel tells.
+  BackwardRightUp,
+  LeftBackwardUp,
 };
+inline constexpr std::size_t kInsAxesCount = 4;
 /// "x forward, y left, z up"
 std::string_view to_string(InsAxes axes);
 

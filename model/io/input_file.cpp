@@ -224,4 +224,16 @@ std::optional<std::int64_t> parse_seconds_ns(std::string_view text) {
   return *seconds * 1'000'000'000 + (whole.starts_with('-') ? -nanoseconds : nanoseconds);
 }
 
+std::optional<std::int64_t> parse_time_ns(std::string_view text, std::int64_t unit_ns) {
+  if (unit_ns == 1'000'000'000) return parse_seconds_ns(text);
+  constexpr double kLimit = 8e18;  // leaves room for the difference between time scales
+  if (const auto whole = parse_integer(text)) {
+    if (std::abs(static_cast<double>(*whole)) * static_cast<double>(unit_ns) > kLimit) return std::nullopt;
+    return *whole * unit_ns;
+  }
+  const auto value = parse_number(text);
+  if (!value || std::abs(*value) * static_cast<double>(unit_ns) > kLimit) return std::nullopt;
+  return std::llround(*value * static_cast<double>(unit_ns));
+}
+
 }  // namespace remount

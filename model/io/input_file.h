@@ -78,4 +78,7 @@ double require_number(std::string_view text, std::string_view what, const std::f
 /// beyond the range of int64.
 std::optional<std::int64_t> parse_seconds_ns(std::string_view text);
 
+/// A number in units of `unit_ns` as nanoseconds, exactly for integers and for decimals of seconds.
+std::optional<std::int64_t> parse_time_ns(std::string_view text, std::int64_t unit_ns);
+
 }  // namespace remount

@@ -17,19 +17,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> kQualityNames{"unknown", "good", "degraded", "invalid"};
 
-/// A number in units of `unit_ns` as nanoseconds, exactly for integers and for decimals of seconds.
-std::optional<std::int64_t> parse_time_ns(std::string_view text, std::int64_t unit_ns) {
-  if (unit_ns == 1'000'000'000) return parse_seconds_ns(text);
-  constexpr double kLimit = 8e18;  // leaves room for the difference between time scales
-  if (const auto whole = parse_integer(text)) {
-    if (std::abs(static_cast<double>(*whole)) * static_cast<double>(unit_ns) > kLimit) return std::nullopt;
-    return *whole * unit_ns;
-  }
-  const auto value = parse_number(text);
-  if (!value || std::abs(*value) * static_cast<double>(unit_ns) > kLimit) return std::nullopt;
-  return std::llround(*value * static_cast<double>(unit_ns));
-}
-
 class RowParser {
  public:
   RowParser(const fs::path& path, const InsTableLayout& layout, const CsvHeader& header)

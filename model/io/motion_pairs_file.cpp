@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "model/impossible_motion.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
 #include "model/io/text_file.h"
@@ -100,6 +101,9 @@ class PairsReader {
     const double off = (printed * printed.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(off <= kRotationTolerance) || printed.determinant() < 0.0)
       throw Error(ErrorCode::Format, at_line(path_, line), std::string(1, letter) + " holds no rotation");
+    if (!is_possible_position(matrix.col(3)))
+      throw Error(ErrorCode::Format, at_line(path_, line),
+                  std::string(1, letter) + " moves by more than 1e9 m: is it in metres?");
     return make_rigid(nearest_rotation(printed), matrix.col(3));
   }
 

@@ -224,6 +224,7 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
   }
   const InsTableLayout layout = read_layout(node.at("columns"));
   if (!layout.quaternion) session.ins_axes = axes_of(layout.attitude);
+  session.ins_stamps_from_gps = layout.time_scale == TimeScale::Gps;
   session.files.push_back(file);
   const std::string text = source.table(session.files.back());
   if (text.empty() && source.only_new()) return;
@@ -259,8 +260,10 @@ void read_new_fixes(const DocumentView& root, const fs::path& folder, SessionSou
   if (!text.empty()) session.gnss = parse_gnss_table(text, session.files.back(), session.findings);
 }
 
-/// Sentences of one moment belong together, and clocks are aligned over the whole drive.
+/// Sentences of one moment belong together, clocks are aligned over the whole drive, and poses in somebody's world are
+/// judged by all of them.
 bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
+  if (root.has("ins_poses")) return false;
   if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
   const auto log = [&](std::string_view key) {
     const auto node = root.find(key);
@@ -320,7 +323,9 @@ void read_motion(const DocumentView& root, const fs::path& folder, SessionSource
     read_ins(*ins, folder, source, session);
   } else if (const auto poses = root.find("ins_poses")) {
     session.world_from_ins = read_poses(*poses, folder, source, session);
-    session.ins_axes = axes_of(*pose_format_from_string(poses->at("format").string()));
+    const PoseFormat format = *pose_format_from_string(poses->at("format").string());
+    session.ins_axes = axes_of(format);
+    session.attitudes_to_true_north = counts_from_true_north(format);
   }
 }
 

@@ -95,6 +95,7 @@ Session NovatelReader::open(const fs::path& path, Progress& progress) const {
   session.path = path;
   session.format = id();
   session.ins_axes = InsAxes::RightForwardUp;
+  session.ins_stamps_from_gps = true;
   read_best_log(contents, session);
   progress.report("reading poses", 1, 2);
   if (contents.poses.empty()) {

@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "model/impossible_motion.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
-#include "model/io/text_file.h"
+#include "model/io/pose_columns.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 #include "model/io/time_stamp.h"
 
 namespace remount {
@@ -23,43 +25,48 @@ constexpr double kNotableDefect = 1e-3;
 /// NovAtel's position types with whole ambiguities, which Apollo's position_type holds.
 constexpr std::array<std::int64_t, 5> kFixedTypes{48, 49, 50, 56, 69};
 
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+std::string_view unit_name_of(std::int64_t unit_ns) {
+  return unit_ns == kSecond_ns  ? "seconds"
+         : unit_ns == 1'000'000 ? "milliseconds"
+         : unit_ns == 1'000     ? "microseconds"
+                                : "nanoseconds";
+}
+
+void split_pose_line(std::string_view line, PoseFormat format, std::vector<std::string_view>& fields) {
+  if (format == PoseFormat::Tum || format == PoseFormat::PoseLines)
+    split_blanks(line, fields);
+  else
+    split_csv(line, fields);
+}
+
 /// What turns a line into a pose. `place` is "file:line", for errors.
 class LineParser {
  public:
   LineParser(PoseFormat format, const fs::path& path) : format_(format), path_(path) {}
 
-  void read_header(std::string_view line) {
-    const CsvHeader header(line);
-    constexpr std::array<std::string_view, 9> kColumns{
-        "header.stamp.secs",       "header.stamp.nsecs",      "pose.pose.position.x",
-        "pose.pose.position.y",    "pose.pose.position.z",    "pose.pose.orientation.x",
-        "pose.pose.orientation.y", "pose.pose.orientation.z", "pose.pose.orientation.w"};
-    for (std::size_t i = 0; i < kColumns.size(); ++i) columns_[i] = header.require(kColumns[i], path_);
+  void set_columns(const PoseColumns& columns, std::int64_t time_unit_ns) {
+    columns_ = columns;
+    time_unit_ns_ = time_unit_ns;
   }
   /// The header line of Apollo's odometry; without one, columns in its order.
   void read_apollo_header(const CsvHeader* header) {
     for (std::size_t i = 0; i < kApolloColumns.size(); ++i)
-      columns_[i] = header != nullptr ? header->require(kApolloColumns[i], path_) : i;
+      apollo_columns_[i] = header != nullptr ? header->require(kApolloColumns[i], path_) : i;
   }
 
   StampedPose parse(std::string_view line, std::size_t line_number) {
     line_ = line_number;
-    const bool csv = format_ != PoseFormat::Tum && format_ != PoseFormat::PoseLines;
-    if (csv)
-      split_csv(line, fields_);
-    else
-      split_blanks(line, fields_);
+    split_pose_line(line, format_, fields_);
     if (format_ == PoseFormat::PoseLines) return parse_matrix();
     if (format_ == PoseFormat::ApolloCsv) return parse_apollo();
-    if (format_ != PoseFormat::AloamCsv)
-      for (std::size_t i = 0; i < 8; ++i) columns_[i + 1] = i;
     StampedPose pose;
-    pose.stamp_ns = format_ == PoseFormat::AloamCsv ? host_stamp() : seconds_stamp(field(columns_[1]));
-    const std::size_t first = 2;
-    const Eigen::Vector3d position(number(columns_[first]), number(columns_[first + 1]), number(columns_[first + 2]));
-    pose.pose = posed(Eigen::Quaterniond(number(columns_[first + 6]), number(columns_[first + 3]),
-                                         number(columns_[first + 4]), number(columns_[first + 5])),
-                      position);
+    pose.stamp_ns = columns_.nanoseconds ? host_stamp() : stamp(field(columns_.time));
+    const auto& [x, y, z] = columns_.position;
+    const auto& [qx, qy, qz, qw] = columns_.quaternion_xyzw;
+    const Eigen::Vector3d position(number(x), number(y), number(z));
+    pose.pose = posed(Eigen::Quaterniond(number(qw), number(qx), number(qy), number(qz)), position);
     return pose;
   }
 
@@ -74,16 +81,16 @@ class LineParser {
   }
   double number(std::size_t i) const {
     const double value = require_number(field(i), "field " + std::to_string(i + 1), path_, line_);
-    if (std::abs(value) < 1e9) return value;
+    if (std::abs(value) < kFarthestPosition_m) return value;
     throw Error(ErrorCode::Format, at_line(path_, line_), "field " + std::to_string(i + 1) + " is beyond 1e9");
   }
-  std::int64_t seconds_stamp(std::string_view text) const {
-    if (const auto stamp = parse_seconds_ns(text)) return *stamp;
+  std::int64_t stamp(std::string_view text) const {
+    if (const auto stamp_ns = parse_time_ns(text, time_unit_ns_)) return *stamp_ns;
     throw Error(ErrorCode::Format, at_line(path_, line_),
-                "'" + std::string(text.substr(0, 40)) + "' is no time in seconds");
+                "'" + std::string(text.substr(0, 40)) + "' is no time in " + std::string(unit_name_of(time_unit_ns_)));
   }
   std::int64_t host_stamp() const {
-    const auto seconds = parse_integer(field(columns_[0])), nanoseconds = parse_integer(field(columns_[1]));
+    const auto seconds = parse_integer(field(columns_.time)), nanoseconds = parse_integer(field(*columns_.nanoseconds));
     if (!seconds || !nanoseconds || *seconds < 0 || *seconds > 9'000'000'000 || *nanoseconds < 0 ||
         *nanoseconds >= 1'000'000'000)
       throw Error(ErrorCode::Format, at_line(path_, line_), "header.stamp holds no seconds and nanoseconds");
@@ -97,14 +104,14 @@ class LineParser {
   }
   StampedPose parse_apollo() {
     std::array<double, 7> values{};  // qw, qx, qy, qz, x, y, z
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(columns_[i + 2]);
-    const auto type = parse_integer(field(columns_[1]));
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = number(apollo_columns_[i + 2]);
+    const auto type = parse_integer(field(apollo_columns_[1]));
     if (!type)
-      throw Error(
-          ErrorCode::Format, at_line(path_, line_),
-          "'" + std::string(field(columns_[1]).substr(0, 40)) + "' is no position type, expected a whole number");
+      throw Error(ErrorCode::Format, at_line(path_, line_),
+                  "'" + std::string(field(apollo_columns_[1]).substr(0, 40)) +
+                      "' is no position type, expected a whole number");
     not_fixed_ += std::find(kFixedTypes.begin(), kFixedTypes.end(), *type) == kFixedTypes.end();
-    return {seconds_stamp(field(columns_[0])),
+    return {stamp(field(apollo_columns_[0])),
             posed({values[0], values[1], values[2], values[3]}, {values[4], values[5], values[6]})};
   }
   StampedPose parse_matrix() {
@@ -130,8 +137,9 @@ class LineParser {
 
   PoseFormat format_;
   const fs::path& path_;
-  /// Stamp (two columns, or the second alone), position, quaternion x y z w.
-  std::array<std::size_t, 9> columns_{};
+  PoseColumns columns_;
+  std::int64_t time_unit_ns_ = kSecond_ns;
+  std::array<std::size_t, 9> apollo_columns_{};
   std::vector<std::string_view> fields_;
   std::size_t line_ = 0;
   double worst_defect_ = 0.0;
@@ -150,21 +158,41 @@ bool all_numbers(const std::vector<std::string_view>& fields, std::size_t from) 
   return true;
 }
 
-std::optional<PoseFormat> recognise_line(std::string_view line) {
+bool is_aloam_header(std::string_view line) {
+  return line.find("header.stamp.secs") != std::string_view::npos &&
+         line.find("pose.pose.orientation.w") != std::string_view::npos;
+}
+
+bool are_unit_quaternion(const std::vector<std::string_view>& fields, std::size_t from) {
+  double norm2 = 0.0;
+  for (std::size_t i = from; i < from + 4; ++i) norm2 += std::pow(*parse_number(fields[i]), 2);
+  return std::abs(norm2 - 1.0) < 0.02;
+}
+
+/// A number of the line before the pose, as some write it.
+bool is_numbered(const std::vector<std::string_view>& fields) {
+  return fields.size() == 9 && all_numbers(fields, 0) && parse_integer(fields[0]) && are_unit_quaternion(fields, 5);
+}
+
+bool fits(const std::vector<std::string_view>& fields, const PoseColumns& columns) {
+  if (fields.size() <= columns.last() || !parse_number(fields[columns.time])) return false;
+  const auto is_number = [&](std::size_t column) { return parse_number(fields[column]).has_value(); };
+  return std::all_of(columns.position.begin(), columns.position.end(), is_number) &&
+         std::all_of(columns.quaternion_xyzw.begin(), columns.quaternion_xyzw.end(), is_number);
+}
+
+/// @param named by a header above it
+std::optional<PoseFormat> recognise_line(std::string_view line, const std::optional<PoseColumns>& named) {
   std::vector<std::string_view> fields;
   split_csv(line, fields);
+  if (named && fields.size() > 1) return fits(fields, *named) ? std::optional(PoseFormat::EthCsv) : std::nullopt;
   if (fields.size() == 8 && all_numbers(fields, 0)) return PoseFormat::EthCsv;
-  if (is_apollo_header(line)) return PoseFormat::ApolloCsv;
-  if (fields.size() == 9 && all_numbers(fields, 0) && parse_integer(fields[1])) {
-    double norm = 0.0;
-    for (std::size_t i = 2; i < 6; ++i) norm += std::pow(*parse_number(fields[i]), 2);
-    if (std::abs(norm - 1.0) < 0.02) return PoseFormat::ApolloCsv;
-  }
-  if (line.find("header.stamp.secs") != std::string_view::npos &&
-      line.find("pose.pose.orientation.w") != std::string_view::npos)
-    return PoseFormat::AloamCsv;
+  if (fields.size() == 9 && all_numbers(fields, 0) && parse_integer(fields[1]) && are_unit_quaternion(fields, 2))
+    return PoseFormat::ApolloCsv;
+  if (is_numbered(fields)) return PoseFormat::EthCsv;
   split_blanks(line, fields);
-  if (fields.size() == 8 && all_numbers(fields, 0)) return PoseFormat::Tum;
+  if (named) return fits(fields, *named) ? std::optional(PoseFormat::Tum) : std::nullopt;
+  if ((fields.size() == 8 && all_numbers(fields, 0)) || is_numbered(fields)) return PoseFormat::Tum;
   if (fields.size() == 13 && parse_date_ns(fields[0]) && all_numbers(fields, 1)) return PoseFormat::PoseLines;
   return std::nullopt;
 }
@@ -183,11 +211,16 @@ std::optional<PoseFormat> recognise_pose_file(const fs::path& path) {
   try {
     const std::string head = read_text_head(path, 16 * 1024);
     LineReader lines(head);
+    std::optional<PoseColumns> named;
     for (std::string_view line; lines.next(line);) {
       line = trimmed(line);
       if (line.empty()) continue;
-      if (const auto format = recognise_line(line)) return format;
-      if (!line.starts_with('#')) return std::nullopt;
+      if (is_apollo_header(line)) return PoseFormat::ApolloCsv;
+      if (is_aloam_header(line)) return PoseFormat::AloamCsv;
+      if (const auto format = recognise_line(line, named)) return format;
+      const std::optional<PoseColumns> columns = named_pose_columns(line);
+      if (!columns && !line.starts_with('#')) return std::nullopt;
+      if (columns) named = columns;
     }
   } catch (const Error&) {
     // not readable: not a pose file
@@ -198,6 +231,8 @@ std::optional<PoseFormat> recognise_pose_file(const fs::path& path) {
 std::optional<InsAxes> axes_of(PoseFormat format) {
   return format == PoseFormat::ApolloCsv ? std::optional(InsAxes::RightForwardUp) : std::nullopt;
 }
+
+bool counts_from_true_north(PoseFormat format) { return format == PoseFormat::ApolloCsv; }
 
 namespace {
 
@@ -213,29 +248,99 @@ std::size_t possible_poses(std::string_view text) {
   return count;
 }
 
-/// Reads the header line where the format has one, and says where the poses begin.
-void read_head(PoseFormat format, std::string_view text, const fs::path& path, LineParser& parser, LineReader& lines) {
+/// Columns and unit of the stamps: as a header above the first line of numbers names them, else in the usual order and
+/// by their size. Leaves `lines` behind the header.
+struct NamedColumns {
+  PoseColumns columns;
+  bool named = false;
+};
+NamedColumns columns_of(PoseFormat format, LineReader& lines) {
+  NamedColumns out;
+  std::vector<std::string_view> fields;
+  LineReader ahead = lines;
+  for (std::string_view line; ahead.next(line);) {
+    line = trimmed(line);
+    if (line.empty()) continue;
+    const std::optional<PoseColumns> columns = named_pose_columns(line);
+    if (columns) out = {*columns, true};
+    if (columns && !line.starts_with('#')) lines = ahead;
+    if (columns || line.starts_with('#')) continue;
+    split_pose_line(line, format, fields);
+    if (!out.named) out.columns = usual_pose_columns(is_numbered(fields));
+    break;
+  }
+  return out;
+}
+
+/// Stamps at the begin, and whether all of them are whole numbers.
+std::pair<std::vector<double>, bool> first_stamps(PoseFormat format, const PoseColumns& columns, LineReader lines) {
+  constexpr std::size_t kEnough = 200;
+  std::vector<std::string_view> fields;
+  std::vector<double> stamps;
+  bool whole = true;
+  for (std::string_view line; stamps.size() < kEnough && lines.next(line);) {
+    if (trimmed(line).empty() || line.starts_with('#')) continue;
+    split_pose_line(line, format, fields);
+    const auto stamp = columns.time < fields.size() ? parse_number(fields[columns.time]) : std::nullopt;
+    if (!stamp) continue;
+    stamps.push_back(*stamp);
+    whole = whole && parse_integer(fields[columns.time]).has_value();
+  }
+  return {std::move(stamps), whole};
+}
+
+std::int64_t time_unit_of(PoseFormat format, const PoseColumns& columns, const LineReader& lines, const fs::path& path,
+                          std::vector<Finding>& findings) {
+  if (columns.time_unit_ns != 0) return columns.time_unit_ns;
+  const auto [stamps, whole] = first_stamps(format, columns, lines);
+  const std::optional<std::int64_t> unit_ns = unit_of_stamps_ns(stamps);
+  if (!unit_ns && whole && !stamps.empty())
+    throw Error(ErrorCode::Format, path.string(),
+                "the unit of its times cannot be told by their size: name it in a first line, as in '# timestamp [ns] "
+                "tx ty tz qx qy qz qw'");
+  if (unit_ns.value_or(kSecond_ns) != kSecond_ns)
+    findings.push_back(
+        make_finding(Severity::Note, "stamps-unit", path.string(),
+                     "By their size the times are taken to be " + std::string(unit_name_of(*unit_ns)) + "."));
+  return unit_ns.value_or(kSecond_ns);
+}
+
+PoseColumns aloam_columns(std::string_view line, const fs::path& path) {
+  const CsvHeader header(line);
+  PoseColumns columns;
+  columns.time = header.require("header.stamp.secs", path);
+  columns.nanoseconds = header.require("header.stamp.nsecs", path);
+  std::size_t i = 0;
+  for (const char* axis : {"x", "y", "z"})
+    columns.position[i++] = header.require(std::string("pose.pose.position.") + axis, path);
+  i = 0;
+  for (const char* axis : {"x", "y", "z", "w"})
+    columns.quaternion_xyzw[i++] = header.require(std::string("pose.pose.orientation.") + axis, path);
+  return columns;
+}
+
+/// Reads the header line where there is one, and leaves `lines` where the poses begin.
+void read_head(PoseFormat format, const fs::path& path, LineParser& parser, LineReader& lines,
+               std::vector<Finding>& findings) {
   std::string_view line;
   if (format == PoseFormat::AloamCsv) {
     if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");
-    parser.read_header(line);
+    parser.set_columns(aloam_columns(line, path), kSecond_ns);
   } else if (format == PoseFormat::ApolloCsv) {
-    LineReader ahead(text);
+    LineReader ahead = lines;
     const bool named = ahead.next(line) && is_apollo_header(line);
     const CsvHeader header(line);
     parser.read_apollo_header(named ? &header : nullptr);
-    if (named) lines.next(line);
+    if (named) lines = ahead;
+  } else if (format != PoseFormat::PoseLines) {
+    const PoseColumns columns = columns_of(format, lines).columns;
+    const bool in_parts = columns.nanoseconds.has_value();
+    parser.set_columns(columns, in_parts ? kSecond_ns : time_unit_of(format, columns, lines, path, findings));
   }
 }
 
-/// UTM turns against true north away from the middle of its zone.
-void tell_apollo(const std::vector<StampedPose>& poses, std::size_t not_fixed, const fs::path& path,
-                 std::vector<Finding>& findings) {
-  findings.push_back(make_finding(
-      Severity::Note, "utm-poses", path.string(),
-      "Positions are taken to be UTM, and attitudes to be relative to true north, as Apollo's GNSS driver writes them: "
-      "away from the middle of a zone yaw of X is off by the grid convergence, up to some 2 degrees, which no residual "
-      "shows."));
+void tell_not_fixed(const std::vector<StampedPose>& poses, std::size_t not_fixed, const fs::path& path,
+                    std::vector<Finding>& findings) {
   if (not_fixed > 0)
     findings.push_back(make_finding(Severity::Warning, "rtk-lost", path.string(),
                                     std::to_string(not_fixed) + " of " + std::to_string(poses.size()) +
@@ -254,7 +359,7 @@ std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path
   text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
-  read_head(format, text, path, parser, lines);
+  read_head(format, path, parser, lines, findings);
   std::vector<StampedPose> poses;
   poses.reserve(possible_poses(text));  // they are large, and would be there twice while the list grows
   BadItems bad;
@@ -275,7 +380,7 @@ std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path
     findings.push_back(make_finding(Severity::Warning, "rotation-not-orthonormal", path.string(),
                                     "Rotations were off by up to " + std::to_string(parser.worst_defect()) +
                                         " in an entry; the nearest rotation is used."));
-  if (format == PoseFormat::ApolloCsv) tell_apollo(poses, parser.not_fixed(), path, findings);
+  if (format == PoseFormat::ApolloCsv) tell_not_fixed(poses, parser.not_fixed(), path, findings);
   keep_ascending(poses, "pose", path.string(), findings);
   return poses;
 }

@@ -28,6 +28,10 @@ std::optional<PoseFormat> recognise_pose_file(const std::filesystem::path& path)
 /// Of the INS whose poses the format holds; nothing where it does not say.
 std::optional<InsAxes> axes_of(PoseFormat format);
 
+/// Whether attitudes are known to be relative to true north beside positions of UTM, as Apollo's GNSS driver writes
+/// them.
+bool counts_from_true_north(PoseFormat format);
+
 /// Poses with strictly ascending stamps. Lines that cannot be used, repeated and reversed stamps become findings.
 /// Throws Error where the file cannot be read or holds no usable pose.
 std::vector<StampedPose> read_pose_file(const std::filesystem::path& path, PoseFormat format,

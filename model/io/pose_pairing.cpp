@@ -5,6 +5,7 @@
 
 #include "algorithms/trajectory/clock_alignment.h"
 #include "model/io/stream_tools.h"
+#include "model/week_rollover.h"
 
 namespace remount {
 
@@ -32,6 +33,7 @@ std::string describe(const ClockAlignment& alignment) {
 }  // namespace
 
 void align_lidar_clock(Session& session, ClockUse clocks) {
+  mend_week_rollover(session);
   const RotationStream ins = session.ins.empty() ? RotationStream(session.world_from_ins) : RotationStream(session.ins);
   if (ins.empty() || session.odometry_from_lidar.empty()) return;
   const bool overlapping = overlap_share(ins, session.odometry_from_lidar) > 0.5;

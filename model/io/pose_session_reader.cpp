@@ -97,6 +97,7 @@ Session PoseSessionReader::open(const fs::path& path, Progress& progress) const 
   progress.report("reading poses", 0, 2);
   session.world_from_ins = read_pose_file(ins.path, ins.format, session.findings);
   session.ins_axes = axes_of(ins.format);
+  session.attitudes_to_true_north = counts_from_true_north(ins.format);
   progress.report("reading poses", 1, 2);
   session.odometry_from_lidar = read_pose_file(lidar.path, lidar.format, session.findings);
   session.files = {ins.path, lidar.path};

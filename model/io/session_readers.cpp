@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "model/impossible_motion.h"
 #include "model/io/bag/bag_reader.h"
 #include "model/io/gnss_log_reader.h"
 #include "model/io/input_file.h"
@@ -15,7 +16,11 @@
 #include "model/io/several_sessions.h"
 #include "model/io/smartloc_reader.h"
 #include "model/io/system_call.h"
+#include "model/pose_north.h"
+#include "model/pose_units.h"
 #include "model/printable_text.h"
+#include "model/travel_axes.h"
+#include "model/week_rollover.h"
 
 namespace remount {
 
@@ -122,7 +127,17 @@ const SessionReader& reader_of(const std::filesystem::path& path, const Progress
                             : words + " Remount looks for:" + known);
 }
 
+/// What no reader can judge while it reads line by line, alike for all of them.
+void settle(Session& session) {
+  mend_week_rollover(session);
+  leave_out_impossible(session);
+  refuse_foreign_units(session);
+  settle_north(session);
+  settle_axes(session);
+}
+
 Session looked_at(Session session, LookAt look_at, const Progress& progress) {
+  settle(session);
   for (Finding& finding : data_findings(session, look_at, progress)) session.findings.push_back(std::move(finding));
   return session;
 }

@@ -10,6 +10,21 @@ namespace remount {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// How much of a text its head is: comments, and the first line that is none, of which any may name columns.
+std::size_t head_bytes(const std::string& text) {
+  std::size_t end = 0;
+  while (end < text.size()) {
+    const bool comment = text[end] == '#';
+    end = std::min(text.find('\n', end), text.size() - 1) + 1;
+    if (!comment) break;
+  }
+  return end;
+}
+
+}  // namespace
+
 std::string GrowingSource::table(const fs::path& path) {
   const RandomAccessFile file(path);
   if (file.size() > kMaxDataFileBytes)
@@ -25,8 +40,8 @@ std::string GrowingSource::table(const fs::path& path) {
   if (end == std::string::npos) return "";
   added.resize(end + 1);
   table.used += added.size();
-  std::string text = table.first_line + added;
-  if (table.first_line.empty()) table.first_line = added.substr(0, added.find('\n') + 1);
+  std::string text = table.head + added;
+  table.head = text.substr(0, head_bytes(text));
   new_tables_[path] = std::move(table);
   return text;
 }

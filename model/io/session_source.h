@@ -30,8 +30,8 @@ class SessionSource {
 class GrowingSource final : public SessionSource {
  public:
   bool only_new() const override { return true; }
-  /// The first line, which may name columns, and the complete lines that are new; empty where there are none. Throws
-  /// Error(Io) where the file has become shorter, see shrunk().
+  /// The first line that is no comment and those before it, which may name columns, and the complete lines that are
+  /// new; empty where there are none. Throws Error(Io) where the file has become shorter, see shrunk().
   std::string table(const std::filesystem::path& file) override;
   /// Files that were not there. Throws Error(Io) where the folder cannot be listed.
   std::vector<std::filesystem::path> files(const std::filesystem::path& folder) override;
@@ -48,7 +48,7 @@ class GrowingSource final : public SessionSource {
 
  private:
   struct Table {
-    std::string first_line;  // with its end
+    std::string head;        // comments and the first line that is none, with their ends
     std::uint64_t used = 0;  // bytes
   };
   std::map<std::filesystem::path, Table> tables_, new_tables_;

@@ -5,6 +5,7 @@
 #include "model/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/methods/fusion_run.h"
+#include "model/pipeline/input_checks.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -172,7 +173,8 @@ PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mount
 
 }  // namespace
 
-PipelineOutput run_fusion_method(const PipelineInput& input, Progress& progress) {
+PipelineOutput run_fusion_method(const PipelineInput& given, Progress& progress) {
+  const PipelineInput input = with_possible_motion(given);
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
   require_valid(input.settings);
   // Without an INS the odometry is shown all the same.

@@ -10,6 +10,7 @@
 #include "algorithms/trajectory/motion_track.h"
 #include "model/deciding_notes.h"
 #include "model/methods/builtin.h"
+#include "model/pipeline/input_checks.h"
 #include "model/scan_times.h"
 
 namespace remount {
@@ -167,7 +168,8 @@ std::string known_name(const Session& session, const std::vector<std::shared_ptr
 
 }  // namespace
 
-PipelineOutput run_slew(const PipelineInput& input, Progress& progress) {
+PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
+  const PipelineInput input = with_possible_motion(given);
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
   require_valid(input.settings);
   refuse_measured(input.settings.measured, "slew", "machine");

@@ -93,7 +93,7 @@ std::vector<EpochStamp> epoch_stamps(const std::vector<OdometryPose>& poses, con
 }
 
 struct InsNoise {
-  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad, assumed_tilt_rad;
+  double position_m, attitude_rad, position_drift, attitude_drift, bias_rad, assumed_tilt_rad, north_rad;
   bool attitude_declared, declared;
 };
 
@@ -117,6 +117,7 @@ InsNoise ins_noise(const Session& session, const MotionTrack& track, const Solve
         known_or(session.ins_attitude_drift, declared ? 0.0 : degrees_to_radians(assumed.ins_attitude_drift_deg));
   }
   out.assumed_tilt_rad = assumed_tilt_sigma_rad(session.ins);
+  out.north_rad = session.ins_north_sigma_rad;
   out.bias_rad = known_or(session.ins_attitude_bias_sigma_rad, degrees_to_radians(assumed.ins_attitude_bias_sigma_deg));
   return out;
 }
@@ -205,6 +206,7 @@ class EpochMaker {
   void describe(TrajectorySession& out) const {
     constexpr double kUndeclaredAttitude_rad = 0.005;  // as in pairwise calibration
     out.assumed_tilt_sigma_rad = noise_.assumed_tilt_rad;
+    out.north_sigma_rad = noise_.north_rad;
     out.doubtful_attitude_rad = noise_.attitude_declared ? 0.0 : kUndeclaredAttitude_rad;
     out.ins_noise_stated = noise_.declared && !positions_.enu_from_ins.empty();
     out.unseen = registration_limits();

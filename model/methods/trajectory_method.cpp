@@ -100,7 +100,8 @@ PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFee
   return output;
 }
 
-PipelineOutput run_trajectory_method(const PipelineInput& input, Progress& progress) {
+PipelineOutput run_trajectory_method(const PipelineInput& given, Progress& progress) {
+  const PipelineInput input = with_possible_motion(given);
   check(input);
   TrajectoryFeed feed(input.settings, input.nominal_ins_from_lidar, input.threads);
   // As many answers on the way as a plot can show.

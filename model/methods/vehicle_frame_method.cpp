@@ -12,6 +12,7 @@
 #include "model/method_needs.h"
 #include "model/methods/antenna_on_vehicle.h"
 #include "model/methods/builtin.h"
+#include "model/pipeline/input_checks.h"
 #include "model/scan_times.h"
 #include "model/session_frames.h"
 
@@ -191,7 +192,8 @@ void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vecto
 
 }  // namespace
 
-PipelineOutput run_vehicle_frame(const PipelineInput& input, Progress& progress) {
+PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress) {
+  const PipelineInput input = with_possible_motion(given);
   if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
   require_valid(input.settings);
   refuse_measured(input.settings.measured, "vehicle-frame", "vehicle");

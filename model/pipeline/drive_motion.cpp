@@ -7,10 +7,12 @@
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/geodesy.h"
 #include "model/assumed_tilt.h"
+#include "model/impossible_motion.h"
 
 namespace remount {
 
-DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions) : sessions_(std::move(sessions)) {
+DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions)
+    : sessions_(possible_sessions(std::move(sessions))) {
   for (const auto& session : sessions_) {
     tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : remount::local_from_ins(session->ins));
     if (tracks_.back().empty())
@@ -63,7 +65,8 @@ std::vector<SessionNoise> DriveMotion::noise() const {
     out.push_back({tracks_[s].position_noise_factor() * sessions_[s]->ins_position_white_sigma_m,
                    tracks_[s].attitude_noise_factor() * sessions_[s]->ins_attitude_white_sigma_rad,
                    sessions_[s]->ins_attitude_bias_sigma_rad, sessions_[s]->ins_position_drift,
-                   sessions_[s]->ins_attitude_drift, assumed_tilt_sigma_rad(sessions_[s]->ins)});
+                   sessions_[s]->ins_attitude_drift, assumed_tilt_sigma_rad(sessions_[s]->ins),
+                   sessions_[s]->ins_north_sigma_rad});
   return out;
 }
 

@@ -15,7 +15,8 @@ namespace remount {
 /// INS trajectories of all sessions and the clock offset of each lidar (t_ins = t_lidar + offset).
 class DriveMotion {
  public:
-  /// Throws Error(Unsupported) where a session has no INS motion at all.
+  /// Impossible positions are left out (model/impossible_motion.h). Throws Error(Unsupported) where a session has no
+  /// INS motion at all, Error(Format) where none of it is possible.
   explicit DriveMotion(std::vector<std::shared_ptr<const Session>> sessions);
 
   const Session& session(int index) const { return *sessions_[static_cast<std::size_t>(index)]; }

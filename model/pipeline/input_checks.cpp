@@ -8,6 +8,7 @@
 #include "algorithms/core/error.h"
 #include "model/clock_hint.h"
 #include "model/deciding_notes.h"
+#include "model/impossible_motion.h"
 #include "model/io/document.h"
 #include "model/io/system_call.h"
 #include "model/method_needs.h"
@@ -106,6 +107,7 @@ std::string value_of(const char* name, double value, const char* unit) {
 
 void check_same_axes(const Session& first, const Session& other) {
   if (!first.ins_axes || !other.ins_axes || *first.ins_axes == *other.ins_axes) return;
+  if (first.ins_axes_by_travel != other.ins_axes_by_travel) return;  // a drive too short to tell is of the same INS
   throw Error(ErrorCode::Contract, path_or_name(other),
               "has INS axes " + std::string(to_string(*other.ins_axes)) + ", but " + path_or_name(first) + " has " +
                   std::string(to_string(*first.ins_axes)) +
@@ -134,6 +136,11 @@ std::string sentence(std::string text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.pop_back();
   if (!text.empty() && text.back() != '.' && text.back() != '!' && text.back() != '?') text += '.';
   return text;
+}
+
+PipelineInput with_possible_motion(PipelineInput input) {
+  input.sessions = possible_sessions(std::move(input.sessions));
+  return input;
 }
 
 void check_sessions(const std::vector<std::shared_ptr<const Session>>& sessions) {

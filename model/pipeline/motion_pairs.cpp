@@ -5,6 +5,7 @@
 
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/core/error.h"
+#include "model/impossible_motion.h"
 #include "model/pipeline.h"
 
 namespace remount {
@@ -110,8 +111,8 @@ PairwiseInput motions_input(const std::vector<Keyframe>& keyframes, std::vector<
     if (static_cast<std::size_t>(node.session) >= input.sessions.size())
       input.sessions.resize(static_cast<std::size_t>(node.session) + 1);
   for (SessionNoise& session : input.sessions) {
-    // An attitude error common to all cannot be told from X. Poses that are shared drift as those of a log do, by what is
-    // assumed of an INS in the time from one number to the next; motions that stand for themselves do not.
+    // An attitude error common to all cannot be told from X. Poses that are shared drift as those of a log do, by what
+    // is assumed of an INS in the time from one number to the next; motions that stand for themselves do not.
     session.attitude_bias_sigma_rad = 0.0;
     if (!input.pairs_share_scans) session.position_drift = session.attitude_drift = 0.0;
   }
@@ -133,15 +134,27 @@ CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std
     pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
     pair.registration.attempted = pair.registration.converged = true;
     if (pair.registration.information.isZero(0.0)) pair.registration.information = Matrix6d::Identity() * 1e8;
+    if (!is_possible_motion(pair.ins_b_from_ins_a) || !is_possible_motion(pair.lidar_b_from_lidar_a))
+      pair.registration.failure = "no vehicle moves so far";
   }
-  // The solver's nodes are not the caller's keyframes.
+  // The solver's nodes are not the caller's keyframes; squares of what is impossible would not be finite.
   std::vector<Pair> solved = pairs;
+  for (Pair& pair : solved) {
+    if (pair.registration.failure.empty()) continue;
+    pair.ins_b_from_ins_a = pair.lidar_b_from_lidar_a = RigidTransform::Identity();
+    if (pair.decided_by == DecidedBy::User && pair.state == PairState::Rejected) continue;
+    pair.state = PairState::Rejected;
+    pair.decided_by = DecidedBy::Program;
+    pair.reason = pair.registration.failure;
+  }
   PairwiseInput input = motions_input(keyframes, solved, settings);
   input.nominal_ins_from_lidar = nominal_ins_from_lidar;
   CalibrationResult result = solve_pairwise(input, solved, progress);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     solved[i].keyframe_a = pairs[i].keyframe_a;
     solved[i].keyframe_b = pairs[i].keyframe_b;
+    solved[i].ins_b_from_ins_a = pairs[i].ins_b_from_ins_a;
+    solved[i].lidar_b_from_lidar_a = pairs[i].lidar_b_from_lidar_a;
   }
   pairs = std::move(solved);
   result.time_offset = {};  // motion pairs carry no time

@@ -259,8 +259,10 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   check_input(input);
   DriveMotion motion(input.sessions);
   PipelineOutput output;
-  for (const auto& session : input.sessions)
-    output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
+  for (int session = 0; session < motion.session_count(); ++session) {
+    const std::vector<Finding>& read = motion.session(session).findings;
+    output.findings.insert(output.findings.end(), read.begin(), read.end());
+  }
   output.clock_told = std::ranges::all_of(
       input.sessions, [&](const auto& session) { return tells_clock(*session, input.settings.run.deskew); });
   output.keyframes = all_keyframes(motion, input.settings.keyframes, output.findings);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/io/bag/bag_ins.h"
+#include "model/io/bag/bag_week_rollover.h"
 #include "model/io/bag/cloud_message.h"
 #include "model/io/bag/static_frames.h"
 #include "model/io/pose_pairing.h"
@@ -133,6 +134,9 @@ Session session_of(const std::shared_ptr<const BagFile>& bag, const fs::path& pa
   BagStreams streams = read_streams(*bag, roles, session.findings, progress);
   if (progress.cancelled()) return session;
   const std::string frame = ins_frame(*bag, roles, streams);
+  mend_week_rollovers(*bag, roles, streams, session.findings);
+  session.world_frame = streams.ins_poses.frame;
+  session.attitudes_to_true_north = roles.ins && is_of_novatel(bag->topics()[*roles.ins].name);
   add_ins(*bag, chosen, streams, session);
   add_nominal(*bag, roles, streams, frame, session);
   add_lidar(bag, roles, streams, session);

@@ -114,7 +114,10 @@ class StreamReader {
     const MessageKind kind = message_kind(bag_.topics()[topic].type);
     add(topic, kAll, [&stream, kind](const BagEntry& entry, std::size_t, MessageReader& reader) {
       PoseMessage message = read_pose(reader, kind);
-      if (stream.world_from_child.empty()) stream.child_frame = message.child_frame;
+      if (stream.world_from_child.empty()) {
+        stream.frame = message.header.frame;
+        stream.child_frame = message.child_frame;
+      }
       stream.world_from_child.push_back({message.header.stamp_ns, message.world_from_child});
       note(stream.clock, message.header.stamp_ns, entry);
     });

@@ -26,7 +26,7 @@ struct StreamClock {
 struct PoseStream {
   StreamClock clock;
   std::vector<StampedPose> world_from_child;
-  std::string child_frame;
+  std::string frame, child_frame;
 };
 template <class Message>
 struct MessageStream {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "model/impossible_motion.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
@@ -57,6 +58,7 @@ RigidTransform read_rigid(MessageReader& reader) {
   const Eigen::Vector3d translation = read_vector(reader);
   const Eigen::Quaterniond rotation = checked(read_quaternion(reader), reader);
   if (!translation.allFinite()) fail_message(reader, "the position is not finite");
+  if (!is_possible_position(translation)) fail_message(reader, "the position is beyond 1e9 m");
   return make_rigid(rotation.toRotationMatrix(), translation);
 }
 

@@ -5,6 +5,7 @@
 
 #include "algorithms/core/median.h"
 #include "model/io/bag/topic_candidates.h"
+#include "model/io/input_file.h"
 #include "model/io/pose_session_reader.h"
 #include "model/io/stream_tools.h"
 
@@ -348,6 +349,11 @@ ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::v
 bool of_one_device(std::string_view topic, std::string_view other) {
   const std::string_view device = topic.substr(0, topic.rfind('/') + 1);
   return device.size() > 1 && other.starts_with(device);
+}
+
+bool is_of_novatel(const std::string& topic) {
+  const std::string name = lower_case(topic);
+  return name.find("novatel") != std::string::npos || name.find("oem7") != std::string::npos;
 }
 
 bool is_static_transforms(const BagTopic& topic) {

@@ -37,6 +37,8 @@ ChosenTopics choose_topics(const BagFile& bag, const TopicChoice& choice, std::v
 
 /// Whether two topics are published under the name of one device, as "/ins/imu" and "/ins/fix".
 bool of_one_device(std::string_view topic, std::string_view other);
+/// NovAtel's drivers publish Odometry with positions in UTM and the receiver's attitude, which is to true north.
+bool is_of_novatel(const std::string& topic);
 
 /// Whether all transforms of a topic are read for the nominal mounting.
 bool is_static_transforms(const BagTopic& topic);

@@ -7,6 +7,7 @@
 
 #include "algorithms/geometry/geodesy.h"
 #include "algorithms/geometry/local_level.h"
+#include "model/io/pose_file.h"
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
 #include "tests/model/simulator/written_drive.h"
@@ -182,12 +183,16 @@ TEST(drive_formats, apollo_odometry_is_on_the_grid_with_attitudes_of_true_north)
   const TemporaryFolder folder;
   const Session session = read_back(drive, "apollo-csv", folder);
   ASSERT_EQ(session.world_from_ins.size(), drive.session.ins.size());
+  // As the file has them: the session's were turned to the grid (tests/model/pose_north_test.cpp).
+  std::vector<Finding> none;
+  const std::vector<StampedPose> logged = read_pose_file(drive_in(folder) / "ins.csv", PoseFormat::ApolloCsv, none);
+  ASSERT_EQ(logged.size(), drive.session.ins.size());
   EXPECT_EQ(session.ins_axes, InsAxes::RightForwardUp);
   const UtmGrid grid(drive.session.ins.front().latitude_rad, drive.session.ins.front().longitude_rad);
   const Eigen::Matrix3d flu_from_rfu = forward_left_up_from(InsAxes::RightForwardUp).linear();
   for (std::size_t i = 0; i < session.world_from_ins.size(); ++i) {
     const InsSample& written = drive.session.ins[i];
-    const StampedPose& read = session.world_from_ins[i];
+    const StampedPose& read = logged[i];
     ASSERT_EQ(read.stamp_ns, written.stamp_ns);
     const GridFix place = grid.project(written.latitude_rad, written.longitude_rad);
     ASSERT_LT((read.pose.translation() - Eigen::Vector3d(place.easting_m, place.northing_m, written.height_m)).norm(),

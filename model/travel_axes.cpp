@@ -1,0 +1,49 @@
+#include "model/travel_axes.h"
+
+#include <cmath>
+
+#include "model/io/stream_tools.h"
+#include "model/travel_direction.h"
+
+namespace remount {
+namespace {
+
+/// By quarter turns from x to the direction of travel, counter-clockwise.
+constexpr InsAxes kByQuarters[kInsAxesCount] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp,
+                                                InsAxes::BackwardRightUp, InsAxes::LeftBackwardUp};
+
+std::optional<InsAxes> axes_by_travel(const TravelDirection& travel) {
+  constexpr double kNear_rad = 20.0 * kPi / 180.0;
+  const double quarters = std::round(travel.yaw_rad / (0.5 * kPi));
+  if (std::abs(travel.yaw_rad - quarters * 0.5 * kPi) > kNear_rad) return std::nullopt;
+  const InsAxes axes = kByQuarters[static_cast<std::size_t>(static_cast<int>(quarters) + 4) % kInsAxesCount];
+  const bool usual = axes == InsAxes::ForwardLeftUp || axes == InsAxes::RightForwardUp;
+  return usual || travel.forwards ? std::optional(axes) : std::nullopt;
+}
+
+/// A vehicle that may be in reverse does not contradict its axes.
+bool may_be_reverse(const TravelDirection& travel, const std::optional<InsAxes>& declared, InsAxes told) {
+  return !travel.forwards && ((declared == InsAxes::BackwardRightUp && told == InsAxes::ForwardLeftUp) ||
+                              (declared == InsAxes::LeftBackwardUp && told == InsAxes::RightForwardUp));
+}
+
+}  // namespace
+
+void settle_axes(Session& session) {
+  if (session.ins.empty() && session.world_from_ins.empty()) return;
+  const std::optional<TravelDirection> travel = travel_direction(MetricPoses(session));
+  const std::optional<InsAxes> told = travel ? axes_by_travel(*travel) : std::nullopt;
+  if (!told || session.ins_axes == told || may_be_reverse(*travel, session.ins_axes, *told)) return;
+  const std::string axes(to_string(*told));
+  session.findings.push_back(session.ins_axes
+                                 ? make_finding(Severity::Warning, "ins-axes-by-travel", path_or_name(session),
+                                                "By the direction of travel the axes of the INS are " + axes +
+                                                    ", not " + std::string(to_string(*session.ins_axes)) +
+                                                    ". The result is in the axes of the log, and is called by these.")
+                                 : make_finding(Severity::Note, "ins-axes-by-travel", path_or_name(session),
+                                                "By the direction of travel the axes of the INS are " + axes + "."));
+  session.ins_axes = told;
+  session.ins_axes_by_travel = true;
+}
+
+}  // namespace remount
