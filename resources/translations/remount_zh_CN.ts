@@ -2,6 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>Words</name>
+    <message>
+        <source>“Topics…”</source>
+        <translation>“话题…”</translation>
+    </message>
+    <message>
+        <source>a nominal mounting</source>
+        <translation>标称安装</translation>
+    </message>
+    <message>
+        <source>the method</source>
+        <translation>方法</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS.</source>
@@ -1440,6 +1455,22 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <source>Saved: %1</source>
         <translation>已保存：%1</translation>
     </message>
+    <message>
+        <source>Restore default options</source>
+        <translation>恢复默认选项</translation>
+    </message>
+    <message>
+        <source>Set every option back to its default, the search range as well?</source>
+        <translation>将所有选项（包括搜索范围）恢复为默认值？</translation>
+    </message>
+    <message>
+        <source>Defaults that are changed: %1.</source>
+        <translation>已更改的默认值：%1。</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>恢复默认值</translation>
+    </message>
 </context>
 <context>
     <name>remount::MapController</name>
@@ -2752,10 +2783,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>未求解：解在搜索范围之外</translation>
     </message>
     <message>
-        <source>Do not trust: the pairs contradict each other</source>
-        <translation>不可信：帧对互相矛盾</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>已取消</translation>
     </message>
@@ -2988,6 +3015,10 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>
             <numerusform>%n 个帧对：%1 个接受，%2 个拒绝</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Do not trust this result</source>
+        <translation>不要相信此结果</translation>
     </message>
 </context>
 <context>
@@ -3705,6 +3736,18 @@ Save under another name, or close it there first.</source>
         <source>Wait until the present work is done, or cancel it, before beginning a project.</source>
         <translation>请等当前工作完成或将其取消，再新建项目。</translation>
     </message>
+    <message>
+        <source>removed. The result was made without it and stays.</source>
+        <translation>已移除。结果并未使用它，予以保留。</translation>
+    </message>
+    <message>
+        <source>removed. No pair of it was accepted: the result stays.</source>
+        <translation>已移除。它没有被接受的帧对：结果保留。</translation>
+    </message>
+    <message>
+        <source>is the same recording as %1, which is open: its pairs would count as evidence twice. It was not opened.</source>
+        <translation>与已打开的 %1 是同一次记录：其帧对会被当作两份依据。未打开。</translation>
+    </message>
 </context>
 <context>
     <name>remount::axes_picture</name>
@@ -3806,6 +3849,14 @@ Save under another name, or close it there first.</source>
         <source>remove %1</source>
         <translation>移除 %1</translation>
     </message>
+    <message>
+        <source>open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>open %1 sessions</source>
+        <translation>打开 %1 份数据</translation>
+    </message>
 </context>
 <context>
     <name>remount::error_words</name>
@@ -3820,6 +3871,37 @@ Save under another name, or close it there first.</source>
     <message>
         <source>F1 in the empty window lists what can be opened.</source>
         <translation>在空窗口中按 F1 可查看能打开的内容。</translation>
+    </message>
+</context>
+<context>
+    <name>remount::flag_mentions</name>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>“%1: %2”</source>
+        <translation>“%1：%2”</translation>
+    </message>
+    <message>
+        <source>“%1: %2 – %3”</source>
+        <translation>“%1：%2 – %3”</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Nominal mounting</source>
+        <translation>名义安装</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>在%1中</translation>
+    </message>
+    <message>
+        <source>the method %1</source>
+        <translation>方法 %1</translation>
     </message>
 </context>
 <context>
@@ -4556,10 +4638,6 @@ Save under another name, or close it there first.</source>
         <translation>完全在轮廓内的是车辆自身，不是障碍物。</translation>
     </message>
     <message>
-        <source>How two scans are aligned: own plane-to-plane engine, or PCL&apos;s.</source>
-        <translation>两次扫描怎样配准：自带的面对面引擎，或 PCL 的算法。</translation>
-    </message>
-    <message>
         <source>Edge of the voxels that thin a scan before alignment.</source>
         <translation>配准前用于抽稀扫描的体素边长。</translation>
     </message>
@@ -4754,14 +4832,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>%1 The scan is skipped.</source>
         <translation>%1 该帧扫描已跳过。</translation>
-    </message>
-    <message>
-        <source>The format does not say whether its scans are compensated for motion. Compensating them changes the registration residual by %1: scans are compensated.</source>
-        <translation>该格式未说明扫描是否已做运动补偿。补偿使配准残差变化 %1：对扫描做补偿。</translation>
-    </message>
-    <message>
-        <source>The format does not say whether its scans are compensated for motion. Compensating them changes the registration residual by %1: scans are used as they are.</source>
-        <translation>该格式未说明扫描是否已做运动补偿。补偿使配准残差变化 %1：扫描按原样使用。</translation>
     </message>
     <message>
         <source>The lidar&apos;s stamps are early by %1 ms (sigma %2 ms) against the INS. X is biased by it while the vehicle turns: set solve.apply_time_offset to correct it.</source>
@@ -5682,10 +5752,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>The scans did not fit the map any more, as after a gap: %1 times it was begun anew at the predicted pose, and poses before and after do not fit together.</source>
         <translation>扫描已与地图不符，如在间断之后：地图有 %1 次在预测位姿处重新开始，前后位姿互不衔接。</translation>
-    </message>
-    <message>
-        <source>%1 of %2 scans do not tell of every direction of the motion; no pair spans them. Drive where there is more to see.</source>
-        <translation>%2 帧扫描中有 %1 帧未能说明运动的所有方向；没有配对跨越它们。请在特征更丰富的地方行驶。</translation>
     </message>
     <message>
         <source>The session has no INS with attitude: its odometry takes no part in the calibration.</source>
@@ -6676,10 +6742,6 @@ Save under another name, or close it there first.</source>
         <translation>只有转弯才能说明 LiDAR 的位置：直线行驶只能说明它的朝向。</translation>
     </message>
     <message>
-        <source>Drive at least one full turn to each side, a figure of eight for instance.</source>
-        <translation>请向左右两侧各至少转一整圈，例如走一个 8 字。</translation>
-    </message>
-    <message>
         <source>Only tilting tells the height: on level ground it keeps the nominal value.</source>
         <translation>只有倾斜才能说明高度：在平地上高度保持标称值。</translation>
     </message>
@@ -6800,10 +6862,6 @@ Save under another name, or close it there first.</source>
         <translation>请重新复制或导出该扫描。</translation>
     </message>
     <message>
-        <source>Of entries with one stamp only the first is used.</source>
-        <translation>时间戳相同的条目只使用第一条。</translation>
-    </message>
-    <message>
         <source>See whether two recorders write into one log, or whether stamps are rounded.</source>
         <translation>请检查是否有两个记录程序写入同一日志，或时间戳是否被舍入。</translation>
     </message>
@@ -6860,14 +6918,6 @@ Save under another name, or close it there first.</source>
         <translation>横滚角和俯仰角是猜测的：安装参数中只有偏航角以及 x 和 y 可以信赖。</translation>
     </message>
     <message>
-        <source>Yaw of the result is off by as much as the grid turns against true north there.</source>
-        <translation>结果的偏航角会偏差当地坐标网格相对真北的转角。</translation>
-    </message>
-    <message>
-        <source>Give latitude and longitude where you have them, or turn the poses by the grid convergence.</source>
-        <translation>若有经纬度请提供经纬度，或按子午线收敛角转动位姿。</translation>
-    </message>
-    <message>
         <source>The bag has no usable index (%1). It was read from the beginning: %2 messages in %3 chunks were found. %4</source>
         <translation>bag 没有可用的索引（%1）。已从头读取：在 %3 个块中找到 %2 条消息。%4</translation>
     </message>
@@ -6878,14 +6928,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Parts of the bag are missing: %1.</source>
         <translation>bag 缺少部分文件：%1。</translation>
-    </message>
-    <message>
-        <source>The points have no times of their own: scans are taken to be compensated for motion already.</source>
-        <translation>点没有各自的时间：视为扫描已做过运动补偿。</translation>
-    </message>
-    <message>
-        <source>The stamps are of another clock than the LiDAR&apos;s; by the recorder&apos;s clock they are %1 s apart. They are moved by that; what is left, the delays of the recording, shows as time offset.</source>
-        <translation>时间戳与激光雷达的不是同一时钟；按记录器的时钟相差 %1 秒。已按此移动；剩余部分（记录的延迟）表现为时间偏移。</translation>
     </message>
     <message>
         <source>The messages have no stamps; the times at which they were recorded are used. They are late by the delay of the recorder.</source>
@@ -8044,18 +8086,6 @@ Save under another name, or close it there first.</source>
         <translation>声明有 %1 字节，超出文件的大小</translation>
     </message>
     <message>
-        <source>cannot be unpacked in %1: %2; set TMPDIR to a folder with more room, or unpack it with &apos;zstd -d&apos;</source>
-        <translation>无法解压到 %1：%2；请把 TMPDIR 设为空间更大的文件夹，或用“zstd -d”自行解压</translation>
-    </message>
-    <message>
-        <source>after %1 only %2 are free</source>
-        <translation>写入 %1 后仅余 %2 可用空间</translation>
-    </message>
-    <message>
-        <source>cannot be unpacked, there is no folder for temporary files: %1; set TMPDIR to one, or unpack it with &apos;zstd -d&apos;</source>
-        <translation>无法解压，没有存放临时文件的文件夹：%1；请用 TMPDIR 指定一个，或用“zstd -d”自行解压</translation>
-    </message>
-    <message>
         <source>the compressed file is damaged here</source>
         <translation>压缩文件在此处已损坏</translation>
     </message>
@@ -8708,10 +8738,6 @@ Save under another name, or close it there first.</source>
         <translation>GPS 周数“%1”和时间“%2”不是 GPS 时间</translation>
     </message>
     <message>
-        <source>expected &apos;#INSPVAXA,&lt;header&gt;;&lt;data&gt;*&lt;crc&gt;&apos;</source>
-        <translation>应为“#INSPVAXA,&lt;header&gt;;&lt;data&gt;*&lt;crc&gt;”</translation>
-    </message>
-    <message>
         <source>the header has too few fields</source>
         <translation>头部的字段太少</translation>
     </message>
@@ -8846,10 +8872,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>&apos;%1&apos; is no time like 2021-10-26-16-21-29-468</source>
         <translation>“%1”不是形如 2021-10-26-16-21-29-468 的时间</translation>
-    </message>
-    <message>
-        <source>Positions are taken to be UTM, and attitudes to be relative to true north, as Apollo&apos;s GNSS driver writes them: away from the middle of a zone yaw of X is off by the grid convergence, up to some 2 degrees, which no residual shows.</source>
-        <translation>位置按 UTM、姿态按相对真北处理，与 Apollo 的 GNSS 驱动程序的写法相同：离投影带中央较远时，X 的偏航会偏差子午线收敛角，最大约 2 度，且残差中看不出来。</translation>
     </message>
     <message>
         <source>%1 of %2 positions are not fixed by their position type.</source>
@@ -9480,10 +9502,6 @@ Save under another name, or close it there first.</source>
         <translation>搜索开始时未使用与数据放在一起的安装参数。</translation>
     </message>
     <message>
-        <source>Mend the file, or give the mounting with --nominal.</source>
-        <translation>请修正该文件，或用 --nominal 给出安装参数。</translation>
-    </message>
-    <message>
         <source>Digits were lost, or the numbers are in another order than was taken.</source>
         <translation>数字的位数有丢失，或数值的顺序与所假定的不同。</translation>
     </message>
@@ -9674,10 +9692,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>no message of this topic has turn rates</source>
         <translation>此话题没有任何消息含有角速度</translation>
-    </message>
-    <message>
-        <source>The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), which no frame of ROS stands for. Give the nominal with --nominal.</source>
-        <translation>未使用静态变换：INSPVAX 有自己的坐标轴（x 向右、y 向前、z 向上），ROS 中没有与之对应的坐标系。请用 --nominal 给出名义安装。</translation>
     </message>
     <message>
         <source>The static transforms are not used: the messages of the INS name no frame of their own.</source>
@@ -10232,10 +10246,6 @@ Save under another name, or close it there first.</source>
         <translation>激光雷达与 INS 的运动互相矛盾</translation>
     </message>
     <message>
-        <source>Look whether poses of the LiDAR are what they are taken for: of this drive, in metres, from the LiDAR to the world, with the parts of the quaternion in that order. Then look at clock and attitude of the INS.</source>
-        <translation>请检查激光雷达位姿是否符合约定：属于本次行驶、以米为单位、从激光雷达到世界、四元数分量顺序正确。然后检查 INS 的时钟与姿态。</translation>
-    </message>
-    <message>
         <source>the distances of LiDAR and INS differ</source>
         <translation>激光雷达与 INS 的距离不一致</translation>
     </message>
@@ -10298,6 +10308,786 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Look at the clocks of LiDAR and INS and at the pairs: they do not fit together.</source>
         <translation>请检查激光雷达与 INS 的时钟以及扫描对：它们彼此不相符。</translation>
+    </message>
+    <message>
+        <source>The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), which no frame of ROS stands for. Give the nominal mounting yourself.</source>
+        <translation>未使用静态变换：INSPVAX 有自己的坐标轴（x 向右、y 向前、z 向上），没有任何 ROS 坐标系与之对应。请自行给出标称安装。</translation>
+    </message>
+    <message>
+        <source>At the spacing that is set, %1, the drive has %2 keyframes, fewer than keyframes.minimum: they were taken closer together, %3 in all. Lower keyframes.minimum to keep the spacing.</source>
+        <translation>按所设的间隔 %1，该行程只有 %2 个关键帧，少于 keyframes.minimum：已加密选取，共 %3 个。若要保持间隔，请减小 keyframes.minimum。</translation>
+    </message>
+    <message>
+        <source>Scans of a moving sensor are bent by the motion within a sweep, unless somebody has compensated them.</source>
+        <translation>运动中的传感器，其扫描会因一圈之内的运动而变形，除非已经过补偿。</translation>
+    </message>
+    <message>
+        <source>Record points with their times: set the driver to write them (in a field called time, t or timestamp). A calibration tries sweeps in both directions and takes what the scans prove; without proof the sigmas include the others, and no clock offset is estimated.</source>
+        <translation>记录带时间的点：请设置驱动写出点时间（名为 time、t 或 timestamp 的字段）。标定会尝试两个旋转方向，采用扫描能证明的方式；不能证明时，标准差包含其他方式，且不估计时钟偏差。</translation>
+    </message>
+    <message>
+        <source>How the scans are bent by motion is a guess.</source>
+        <translation>扫描如何因运动而变形只是猜测。</translation>
+    </message>
+    <message>
+        <source>Record points with their times, or declare in a native session how the sensor turns (timing: sweep).</source>
+        <translation>请记录带时间的点，或在本软件格式的会话中声明传感器如何旋转（timing: sweep）。</translation>
+    </message>
+    <message>
+        <source>The sensor turns the other way than those that the format was made for.</source>
+        <translation>传感器的旋转方向与该格式原本所用的传感器相反。</translation>
+    </message>
+    <message>
+        <source>Nothing, where the LiDAR is another one; otherwise check that axes of the points are right-handed.</source>
+        <translation>若激光雷达是另一种型号，则无需处理；否则请检查点的坐标轴是否为右手系。</translation>
+    </message>
+    <message>
+        <source>Scans and INS samples were taken out or renumbered apart from each other.</source>
+        <translation>扫描与 INS 样本曾被分别删除或重新编号。</translation>
+    </message>
+    <message>
+        <source>Nothing, where the stamps of both are right; otherwise copy the drive again, whole.</source>
+        <translation>若二者的时间戳都正确，则无需处理；否则请重新完整复制该次行驶的数据。</translation>
+    </message>
+    <message>
+        <source>Mend the file, or give the nominal mounting yourself.</source>
+        <translation>请修复该文件，或自行给出标称安装。</translation>
+    </message>
+    <message>
+        <source>A place on the vehicle is another number in another frame.</source>
+        <translation>车上的同一位置在不同坐标系中数值不同。</translation>
+    </message>
+    <message>
+        <source>Give the nominal mounting in the frame in which the method finds the sensor, or none.</source>
+        <translation>请给出该方法所求坐标系中的名义安装位姿，或不给。</translation>
+    </message>
+    <message>
+        <source>Points that are matched with points, or with cells, are off by more than their number says, the same way in every pair.</source>
+        <translation>点对点或点对栅格配准的误差比点数所示的大，而且在每个帧对中方向相同。</translation>
+    </message>
+    <message>
+        <source>Choose plane-to-plane or pcl-gicp where the sigma is to hold.</source>
+        <translation>需要标准差可信时，请选择 plane-to-plane 或 pcl-gicp。</translation>
+    </message>
+    <message>
+        <source>A tyre differs by a per cent or two: one of the two is not in metres.</source>
+        <translation>轮胎只会相差百分之一二：两者之一的单位不是米。</translation>
+    </message>
+    <message>
+        <source>Look at the wheel radius or the units of the wheel speeds, and at the units of the sensor&apos;s poses.</source>
+        <translation>请检查车轮半径或轮速单位，以及传感器位姿的单位。</translation>
+    </message>
+    <message>
+        <source>The format does not say how its scans are bent by motion; told by the scans themselves they are %1. That leaves %2 % less between scans than the next of what was tried.</source>
+        <translation>该格式没有说明扫描如何因运动而变形；由扫描本身判断，它们按如下方式处理：%1。与试过的次优方式相比，扫描之间的残差少 %2 %。</translation>
+    </message>
+    <message>
+        <source>The sensor turns clockwise, not as is usual in this format: the scans are %1. That leaves %2 % less between scans than the next of what was tried.</source>
+        <translation>传感器顺时针旋转，与该格式的惯例不同：扫描按如下方式处理：%1。与试过的次优方式相比，扫描之间的残差少 %2 %。</translation>
+    </message>
+    <message>
+        <source>The sensor turns counter-clockwise, not as is usual in this format: the scans are %1. That leaves %2 % less between scans than the next of what was tried.</source>
+        <translation>传感器逆时针旋转，与该格式的惯例不同：扫描按如下方式处理：%1。与试过的次优方式相比，扫描之间的残差少 %2 %。</translation>
+    </message>
+    <message>
+        <source>How the scans are bent by motion is not known, and they do not tell clearly: they are %1. The sigmas include what another way would make of the mounting; no clock offset is estimated.</source>
+        <translation>扫描如何因运动而变形未知，扫描本身也不能明确说明：它们按如下方式处理：%1。标准差已包含其他方式对安装位姿的影响；不估计时钟偏差。</translation>
+    </message>
+    <message>
+        <source>used as they are</source>
+        <translation>按原样使用</translation>
+    </message>
+    <message>
+        <source>compensated by the order of their points, over %1 s</source>
+        <translation>按点的先后顺序补偿，一次扫描为 %1 s</translation>
+    </message>
+    <message>
+        <source>compensated as turns of %1 s, clockwise</source>
+        <translation>按顺时针旋转补偿，每圈 %1 s</translation>
+    </message>
+    <message>
+        <source>compensated as turns of %1 s, counter-clockwise</source>
+        <translation>按逆时针旋转补偿，每圈 %1 s</translation>
+    </message>
+    <message>
+        <source>When the points were measured is not known: %1.</source>
+        <translation>点的测量时刻未知：%1。</translation>
+    </message>
+    <message>
+        <source>the points have no times (columns: %1)</source>
+        <translation>点没有时间（列：%1）</translation>
+    </message>
+    <message>
+        <source>the times of the points are all the same, or few for all points (columns: %1)</source>
+        <translation>点的时间全都相同，或所有点只有少数几个时间（列：%1）</translation>
+    </message>
+    <message>
+        <source>There are %1 stamps of scans and %2 of the INS: scans and INS samples of one number do not belong together, and go by their own stamps.</source>
+        <translation>扫描有 %1 个时间戳，INS 有 %2 个：同一编号的扫描与 INS 样本并不对应，各按自己的时间戳使用。</translation>
+    </message>
+    <message>
+        <source>The stamps of %1 of %2 scans are further than half a scan from those of the INS of their number: scans and INS samples of one number do not belong together, and go by their own stamps.</source>
+        <translation>%2 个扫描中有 %1 个的时间戳与同编号 INS 的时间戳相差超过半个扫描周期：同一编号的扫描与 INS 样本并不对应，各按自己的时间戳使用。</translation>
+    </message>
+    <message>
+        <source>How the scans are bent by motion is not known, which biases X; the sigmas include it. Record scans with the times of their points, or declare how they were swept.</source>
+        <translation>扫描如何因运动而变形未知，这会使 X 产生偏差；标准差已包含这一点。请记录带有点时间的扫描，或声明扫描方式。</translation>
+    </message>
+    <message>
+        <source>Nothing is known: how the scans are bent by motion makes more of a difference than X can bear.</source>
+        <translation>什么都无法确定：扫描如何因运动而变形，对 X 的影响超出了可接受的范围。</translation>
+    </message>
+    <message>
+        <source>%1: not known, how the scans are bent by motion is not known</source>
+        <translation>%1：未知，扫描如何因运动而变形未知</translation>
+    </message>
+    <message>
+        <source>trying how scans were swept</source>
+        <translation>正在尝试扫描的旋转方式</translation>
+    </message>
+    <message>
+        <source>The stamps are of another clock than the LiDAR&apos;s; by the recorder&apos;s clock they are %1 s apart, beside what a scan lasts. They are moved by that; what is left, the delays of the recording, shows as time offset.</source>
+        <translation>这些时间戳来自与激光雷达不同的时钟；按录制端时钟，除一次扫描的时长外二者相差 %1 秒。已按此平移；剩余部分（录制延迟）表现为时钟偏差。</translation>
+    </message>
+    <message>
+        <source>The stamps are of another clock than the LiDAR&apos;s; by the recorder&apos;s clock they are %1 s apart, beside what a scan lasts. They are moved by that; what is left, the delays of the recording, shows as time offset. %2</source>
+        <translation>这些时间戳来自与激光雷达不同的时钟；按录制端时钟，除一次扫描的时长外二者相差 %1 秒。已按此平移；剩余部分（录制延迟）表现为时钟偏差。%2</translation>
+    </message>
+    <message>
+        <source>The LiDAR&apos;s clock counts from when it was switched on, not from 1970.</source>
+        <translation>激光雷达的时钟从上电开始计数，而不是从 1970 年。</translation>
+    </message>
+    <message>
+        <source>That clock counts from when it was switched on, not from 1970.</source>
+        <translation>该时钟从上电开始计数，而不是从 1970 年。</translation>
+    </message>
+    <message>
+        <source>%1 entry repeats the stamp before it; the best of each is used.</source>
+        <translation>%1 条记录重复了前一条的时间戳；每个时间戳取最好的一条。</translation>
+    </message>
+    <message>
+        <source>%1 entries repeat the stamp before them; the best of each is used.</source>
+        <translation>%1 条记录重复了前一条的时间戳；每个时间戳取最好的一条。</translation>
+    </message>
+    <message>
+        <source>%1 fix lies more than 2 degrees of latitude or longitude from the rest: left out.</source>
+        <translation>%1 个定位与其余相差超过 2 度的经度或纬度：已剔除。</translation>
+    </message>
+    <message>
+        <source>%1 fixes lie more than 2 degrees of latitude or longitude from the rest: left out.</source>
+        <translation>%1 个定位与其余相差超过 2 度的经度或纬度：已剔除。</translation>
+    </message>
+    <message>
+        <source>%1 is &apos;%2&apos;, which stands for a value that was not known</source>
+        <translation>%1 为“%2”，该数值表示当时没有有效值</translation>
+    </message>
+    <message>
+        <source>roll, pitch or azimuth is a number that stands for a value that was not known</source>
+        <translation>横滚、俯仰或方位角是一个表示“没有有效值”的数</translation>
+    </message>
+    <message>
+        <source>roll, pitch or yaw is a number that stands for a value that was not known</source>
+        <translation>横滚、俯仰或航向是一个表示“没有有效值”的数</translation>
+    </message>
+    <message>
+        <source>%1 is a number that stands for a value that was not known</source>
+        <translation>%1 是一个表示“没有有效值”的数</translation>
+    </message>
+    <message>
+        <source>the receiver had no fix</source>
+        <translation>接收机没有定位</translation>
+    </message>
+    <message>
+        <source>The attitude is taken from %1, and the position with it; %2 other positions are not used.</source>
+        <translation>姿态取自 %1，位置也随之取用；另有 %2 个位置未使用。</translation>
+    </message>
+    <message>
+        <source>The attitude is taken from %1, and the position with it; %2 other positions are not used, nor the attitudes of %3.</source>
+        <translation>姿态取自 %1，位置也随之取用；另有 %2 个位置以及 %3 的姿态未使用。</translation>
+    </message>
+    <message>
+        <source>The attitude is taken from %1; %2 other positions are not used.</source>
+        <translation>姿态取自 %1；另有 %2 个位置未使用。</translation>
+    </message>
+    <message>
+        <source>The attitude is taken from %1; %2 other positions are not used, nor the attitudes of %3.</source>
+        <translation>姿态取自 %1；另有 %2 个位置以及 %3 的姿态未使用。</translation>
+    </message>
+    <message>
+        <source>The log has the heading and pitch of two antennas (%1) and no roll: it is taken to be zero, with an error of 3 degrees (1 sigma) that lasts over the drive.</source>
+        <translation>日志有双天线的航向和俯仰（%1），没有横滚：横滚按零处理，误差为 3 度（1 sigma），在整个行程中保持不变。</translation>
+    </message>
+    <message>
+        <source>%1 status of the INS has the name of a status of a position (SINGULARITY for INS_SOLUTION_GOOD): ROS&apos; novatel_gps_driver took them from the wrong table before September 2026. They are read as what was meant.</source>
+        <translation>%1 个 INS 状态用了定位状态的名称（以 SINGULARITY 代替 INS_SOLUTION_GOOD）：2026 年 9 月之前 ROS 的 novatel_gps_driver 查错了表。按其本意读取。</translation>
+    </message>
+    <message>
+        <source>%1 statuses of the INS have the name of a status of a position (SINGULARITY for INS_SOLUTION_GOOD): ROS&apos; novatel_gps_driver took them from the wrong table before September 2026. They are read as what was meant.</source>
+        <translation>%1 个 INS 状态用了定位状态的名称（以 SINGULARITY 代替 INS_SOLUTION_GOOD）：2026 年 9 月之前 ROS 的 novatel_gps_driver 查错了表。按其本意读取。</translation>
+    </message>
+    <message>
+        <source>expected &apos;%1&lt;header&gt;;&lt;data&gt;*&lt;crc&gt;&apos;</source>
+        <translation>应为“%1&lt;报头&gt;;&lt;数据&gt;*&lt;crc&gt;”</translation>
+    </message>
+    <message>
+        <source>position and attitude of the INS itself, without errors</source>
+        <translation>INS 自身的位置和姿态，不含误差</translation>
+    </message>
+    <message>
+        <source>nobody fills in its orientation: it is all zero, or no number</source>
+        <translation>没有填写姿态：全为零，或不是数</translation>
+    </message>
+    <message>
+        <source>packets of the sensor, which its driver makes points of</source>
+        <translation>传感器的数据包，由其驱动程序转换为点</translation>
+    </message>
+    <message>
+        <source>holds the packets of a sensor as they came over the wire (%1), %2 messages. They are not read: the driver of the sensor makes points of them.</source>
+        <translation>保存的是传感器经网络发来的数据包（%1），共 %2 条消息。不读取数据包：应由传感器的驱动程序转换为点。</translation>
+    </message>
+    <message>
+        <source>Nobody fills in the orientation of this topic: it is all zero, or no number. It can be neither the INS nor the LiDAR.</source>
+        <translation>该话题没有填写姿态：全为零，或不是数。它既不能作 INS，也不能作激光雷达。</translation>
+    </message>
+    <message>
+        <source>The recording was interrupted, and its folder cannot be written, which the database needs to read what is in its log: a temporary copy is read.</source>
+        <translation>录制曾被中断，而其文件夹不可写；数据库要读取日志中的内容必须能写入该文件夹：因此读取一份临时副本。</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked in %1: %2; set TMPDIR to a folder with more room, or %3</source>
+        <translation>无法在 %1 中解包：%2；请将 TMPDIR 设为空间更大的文件夹，或%3</translation>
+    </message>
+    <message>
+        <source>unpack it with &apos;zstd -d&apos;</source>
+        <translation>用“zstd -d”解压</translation>
+    </message>
+    <message>
+        <source>copy the bag to a folder that can be written</source>
+        <translation>将数据包复制到可写的文件夹</translation>
+    </message>
+    <message>
+        <source>only %1 are free</source>
+        <translation>只剩 %1 可用</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked, there is no folder for temporary files: %1; set TMPDIR to one, or %2</source>
+        <translation>无法解包，没有存放临时文件的文件夹：%1；请设置 TMPDIR，或%2</translation>
+    </message>
+    <message>
+        <source>copying the bag, MB</source>
+        <translation>正在复制数据包，MB</translation>
+    </message>
+    <message>
+        <source>The orientation of this IMU is not measured. With one it would be the INS, to which fixes give the position.</source>
+        <translation>该 IMU 没有测量姿态。如果有姿态，它就可以作 INS，由定位提供位置。</translation>
+    </message>
+    <message>
+        <source>is no session that Remount knows: it is %1. %2 Remount looks for:%3</source>
+        <translation>不是 Remount 认识的会话：这是%1。%2 Remount 寻找：%3</translation>
+    </message>
+    <message>
+        <source>is no session that Remount knows. It holds %1 (%2). %3 Remount looks for:%4</source>
+        <translation>不是 Remount 认识的会话。其中有%1（%2）。%3 Remount 寻找：%4</translation>
+    </message>
+    <message>
+        <source>Fixes far from all others are glitches of the receiver, and left out.</source>
+        <translation>与其余相距很远的定位是接收机的异常值，已剔除。</translation>
+    </message>
+    <message>
+        <source>Of several sentences with an attitude one kind serves: mixed, they would be of different sensors.</source>
+        <translation>多种语句都有姿态时只用一种：混用会把不同传感器的数据混在一起。</translation>
+    </message>
+    <message>
+        <source>Nothing, where it is the right one; otherwise log that one alone.</source>
+        <translation>如果选对了则无需处理；否则只记录所需的那一种。</translation>
+    </message>
+    <message>
+        <source>Roll is a guess: of the mounting only yaw, and x and y, can be relied on.</source>
+        <translation>横滚是假定的：安装参数中只有航向以及 x 和 y 可信。</translation>
+    </message>
+    <message>
+        <source>Use an INS that measures roll; or give what you measured, or the height of the INS above ground.</source>
+        <translation>使用能测量横滚的 INS；或给出实测值，或 INS 离地高度。</translation>
+    </message>
+    <message>
+        <source>Were the names taken by their words, the INS would seem to be invalid throughout.</source>
+        <translation>如果按字面理解这些名称，INS 会显得自始至终无效。</translation>
+    </message>
+    <message>
+        <source>Update the driver before you record again; this recording is read as it was meant.</source>
+        <translation>再次录制之前请更新驱动程序；本次录制按其本意读取。</translation>
+    </message>
+    <message>
+        <source>Packets have no points that could be registered.</source>
+        <translation>数据包中没有可用于配准的点。</translation>
+    </message>
+    <message>
+        <source>Play the bag with the sensor&apos;s driver running, and record the points that it publishes.</source>
+        <translation>在运行传感器驱动程序的同时回放数据包，并录制它发布的点。</translation>
+    </message>
+    <message>
+        <source>Nothing of the topic that would be the INS can be used.</source>
+        <translation>本应作为 INS 的话题没有任何可用内容。</translation>
+    </message>
+    <message>
+        <source>See what the driver of the INS reports, or choose another topic as the INS.</source>
+        <translation>查看 INS 驱动程序的输出，或选择另一个话题作为 INS。</translation>
+    </message>
+    <message>
+        <source>What was recorded last lies in the database&apos;s log.</source>
+        <translation>最后录制的内容在数据库的日志中。</translation>
+    </message>
+    <message>
+        <source>Nothing, where there is room for the copy; closing the recorder properly saves it.</source>
+        <translation>如果有足够空间存放副本则无需处理；正常关闭录制程序即可避免。</translation>
+    </message>
+    <message>
+        <source>Of entries with one stamp only one is used: the best where they say how good they are, otherwise the first.</source>
+        <translation>时间戳相同的记录只用一条：如果记录给出了质量，则取最好的一条，否则取第一条。</translation>
+    </message>
+    <message>
+        <source>Turn fully to each side at least once: in a figure of eight with a vehicle, on the spot with a machine that slews.</source>
+        <translation>向两侧各至少完整转一圈：车辆走 8 字形，回转机械原地回转。</translation>
+    </message>
+    <message>
+        <source>Look at clock and attitude of the INS. Where the LiDAR gave poses instead of scans, look whether they are what they are taken for: of this drive, in metres, and from the LiDAR to the world.</source>
+        <translation>请检查 INS 的时钟和姿态。如果激光雷达提供的是位姿而不是扫描，请检查位姿是否符合假定：属于本次行程，以米为单位，并且是从激光雷达到世界坐标系。</translation>
+    </message>
+    <message>
+        <source>a capture of network packets (pcap)</source>
+        <translation>网络数据包捕获文件（pcap）</translation>
+    </message>
+    <message>
+        <source>Play it through the driver of the sensor, and record the points that it makes as a bag.</source>
+        <translation>用传感器的驱动程序回放它，并把生成的点录制为数据包。</translation>
+    </message>
+    <message>
+        <source>u-blox&apos;s binary log (UBX)</source>
+        <translation>u-blox 的二进制日志（UBX）</translation>
+    </message>
+    <message>
+        <source>Convert it to NMEA with sentences GGA, GST and RMC, as u-center does, or to GPX.</source>
+        <translation>将其转换为含 GGA、GST 和 RMC 语句的 NMEA（u-center 可以转换），或转换为 GPX。</translation>
+    </message>
+    <message>
+        <source>NovAtel&apos;s binary log</source>
+        <translation>NovAtel 的二进制日志</translation>
+    </message>
+    <message>
+        <source>Convert it to ASCII with NovAtel Convert: INSPVAXA at 10 Hz or more is read.</source>
+        <translation>用 NovAtel Convert 转换为 ASCII：可读取 10 Hz 或更快的 INSPVAXA。</translation>
+    </message>
+    <message>
+        <source>NovAtel&apos;s ASCII log without INSPVAXA or INSPVAA</source>
+        <translation>没有 INSPVAXA 或 INSPVAA 的 NovAtel ASCII 日志</translation>
+    </message>
+    <message>
+        <source>Log one of the two: they have position and attitude of the INS.</source>
+        <translation>请记录两者之一：其中有 INS 的位置和姿态。</translation>
+    </message>
+    <message>
+        <source>Septentrio&apos;s binary log (SBF)</source>
+        <translation>Septentrio 的二进制日志（SBF）</translation>
+    </message>
+    <message>
+        <source>Convert it to NMEA with sentences GGA, GST, RMC and PSSN,HRP, or its INS solution to a CSV, and name the columns in a session.yaml.</source>
+        <translation>将其转换为含 GGA、GST、RMC 和 PSSN,HRP 语句的 NMEA，或将其 INS 解转换为 CSV，并在 session.yaml 中指明各列。</translation>
+    </message>
+    <message>
+        <source>a trajectory of Applanix (SBET)</source>
+        <translation>Applanix 的轨迹（SBET）</translation>
+    </message>
+    <message>
+        <source>Export it as a CSV with time, latitude, longitude, height, roll, pitch and heading, and name the columns in a session.yaml.</source>
+        <translation>将其导出为含时间、纬度、经度、高度、横滚、俯仰和航向的 CSV，并在 session.yaml 中指明各列。</translation>
+    </message>
+    <message>
+        <source>the binary log of an OxTS INS (NCOM)</source>
+        <translation>OxTS INS 的二进制日志（NCOM）</translation>
+    </message>
+    <message>
+        <source>Export it as a CSV with NAVsolve, and name the columns in a session.yaml.</source>
+        <translation>用 NAVsolve 导出为 CSV，并在 session.yaml 中指明各列。</translation>
+    </message>
+    <message>
+        <source>the raw log of an Applanix POS</source>
+        <translation>Applanix POS 的原始日志</translation>
+    </message>
+    <message>
+        <source>Process it, export the trajectory as a CSV, and name the columns in a session.yaml.</source>
+        <translation>请先解算，将轨迹导出为 CSV，并在 session.yaml 中指明各列。</translation>
+    </message>
+    <message>
+        <source>GNSS observations (RINEX)</source>
+        <translation>GNSS 观测数据（RINEX）</translation>
+    </message>
+    <message>
+        <source>Process them to positions first: NMEA or GPX is read, or a CSV that a session.yaml names.</source>
+        <translation>请先解算为位置：可读取 NMEA、GPX 或 session.yaml 指定的 CSV。</translation>
+    </message>
+    <message>
+        <source>GNSS corrections (RTCM 3)</source>
+        <translation>GNSS 改正数（RTCM 3）</translation>
+    </message>
+    <message>
+        <source>Positions are needed: log NMEA of the receiver.</source>
+        <translation>需要的是位置：请记录接收机的 NMEA。</translation>
+    </message>
+    <message>
+        <source>poses of 12 numbers a line without times, as KITTI&apos;s odometry has them</source>
+        <translation>每行 12 个数、没有时间的位姿（KITTI 里程计的格式）</translation>
+    </message>
+    <message>
+        <source>Put the time of each scan before its pose, as in TUM&apos;s format: seconds, x y z, quaternion x y z w.</source>
+        <translation>请在每个位姿前加上对应扫描的时间，例如 TUM 格式：秒、x y z、四元数 x y z w。</translation>
+    </message>
+    <message>
+        <source>a compressed point cloud (LAZ)</source>
+        <translation>压缩点云（LAZ）</translation>
+    </message>
+    <message>
+        <source>Unpack it to LAS, as laszip does; scans belong into a folder, each with its time, which a session.yaml describes.</source>
+        <translation>请解压为 LAS（laszip 可以解压）；扫描应放在一个文件夹中，各有其时间，由 session.yaml 描述。</translation>
+    </message>
+    <message>
+        <source>a point cloud</source>
+        <translation>点云</translation>
+    </message>
+    <message>
+        <source>One cloud is no drive: scans belong into a folder, each with its time, which a session.yaml describes.</source>
+        <translation>单个点云不是行程：扫描应放在一个文件夹中，各有其时间，由 session.yaml 描述。</translation>
+    </message>
+    <message>
+        <source>point clouds of a scanner (E57)</source>
+        <translation>扫描仪的点云（E57）</translation>
+    </message>
+    <message>
+        <source>Export each scan as PCD, PLY or LAS, and give them their times in a session.yaml.</source>
+        <translation>将每个扫描导出为 PCD、PLY 或 LAS，并在 session.yaml 中给出时间。</translation>
+    </message>
+    <message>
+        <source>a recording of Livox Viewer (LVX)</source>
+        <translation>Livox Viewer 的录制文件（LVX）</translation>
+    </message>
+    <message>
+        <source>Convert it to a bag with Livox&apos;s ROS driver, which keeps the times of the points.</source>
+        <translation>用 Livox 的 ROS 驱动程序转换为数据包，这样会保留点的时间。</translation>
+    </message>
+    <message>
+        <source>a bag by its name that does not begin as one</source>
+        <translation>按名称是数据包、开头却不是数据包的文件</translation>
+    </message>
+    <message>
+        <source>It is damaged, or was not copied whole: copy it again from where it was recorded.</source>
+        <translation>文件已损坏或未完整复制：请从录制处重新复制。</translation>
+    </message>
+    <message>
+        <source>an SQLite database that is no bag by its name</source>
+        <translation>按名称不是数据包的 SQLite 数据库</translation>
+    </message>
+    <message>
+        <source>Where it is a bag of ROS 2, call it .db3.</source>
+        <translation>如果它是 ROS 2 的数据包，请将扩展名改为 .db3。</translation>
+    </message>
+    <message>
+        <source>an archive</source>
+        <translation>压缩包</translation>
+    </message>
+    <message>
+        <source>Unpack it, and open the folder that comes out.</source>
+        <translation>请解压，然后打开得到的文件夹。</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>HDF5 文件</translation>
+    </message>
+    <message>
+        <source>Export scans and poses from it to formats that are read.</source>
+        <translation>请将其中的扫描和位姿导出为可读取的格式。</translation>
+    </message>
+    <message>
+        <source>a drawing for maps (KML)</source>
+        <translation>地图标绘文件（KML）</translation>
+    </message>
+    <message>
+        <source>Export the track as GPX, with the times of its points.</source>
+        <translation>请将轨迹导出为 GPX，并包含各点的时间。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans do not tell of every direction of the motion, nor does another sensor carry the odometry on; no pair spans them. Drive where there is more to see.</source>
+        <translation>%2 帧扫描中有 %1 帧不能确定运动的所有方向，也没有其他传感器接续里程计；没有帧对跨越这些扫描。请在特征更多的地方行驶。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans do not tell of every direction of the motion: hardly any pair is left to compare with the INS.</source>
+        <translation>%2 帧扫描中有 %1 帧不能确定运动的所有方向：几乎没有可与 INS 比较的帧对。</translation>
+    </message>
+    <message>
+        <source>Nor do wheel speeds and gyroscope cover these scans: look at their stamps, or drive where there is more to see.</source>
+        <translation>轮速和陀螺也没有覆盖这些扫描：请检查它们的时间戳，或在特征更多的地方行驶。</translation>
+    </message>
+    <message>
+        <source>Give a nominal mounting and record wheel speeds and an IMU, which carry the odometry through such places; or drive where there is more to see.</source>
+        <translation>请给出标称安装位姿，并记录轮速和 IMU，它们能使里程计通过这些路段；或在特征更多的地方行驶。</translation>
+    </message>
+    <message>
+        <source>The mounting still changed when the odometry was repeated with it; its sigmas contain the last change. Give a better nominal, or drive where there is more to see.</source>
+        <translation>用求得的安装位姿重算里程计后，安装位姿仍有变化；标准差已包含最后一次变化。请给出更好的标称值，或在特征更多的地方行驶。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 scans do not tell of every direction of the motion; there it rests on wheels and gyroscope, and says nothing of the mounting.</source>
+        <translation>%2 帧扫描中有 %1 帧不能确定运动的所有方向；这些方向由轮速和陀螺给出，不提供安装位姿的信息。</translation>
+    </message>
+    <message>
+        <source>The way of the wheels is %1 times as long as that by the sensor&apos;s poses: one of the two is not in metres.</source>
+        <translation>车轮走过的路程是传感器位姿所示路程的 %1 倍：两者之一的单位不是米。</translation>
+    </message>
+    <message>
+        <source>The way by the sensor&apos;s poses is %1 times as long as that of the wheels: one of the two is not in metres.</source>
+        <translation>传感器位姿所示路程是车轮走过的路程的 %1 倍：两者之一的单位不是米。</translation>
+    </message>
+    <message>
+        <source>Look at the units of the wheel speeds and of the sensor&apos;s poses. Where the poses have no scale, as those of one camera, let it be estimated (vehicle_frame.scale).</source>
+        <translation>请检查轮速和传感器位姿的单位。位姿没有尺度时（如单目相机），请选择估计尺度（vehicle_frame.scale）。</translation>
+    </message>
+    <message>
+        <source>The way of the wheels and that of the sensor differ by %1%; the sensor&apos;s is taken for metres.</source>
+        <translation>车轮与传感器的路程相差 %1%；以传感器的路程为米。</translation>
+    </message>
+    <message>
+        <source>The way of the %1 is %2 times as long as that of the %3: poses of the LiDAR are not in metres, or are of another drive.</source>
+        <translation>%1 的路程是 %3 的 %2 倍：激光雷达位姿的单位不是米，或来自另一次行驶。</translation>
+    </message>
+    <message>
+        <source>Look at the units of the LiDAR&apos;s poses, and at how points of scans are scaled.</source>
+        <translation>请检查激光雷达位姿的单位，以及扫描点坐标的缩放。</translation>
+    </message>
+    <message>
+        <source>places %1 in %2, and the method &apos;%3&apos; finds %4 in %5: the numbers of one are wrong in the other. Give a nominal mounting in that frame, or none.</source>
+        <translation>给出的是 %1 在 %2 中的位姿，而方法“%3”求的是 %4 在 %5 中的位姿：一个坐标系中的数值在另一个中是错的。请给出该坐标系中的名义安装位姿，或不给。</translation>
+    </message>
+    <message>
+        <source>The nominal mounting of the session places %1 in %2, and the method &apos;%3&apos; finds %4 in %5: it is not used. Give a nominal mounting in that frame, or none.</source>
+        <translation>数据中的名义安装位姿是 %1 在 %2 中的位姿，而方法“%3”求的是 %4 在 %5 中的位姿：未采用。请给出该坐标系中的名义安装位姿，或不给。</translation>
+    </message>
+    <message>
+        <source>places %1 in %2, and %3 in %4 is asked for: the numbers of one are wrong in the other.</source>
+        <translation>给出的是 %1 在 %2 中的位姿，而需要的是 %3 在 %4 中的位姿：一个坐标系中的数值在另一个中是错的。</translation>
+    </message>
+    <message>
+        <source>the LiDAR</source>
+        <translation>激光雷达</translation>
+    </message>
+    <message>
+        <source>the antenna</source>
+        <translation>天线</translation>
+    </message>
+    <message>
+        <source>the sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>the INS frame</source>
+        <translation>INS 坐标系</translation>
+    </message>
+    <message>
+        <source>the vehicle&apos;s frame (middle of the rear axle, on the ground)</source>
+        <translation>车体坐标系（后轴中点的地面投影）</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s frame (on the slew axis)</source>
+        <translation>机体坐标系（回转轴上）</translation>
+    </message>
+    <message>
+        <source>the LiDAR&apos;s own axes about the antenna</source>
+        <translation>以天线为原点的激光雷达自身坐标轴</translation>
+    </message>
+    <message>
+        <source>%1 is for comparison: errors may be several times the sigma that is stated.</source>
+        <translation>%1 仅供比较：误差可能是所给标准差的数倍。</translation>
+    </message>
+    <message>
+        <source>pitch centre ahead of the rear axle</source>
+        <translation>俯仰中心在后轴之前的距离</translation>
+    </message>
+    <message>
+        <source>How two scans are aligned: own plane-to-plane engine, or PCL&apos;s. With pcl-icp and pcl-ndt errors may be several times the sigma that is stated: for comparison only.</source>
+        <translation>两帧扫描的配准方法：自有的面对面配准，或 PCL 的方法。用 pcl-icp 和 pcl-ndt 时误差可能是所给标准差的数倍：仅供比较。</translation>
+    </message>
+    <message>
+        <source>x backward, y right, z up</source>
+        <translation>x 向后，y 向右，z 向上</translation>
+    </message>
+    <message>
+        <source>x left, y backward, z up</source>
+        <translation>x 向左，y 向后，z 向上</translation>
+    </message>
+    <message>
+        <source>By the direction of travel the axes of the INS are %1, not %2. The result is in the axes of the log, and is called by these.</source>
+        <translation>由行驶方向判断，INS 的坐标轴为 %1，而非 %2。结果仍采用日志的坐标轴，并以前者命名。</translation>
+    </message>
+    <message>
+        <source>By the direction of travel the axes of the INS are %1.</source>
+        <translation>由行驶方向判断，INS 的坐标轴为 %1。</translation>
+    </message>
+    <message>
+        <source>Exports that turn axes, and the obstacle check, go by what looks forward.</source>
+        <translation>需要旋转坐标轴的导出以及障碍物检查，均以朝前的轴为准。</translation>
+    </message>
+    <message>
+        <source>Nothing; where a robot moves sideways at will, mind that its axes are called otherwise.</source>
+        <translation>无需处理；若机器人可任意横向移动，请注意其坐标轴的名称会不同。</translation>
+    </message>
+    <message>
+        <source>Positions are of the UTM grid and attitudes relative to true north, which are %1 degrees apart there: attitudes were turned to the grid by that, and distances divided by the grid&apos;s scale.</source>
+        <translation>位置为 UTM 网格坐标，姿态相对真北，两者在当地相差 %1 度：姿态已据此转到网格北，距离已除以网格比例。</translation>
+    </message>
+    <message>
+        <source>Positions are of the UTM grid, and attitudes are taken to be relative to its north, too; distances were divided by the grid&apos;s scale.</source>
+        <translation>位置为 UTM 网格坐标，姿态也视为相对网格北；距离已除以网格比例。</translation>
+    </message>
+    <message>
+        <source>Which north the attitudes count from was judged by the direction of travel, and may be another: yaw is uncertain by %1 degrees, which its sigma includes.</source>
+        <translation>姿态所参照的北向由行驶方向判断，也可能是另一个：偏航角因此有 %1 度的不确定度，已计入其 sigma。</translation>
+    </message>
+    <message>
+        <source>Which north the attitudes count from, that of the grid or the true one, is not known: yaw is uncertain by %1 degrees, which its sigma includes.</source>
+        <translation>姿态参照的是网格北还是真北，无从得知：偏航角因此有 %1 度的不确定度，已计入其 sigma。</translation>
+    </message>
+    <message>
+        <source>The heading of the INS keeps %1 degrees from the direction of travel. Either the INS is turned so in the vehicle, or positions are of a grid (UTM) and attitudes relative to true north, which the data do not tell: yaw is uncertain by %2 degrees, which its sigma includes.</source>
+        <translation>INS 的航向与行驶方向始终相差 %1 度。或者 INS 在车上就是这样转着安装的，或者位置为网格坐标（UTM）而姿态相对真北，数据无法区分：偏航角因此有 %2 度的不确定度，已计入其 sigma。</translation>
+    </message>
+    <message>
+        <source>positions and attitudes of the INS may count from different norths</source>
+        <translation>INS 的位置与姿态可能参照不同的北向</translation>
+    </message>
+    <message>
+        <source>Without that, yaw of X would be off by the grid&apos;s convergence without a sign of it.</source>
+        <translation>否则 X 的偏航角会偏差一个网格收敛角，且毫无迹象。</translation>
+    </message>
+    <message>
+        <source>Give latitude and longitude where you have them, as a NavSatFix or in a session.yaml.</source>
+        <translation>如有经纬度，请以 NavSatFix 或在 session.yaml 中给出。</translation>
+    </message>
+    <message>
+        <source>Distances of the grid are up to a thousandth too long or too short.</source>
+        <translation>网格距离会偏长或偏短达千分之一。</translation>
+    </message>
+    <message>
+        <source>Give latitude and longitude where you have them.</source>
+        <translation>如有经纬度，请给出。</translation>
+    </message>
+    <message>
+        <source>Positions and attitudes that count from different norths turn X about the vertical.</source>
+        <translation>位置与姿态参照不同的北向，会使 X 绕竖直轴旋转。</translation>
+    </message>
+    <message>
+        <source>Record the fixes of the same drive, too, or give latitude and longitude with attitudes to true north.</source>
+        <translation>同时记录同一次行驶的定位点，或给出经纬度与相对真北的姿态。</translation>
+    </message>
+    <message>
+        <source>%1 sample is beyond anything that a vehicle reaches (positions beyond 1e9 m, or 250 km from the rest): left out.</source>
+        <translation>%1 个样本超出车辆所能到达的范围（位置超过 1e9 m，或距其余样本 250 km 以上）：已略去。</translation>
+    </message>
+    <message>
+        <source>%1 samples are beyond anything that a vehicle reaches (positions beyond 1e9 m, or 250 km from the rest): left out.</source>
+        <translation>%1 个样本超出车辆所能到达的范围（位置超过 1e9 m，或距其余样本 250 km 以上）：已略去。</translation>
+    </message>
+    <message>
+        <source>Glitches of a filter or of its log; what lies between them is used.</source>
+        <translation>滤波器或其日志的毛刺；其间的数据照常使用。</translation>
+    </message>
+    <message>
+        <source>Look at the source of the stream where they are many.</source>
+        <translation>若数量较多，请检查该数据流的来源。</translation>
+    </message>
+    <message>
+        <source>no position of the %1 lies on the earth (all are beyond 1e9 m, or hundreds of kilometres apart): look what is logged for a position, and in which unit</source>
+        <translation>%1 没有任何位置在地球上（全部超过 1e9 m，或彼此相距数百公里）：请检查日志中作为位置的是什么、采用何种单位</translation>
+    </message>
+    <message>
+        <source>no position of the INS lies on the earth</source>
+        <translation>INS 没有任何位置在地球上</translation>
+    </message>
+    <message>
+        <source>the position is beyond 1e9 m</source>
+        <translation>位置超过 1e9 m</translation>
+    </message>
+    <message>
+        <source>%1 moves by more than 1e9 m: is it in metres?</source>
+        <translation>%1 的移动超过 1e9 m：其单位是米吗？</translation>
+    </message>
+    <message>
+        <source>the two scans are expected to lie farther apart than any LiDAR sees</source>
+        <translation>预计两帧扫描的距离超出任何激光雷达的视野</translation>
+    </message>
+    <message>
+        <source>no vehicle moves so far</source>
+        <translation>没有车辆会移动这么远</translation>
+    </message>
+    <message>
+        <source>the positions of the INS look like earth-centred coordinates (ECEF), x, y and z from the middle of the earth: convert them to metres east, north and up of the start, or give latitude and longitude in a session.yaml</source>
+        <translation>INS 的位置看起来是地心坐标（ECEF），即以地心为原点的 x、y、z：请换算为相对起点的东、北、天方向的米数，或在 session.yaml 中给出经纬度</translation>
+    </message>
+    <message>
+        <source>the positions of the INS look like degrees, latitude and longitude where x and y in metres are expected: convert them to metres, or declare them as latitude and longitude in a session.yaml</source>
+        <translation>INS 的位置看起来是度，即经纬度，而此处应为以米计的 x 和 y：请换算为米，或在 session.yaml 中声明为纬度和经度</translation>
+    </message>
+    <message>
+        <source>the positions of the INS look like radians, latitude and longitude where x and y in metres are expected: convert them to metres, or declare them as latitude and longitude in a session.yaml</source>
+        <translation>INS 的位置看起来是弧度，即经纬度，而此处应为以米计的 x 和 y：请换算为米，或在 session.yaml 中声明为纬度和经度</translation>
+    </message>
+    <message>
+        <source>By their size the times are taken to be milliseconds.</source>
+        <translation>按其大小，时间视为毫秒。</translation>
+    </message>
+    <message>
+        <source>By their size the times are taken to be microseconds.</source>
+        <translation>按其大小，时间视为微秒。</translation>
+    </message>
+    <message>
+        <source>By their size the times are taken to be nanoseconds.</source>
+        <translation>按其大小，时间视为纳秒。</translation>
+    </message>
+    <message>
+        <source>Stamps in another unit would be none at all.</source>
+        <translation>若按其他单位，时间戳将毫无意义。</translation>
+    </message>
+    <message>
+        <source>Name the unit in the first line, as in &quot;# timestamp [ns] tx ty tz qx qy qz qw&quot;.</source>
+        <translation>请在首行注明单位，例如 &quot;# timestamp [ns] tx ty tz qx qy qz qw&quot;。</translation>
+    </message>
+    <message>
+        <source>the unit of its times cannot be told by their size: name it in a first line, as in &apos;# timestamp [ns] tx ty tz qx qy qz qw&apos;</source>
+        <translation>无法由大小判断其时间的单位：请在首行注明，例如 &apos;# timestamp [ns] tx ty tz qx qy qz qw&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no time in milliseconds</source>
+        <translation>“%1”不是以毫秒计的时间</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no time in microseconds</source>
+        <translation>“%1”不是以微秒计的时间</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no time in nanoseconds</source>
+        <translation>“%1”不是以纳秒计的时间</translation>
+    </message>
+    <message>
+        <source>The stamps are %1 weeks before those they belong to: the week number of GPS begins anew every 1024 weeks, and a receiver with old firmware takes one turn for another. They were moved by that.</source>
+        <translation>时间戳比其应属的时间早 %1 周：GPS 周数每 1024 周重新计数，固件过旧的接收机会把一轮当作另一轮。已按此移动。</translation>
+    </message>
+    <message>
+        <source>The stamps are %1 weeks after those they belong to: the week number of GPS begins anew every 1024 weeks, and a receiver with old firmware takes one turn for another. They were moved by that.</source>
+        <translation>时间戳比其应属的时间晚 %1 周：GPS 周数每 1024 周重新计数，固件过旧的接收机会把一轮当作另一轮。已按此移动。</translation>
+    </message>
+    <message>
+        <source>The receiver counts a wrong number of weeks; that is mended, and nothing is lost by it.</source>
+        <translation>接收机的周数有误；已修正，没有损失。</translation>
+    </message>
+    <message>
+        <source>Update the firmware of the receiver: other programs take its stamps as they are.</source>
+        <translation>请更新接收机固件：其他程序会原样采用其时间戳。</translation>
     </message>
 </context>
 <context>
@@ -10421,10 +11211,6 @@ Save under another name, or close it there first.</source>
         <translation>在范围之外</translation>
     </message>
     <message>
-        <source>contradictory pairs</source>
-        <translation>帧对矛盾</translation>
-    </message>
-    <message>
         <source>cancelled</source>
         <translation>已取消</translation>
     </message>
@@ -10537,6 +11323,10 @@ Save under another name, or close it there first.</source>
         <translation>
             <numerusform>%n 个帧对</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>contradictory data</source>
+        <translation>数据互相矛盾</translation>
     </message>
 </context>
 <context>
