@@ -82,12 +82,17 @@ std::vector<double> residuals_of(const std::vector<StampedCloud>& scans, const S
   timing.scan_timing = ScanTiming::Unknown;
   LidarOdometry odometry(settings.lidar_odometry, settings.registration);
   std::vector<double> residuals;
+  const auto take = [&](const std::vector<OdometryPose>& poses) {
+    for (const OdometryPose& pose : poses) {
+      const bool judged = pose.aligned && pose.rmse_m > 0.0 && pose.overlap > 0.0;
+      residuals.push_back(judged ? std::min(lost, std::log(pose.rmse_m / pose.overlap)) : lost);
+    }
+  };
   for (const StampedCloud& scan : scans) {
     if (progress.cancelled()) return {};
-    const OdometryPose pose = odometry.push(scan.cloud, told_times(timing, scan.cloud, guess), scan.stamp_ns, progress);
-    const bool judged = pose.aligned && pose.rmse_m > 0.0 && pose.overlap > 0.0;
-    residuals.push_back(judged ? std::min(lost, std::log(pose.rmse_m / pose.overlap)) : lost);
+    take(odometry.push(scan.cloud, told_times(timing, scan.cloud, guess), scan.stamp_ns, progress));
   }
+  take(odometry.finish(progress));
   return residuals;
 }
 
