@@ -2,21 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
-    <name>Words</name>
-    <message>
-        <source>“Topics…”</source>
-        <translation>“话题…”</translation>
-    </message>
-    <message>
-        <source>a nominal mounting</source>
-        <translation>标称安装</translation>
-    </message>
-    <message>
-        <source>the method</source>
-        <translation>方法</translation>
-    </message>
-</context>
-<context>
     <name>main</name>
     <message>
         <source>Finds where a LiDAR sits on a vehicle, relative to its GNSS/INS.</source>

@@ -8,7 +8,6 @@
 #include "widgets/forms/option_access.h"
 #include "widgets/forms/option_mentions.h"
 #include "widgets/forms/section_words.h"
-#include "widgets/model_text.h"
 
 namespace remount {
 namespace {
@@ -68,19 +67,6 @@ TEST(option_mentions, are_in_the_words_of_the_pages) {
   for (const char* stays : {"solve.joint_clouds: is no switch", "settings.solve.joint_clouds",
                             "/data/pairing.max_gap_s", "drive.bag and solve.nothing_of_the_kind", "1.5 m"})
     EXPECT_EQ(with_option_labels(stays), stays);
-}
-
-TEST(option_mentions, what_the_command_line_calls_a_flag_has_the_name_of_the_window) {
-  const testing::LanguageFor english("en");
-  EXPECT_EQ(with_option_labels("not used: /b. --topic lidar=TOPIC takes another."),
-            "not used: /b. “Topics…” takes another.");
-  EXPECT_EQ(with_option_labels("20.0 Hz: --topic ins=/novatel/oem7/odom takes it"), "20.0 Hz: “Topics…” takes it");
-  EXPECT_EQ(with_option_labels("leave them out: --topic imu=none."), "leave them out: “Topics…”.");
-  EXPECT_EQ(with_option_labels("Give --nominal to use wheels"), "Give a nominal mounting to use wheels");
-  EXPECT_EQ(with_option_labels("choose --method slew"), "choose the method slew");
-  static const QRegularExpression flag(QStringLiteral("--[a-z]"));
-  for (const char* phrase : model_phrases())
-    EXPECT_FALSE(model_text(std::string_view(phrase)).contains(flag)) << phrase;
 }
 
 }  // namespace

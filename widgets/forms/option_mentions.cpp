@@ -23,21 +23,9 @@ const QHash<QString, OptionField>& options_by_key() {
   return all;
 }
 
-/// "--topic lidar=TOPIC takes another" -> "“Topics…” takes another".
-QString without_flags(QString text) {
-  static const QRegularExpression topic(QStringLiteral(R"(--topic(?: [\w-]+=(?:TOPIC|none|/[\w/~-]*))?)"));
-  if (!text.contains(QLatin1String("--"))) return text;
-  text.replace(topic, Words::tr("“Topics…”"));
-  text.replace(QLatin1String("--nominal"), Words::tr("a nominal mounting"));
-  text.replace(QLatin1String("--method"), Words::tr("the method"));
-  text.replace(QLatin1String("--measured"), QStringLiteral("“%1”").arg(section_title(QStringLiteral("measured"))));
-  return text;
-}
-
 }  // namespace
 
-QString with_option_labels(const QString& with_flags) {
-  const QString text = without_flags(with_flags);
+QString with_option_labels(const QString& text) {
   static const QRegularExpression key(QStringLiteral(R"((?<![\w./])[a-z_]+\.[a-z0-9_]+(?![\w/]|\.\w))"));
   if (!text.contains('.')) return text;
   QString said = text;

@@ -6,8 +6,7 @@
 namespace remount {
 
 /// "set solve.apply_time_offset to correct it" -> "set “Apply time offset” (Solution) to correct it". Keys that stand
-/// for a place in a file ("settings.solve.threads", "solve.threads: is no number") stay. What the command line calls
-/// --topic, --nominal, --method and --measured has the names of the window, too.
+/// for a place in a file ("settings.solve.threads", "solve.threads: is no number") stay.
 QString with_option_labels(const QString& text);
 
 }  // namespace remount
