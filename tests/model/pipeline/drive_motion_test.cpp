@@ -147,7 +147,7 @@ TEST(drive_motion, no_pair_spans_a_break_of_the_odometry) {
 
 // A motion that wheels filled in through an assumed mounting would confirm it.
 TEST(drive_motion, what_the_lidar_did_not_tell_of_its_motion_is_no_information) {
-  const auto session = drive();
+  const auto session = driven_session();
   session->odometry_from_lidar.clear();
   std::vector<Matrix6d> untold_motions;
   const Eigen::Matrix3d turned = so3_exp({0.0, 0.0, 0.3});
