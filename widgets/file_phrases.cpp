@@ -56,6 +56,29 @@ const std::vector<const char*>& file_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "compensated as turns of %1 s, counter-clockwise"),
       QT_TRANSLATE_NOOP("remount::model", "When the points were measured is not known: %1."),
       QT_TRANSLATE_NOOP("remount::model", "the points have no times (columns: %1)"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "per-point is declared, but %1 in %2. Columns of times that are known: %3, also behind scalar_. Or "
+          "declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown "
+          "otherwise"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "its points have no times, or all the same, while those of other scans have: it would be used as "
+          "if it had been measured at once"),
+      QT_TRANSLATE_NOOP("remount::model", "%1 gps_time (one value for all points)"),
+      QT_TRANSLATE_NOOP("remount::model", "x y z reflectance and one more"),
+      QT_TRANSLATE_NOOP("remount::model", "x y z reflectance and two more"),
+      QT_TRANSLATE_NOOP("remount::model", "is LAS %1, expected 1.0 to 1.4"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "expected 32-bit floats, 3 to 6 a point: x, y, z, then reflectance (KITTI), ring (nuScenes) and "
+          "one more"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "looks like NCLT's records of 8 bytes (16-bit coordinates, intensity, laser), %1. Convert the "
+                        "scans, to PCD for instance"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "holds %1 bytes that are no points, %2. Convert the scans to one of these, or to PCD, whose "
+                        "header says what is in it"),
       QT_TRANSLATE_NOOP("remount::model",
                         "the times of the points are all the same, or few for all points (columns: %1)"),
       QT_TRANSLATE_NOOP("remount::model",

@@ -98,7 +98,10 @@ const std::vector<const char*>& method_phrases() {
                         "such places; or drive where there is more to see."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The mounting still changed when the odometry was repeated with it; its sigmas contain the "
-                        "last change. Give a better nominal, or drive where there is more to see."),
+                        "last change."),
+      QT_TRANSLATE_NOOP("remount::model", "the sensor's poses and the wheels are of different scales"),
+      QT_TRANSLATE_NOOP("remount::model", "The odometry was made with another mounting than the one it leads to."),
+      QT_TRANSLATE_NOOP("remount::model", "Give a better nominal, or drive where there is more to see."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The session has no INS with attitude: its odometry takes no part in the calibration."),
       QT_TRANSLATE_NOOP("remount::model", "The session has no %1: the odometry does without."),

@@ -242,7 +242,6 @@ const std::vector<const char*>& reader_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "expected \"LASF\""),
       QT_TRANSLATE_NOOP("remount::model", "ends within the header, expected at least 227 bytes"),
       QT_TRANSLATE_NOOP("remount::model", "ends within the header, LAS 1.4 has 375 bytes"),
-      QT_TRANSLATE_NOOP("remount::model", "is LAS %1, expected 1.2 to 1.4"),
       QT_TRANSLATE_NOOP("remount::model", "is compressed (LAZ): unpack it to LAS first"),
       QT_TRANSLATE_NOOP("remount::model", "point format %1, expected 0 to 10"),
       QT_TRANSLATE_NOOP("remount::model", "points of %1 bytes, format %2 has at least %3"),

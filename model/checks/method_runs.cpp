@@ -12,6 +12,8 @@ DataCheck method_run_check() {
            "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."},
           {"turn-scans", "A scan that is not aligned has no pose, and takes no part.",
            "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."},
+          {"odometry-unsettled", "The odometry was made with another mounting than the one it leads to.",
+           "Give a better nominal, or drive where there is more to see."},
           {"odometry-restarted", "What spans such a place rests on a prediction.",
            "Look for gaps of the scans there; drive more slowly, or where there is more to see."},
           {"odometry-point-times",
@@ -26,8 +28,7 @@ DataCheck method_run_check() {
            "Give the nominal mounting in the frame in which the method finds the sensor, or none."},
           {"registration-sigma",
            "Points that are matched with points, or with cells, are off by more than their number says, the same way "
-           "in "
-           "every pair.",
+           "in every pair.",
            "Choose plane-to-plane or pcl-gicp where the sigma is to hold."},
           {"wheel-scale", "A tyre differs by a per cent or two: one of the two is not in metres.",
            "Look at the wheel radius or the units of the wheel speeds, and at the units of the sensor's poses."},

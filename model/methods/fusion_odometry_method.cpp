@@ -163,8 +163,7 @@ PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mount
       if (!settled)
         output.findings.push_back({Severity::Warning, "odometry-unsettled", "multi-sensor odometry",
                                    "The mounting still changed when the odometry was repeated with it; its sigmas "
-                                   "contain the last change. Give a better nominal, or drive where there is more to "
-                                   "see."});
+                                   "contain the last change."});
       return output;
     }
     mounting_ins_from_lidar = output.result.ins_from_lidar;

@@ -9187,10 +9187,6 @@ Save under another name, or close it there first.</source>
         <translation>在头部中结束，LAS 1.4 的头部为 375 字节</translation>
     </message>
     <message>
-        <source>is LAS %1, expected 1.2 to 1.4</source>
-        <translation>是 LAS %1，应为 1.2 到 1.4</translation>
-    </message>
-    <message>
         <source>is compressed (LAZ): unpack it to LAS first</source>
         <translation>是压缩的（LAZ）：请先解压为 LAS</translation>
     </message>
@@ -10815,10 +10811,6 @@ Save under another name, or close it there first.</source>
         <translation>请给出标称安装位姿，并记录轮速和 IMU，它们能使里程计通过这些路段；或在特征更多的地方行驶。</translation>
     </message>
     <message>
-        <source>The mounting still changed when the odometry was repeated with it; its sigmas contain the last change. Give a better nominal, or drive where there is more to see.</source>
-        <translation>用求得的安装位姿重算里程计后，安装位姿仍有变化；标准差已包含最后一次变化。请给出更好的标称值，或在特征更多的地方行驶。</translation>
-    </message>
-    <message>
         <source>%1 of %2 scans do not tell of every direction of the motion; there it rests on wheels and gyroscope, and says nothing of the mounting.</source>
         <translation>%2 帧扫描中有 %1 帧不能确定运动的所有方向；这些方向由轮速和陀螺给出，不提供安装位姿的信息。</translation>
     </message>
@@ -11073,6 +11065,58 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Update the firmware of the receiver: other programs take its stamps as they are.</source>
         <translation>请更新接收机固件：其他程序会原样采用其时间戳。</translation>
+    </message>
+    <message>
+        <source>per-point is declared, but %1 in %2. Columns of times that are known: %3, also behind scalar_. Or declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown otherwise</source>
+        <translation>声明了 per-point，但 %2 中%1。可识别的时间列：%3，带 scalar_ 前缀者亦可。或改为声明 timing：旋转式传感器用 sweep，已补偿的扫描用 instant，其他情况用 unknown</translation>
+    </message>
+    <message>
+        <source>its points have no times, or all the same, while those of other scans have: it would be used as if it had been measured at once</source>
+        <translation>其各点没有时间或时间全部相同，而其他扫描有：它会被当作在同一时刻测得</translation>
+    </message>
+    <message>
+        <source>%1 gps_time (one value for all points)</source>
+        <translation>%1 gps_time（所有点取同一值）</translation>
+    </message>
+    <message>
+        <source>x y z reflectance and one more</source>
+        <translation>x y z reflectance 及另一列</translation>
+    </message>
+    <message>
+        <source>x y z reflectance and two more</source>
+        <translation>x y z reflectance 及另两列</translation>
+    </message>
+    <message>
+        <source>is LAS %1, expected 1.0 to 1.4</source>
+        <translation>是 LAS %1，应为 1.0 至 1.4</translation>
+    </message>
+    <message>
+        <source>expected 32-bit floats, 3 to 6 a point: x, y, z, then reflectance (KITTI), ring (nuScenes) and one more</source>
+        <translation>应为 32 位浮点数，每点 3 至 6 个：x、y、z，然后是反射率（KITTI）、线号（nuScenes）及另一个</translation>
+    </message>
+    <message>
+        <source>looks like NCLT&apos;s records of 8 bytes (16-bit coordinates, intensity, laser), %1. Convert the scans, to PCD for instance</source>
+        <translation>看起来是 NCLT 的 8 字节记录（16 位坐标、强度、激光号），%1。请转换扫描，例如转为 PCD</translation>
+    </message>
+    <message>
+        <source>holds %1 bytes that are no points, %2. Convert the scans to one of these, or to PCD, whose header says what is in it</source>
+        <translation>含有 %1 字节，不成整数个点，%2。请将扫描转换为其中之一，或转换为 PCD，其文件头会说明内容</translation>
+    </message>
+    <message>
+        <source>The mounting still changed when the odometry was repeated with it; its sigmas contain the last change.</source>
+        <translation>用求得的安装位姿重算里程计后，安装位姿仍有变化；标准差已包含最后一次变化。</translation>
+    </message>
+    <message>
+        <source>the sensor&apos;s poses and the wheels are of different scales</source>
+        <translation>传感器位姿与车轮的尺度不同</translation>
+    </message>
+    <message>
+        <source>The odometry was made with another mounting than the one it leads to.</source>
+        <translation>里程计所用的安装位姿与由它求得的不同。</translation>
+    </message>
+    <message>
+        <source>Give a better nominal, or drive where there is more to see.</source>
+        <translation>请给出更好的标称值，或在特征更多的地方行驶。</translation>
     </message>
 </context>
 <context>

@@ -35,6 +35,10 @@ bool is_no_message(const QString& literal) {
                                  "a chunk that is not compressed needs no unpacking",
                                  "a column of the cloud is not as long as its points",
                                  "messages are taken to need no swapping",
+                                 "x y z reflectance",  // names of columns
+                                 "x y z reflectance ring",
+                                 "x y z intensity",
+                                 "offset_time x y z reflectivity tag line",
                                  "Settings of Remount. What is left out keeps its default."};
   static const QRegularExpression kOther("^(#|PRAGMA |SELECT |\\n)");  // '#': a comment in a file
   return kNone.contains(literal) || literal.contains(kOther);

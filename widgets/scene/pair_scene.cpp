@@ -16,7 +16,8 @@
 #include "widgets/scene/scene_polydata.h"
 
 namespace remount {
-namespace {
+// Named, for a class of this file holds them, and its files are compiled as one with others.
+namespace pair_pictures {
 
 /// Lines in one lidar frame.
 struct Lines {
@@ -49,9 +50,16 @@ struct Picture {
       : target(clouds), source(clouds), boxes_a(lines), boxes_b(lines), links(lines) {}
 };
 
+}  // namespace pair_pictures
+
+namespace {
+
 PairSceneDataPtr empty_data() { return prepare_pair_scene(std::make_shared<const PairClouds>(), {}); }
 
 }  // namespace
+
+using pair_pictures::Lines;
+using pair_pictures::Picture;
 
 struct PairScene::Parts {
   SceneStage stage;

@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kHeadBytes = 64;
+constexpr std::size_t kSniffedBytes = 64;
 
 std::string head_of(const fs::path& path) {
   try {
-    return read_file_head(path, kHeadBytes);
+    return read_file_head(path, kSniffedBytes);
   } catch (const Error&) {
     return {};  // not readable: not recognised
   }
@@ -51,7 +51,7 @@ class NothingYet final : public BagFile {
 std::shared_ptr<const BagFile> open_packed(const fs::path& path, Progress& progress) {
   const BagInput input{path, std::make_shared<const UnpackedFile>(path, progress)};
   if (progress.cancelled()) return std::make_shared<NothingYet>(path);
-  const std::string head = read_file_head(input.path(), kHeadBytes);
+  const std::string head = read_file_head(input.path(), kSniffedBytes);
   if (is_mcap(head)) return std::make_shared<McapFile>(input, progress);
   if (is_sqlite(head)) return std::make_shared<SqliteBag>(input, progress);
   throw Error(ErrorCode::Format, path.string(),
@@ -134,7 +134,7 @@ void BagFile::sort_topics() {
 
 std::shared_ptr<const BagFile> open_bag(const fs::path& path, Progress& progress) {
   if (is_folder(path)) return is_rosbag2_folder(path) ? open_parts(path, progress) : open_only_bag(path, progress);
-  const std::string head = read_file_head(path, kHeadBytes);
+  const std::string head = read_file_head(path, kSniffedBytes);
   if (is_rosbag1(head)) return std::make_shared<Rosbag1File>(path, progress);
   if (is_mcap(head)) return std::make_shared<McapFile>(BagInput{path, nullptr}, progress);
   if (is_sqlite(head)) return std::make_shared<SqliteBag>(BagInput{path, nullptr}, progress);
