@@ -176,6 +176,8 @@ void CloudBuilder::cut_to(std::size_t points) {
 void CloudBuilder::refuse_map_coordinates(const std::string& where) const {
   constexpr double kNearest_m = 1000.0;
   constexpr std::size_t kFewest = 10;  // of fewer points anything may be true
+  constexpr double kFarthest_m = 1e8;  // no map has more, in whatever projection: such numbers are no coordinates
+  if (farthest_m_ > kFarthest_m) return;
   const bool all_beyond = cloud_.points.empty() && beyond_ > 0;
   if (!all_beyond && (cloud_.points.size() < kFewest || nearest_m_ < kNearest_m)) return;
   throw Error(ErrorCode::Unsupported, where,

@@ -84,7 +84,13 @@ Bytes binary_pcd(int count) {
 
 Bytes kitti_bin(int count) {
   Bytes bytes;
-  for (int i = 0; i < 4 * count; ++i) append(bytes, static_cast<float>(i) * 0.5f);
+  for (int i = 0; i < count; ++i) {  // as a sensor that turns has them: bare floats are told by what they hold
+    const double range_m = 10.0 + i % 7, azimuth_rad = 0.01 * i;
+    append(bytes, static_cast<float>(range_m * std::cos(azimuth_rad)));
+    append(bytes, static_cast<float>(range_m * std::sin(azimuth_rad)));
+    append(bytes, static_cast<float>(-1.7 + 0.1 * (i % 5)));
+    append(bytes, static_cast<float>(0.1 * (i % 10)));
+  }
   return bytes;
 }
 

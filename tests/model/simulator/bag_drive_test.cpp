@@ -61,11 +61,16 @@ TEST(bag_drive, has_the_same_bytes_for_any_number_of_threads) {
   }
 }
 
-TEST(bag_drive, refuses_what_the_format_cannot_say) {
-  const TemporaryFolder folder;
-  Progress progress;
-  EXPECT_ERROR(write_drive(small_drive(false), folder.path() / "d", "rosbag1", 1, progress), "per_point_time");
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "d" / "drive.bag"));
+// As many drivers leave them: nothing in the bag says how the scans are bent by motion.
+TEST(bag_drive, of_points_without_times_is_read_as_one_whose_sweep_is_not_known) {
+  for (const std::string format : {"rosbag1", "rosbag2", "mcap"}) {
+    const TemporaryFolder folder;
+    Progress progress;
+    write_drive(small_drive(false), folder.path() / "d", format, 1, progress);
+    const Session read = open_session(folder.path() / "d", progress);
+    EXPECT_EQ(read.scan_timing, ScanTiming::Unknown) << format;
+    EXPECT_TRUE(read.scans->load(0).time_from_stamp_s.empty()) << format;
+  }
 }
 
 }  // namespace

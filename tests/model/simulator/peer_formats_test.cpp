@@ -146,9 +146,6 @@ TEST(peer_formats, opencalib_refuses_what_it_cannot_say) {
   const TemporaryFolder folder;
   Progress progress;
   SimulationOptions options = small_peer_options();
-  options.per_point_time = false;
-  EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "a", "opencalib", 1, progress), "per_point_time");
-  options = small_peer_options();
   options.scan_rate_hz = 7.0;
   EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "b", "opencalib", 1, progress), "milliseconds");
   EXPECT_ERROR(write_drive(simulate_drive(options), folder.path() / "c", "bag", 1, progress), "is not a format");
