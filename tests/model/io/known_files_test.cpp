@@ -55,12 +55,13 @@ TEST(known_files, are_named_and_the_way_to_a_session_is_told) {
       {"a.kml", "<?xml version=\"1.0\"?><kml xmlns=\"x\"></kml>", "KML"},
   };
   for (const auto& [name, bytes, said] : files) {
-    const auto known = known_file(folder.write(name, bytes));
+    const std::filesystem::path written = folder.write(name, bytes);
+    const auto known = known_file(written);
     ASSERT_TRUE(known) << name;
     EXPECT_TRUE(contains(known->what, said)) << name << ": " << known->what;
     EXPECT_TRUE(known->remedy.ends_with('.')) << name;
-    EXPECT_ERROR(open(folder.path() / name), said);
-    EXPECT_ERROR(open(folder.path() / name), std::string(known->remedy));
+    EXPECT_ERROR(open(written), said);
+    EXPECT_ERROR(open(written), std::string(known->remedy));
     // The same within a folder that has nothing else.
     const TemporaryFolder alone;
     alone.write(name, bytes);

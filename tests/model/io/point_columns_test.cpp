@@ -189,7 +189,8 @@ TEST(point_columns, coordinates_of_a_map_are_named_in_every_format) {
                                                        {"a.txt", text},        {"a.bin", floats},
                                                        {"a.las", las(survey)}, {"b.pcd", head + near_origin}};
   for (const auto& [name, bytes] : files) {
-    const std::string said = error_of([&] { load_cloud(folder.write(name, bytes), 0); });
+    const std::filesystem::path written = folder.write(name, bytes);
+    const std::string said = error_of([&] { load_cloud(written, 0); });
     EXPECT_TRUE(contains(said, name) && contains(said, "coordinates of a map (up to")) << name << ": " << said;
   }
   const std::filesystem::path bag_path = folder.path() / "map.bag";
