@@ -1,6 +1,6 @@
 # A build from nothing reads the same headers for every file and instantiates the same templates of Eigen again and
-# again. Joined, the files of a folder are compiled as one: a third of the time from nothing, longer after a change of
-# one file. So names of helpers (in anonymous namespaces, too) are unique within a folder. Files given behind the target
+# again. Joined, the files of a folder are compiled as one: faster from nothing, slower after a change of one
+# file. So names of helpers (in anonymous namespaces, too) are unique within a folder. Files given behind the target
 # stand alone: those with compile options of their own, or with a library's headers by the thousand.
 option(REMOUNT_JOIN "Compile the files of a folder as one: faster from nothing, slower after a change" ON)
 

@@ -1,4 +1,4 @@
-# A fast linker where there is one: programs and tests link in a quarter of the time.
+# A fast linker where there is one.
 find_program(REMOUNT_LLD ld.lld)
 if(REMOUNT_LLD)
   add_link_options(-fuse-ld=lld)

@@ -16,7 +16,7 @@ show_progress() {
     fi
     done_steps=${BASH_REMATCH[1]} steps=${BASH_REMATCH[2]}
     local elapsed=$((SECONDS - begun))
-    if [ "$done_steps" -lt "$steps" ] && [ "$((SECONDS - shown))" -ge 15 ]; then
+    if [ "$done_steps" -gt 0 ] && [ "$done_steps" -lt "$steps" ] && [ "$((SECONDS - shown))" -ge 15 ]; then
       shown=$SECONDS
       if [ "$elapsed" -lt 20 ] || [ "$done_steps" -lt 3 ]; then
         say "   step $done_steps of $steps"
@@ -26,7 +26,7 @@ show_progress() {
       fi
     fi
   done
-  say "   built: $done_steps of $steps steps, $((SECONDS - begun)) s"
+  if [ "$done_steps" -gt 0 ]; then say "   built: $done_steps of $steps steps, $((SECONDS - begun)) s"; fi
 }
 
 # build PRESET [TARGET…]
