@@ -14,7 +14,8 @@ namespace remount {
 inline constexpr double kAssumedTilt_rad = 0.05236;
 
 /// Of the samples of one INS: the 1-sigma that they state for roll and pitch where roll is level in every one of them
-/// and stated no better than a guess (a degree); 0 where it was measured. Where pitch alone is known it is not relied on.
+/// and stated no better than a guess (a degree); 0 where it was measured. Where pitch alone is known it is not relied
+/// on.
 double assumed_tilt_sigma_rad(const std::vector<InsSample>& ins);
 
 }  // namespace remount

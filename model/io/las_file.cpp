@@ -143,7 +143,8 @@ ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, s
     };
     RawPoint point{coordinate(0), coordinate(1), coordinate(2)};
     point.intensity = read_scalar(record + 12, ScalarType::U16, kSwapLas);
-    if (timed) point.time = clock.unix_s(read_scalar(record + kLayouts[header.format].time_at, ScalarType::F64, kSwapLas));
+    if (timed)
+      point.time = clock.unix_s(read_scalar(record + kLayouts[header.format].time_at, ScalarType::F64, kSwapLas));
     builder.add(point);
   }
   ReadCloud read = builder.finish(stamp_ns, path.string(), times);

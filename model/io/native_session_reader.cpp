@@ -8,7 +8,6 @@
 #include "model/io/gnss_log_reader.h"
 #include "model/io/gpx_track.h"
 #include "model/io/input_file.h"
-#include "model/io/text_file.h"
 #include "model/io/ins_table.h"
 #include "model/io/native_declared.h"
 #include "model/io/nmea_log.h"
@@ -18,6 +17,7 @@
 #include "model/io/scan_list.h"
 #include "model/io/sensor_tables.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 #include "model/io/time_stamp.h"
 
 namespace remount {

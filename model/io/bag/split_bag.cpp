@@ -2,9 +2,9 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/input_file.h"
-#include "model/io/text_file.h"
 #include "model/io/parse_document.h"
 #include "model/io/stream_tools.h"
+#include "model/io/text_file.h"
 
 namespace remount {
 
