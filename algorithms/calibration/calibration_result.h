@@ -19,7 +19,7 @@ enum class Status {
   TooFewPairs,  ///< not enough accepted pairs for any usable answer
   NotConverged,
   OutOfRange,    ///< no candidate lies within the search range
-  Inconsistent,  ///< the pairs contradict each other more than their errors allow
+  Inconsistent,  ///< what the result would rest on contradicts itself; `message` says what contradicts what
   Cancelled,
 };
 
