@@ -1,11 +1,11 @@
 #include "algorithms/registration/undetermined.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/core/decompositions.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
@@ -98,7 +98,7 @@ Matrix6d UndeterminedDirections::removed_from(const Matrix6d& information) const
   Vector6d scale = Vector6d::Ones();
   scale.tail<3>().setConstant(lever_m);
   const Matrix6d scaled = scale.cwiseInverse().asDiagonal() * information * scale.cwiseInverse().asDiagonal();
-  const Matrix6d axes = Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ();
+  const Matrix6d axes = orthogonal_factor(basis);
   const Eigen::MatrixXd rest = axes.rightCols(6 - basis.cols());
   const Matrix6d kept = rest * marginal(scaled, basis, rest) * rest.transpose();
   return scale.asDiagonal() * (0.5 * (kept + kept.transpose())) * scale.asDiagonal();
