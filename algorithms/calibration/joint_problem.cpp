@@ -62,6 +62,7 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pa
   problem.prior_ins_from_lidar = prior_ins_from_lidar;
   problem.prior_information = weak_prior(input.nominal_ins_from_lidar.has_value());
   problem.measured = input.measured;
+  problem.estimate_time_offset = input.clock_is_unknown;
   return problem;
 }
 

@@ -26,6 +26,9 @@ struct JointNode {
   /// What the scan taken here brings to each of its registrations, as an error of this pose [nu; omega]: before the
   /// noise model's scale, half of a typical registration's covariance. Zero where pairs share no scans.
   Matrix6d scan_covariance = Matrix6d::Zero();
+  /// Of a pose between two samples of the INS, as an error of this pose [nu; omega]: how far the way between them may
+  /// have been another one. Zero at a sample.
+  Matrix6d between_samples_covariance = Matrix6d::Zero();
 };
 
 /// A registered pair with its own weight.
