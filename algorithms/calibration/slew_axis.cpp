@@ -69,7 +69,7 @@ struct Fit {
   double limit = std::numeric_limits<double>::infinity();  ///< residuals as long as this have no weight
 };
 
-/// False where the poses do not turn.
+/// False where the poses do not turn. docs/maths/slew.md (M5)
 bool solve(const Turns& turns, const std::vector<Vector2d>& offsets, Fit& fit) {
   const Matrix2d mean_turn = mean_of(turns.turn, fit.weights);
   const Vector2d mean_offset = mean_of(offsets, fit.weights);
@@ -142,8 +142,8 @@ double lasting_of(const Turns& turns, const Pulls& pulls) {
   double slow = 0.0;
   for (const std::complex<double>& sum : sums) slow += std::norm(sum) / static_cast<double>(kSlow.size());
   if (power <= 0.0) return 1.0;
-  // Errors over a spread that was estimated from n numbers have squares n / (n - 2) as large (Student). Where independent
-  // errors may look so by chance, theirs is known from all poses.
+  // Errors over a spread that was estimated from n numbers have squares n / (n - 2) as large (Student). Where
+  // independent errors may look so by chance, theirs is known from all poses.
   constexpr double kNumbers = 2.0 * kSlow.size(), kByChance = 1.6;
   const double ratio = slow / power;
   return ratio > kByChance ? kNumbers / (kNumbers - 2.0) * ratio : std::max(1.0, ratio);
