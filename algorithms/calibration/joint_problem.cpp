@@ -16,7 +16,7 @@ Matrix6d ins_from_lidar_motion(const RigidTransform& ins_from_lidar) {
   return out;
 }
 
-// Half of the mean covariance of each scan's registrations, as an error of its pose.
+// Half of the mean covariance of each scan's registrations, as an error of its pose. docs/maths/covariance.md (C2)
 void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransform& ins_from_lidar,
                           std::vector<JointNode>& nodes) {
   constexpr double kMost_m = 0.02, kMost_rad = 2e-3;  // where a registration does not determine a direction

@@ -1,4 +1,5 @@
 // The joint solution of all pairs: X, the corrections of every INS pose, and what is shared by a drive.
+// docs/maths/pairwise.md (P11) to (P16)
 //
 // A generalized least-squares problem. Unknowns: X (6), for each keyframe the error of its INS pose and scan (6), for
 // each session a constant attitude error (3) and, on request, the clock offset (1). Every pair couples X and its two

@@ -1,4 +1,4 @@
-// Steps 5 to 9 of pairwise calibration: from registered pairs to X with its uncertainty.
+// Pairwise calibration: from registered pairs to X with its uncertainty. docs/maths/pairwise.md
 #pragma once
 
 #include <optional>

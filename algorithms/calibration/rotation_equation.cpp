@@ -113,7 +113,7 @@ RotationEquationResult solve_rotation_equation(const std::vector<TurnPair>& turn
     for (const TurnPair& turn : turns)
       misfit.push_back(
           so3_log(turn.in_a.transpose() * result.a_from_b * turn.in_b * result.a_from_b.transpose()).norm());
-    // 1.54: median over root mean square of the norm of three normal numbers of unit variance.
+    // 1.54: median of the norm of three normal numbers of unit variance. What is left is the sigma of each axis.
     result.residual_rad = median_of(misfit) / 1.54;
     const double scale = 3.0 * std::max(result.residual_rad, 1e-9);
     for (std::size_t i = 0; i < turns.size(); ++i) weights[i] = 1.0 / (1.0 + std::pow(misfit[i] / scale, 2));

@@ -69,7 +69,7 @@ struct Fit {
   double limit = std::numeric_limits<double>::infinity();  ///< residuals as long as this have no weight
 };
 
-/// False where the poses do not turn.
+/// False where the poses do not turn. docs/maths/slew.md (M5)
 bool solve(const Turns& turns, const std::vector<Vector2d>& offsets, Fit& fit) {
   const Matrix2d mean_turn = mean_of(turns.turn, fit.weights);
   const Vector2d mean_offset = mean_of(offsets, fit.weights);

@@ -118,6 +118,7 @@ namespace {
 // Covariance of the LiDAR's motion from one pose to another (axes of the latter) by what it did not tell itself.
 // Motions that rest on an assumed mounting would confirm it, all of them alike: what they are off by may have the same
 // direction in axes of the vehicle throughout, and is then not known at all; a part is anew with every scan.
+// docs/maths/fusion-odometry.md (O16)
 Matrix6d untold_covariance(const Session& session, const std::vector<Matrix6d>& untold_motions, int from, int to) {
   constexpr double kAlike = 30.0, kAnew = 1.0;  // times the motion itself
   Matrix6d anew = Matrix6d::Zero(), alike = Matrix6d::Zero();
