@@ -7,6 +7,8 @@
 #include <map>
 #include <optional>
 
+#include "model/session_frames.h"
+
 namespace remount {
 namespace {
 
@@ -61,7 +63,7 @@ OpenDirections open_directions_of(const std::string& list) {
 
 /// Axes of the INS as forward, left, up.
 Eigen::Vector3d forward_left_up(const Eigen::Vector3d& in_ins, InsAxes axes) {
-  return axes == InsAxes::RightForwardUp ? Eigen::Vector3d(in_ins.y(), -in_ins.x(), in_ins.z()) : in_ins;
+  return forward_left_up_from(axes).linear() * in_ins;
 }
 
 /// The axis that a direction lies along, within 41 degrees; -1 between them.

@@ -9,7 +9,6 @@
 namespace remount {
 namespace {
 
-constexpr double kClose_s = 0.15;
 const Eigen::Vector3d kUnknownMiss = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 
 double time_between_s(std::int64_t from_ns, std::int64_t to_ns) { return 1e-9 * static_cast<double>(to_ns - from_ns); }
@@ -45,7 +44,7 @@ SampleSpacing spacing_of(const std::vector<StampedPose>& samples, int order, Mis
   if (steps_s.size() < 2) return {};
   const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
   std::nth_element(steps_s.begin(), middle, steps_s.end());
-  if (*middle < kClose_s) return {};
+  if (*middle < kSlowSamples_s) return {};
   std::vector<std::int64_t> stamps_ns;
   std::vector<Eigen::Vector3d> misses;
   double near2 = 0.0, far2 = 0.0;

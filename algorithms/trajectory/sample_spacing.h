@@ -9,6 +9,9 @@
 
 namespace remount {
 
+/// Samples that are no farther apart leave no room for motion between them.
+inline constexpr double kSlowSamples_s = 0.15;
+
 /// Samples of a quantity of three components, and how well each of them is told by its neighbours: twice as far apart
 /// as they are, they miss it by so much, and as they are by less, in the proportion in which they miss it by less than
 /// neighbours four times as far apart. Samples that come more than seven times a second leave no room for motion and

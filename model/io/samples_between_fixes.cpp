@@ -4,15 +4,22 @@
 #include <cmath>
 
 #include "algorithms/trajectory/cubic_between.h"
+#include "algorithms/trajectory/sample_spacing.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
 namespace {
 
-constexpr double kSlow_s = 0.15, kMoreOften = 2.0, kGap = 5.0, kLeastGap_s = 0.25;
+constexpr double kMoreOften = 2.0, kGap = 5.0, kLeastGap_s = 0.25;
 
 double apart_s(const InsSample& from, const InsSample& to) {
   return 1e-9 * static_cast<double>(to.stamp_ns - from.stamp_ns);
+}
+
+// That nothing is known of one says more against it than that the other is good.
+InsQuality worse_of(InsQuality a, InsQuality b) {
+  const bool unknown = a == InsQuality::Unknown || b == InsQuality::Unknown;
+  return unknown && std::max(a, b) == InsQuality::Good ? InsQuality::Unknown : std::max(a, b);
 }
 
 // Latitude, longitude and height as steps from `origin`: what is near stays near also at the date line.
@@ -42,7 +49,7 @@ InsSample between(const std::vector<InsSample>& fixes, std::size_t before, const
   sample.enu_from_ins = attitude.enu_from_ins;
   sample.sigma.position_enu_m = from.sigma.position_enu_m.cwiseMax(to.sigma.position_enu_m);
   sample.sigma.attitude_rad = attitude.sigma_rad;
-  sample.quality = std::max(from.quality, to.quality);  // the worse
+  sample.quality = worse_of(from.quality, to.quality);
   return sample;
 }
 
@@ -52,7 +59,7 @@ SamplesBetweenFixes samples_between_fixes(std::vector<InsSample> at_fixes,
                                           const std::vector<StampedAttitude>& attitudes) {
   const double period_s = median_period_s(at_fixes), attitude_s = median_period_s(attitudes);
   SamplesBetweenFixes out;
-  if (period_s < kSlow_s || !(kMoreOften * attitude_s <= period_s)) {
+  if (attitudes.size() < 2 || period_s < kSlowSamples_s || !(kMoreOften * attitude_s <= period_s)) {
     out.ins = std::move(at_fixes);
     return out;
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
@@ -126,11 +127,18 @@ Comparison compare_residuals(const std::vector<double>& first, const std::vector
   return out;
 }
 
-/// Guesses that differ in detail only are of one kind: none, a direction of turning, the order of the points.
-int kind_of(const SweepGuess& guess) {
-  if (!guess) return 0;
-  if (guess->by_order) return 1;
-  return guess->clockwise ? 2 : 3;
+/// Guesses that differ only in where the sweep begins are of one kind: none, the order of the points or a direction of
+/// turning, each over a time.
+struct SweepKind {
+  enum class Way { None, ByOrder, Clockwise, CounterClockwise } way = Way::None;
+  double period_s = 0.0;
+  auto operator<=>(const SweepKind&) const = default;
+};
+
+SweepKind kind_of(const SweepGuess& guess) {
+  if (!guess) return {};
+  if (guess->by_order) return {SweepKind::Way::ByOrder, guess->period_s};
+  return {guess->clockwise ? SweepKind::Way::Clockwise : SweepKind::Way::CounterClockwise, guess->period_s};
 }
 
 /// Half a turn after it begins.
@@ -169,7 +177,7 @@ class Trial {
   }
 
   /// Of all, or of a kind.
-  std::optional<std::size_t> best(std::optional<int> kind = std::nullopt) const {
+  std::optional<std::size_t> best(std::optional<SweepKind> kind = std::nullopt) const {
     std::optional<std::size_t> found;
     double least = 0.0;
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
@@ -187,19 +195,24 @@ class Trial {
     const auto first = best();
     if (!first || progress_.cancelled()) return out;
     out.best = guesses_[*first];
-    out.proved = guesses_.size() > 1;
-    double next = -1e9;
-    for (const int kind : {0, 1, 2, 3}) {
+    std::vector<double> means;
+    for (const SweepKind& kind : kinds()) {
       const auto other = best(kind);
       if (!other || kind == kind_of(out.best)) continue;
       const Comparison comparison = compare_residuals(residuals_[*first], residuals_[*other]);
-      next = std::max(next, comparison.mean);
-      if (comparison.clear) continue;
-      out.proved = false;
-      out.others.push_back(guesses_[*other]);
+      means.push_back(comparison.mean);
+      if (!comparison.clear) out.others.push_back(guesses_[*other]);
     }
-    out.gain = 1.0 - std::exp(next);
+    // What was compared with nothing is not proved.
+    out.proved = !means.empty() && out.others.empty();
+    if (!means.empty()) out.gain = 1.0 - std::exp(*std::max_element(means.begin(), means.end()));
     return out;
+  }
+
+  std::set<SweepKind> kinds() const {
+    std::set<SweepKind> all;
+    for (const SweepGuess& guess : guesses_) all.insert(kind_of(guess));
+    return all;
   }
 
   const SweepGuess& guess(std::size_t i) const { return guesses_[i]; }
@@ -224,8 +237,8 @@ void find_first_azimuth(Trial& trial, const std::vector<double>& periods_s) {
   trial.add(quarters);
   for (const double step_rad : {kPi / 4.0, kPi / 8.0, kPi / 16.0}) {
     std::vector<SweepGuess> nearer;
-    for (const int kind : {2, 3}) {
-      const auto best = trial.best(kind);
+    for (const SweepKind& kind : trial.kinds()) {
+      const auto best = kind.way == SweepKind::Way::None ? std::nullopt : trial.best(kind);
       if (!best) continue;
       for (const double side : {-1.0, 1.0}) {
         SweepModel moved = *trial.guess(*best);

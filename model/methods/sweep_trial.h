@@ -18,7 +18,7 @@ using SweepGuess = std::optional<SweepModel>;
 struct SweepTrial {
   bool proved = false;             ///< `best` fits the scans clearly better than all that was tried besides
   SweepGuess best;                 ///< fits them best
-  std::vector<SweepGuess> others;  ///< those that the scans do not refute, one of a kind
+  std::vector<SweepGuess> others;  ///< those that the scans do not refute: ways and times of a turn
   double gain = 0.0;  ///< how much less `best` leaves as residual than the next of another kind, as a share
 };
 
