@@ -322,6 +322,7 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("time_offset_sigma_s", DocumentNode::number(result.time_offset.sigma_s));
   root.add("time_offset_applied", DocumentNode::boolean(result.time_offset.applied));
   root.add("session_time_offset_s", DocumentNode::numbers(result.session_time_offset_s));
+  root.add("session_time_offset_sigma_s", DocumentNode::numbers(result.session_time_offset_sigma_s));
   if (!file.quantities.empty()) root.add("quantities", quantities_document(file.quantities));
   if (!file.plots.empty()) root.add("plots", plots_document(file.plots));
   root.add("directions", directions_document(result.directions));

@@ -189,9 +189,12 @@ ResultFile result_from_document(const DocumentView& root) {
   result.time_offset.offset_s = number_or(root.at("time_offset_s"), kNan);
   if (root.has("time_offset_sigma_s")) result.time_offset.sigma_s = number_or(root.at("time_offset_sigma_s"), kNan);
   if (root.has("time_offset_applied")) result.time_offset.applied = root.at("time_offset_applied").boolean();
-  if (root.has("session_time_offset_s"))
-    for (const DocumentView& item : root.at("session_time_offset_s").items())
-      result.session_time_offset_s.push_back(number_or(item, kNan));
+  const auto read_numbers = [&root](const char* key, std::vector<double>& numbers) {
+    if (!root.has(key)) return;
+    for (const DocumentView& item : root.at(key).items()) numbers.push_back(number_or(item, kNan));
+  };
+  read_numbers("session_time_offset_s", result.session_time_offset_s);
+  read_numbers("session_time_offset_sigma_s", result.session_time_offset_sigma_s);
   read_candidates(root, result);
   if (root.has("nominal_ins_from_lidar") && !root.at("nominal_ins_from_lidar").is_null())
     file.nominal_ins_from_lidar = transform_from_document(root.at("nominal_ins_from_lidar"));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <type_traits>
 
 #include "algorithms/core/error.h"
@@ -59,6 +60,18 @@ double snapped_to_bounds(const OptionInfo& info, double value) {
   return value;
 }
 
+std::size_t place_of(std::string_view name, const std::vector<std::string_view>& names) {
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// Choices that have yes and no among them were switches in former versions, whose files have true and false.
+std::optional<bool> switch_of_before(const DocumentView& view, const std::vector<std::string_view>& names) {
+  if (place_of("yes", names) == names.size() || place_of("no", names) == names.size()) return std::nullopt;
+  const std::string text = view.string();
+  if (text != "true" && text != "false") return std::nullopt;
+  return text == "true";
+}
+
 /// Reads those members of an option struct that a map mentions.
 struct OptionReader {
   DocumentView section;
@@ -85,7 +98,10 @@ struct OptionReader {
 
   template <class T>
   void choice(const OptionInfo& info, T& value, const std::vector<std::string_view>& names) {
-    read(info, [&](const DocumentView& view) { value = static_cast<T>(view.choice(names)); });
+    read(info, [&](const DocumentView& view) {
+      const std::optional<bool> was_switch = switch_of_before(view, names);
+      value = static_cast<T>(was_switch ? place_of(*was_switch ? "yes" : "no", names) : view.choice(names));
+    });
   }
 
   template <class Assign>

@@ -100,6 +100,12 @@ const std::vector<const char*>& file_phrases() {
           "remount::model",
           "holds coordinates of a map (up to %1 m), expected metres in the frame of the sensor, one scan a file"),
       QT_TRANSLATE_NOOP("remount::model",
+                        "The lidar's stamps are early by %1 ms (sigma %2 ms) against the INS. X is solved with that "
+                        "taken out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The lidar's stamps are late by %1 ms (sigma %2 ms) against the INS. X is solved with that "
+                        "taken out."),
+      QT_TRANSLATE_NOOP("remount::model",
                         "The lidar's stamps are early by %1 ms (sigma %2 ms) against the INS. X is biased by it while "
                         "the vehicle turns: set solve.apply_time_offset to correct it."),
       QT_TRANSLATE_NOOP("remount::model",

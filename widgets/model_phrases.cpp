@@ -269,7 +269,9 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "Candidates kept in the result, best first."),
       QT_TRANSLATE_NOOP("remount::model", "Longest block of time whose errors count as one for the bootstrap sigma."),
       QT_TRANSLATE_NOOP("remount::model", "Align the clouds of all accepted pairs together as the last step."),
-      QT_TRANSLATE_NOOP("remount::model", "Apply the estimated clock offset between lidar and INS."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Solve X with the clock offset between lidar and INS that the drive shows: where it is clear "
+                        "(auto), always (yes), never (no)."),
       QT_TRANSLATE_NOOP("remount::model", "Edge of the voxels that thin scans and map."),
       QT_TRANSLATE_NOOP("remount::model", "A scan joins the local map this far from the last one that did."),
       QT_TRANSLATE_NOOP("remount::model", "A scan joins the local map where the LiDAR has turned this far."),

@@ -14,5 +14,7 @@ QString parameter_name(std::size_t i);
 QString shown_parameter_names(const std::array<bool, 6>& given, bool wanted);
 /// " m" or "°", to follow a number.
 QString unit_suffix(std::size_t i);
+/// "+1.24 mm", "-0.0031°", "+2.400°": how far parameter i moved, given in m or degrees.
+QString moved_text(std::size_t i, double change);
 
 }  // namespace remount

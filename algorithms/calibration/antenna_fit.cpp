@@ -134,12 +134,13 @@ Vector2d residual_of(const Point& point, const FitState& state, Row& jacobian) {
   const Vector2d way_m = scale * (point.way_m + state.bias_change_radps * point.way_by_bias);
   const Matrix2d world_from_window = turned(window.heading_rad), window_from_vehicle = turned(turn_rad);
   // What is high leans away from where the vertical points.
-  const Vector2d in_window = way_m + window_from_vehicle * (state.lever_m - state.height_m * point.up_in_vehicle);
+  const Vector2d antenna_m = state.lever_m - state.height_m * point.up_in_vehicle;
+  const Vector2d in_window = way_m + window_from_vehicle * antenna_m;
   Matrix2d quarter;
   quarter << 0.0, -1.0, 1.0, 0.0;
   jacobian.leftCols<2>() = world_from_window * window_from_vehicle;
   jacobian.col(2) =
-      world_from_window * (scale * point.way_by_bias - point.time_s * quarter * window_from_vehicle * state.lever_m);
+      world_from_window * (scale * point.way_by_bias - point.time_s * quarter * window_from_vehicle * antenna_m);
   jacobian.col(3) = world_from_window * way_m;
   jacobian.col(4) = -world_from_window * window_from_vehicle * point.up_in_vehicle;
   jacobian.middleCols<2>(kCommon).setIdentity();

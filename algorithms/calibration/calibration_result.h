@@ -89,9 +89,10 @@ struct CalibrationResult {
   double frobenius_sum = 0.0;
   double rotation_rms_rad = 0.0;
   double translation_rms_m = 0.0;
-  TimeOffset time_offset;                     ///< mean over the sessions
-  std::vector<double> session_time_offset_s;  ///< of each session, same sign; empty where not estimated
-  std::vector<Candidate> candidates;          ///< best first; those out of range last
+  TimeOffset time_offset;                           ///< mean over the sessions
+  std::vector<double> session_time_offset_s;        ///< of each session, same sign; empty where not estimated
+  std::vector<double> session_time_offset_sigma_s;  ///< 1-sigma of each; empty where not known
+  std::vector<Candidate> candidates;                ///< best first; those out of range last
 
   /// 1-sigma of parameter i (order of kParameterNames), or nothing where it is not observed.
   std::optional<double> sigma(std::size_t i) const {

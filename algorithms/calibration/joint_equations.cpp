@@ -172,7 +172,8 @@ double tilt_sigma_rad(const JointProblem& problem, int session) {
 }
 
 Matrix6d node_covariance(const JointProblem& problem, const NoiseModel& noise, std::size_t node) {
-  Matrix6d covariance = noise.node_covariance(problem.nodes[node].scan_covariance);
+  Matrix6d covariance =
+      noise.node_covariance(problem.nodes[node].scan_covariance) + problem.nodes[node].between_samples_covariance;
   const double tilt = tilt_sigma_rad(problem, problem.nodes[node].session);
   covariance.diagonal().segment<2>(3).array() += tilt * tilt;
   return covariance;

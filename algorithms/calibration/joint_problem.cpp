@@ -16,7 +16,7 @@ Matrix6d ins_from_lidar_motion(const RigidTransform& ins_from_lidar) {
   return out;
 }
 
-// Half of the mean covariance of each scan's registrations, as an error of its pose.
+// Half of the mean covariance of each scan's registrations, as an error of its pose. docs/maths/covariance.md (C2)
 void set_scan_covariances(const std::vector<JointTerm>& terms, const RigidTransform& ins_from_lidar,
                           std::vector<JointNode>& nodes) {
   constexpr double kMost_m = 0.02, kMost_rad = 2e-3;  // where a registration does not determine a direction
@@ -62,6 +62,7 @@ JointProblem make_joint_problem(const PairwiseInput& input, const std::vector<Pa
   problem.prior_ins_from_lidar = prior_ins_from_lidar;
   problem.prior_information = weak_prior(input.nominal_ins_from_lidar.has_value());
   problem.measured = input.measured;
+  problem.estimate_time_offset = input.clock_is_unknown;
   return problem;
 }
 

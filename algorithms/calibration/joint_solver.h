@@ -1,4 +1,5 @@
 // The joint solution of all pairs: X, the corrections of every INS pose, and what is shared by a drive.
+// docs/maths/pairwise.md (P11) to (P16)
 //
 // A generalized least-squares problem. Unknowns: X (6), for each keyframe the error of its INS pose and scan (6), for
 // each session a constant attitude error (3) and, on request, the clock offset (1). Every pair couples X and its two
@@ -26,6 +27,9 @@ struct JointNode {
   /// What the scan taken here brings to each of its registrations, as an error of this pose [nu; omega]: before the
   /// noise model's scale, half of a typical registration's covariance. Zero where pairs share no scans.
   Matrix6d scan_covariance = Matrix6d::Zero();
+  /// Of a pose between two samples of the INS, as an error of this pose [nu; omega]: how far the way between them may
+  /// have been another one. Zero at a sample.
+  Matrix6d between_samples_covariance = Matrix6d::Zero();
 };
 
 /// A registered pair with its own weight.

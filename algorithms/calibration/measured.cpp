@@ -91,7 +91,7 @@ std::vector<Contradiction> contradictions(const Measured& measured, const RigidT
   std::vector<Contradiction> out;
   for (const MeasuredRow& known : measured.rows(x)) {
     // What is left of a measurement after it took part is its distance from the pairs, shrunk as the joint solution
-    // weighed the two; how large that distance may be is what is believed of the pairs.
+    // weighed the two; how large that distance may be is what is believed of the pairs. docs/maths/covariance.md (C26)
     const double sigma2 = known.sigma * known.sigma;
     const double joint2 = known.row.dot(joint * known.row), left_joint = sigma2 - joint2;
     const Vector6d reach = trusted * known.row;

@@ -1,4 +1,4 @@
-// Variance components of the joint problem, by restricted maximum likelihood.
+// Variance components of the joint problem, by restricted maximum likelihood. docs/maths/covariance.md (C7)
 #include <cmath>
 #include <limits>
 

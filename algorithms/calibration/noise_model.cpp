@@ -35,7 +35,7 @@ Matrix6d NoiseModel::node_covariance(const Matrix6d& scan_covariance) const {
 }
 
 Matrix6d NoiseModel::registration_information(const Matrix6d& information, double share) const {
-  // (s^2 L^-1 + F)^-1 = F^-1 - F^-1 (F^-1 + L / s^2)^-1 F^-1 needs no inverse of L.
+  // (s^2 L^-1 + F)^-1 = F^-1 - F^-1 (F^-1 + L / s^2)^-1 F^-1 needs no inverse of L. docs/maths/covariance.md (C3)
   Vector6d floor_information;
   floor_information << Eigen::Vector3d::Constant(1.0 / (registration_floor_m * registration_floor_m)),
       Eigen::Vector3d::Constant(1.0 / (registration_floor_rad * registration_floor_rad));

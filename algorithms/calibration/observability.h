@@ -1,4 +1,4 @@
-// Step 9: what the pairs determine, how well, and what to do about the rest.
+// What the pairs determine, how well, and what to do about the rest. docs/maths/covariance.md (C10) to (C12), (C21)
 #pragma once
 
 #include <algorithm>

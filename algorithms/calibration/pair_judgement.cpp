@@ -10,7 +10,7 @@
 namespace remount {
 namespace {
 
-// Normal score of a chi-square distance of six degrees of freedom (Fisher).
+// Normal score of a chi-square distance of six degrees of freedom (Fisher). docs/maths/pairwise.md (P9)
 double sigma_equivalent(double distance2) { return std::sqrt(2.0 * distance2) - std::sqrt(11.0); }
 
 std::string outlier_reason(const Pair& pair, double score) {
@@ -58,7 +58,7 @@ double tilt_of(const PairTilts& tilts_rad, int pair) {
 }  // namespace
 
 double residual_scale2(std::vector<double> d2) {
-  // More than half of the pairs may be wrong: the scale follows the better third.
+  // More than half of the pairs may be wrong: the scale follows the better third. docs/maths/pairwise.md (P8)
   constexpr double kShare = 0.35, kShareChi2 = 4.197;  // that quantile of six degrees of freedom
   if (d2.empty()) return 1.0;
   const auto place = d2.begin() + static_cast<std::ptrdiff_t>(kShare * static_cast<double>(d2.size()));

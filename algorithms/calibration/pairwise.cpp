@@ -29,7 +29,7 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseDetails& d
   with_clock.estimate_time_offset = true;
   const JointSolution solution =
       solve_joint(with_clock, details.noise, details.joint.ins_from_lidar, kIterations, progress);
-  if (solution.time_offset_s.empty()) return;
+  if (!solution.converged || solution.time_offset_s.empty()) return;
   double information = 0.0, sum = 0.0;
   for (std::size_t s = 0; s < solution.time_offset_s.size(); ++s) {
     if (!(solution.time_offset_sigma_s[s] > 0.0)) return;
@@ -40,6 +40,7 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseDetails& d
   result.time_offset.offset_s = sum / information;
   result.time_offset.sigma_s = 1.0 / std::sqrt(information);
   result.session_time_offset_s = solution.time_offset_s;
+  result.session_time_offset_sigma_s = solution.time_offset_sigma_s;
 }
 
 // Solves once more with the rotations that are not observed held at `kept`, for the others turn with them. Translations

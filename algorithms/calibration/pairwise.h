@@ -1,4 +1,4 @@
-// Steps 5 to 9 of pairwise calibration: from registered pairs to X with its uncertainty.
+// Pairwise calibration: from registered pairs to X with its uncertainty. docs/maths/pairwise.md
 #pragma once
 
 #include <optional>
@@ -39,6 +39,9 @@ struct PairwiseInput {
   /// case, for vehicles stand level to some degrees and so do their INS axes. Nothing where no ground was seen.
   std::optional<Eigen::Vector3d> up_in_lidar;
   Measured measured;
+  /// The nodes were moved by a clock offset that these very pairs showed: what is left of it is an unknown of each
+  /// session, so that its error joins the sigmas.
+  bool clock_is_unknown = false;
   /// How far X is off, under `perturbed`, by a clock offset that was found and is not applied: it joins the sigmas.
   std::optional<Vector6d> clock_bias;
   SearchRange range;

@@ -15,6 +15,7 @@ namespace {
 constexpr double kKernel2 = 16.0;  // squared distance at which a pair's weight has fallen to a quarter
 
 // Every pair counts, the wrong ones all alike: a few pairs that agree by chance, or that any X satisfies, do not win.
+// docs/maths/pairwise.md (P6)
 double truncated_cost(const std::vector<double>& values, double scale2) {
   double sum = 0.0;
   for (const double value : values) sum += std::min(value, kKernel2 * scale2);
@@ -84,7 +85,7 @@ const Trial& best_of(const std::vector<Trial>& tried, std::size_t first) {
 
 // One reweighted Gauss-Newton step on X alone, held near `likely` by the weak prior. Many pairs overlap or were chained
 // and err alike: what a straight road does not show would follow them far away, if the prior did not count as a
-// tenth of them. A few lie apart, and need it only where they show nothing at all.
+// tenth of them. A few lie apart, and need it only where they show nothing at all. docs/maths/pairwise.md (P19)
 RigidTransform weighted_step(const std::vector<NoisyPair>& pairs, const std::vector<double>& weights, double scale2,
                              const RigidTransform& likely, const Matrix6d& prior, const RigidTransform& x) {
   constexpr double kErrAlike = 10.0, kApart = 30.0, kLeast = 1e-6;

@@ -1,11 +1,10 @@
 #include "algorithms/calibration/rotation_equation.h"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/core/decompositions.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
@@ -106,7 +105,7 @@ RotationEquationResult solve_rotation_equation(const std::vector<TurnPair>& turn
       stacked.middleRows<4>(static_cast<Eigen::Index>(4 * i)) =
           std::sqrt(weights[i] / total) *
           (left_product(quaternion_of(turns[i].in_a)) - right_product(quaternion_of(turns[i].in_b)));
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(stacked, Eigen::ComputeThinV);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd = singular_values(stacked, Eigen::ComputeThinV);
     for (int k = 0; k < 4; ++k) result.singular_values[static_cast<std::size_t>(k)] = svd.singularValues()[k];
     const Vector4d q = svd.matrixV().col(3);
     result.a_from_b = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
@@ -114,7 +113,7 @@ RotationEquationResult solve_rotation_equation(const std::vector<TurnPair>& turn
     for (const TurnPair& turn : turns)
       misfit.push_back(
           so3_log(turn.in_a.transpose() * result.a_from_b * turn.in_b * result.a_from_b.transpose()).norm());
-    // 1.54: median over root mean square of the norm of three normal numbers of unit variance.
+    // 1.54: median of the norm of three normal numbers of unit variance. What is left is the sigma of each axis.
     result.residual_rad = median_of(misfit) / 1.54;
     const double scale = 3.0 * std::max(result.residual_rad, 1e-9);
     for (std::size_t i = 0; i < turns.size(); ++i) weights[i] = 1.0 / (1.0 + std::pow(misfit[i] / scale, 2));
@@ -145,14 +144,13 @@ PlanarMounting solve_planar_mounting(const std::vector<PlanarMotion>& motions, b
   constexpr double kLeastTurn_rad = 0.02;  // root mean square of an interval: below it x and y are noise
   mounting.position_observed = turned2 > kLeastTurn_rad * kLeastTurn_rad * static_cast<double>(motions.size());
   if (!mounting.position_observed) left.leftCols<2>().setZero();
-  const Eigen::Vector4d solution = left.completeOrthogonalDecomposition().solve(right);
+  const Eigen::Vector4d solution = least_norm_solution(left, right);
   mounting.yaw_rad = std::atan2(solution[3], solution[2]);
   mounting.scale = scale_known ? 1.0 : solution.tail<2>().norm();
   if (!mounting.position_observed) return mounting;
   const Eigen::Vector2d turned(mounting.scale * std::cos(mounting.yaw_rad),
                                mounting.scale * std::sin(mounting.yaw_rad));
-  const Eigen::Vector2d position =
-      left.leftCols<2>().completeOrthogonalDecomposition().solve(right - left.rightCols<2>() * turned);
+  const Eigen::Vector2d position = least_norm_solution(left.leftCols<2>(), right - left.rightCols<2>() * turned);
   mounting.x_m = position.x();
   mounting.y_m = position.y();
   return mounting;

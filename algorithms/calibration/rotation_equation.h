@@ -1,4 +1,4 @@
-// The rotation between two bodies from their turns: q_a q = q q_b (seeds 001, steps 2 and 5).
+// The rotation between two bodies from their turns: q_a q = q q_b. docs/maths/vehicle-frame.md (V5) to (V7)
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct RotationEquationResult {
   /// Of the stacked ([q_a]_L - [q_b]_R), over the root of the number of pairs, largest first. The last is the misfit;
   /// where the one before it is as small, the turns are about one axis and the rotation about it is free.
   std::array<double, 4> singular_values{};
-  double residual_rad = 0.0;                                  ///< root mean square angle, robust
+  double residual_rad = 0.0;                                  ///< of each axis, robust: root mean square
   Eigen::Vector3d main_axis_in_a = Eigen::Vector3d::UnitZ();  ///< about which the body turned most
   double main_axis_turn_rad = 0.0;                            ///< root mean square turn about it
   double other_axes_turn_rad = 0.0;                           ///< and about the axes across it
@@ -35,7 +35,8 @@ struct RotationEquationResult {
 /// @param noise_rad how well a turn is known at least: what is taken for excitation must exceed it
 RotationEquationResult solve_rotation_equation(const std::vector<TurnPair>& turns, double noise_rad);
 
-/// x, y, yaw and scale of planar motion in closed form (seeds 001, step 5; cf. Guo, Mirzaei, Roumeliotis 2012).
+/// x, y, yaw and scale of planar motion in closed form. docs/maths/vehicle-frame.md (V7) (Cf. Guo, Mirzaei,
+/// Roumeliotis 2012.)
 struct PlanarMotion {
   double turn_rad = 0.0;                                    ///< about z of the vehicle
   Eigen::Vector2d travel_m = Eigen::Vector2d::Zero();       ///< of the vehicle's origin, axes of the start

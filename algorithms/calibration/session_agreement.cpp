@@ -91,6 +91,7 @@ SessionScatter session_scatter(const std::vector<SessionAnswer>& answers, const 
 double widening(const SessionScatter& scatter, double log_spread) {
   if (!(scatter.ratio > 1.0)) return 1.0;
   // A variance estimated from n squares has a relative error of sqrt(2 / n), its root half of that.
+  // docs/maths/covariance.md (C14)
   const double believed = 0.5 / (log_spread * log_spread), freedom = scatter.freedom;
   return std::sqrt((freedom * scatter.ratio * scatter.ratio + believed) / (freedom + believed));
 }

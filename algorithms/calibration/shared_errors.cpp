@@ -50,7 +50,7 @@ Part build_part(const std::vector<LinearTerm>& terms, const NoiseModel& noise, c
 }
 
 // Restricted maximum likelihood of the size, from the errors' information once everything else has moved along, and
-// their gradient.
+// their gradient. docs/maths/covariance.md (C20)
 double likely_size(const Matrix12d& information, const Vector12d& gradient) {
   const auto eigen = symmetric_eigen(Eigen::MatrixXd(information));
   const Vector12d pulls = eigen.eigenvectors().transpose() * gradient;

@@ -1,4 +1,4 @@
-// Step 9: errors that all registrations of a calibration have in common.
+// Errors that all registrations of a calibration have in common. docs/maths/covariance.md (C20)
 #pragma once
 
 #include "algorithms/calibration/joint_solver.h"

@@ -47,7 +47,7 @@ struct Pieces {
   Vector3d ground_m = Vector3d::Zero();
 };
 
-// Axes n1, n2, n1 x n2: the first plane is kept, the arm's is made square to it.
+// Axes n1, n2, n1 x n2: the first plane is kept, the arm's is made square to it. docs/maths/slew.md (M6)
 RigidTransform frame_of(const Pieces& pieces) {
   Vector3d y = (pieces.across - pieces.across.dot(pieces.up) * pieces.up).normalized();
   Vector3d x = y.cross(pieces.up);

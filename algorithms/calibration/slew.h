@@ -1,4 +1,4 @@
-// Where a LiDAR sits on a slewing machine: a plane, another plane and a circle (seeds 004).
+// Where a LiDAR sits on a slewing machine: a plane, another plane and a circle. docs/maths/slew.md
 //
 // The machine frame: z along the slew axis, up; the xz plane is that in which the arm moves, the arm in the direction
 // of x; y left. The origin lies on the slew axis, at the height of the LiDAR's circle or on the ground.

@@ -1,7 +1,6 @@
 #include "algorithms/calibration/slew_axis.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "algorithms/core/decompositions.h"
 #include "algorithms/core/median.h"
 
 namespace remount {
@@ -42,7 +42,7 @@ Turns turns_of(const std::vector<RigidTransform>& poses, const std::vector<doubl
   Matrix3d sum = Matrix3d::Zero();
   for (std::size_t i = 0; i < poses.size(); ++i) sum += weights[i] * poses[i].linear();
   // |R_i v - w| is least for all together where v' sum' w is greatest.
-  const Eigen::JacobiSVD<Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Matrix3d> svd = singular_values(sum);
   Turns turns{svd.matrixV().col(0), svd.matrixU().col(0), {}, {}, {}};
   const auto from_lidar = across(turns.in_lidar), from_first = across(turns.in_first);
   for (const RigidTransform& pose : poses) {
@@ -69,7 +69,7 @@ struct Fit {
   double limit = std::numeric_limits<double>::infinity();  ///< residuals as long as this have no weight
 };
 
-/// False where the poses do not turn.
+/// False where the poses do not turn. docs/maths/slew.md (M5)
 bool solve(const Turns& turns, const std::vector<Vector2d>& offsets, Fit& fit) {
   const Matrix2d mean_turn = mean_of(turns.turn, fit.weights);
   const Vector2d mean_offset = mean_of(offsets, fit.weights);
@@ -142,8 +142,8 @@ double lasting_of(const Turns& turns, const Pulls& pulls) {
   double slow = 0.0;
   for (const std::complex<double>& sum : sums) slow += std::norm(sum) / static_cast<double>(kSlow.size());
   if (power <= 0.0) return 1.0;
-  // Errors over a spread that was estimated from n numbers have squares n / (n - 2) as large (Student). Where independent
-  // errors may look so by chance, theirs is known from all poses.
+  // Errors over a spread that was estimated from n numbers have squares n / (n - 2) as large (Student). Where
+  // independent errors may look so by chance, theirs is known from all poses.
   constexpr double kNumbers = 2.0 * kSlow.size(), kByChance = 1.6;
   const double ratio = slow / power;
   return ratio > kByChance ? kNumbers / (kNumbers - 2.0) * ratio : std::max(1.0, ratio);

@@ -11,6 +11,13 @@ namespace remount {
 /// Blocks of time of the bootstrap: so many are needed for their scatter; those of a short drive are shorter.
 inline constexpr double kBootstrapBlocks = 20.0;
 
+/// Whether X is solved with the offset between the clocks of lidar and INS that the drive shows.
+enum class ClockOffsetUse {
+  Auto,  ///< where it stands out of its error and is well determined
+  Yes,
+  No,
+};
+
 struct SolveOptions {
   double characteristic_length_m = 1.0;
   double ins_position_sigma_m = 0.01;
@@ -24,7 +31,7 @@ struct SolveOptions {
   int max_listed_candidates = 200;
   double bootstrap_block_s = 5.0;
   bool joint_clouds = true;
-  bool apply_time_offset = false;
+  ClockOffsetUse apply_time_offset = ClockOffsetUse::Auto;
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -65,8 +72,11 @@ struct SolveOptions {
             self.bootstrap_block_s);
     visitor({"joint_clouds", "", "Align the clouds of all accepted pairs together as the last step."},
             self.joint_clouds);
-    visitor({"apply_time_offset", "", "Apply the estimated clock offset between lidar and INS."},
-            self.apply_time_offset);
+    visitor.choice(
+        {"apply_time_offset", "",
+         "Solve X with the clock offset between lidar and INS that the drive shows: where it is clear (auto), always "
+         "(yes), never (no)."},
+        self.apply_time_offset, {"auto", "yes", "no"});
   }
 };
 

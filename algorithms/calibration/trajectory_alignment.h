@@ -1,5 +1,5 @@
 // Alignment of the LiDAR's trajectory with that of the INS or the GNSS antenna, while data arrive or all at once.
-// (methods 2; source: seeds/002, with the mathematics completed there)
+// docs/maths/trajectory.md
 #pragma once
 
 #include <array>

@@ -8,6 +8,7 @@ namespace {
 
 // The cost of a squared residual u: u itself within the threshold, beyond it bounded by twice the threshold. Its
 // derivative is the weight, which good measurements have whole and which no measurement has less of than `least`.
+// docs/maths/trajectory.md (T7)
 struct Kernel {
   double limit2;
   double weight(double u, double least) const {
@@ -171,7 +172,7 @@ double least_factor(const TrajectoryProblem& problem, TermKind kind) {
 }
 
 // Variance components (Foerstner 1979): squared residuals of each kind over their redundancy, which samples of errors
-// tell without any inverse. What is stated counts like a few measurements.
+// tell without any inverse. What is stated counts like a few measurements. docs/maths/trajectory.md (T10)
 double update_noise(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
                     TrajectorySolution& solution) {
   constexpr double kBelieved = 12.0;

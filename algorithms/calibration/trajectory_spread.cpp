@@ -8,6 +8,7 @@ namespace remount {
 namespace {
 
 // The gradients of the cost by the shared unknowns, poses and own unknowns following: one for each term.
+// docs/maths/trajectory.md (T13)
 template <class Use>
 void for_each_pull(const TrajectoryProblem& problem, const TrajectorySolution& solution, const WeightedTerms& weighted,
                    const TrajectoryEquations& equations, Use&& use) {

@@ -30,7 +30,7 @@ struct TrajectoryTerm {
 ///   INS:     p(T X^-1) - p_ins and Log(R_ins' R(T X^-1)), both delayed by the clock offset
 ///   antenna: T a - p_gnss
 ///   step:    Q^-1 T_i^-1 T_i+1 with Q the odometry's step, where T_i^-1 T_i+1 counts 1 + scale times as far
-/// (methods 2, S4: e1 and e2)
+/// docs/maths/trajectory.md (T1) to (T5)
 std::vector<TrajectoryTerm> trajectory_terms(const TrajectorySession& session, std::size_t index,
                                              const TrajectoryState& state);
 

@@ -43,7 +43,7 @@ std::vector<BlockPull> block_pulls(const PairwiseInput& input, const JointProble
   return out;
 }
 
-// Mean of [v]x' M [v]x over isotropic noise v of unit variance.
+// Mean of [v]x' M [v]x over isotropic noise v of unit variance. docs/maths/covariance.md (C9)
 Eigen::Matrix3d cross_noise(const Eigen::Matrix3d& m) { return m.trace() * Eigen::Matrix3d::Identity() - m; }
 
 // Logs that do not state their errors come from vehicles with springs, flexing mounts and filters: turns this small
@@ -115,7 +115,7 @@ std::size_t sessions_used(const JointProblem& problem) {
   return sessions.size();
 }
 
-// How X moves where all distances that the lidar measures are too long by `kScale`.
+// How X moves where all distances that the lidar measures are too long by `kScale`. docs/maths/covariance.md (C19)
 Vector6d response_to_scale(const JointProblem& problem, const PairwiseDetails& details, const Progress& progress) {
   constexpr double kScale = 1.5e-5, kEnlarged = 1e-3;
   JointProblem longer = problem;
@@ -193,7 +193,7 @@ Eigen::Vector3d turned_by_open_rotation(const RigidTransform& x, const Matrix6d&
 }  // namespace
 
 // Measured on simulated drives (docs/adr/0006-honest-sigma.md). Most about the direction of travel, across which the
-// least ground is seen.
+// least ground is seen. docs/maths/covariance.md (C19)
 Matrix6d registration_limits() {
   constexpr double kDisplaced_m = 3.6e-4, kRoll_rad = 3e-5, kPitch_rad = 1.4e-5, kYaw_rad = 1.75e-5;
   Vector6d sigmas;

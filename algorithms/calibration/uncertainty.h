@@ -1,4 +1,4 @@
-// Step 9: sigma of X, from the joint solution, from blocks of time, and from what neither can see.
+// Sigma of X, from the joint solution, from blocks of time, and from what neither can see. docs/maths/covariance.md
 #pragma once
 
 #include "algorithms/calibration/pair_equation.h"

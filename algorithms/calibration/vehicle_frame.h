@@ -1,4 +1,5 @@
-// Where a sensor sits on the vehicle, from wheel speeds, an IMU and the sensor's own motion (seeds 001).
+// Where a sensor sits on the vehicle, from wheel speeds, an IMU and the sensor's own motion.
+// docs/maths/vehicle-frame.md
 //
 // The vehicle frame: rear-axle centre on the ground, x forward (the direction in which the rear axle moves), y left, z
 // up. Its origin follows from the wheels: the rear axle's centre is the point that moves along x alone.
@@ -43,7 +44,7 @@ struct VehicleFrameResult {
   Eigen::Vector3d gyro_bias_radps = Eigen::Vector3d::Zero();
   double scale = 1.0;                                      ///< metres per unit of the sensor's poses
   double wheel_scale = 1.0;                                ///< true way per way of the wheels
-  std::optional<RotationEquationResult> imu_to_reference;  ///< step 2, where the drive has a reference attitude
+  std::optional<RotationEquationResult> imu_to_reference;  ///< where the drive has a reference attitude
   RotationEquationResult imu_to_sensor;
   PlanarMounting planar;
   std::vector<NamedQuantity> quantities;

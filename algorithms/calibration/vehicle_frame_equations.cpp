@@ -170,6 +170,7 @@ StateMatrix inverse_of_free(const VehicleFrameProblem& problem, const StateMatri
 
 // Errors of wheels and odometry last longer than an interval. Sums of scores over some seconds scatter more then than
 // independent ones would; each unknown is widened by what its own sums say, and never narrowed.
+// docs/maths/vehicle-frame.md (V11)
 StateMatrix widened_by_lasting_errors(const StateMatrix& covariance, const std::vector<StateVector>& scores) {
   constexpr std::size_t kBlock = 8, kFewestBlocks = 12;
   const std::size_t blocks = scores.size() / kBlock;

@@ -24,7 +24,8 @@ struct VehicleFrameStart {
   double metres_per_unit = 1.0;  ///< of the sensor's poses by the way of the wheels, whatever the options say
 };
 
-/// Step 2 (IMU to vehicle), pitch and roll of the sensor, then x, y, yaw and scale in the plane.
+/// IMU to vehicle, pitch and roll of the sensor, then x, y, yaw and scale in the plane.
+/// docs/maths/vehicle-frame.md (V5) to (V7)
 VehicleFrameStart start_of(const std::vector<VehicleInterval>& intervals, const VehicleFrameStreams& streams,
                            const std::optional<RigidTransform>& nominal_vehicle_from_sensor,
                            const VehicleFrameOptions& options);

@@ -1,4 +1,4 @@
-// Step 2: objects in a scan, and the same objects in two scans.
+// Objects in a scan, and the same objects in two scans. docs/maths/pairwise.md, "Keyframes and pairs"
 #pragma once
 
 #include <Eigen/Core>

@@ -1,11 +1,11 @@
 #include "algorithms/geometry/circle_fit.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "algorithms/core/decompositions.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/lasting_errors.h"
 
@@ -60,7 +60,7 @@ Circle algebraic(const std::vector<Vector2d>& points, const std::vector<bool>& u
     left += row * row.transpose();
     right += points[i].squaredNorm() * row;
   }
-  const Vector3d solution = left.completeOrthogonalDecomposition().solve(right);
+  const Vector3d solution = least_norm_solution(left, right);
   return {solution.head<2>(), std::sqrt(std::max(0.0, solution[2] + solution.head<2>().squaredNorm())), {}};
 }
 
@@ -88,7 +88,7 @@ void refine(const std::vector<Vector2d>& points, const std::vector<bool>& used, 
       gradient += weight * offsets[i] * row;
     }
     circle.information = normal;
-    const Vector3d step = -normal.completeOrthogonalDecomposition().solve(gradient);
+    const Vector3d step = -least_norm_solution(normal, gradient);
     circle.centre += step.head<2>();
     circle.radius += step[2];
     if (step.norm() < 1e-12 * (1.0 + circle.radius)) break;
@@ -144,7 +144,7 @@ void describe(const std::vector<Vector3d>& points, const std::vector<bool>& used
   const auto count = static_cast<double>(fit.inliers);
   const double in2 = fit.in_plane_rms_m * fit.in_plane_rms_m * lasting(in_plane, used),
                off2 = fit.off_plane_rms_m * fit.off_plane_rms_m * lasting(off_plane, used);
-  const Matrix3d spread = in2 * circle.information.completeOrthogonalDecomposition().pseudoInverse();
+  const Matrix3d spread = in2 * pseudo_inverse(circle.information);
   fit.radius_sigma_m = std::sqrt(spread(2, 2));
   const Eigen::Matrix<double, 3, 2> basis = plane.axes.leftCols<2>();
   // Along the axis the centre lies where the plane does; off the mean of the points it tilts with it.

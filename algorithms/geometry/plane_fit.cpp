@@ -91,7 +91,7 @@ Moments moments_of(const TrialPlane& plane, const std::vector<Vector3d>& points,
 
 // Covariance of offset and slopes along the axes: of an estimate with a soft limit (Huber 1964), squared pull over
 // squared stiffness, which falls off faster than the weights do; pulls of one spot are added before they are squared
-// (Liang and Zeger 1986).
+// (Liang and Zeger 1986). docs/maths/slew.md (M2)
 Matrix3d spread_of(const TrialPlane& plane, const Eigen::SelfAdjointEigenSolver<Matrix3d>& eigen, const Moments& sum,
                    const std::vector<Vector3d>& points, const std::vector<std::size_t>& spots, double inlier_m) {
   const Matrix3d& axes = eigen.eigenvectors();

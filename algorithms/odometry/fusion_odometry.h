@@ -1,4 +1,5 @@
 // Odometry from LiDAR, wheels, IMU and barometer together: runs through where the LiDAR alone slips.
+// docs/maths/fusion-odometry.md
 #pragma once
 
 #include <functional>

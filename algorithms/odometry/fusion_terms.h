@@ -116,8 +116,7 @@ class FilteredTerm : public FusionTerm {
 
 /// Roll and pitch of the vehicle against those by the direction of gravity. With z up and R = odometry_from_vehicle =
 /// Rz Ry Rx, a vehicle at rest reads the specific force g R^T e_z = g (-sin pitch, cos pitch sin roll, cos pitch cos
-/// roll): roll = atan2(f_y, f_z) and pitch = atan2(-f_x, |f_yz|). (The source has y forward and R of the other sense;
-/// the law is its claim 6.)
+/// roll): roll = atan2(f_y, f_z) and pitch = atan2(-f_x, |f_yz|). docs/maths/fusion-odometry.md (O8)
 struct LevelMeasurement {
   double roll_rad = 0.0, pitch_rad = 0.0;
   double roll_sigma_rad = 0.0, pitch_sigma_rad = 0.0;

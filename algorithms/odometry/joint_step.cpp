@@ -1,8 +1,9 @@
 #include "algorithms/odometry/joint_step.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "algorithms/core/decompositions.h"
 
 namespace remount {
 namespace {
@@ -58,9 +59,8 @@ LinearTerms linear_terms(const std::vector<WeighedTerm>& terms, const FusionVect
     stacked.block(row, kFusionUnknowns, rows, 1) = root_weight * residuals;
     row += rows;
   }
-  const Eigen::MatrixXd reduced = Eigen::HouseholderQR<Eigen::MatrixXd>(stacked).matrixQR().topRows(kFusionUnknowns);
-  return {reduced.leftCols(kFusionUnknowns).triangularView<Eigen::Upper>().toDenseMatrix(),
-          reduced.col(kFusionUnknowns)};
+  const Eigen::MatrixXd reduced = triangular_factor(stacked).topRows(kFusionUnknowns);
+  return {reduced.leftCols(kFusionUnknowns), reduced.col(kFusionUnknowns)};
 }
 
 // Minimises |triangle shift + rest|^2 + damping |scale shift|^2, each unknown's scale being what the terms say of it.
@@ -72,7 +72,7 @@ FusionVector damped_shift(const LinearTerms& linear, double damping) {
   stacked << linear.triangle, FusionInformation((std::sqrt(damping) * scale).asDiagonal());
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(2 * kFusionUnknowns);
   wanted.head(kFusionUnknowns) = -linear.rest;
-  return Eigen::HouseholderQR<Eigen::MatrixXd>(stacked).solve(wanted);
+  return least_squares(stacked, wanted);
 }
 
 }  // namespace

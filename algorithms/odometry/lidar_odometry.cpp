@@ -32,7 +32,7 @@ struct LidarOdometry::Waiting {
 namespace {
 
 // Inverse of the information, with what neighbouring surfaces and voxels do not average (measured on simulated
-// streets), and a bound where hardly anything is known.
+// streets), and a bound where hardly anything is known. docs/maths/odometry.md (D4)
 Matrix6d covariance_of(const Matrix6d& information, const Eigen::Matrix3d& lidar_from_map) {
   constexpr double kScale = 3.0, kFloor_m = 1.5e-3, kFloor_rad = 1e-4, kLever_m = 10.0, kMost_m = 1.0;
   Matrix6d turned = Matrix6d::Zero(), units = Matrix6d::Identity();

@@ -1,4 +1,5 @@
 // Motion of the LiDAR from its scans alone: each scan is aligned with a map of the last keyframes.
+// docs/maths/odometry.md
 //
 // Motion within a scan is compensated by the odometry's own motion, and for that the scan after it must be known too: a
 // velocity of the past alone lags behind, by so much as the vehicle accelerates. The lag tears a scan in the same way

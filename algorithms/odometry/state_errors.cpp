@@ -125,6 +125,7 @@ void StateErrors::step(const StepAnchor& anchor, const FusionVector& x, double d
   Eigen::Matrix<double, kErrorStates, 1> of_height = Eigen::Matrix<double, kErrorStates, 1>::Zero();
   if (solved) {
     // The solution is covariance * sum of information * measured: each errs into it by its share.
+    // docs/maths/fusion-odometry.md (O12)
     const FusionJacobian root = prior_root(duration_s);
     of_before = now * *solved * (root.transpose() * root) * known_before;
     if (height) of_height = now * *solved * height_pull(*height, x);

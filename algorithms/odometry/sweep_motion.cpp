@@ -18,6 +18,7 @@ RigidTransform SweepMotion::at(double time_from_stamp_s) const {
   return make_rigid(so3_exp(turn), so3_left_jacobian(turn) * twist.head<3>());
 }
 
+// docs/maths/sweeps.md (W3)
 SweepMotion SweepMotion::through(std::span<const TimedMotion> others) {
   SweepMotion motion;
   if (others.empty()) return motion;

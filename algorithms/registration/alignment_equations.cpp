@@ -1,4 +1,5 @@
 // The residuals between two scans at a given transform: how well they fit, and how well that determines the transform.
+// docs/maths/registration.md (R6) to (R8), (R11), (R12)
 #include <Eigen/Cholesky>
 #include <cmath>
 #include <cstdint>

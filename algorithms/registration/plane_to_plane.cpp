@@ -1,5 +1,6 @@
 // Own engine: plane-to-plane alignment (generalized ICP, Segal 2009) with normals only. With covariances
 // I - (1 - e) n n' the combined inverse has a closed form in the two normals, so no 3x3 inverse is taken.
+// docs/maths/registration.md (R2) to (R5)
 #include <Eigen/Cholesky>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Step 3: lidar_b_from_lidar_a by scan registration. One function type, and the list of algorithms.
+// lidar_b_from_lidar_a by scan registration. One function type, and the list of algorithms. docs/maths/registration.md
 #pragma once
 
 #include <memory>

@@ -1,11 +1,11 @@
 #include "algorithms/registration/undetermined.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/core/decompositions.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
@@ -17,7 +17,7 @@ constexpr double kLeastElements = 12.0;  // a pole's worth: below, a few bad nor
 constexpr double kAligned = 0.9;         // cosine to an axis that is named after it
 
 // Whether the squared cosines between normals and the motion of their points, where the surface faces the motion, add
-// up to `needed`. Mostly a small part of the surfaces is enough to say so.
+// up to `needed`. Mostly a small part of the surfaces is enough to say so. docs/maths/registration.md (R9)
 bool resisted(const Vector6d& direction, double lever_m, const std::vector<SurfaceElement>& elements, double needed) {
   const Eigen::Vector3d shift = direction.head<3>(), turn = direction.tail<3>() / lever_m;
   double sum = 0.0;
@@ -43,6 +43,7 @@ Matrix6d scaled_information(const std::vector<SurfaceElement>& elements, double 
 
 // What is known along the columns of `rest` where nothing is known along those of `open`: the inverse of the
 // covariance's block. The block of the information itself would take the open directions for known exactly.
+// docs/maths/registration.md (R10)
 Eigen::MatrixXd marginal(const Matrix6d& information, const Eigen::MatrixXd& open, const Eigen::MatrixXd& rest) {
   constexpr double kNothing = 1e-13;  // of the largest: what is smaller is rounding, and so is its coupling
   const auto eigen = symmetric_eigen(Eigen::MatrixXd(open.transpose() * information * open));
@@ -98,7 +99,7 @@ Matrix6d UndeterminedDirections::removed_from(const Matrix6d& information) const
   Vector6d scale = Vector6d::Ones();
   scale.tail<3>().setConstant(lever_m);
   const Matrix6d scaled = scale.cwiseInverse().asDiagonal() * information * scale.cwiseInverse().asDiagonal();
-  const Matrix6d axes = Eigen::HouseholderQR<Eigen::MatrixXd>(basis).householderQ();
+  const Matrix6d axes = orthogonal_factor(basis);
   const Eigen::MatrixXd rest = axes.rightCols(6 - basis.cols());
   const Matrix6d kept = rest * marginal(scaled, basis, rest) * rest.transpose();
   return scale.asDiagonal() * (0.5 * (kept + kept.transpose())) * scale.asDiagonal();

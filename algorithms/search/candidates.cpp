@@ -1,12 +1,12 @@
 #include "algorithms/search/candidates.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numeric>
 
+#include "algorithms/core/decompositions.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/shortest_rotation.h"
 #include "algorithms/search/certified_search.h"
@@ -28,16 +28,16 @@ Vector3d translation_near(const std::vector<MotionPair>& pairs, const Matrix3d& 
     side.segment<3>(row) =
         rotation * pairs[i].lidar_b_from_lidar_a.translation() - pairs[i].ins_b_from_ins_a.translation();
   }
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd = singular_values(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(relative_floor);
-  return near_m + svd.solve(side - matrix * near_m);
+  return near_m + least_norm_solution(svd, side - matrix * near_m);
 }
 
 // Rotation that best takes the vectors `from` to `to` (Kabsch), and the singular values of their correlation.
 std::pair<Matrix3d, Vector3d> kabsch(const std::vector<Vector3d>& from, const std::vector<Vector3d>& to) {
   Matrix3d correlation = Matrix3d::Zero();
   for (std::size_t i = 0; i < from.size(); ++i) correlation += to[i] * from[i].transpose();
-  const Eigen::JacobiSVD<Matrix3d> svd(correlation, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::JacobiSVD<Matrix3d> svd = singular_values(correlation);
   Matrix3d u = svd.matrixU();
   if ((u * svd.matrixV().transpose()).determinant() < 0.0) u.col(2) = -u.col(2);
   return {u * svd.matrixV().transpose(), svd.singularValues()};

@@ -1,4 +1,4 @@
-// Step 5: candidate X from one pair, from two, and from all.
+// Candidate X from one pair, from two, and from all. docs/maths/search.md (S5) to (S9)
 #pragma once
 
 #include <optional>

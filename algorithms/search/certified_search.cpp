@@ -59,7 +59,7 @@ void add_wedge(const Wedge& wedge, RelaxedRegion& region) {
 
 // Angles as conditions on the entries of R = Rz(yaw) Ry(pitch) Rx(roll). Near pitch +-90 deg yaw and roll lose their
 // meaning one by one; their difference or sum, in other entries, keeps it. Bounds on the weights as tight as linear
-// ones can be make the relaxation's error fall with the square of a region's width.
+// ones can be make the relaxation's error fall with the square of a region's width. docs/maths/search.md (S12)
 void add_angles(const AngleBox& box, RelaxedRegion& region) {
   const Vector13d sine_pitch = -rotation_entry(2, 0);
   const double low = box.low[1], high = box.high[1], middle = 0.5 * (low + high);

@@ -1,4 +1,4 @@
-// The global optimum of the quadratic cost within the search range, with a proof.
+// The global optimum of the quadratic cost within the search range, with a proof. docs/maths/search.md (S10) to (S14)
 #pragma once
 
 #include <string>

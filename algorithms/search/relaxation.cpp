@@ -60,6 +60,7 @@ struct Recentred {
 };
 
 // Maximises the bound s over the multipliers of S = form + sum y_k K_k - sum m_j B_j - s E >= 0, m >= 0, by a barrier.
+// docs/maths/search.md (S11)
 class DualBarrier {
  public:
   DualBarrier(const Matrix13d& form, const RelaxedRegion& region, const Recentred& around) {

@@ -1,4 +1,4 @@
-// Step 7: how well a candidate X explains the pairs.
+// How well a candidate X explains the pairs. docs/maths/search.md (S1) to (S4)
 #pragma once
 
 #include <Eigen/Core>
@@ -16,8 +16,8 @@ struct MotionPair {
   double weight = 1.0;
 };
 
-/// E(X) = sum_i ||P_i X - X Q_i||_F, the translation block divided by the characteristic length (m). The source's
-/// ranking error; dimensionless. Weights are not used: every accepted pair counts once.
+/// E(X) = sum_i ||P_i X - X Q_i||_F, the translation block divided by the characteristic length (m): what candidates
+/// are ranked by; dimensionless. Weights are not used: every accepted pair counts once. (S1)
 double frobenius_sum(const std::vector<MotionPair>& pairs, const RigidTransform& ins_from_lidar,
                      double characteristic_length_m);
 

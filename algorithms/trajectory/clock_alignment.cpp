@@ -158,6 +158,7 @@ Peak coarse_peak(const RateGrid& reference, const RateGrid& other, std::size_t m
 }
 
 /// Offset below one step from the parabola through the peak, and its sigma from the misfit and the peak's curvature.
+/// docs/maths/clocks.md (K4)
 void refine(const RateGrid& reference, const RateGrid& other, std::int64_t around, std::int64_t reach,
             std::size_t min_overlap, const ClockAlignmentOptions& options, ClockAlignment& result) {
   std::int64_t best = around;

@@ -1,4 +1,5 @@
 // The constant offset between the clocks of two sensors on one rigid body, from their rotation alone.
+// docs/maths/clocks.md (K2) to (K4)
 #pragma once
 
 #include <limits>

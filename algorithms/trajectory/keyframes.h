@@ -1,4 +1,4 @@
-// Step 1: which scans become keyframes.
+// Which scans become keyframes. docs/maths/pairwise.md (P1)
 #pragma once
 
 #include <vector>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/core/stamps.h"
+#include "algorithms/trajectory/cubic_between.h"
 
 namespace remount {
 namespace {
@@ -18,14 +19,6 @@ double default_gap_s(const std::vector<StampedPose>& samples) {
   const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
   std::nth_element(steps_s.begin(), middle, steps_s.end());
   return std::max(0.25, 5.0 * *middle);
-}
-
-// Slope at `middle` of the parabola through three samples: second order also where steps are uneven.
-Eigen::Vector3d slope(const StampedPose& before, const StampedPose& middle, const StampedPose& after) {
-  const double left_s = seconds_between(before, middle), right_s = seconds_between(middle, after);
-  const Eigen::Vector3d left = (middle.pose.translation() - before.pose.translation()) / left_s;
-  const Eigen::Vector3d right = (after.pose.translation() - middle.pose.translation()) / right_s;
-  return (left * right_s + right * left_s) / (left_s + right_s);
 }
 
 constexpr double kHalfWindow_s = 0.1;  // twice the time from the stamp of a 10 Hz sweep to its ends
@@ -60,6 +53,14 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
+std::vector<StampedPose> samples_at(const std::vector<StampedPose>& samples,
+                                    const std::vector<std::int64_t>& stamps_ns) {
+  std::vector<StampedPose> out;
+  for (const StampedPose& sample : samples)
+    if (std::binary_search(stamps_ns.begin(), stamps_ns.end(), sample.stamp_ns)) out.push_back(sample);
+  return out;
+}
+
 }  // namespace
 
 struct MotionTrack::Window {
@@ -67,12 +68,27 @@ struct MotionTrack::Window {
   std::vector<double> times_s;  // from the stamp
 };
 
-MotionTrack::MotionTrack(const std::vector<StampedPose>& world_from_body, double max_gap_s) {
+MotionTrack::MotionTrack(const std::vector<StampedPose>& world_from_body, double max_gap_s,
+                         const std::vector<std::int64_t>& fix_stamps_ns) {
   samples_.reserve(world_from_body.size());
   for (const StampedPose& sample : world_from_body)
     if (samples_.empty() || sample.stamp_ns > samples_.back().stamp_ns) samples_.push_back(sample);
   max_gap_s_ = max_gap_s > 0.0 ? max_gap_s : default_gap_s(samples_);
   choose_smoothing();
+  if (!fix_stamps_ns.empty()) position_ = {};  // what was interpolated has no noise
+  attitude_spacing_ = spacing_of_attitudes(samples_);
+  position_spacing_ = spacing_of_positions(fix_stamps_ns.empty() ? samples_ : samples_at(samples_, fix_stamps_ns));
+}
+
+std::optional<BetweenSamples> MotionTrack::between_samples(std::int64_t stamp_ns) const {
+  const std::optional<RigidTransform> pose = at(stamp_ns);
+  if (!pose) return std::nullopt;
+  BetweenSamples out;
+  out.after = position_spacing_.knot_before(stamp_ns);
+  const Eigen::Matrix3d to_body = pose->linear().transpose();
+  out.covariance.topLeftCorner<3, 3>() = to_body * position_spacing_.covariance(stamp_ns) * to_body.transpose();
+  out.covariance.bottomRightCorner<3, 3>() = attitude_spacing_.covariance(stamp_ns);
+  return out;
 }
 
 // Samples within the window that no gap separates from the stamp.
@@ -220,15 +236,15 @@ std::optional<RigidTransform> MotionTrack::at(std::int64_t stamp_ns) const {
   if (step_s > max_gap_s_) return std::nullopt;
   const double u = seconds(stamp_ns - before->stamp_ns) / step_s;
 
-  const Eigen::Vector3d p0 = before->pose.translation(), p1 = after->pose.translation();
-  const Eigen::Vector3d chord = (p1 - p0) / step_s;
-  const bool has_left = before != samples_.begin() && seconds_between(*(before - 1), *before) <= max_gap_s_;
-  const bool has_right = after + 1 != samples_.end() && seconds_between(*after, *(after + 1)) <= max_gap_s_;
-  const Eigen::Vector3d v0 = has_left ? slope(*(before - 1), *before, *after) : chord;
-  const Eigen::Vector3d v1 = has_right ? slope(*before, *after, *(after + 1)) : chord;
-  const double u2 = u * u, u3 = u2 * u;
-  const Eigen::Vector3d position =
-      (2 * u3 - 3 * u2 + 1) * p0 + (u3 - 2 * u2 + u) * step_s * v0 + (-2 * u3 + 3 * u2) * p1 + (u3 - u2) * step_s * v1;
+  CubicNeighbours around;
+  around.has_first = before != samples_.begin() && seconds_between(*(before - 1), *before) <= max_gap_s_;
+  around.has_last = after + 1 != samples_.end() && seconds_between(*after, *(after + 1)) <= max_gap_s_;
+  for (std::size_t i = around.has_first ? 0 : 1; i < (around.has_last ? 4U : 3U); ++i) {
+    const StampedPose& sample = *(before + static_cast<std::ptrdiff_t>(i) - 1);
+    around.times_s[i] = seconds(sample.stamp_ns - before->stamp_ns);
+    around.values[i] = sample.pose.translation();
+  }
+  const Eigen::Vector3d position = cubic_between(around, u * step_s);
   const Eigen::Matrix3d r0 = before->pose.linear();
   const Eigen::Vector3d turn_rad = so3_log(r0.transpose() * after->pose.linear());
   return make_rigid(r0 * so3_exp(u * turn_rad), position);

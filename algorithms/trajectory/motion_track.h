@@ -7,6 +7,7 @@
 
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/trajectory/ins_sample.h"
+#include "algorithms/trajectory/sample_spacing.h"
 
 namespace remount {
 
@@ -27,6 +28,12 @@ class Passage {
   Eigen::Matrix3d turned_from_ = Eigen::Matrix3d::Identity();
 };
 
+/// What is not known of a pose between two samples.
+struct BetweenSamples {
+  Matrix6d covariance = Matrix6d::Zero();  ///< of the pose in body axes, [nu; omega]
+  std::size_t after = 0;  ///< number of the measured position before: poses between the same two err alike
+};
+
 /// Stamped poses world_from_body with interpolation: attitude by slerp, position by a cubic through the neighbours (so
 /// that a curve is not cut short), never outside the data and never across a gap.
 ///
@@ -40,7 +47,10 @@ class MotionTrack {
   /// @param world_from_body ascending stamps; samples that repeat or step back in time are left out
   /// @param max_gap_s longest distance between neighbours that is interpolated; 0: five times the median distance,
   ///        at least 0.25 s
-  explicit MotionTrack(const std::vector<StampedPose>& world_from_body, double max_gap_s = 0.0);
+  /// @param fix_stamps_ns of the samples whose positions were measured, ascending, where those of the others were
+  ///        interpolated between them; empty: all were
+  explicit MotionTrack(const std::vector<StampedPose>& world_from_body, double max_gap_s = 0.0,
+                       const std::vector<std::int64_t>& fix_stamps_ns = {});
 
   /// world_from_body at a time, interpolated; nothing outside the data or in a gap.
   std::optional<RigidTransform> at(std::int64_t stamp_ns) const;
@@ -54,6 +64,9 @@ class MotionTrack {
   /// ends of the data and to gaps up to three times as much is left.
   double position_noise_factor() const { return position_.noise_factor; }
   double attitude_noise_factor() const { return attitude_.noise_factor; }
+
+  /// How far the pose at a time may be off because it lies between samples; nothing outside the data.
+  std::optional<BetweenSamples> between_samples(std::int64_t stamp_ns) const;
 
   /// Velocity of the body at a time, in body axes: [m/s; rad/s] as a perturbation in body axes per second.
   std::optional<Vector6d> body_velocity(std::int64_t stamp_ns) const;
@@ -74,6 +87,7 @@ class MotionTrack {
   void choose_smoothing();
 
   std::vector<StampedPose> samples_;
+  SampleSpacing position_spacing_, attitude_spacing_;
   double max_gap_s_ = 0.0;
   Smoothing position_, attitude_;
 };

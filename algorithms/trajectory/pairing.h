@@ -1,4 +1,5 @@
-// Step 2: which two keyframes make a pair, judged by motion; shared objects are judged in cloud/objects.h.
+// Which two keyframes make a pair, judged by motion; shared objects are judged in cloud/objects.h.
+// docs/maths/pairwise.md (P2)
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Motion of a vehicle from the speed of its wheels and the rates of its IMU, integrated three ways (seeds 001, step 4).
+// Motion of a vehicle from the speed of its wheels and the rates of its IMU, integrated three ways.
+// docs/maths/vehicle-frame.md (V1) to (V4)
 #pragma once
 
 #include <array>

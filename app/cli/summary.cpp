@@ -67,6 +67,19 @@ std::string pairs(const ResultFile& file) {
   return text;
 }
 
+/// The offset of the clocks, of each session where there are several, and whether X is solved with it.
+std::string time_offset(const CalibrationResult& result) {
+  const TimeOffset& clock = result.time_offset;
+  std::string text =
+      format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", clock.offset_s, clock.sigma_s,
+             clock.applied ? "applied: X is solved with it (solve.apply_time_offset=no: without)" : "not applied");
+  const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
+  for (std::size_t s = 0; offsets_s.size() > 1 && s < offsets_s.size(); ++s)
+    text += format("  session %zu: %+.4f s", s + 1, offsets_s[s]) +
+            (s < sigmas_s.size() ? format(" (1-sigma %.4f s)\n", sigmas_s[s]) : "\n");
+  return text;
+}
+
 /// No longer than is read at a glance; the result file has all.
 std::string first_of(const std::vector<std::string>& lines, std::size_t most) {
   std::string text;
@@ -109,9 +122,7 @@ std::string summary(const ResultFile& file) {
   if (usable) text += parameters(result);
   // What to do comes before what it rests on.
   text += advice(result) + deciding_notes(file.findings);
-  if (usable && std::isfinite(result.time_offset.offset_s))
-    text += format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", result.time_offset.offset_s,
-                   result.time_offset.sigma_s, result.time_offset.applied ? "applied" : "not applied");
+  if (usable && std::isfinite(result.time_offset.offset_s)) text += time_offset(result);
   if (const std::string words = disagreement_words(result); !words.empty()) text += words + "\n";
   if (is_from_pairs(file)) text += pairs(file);
   if (usable && is_from_pairs(file))

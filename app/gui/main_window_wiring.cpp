@@ -74,6 +74,7 @@ void MainWindow::connect_intents() {
   connect(errors_->chart(), &ErrorBarChart::pair_clicked, &workbench_, &Workbench::select_pair);
   connect(result_, &ResultPanel::copy_requested, this, &MainWindow::copy_result);
   connect(result_, &ResultPanel::export_requested, this, &MainWindow::show_export);
+  connect(result_, &ResultPanel::clock_offset_asked, &workbench_, &Workbench::use_clock_offset);
   connect(progress_, &ProgressStrip::cancel_clicked, &workbench_, &Workbench::cancel);
   connect(run_, &QPushButton::clicked, &workbench_, &Workbench::calibrate);
   connect(cancel_, &QAction::triggered, progress_, [this] {

@@ -128,6 +128,7 @@ class Workbench : public QObject {
   /// `reason`: why, as the pair's own words; empty: by whom. `step`: the name of the edit; empty: which pairs.
   void decide(const std::vector<int>& pairs, PairState state, const QString& reason = {}, const QString& step = {});
   void edit_option(const QString& section, const QString& name, const QVariant& value);
+  void use_clock_offset(bool with_it);  ///< an edit of solve.apply_time_offset
   void reset_range();
   void reset_settings();
   void edit_nominal(const std::optional<RigidTransform>& ins_from_lidar);

@@ -40,7 +40,6 @@ Settings solved_again_with(const Settings& of_pairs, const Settings& now) {
   Settings settings = of_pairs;
   settings.range = now.range;
   settings.solve = now.solve;
-  settings.solve.apply_time_offset = of_pairs.solve.apply_time_offset;
   settings.solve.joint_clouds = of_pairs.solve.joint_clouds;
   return settings;
 }
@@ -232,6 +231,13 @@ bool Workbench::return_to_run(const QString& step) {
   take_solution(whole_run_->output, before, whole_run_->input.settings);
   emit state_changed();
   return true;
+}
+
+void Workbench::use_clock_offset(bool with_it) {
+  // What was left out by choice comes back where it is clear; what was not clear is to be applied all the same.
+  const bool left_out = settings_.solve.apply_time_offset == ClockOffsetUse::No;
+  const ClockOffsetUse use = !with_it ? ClockOffsetUse::No : left_out ? ClockOffsetUse::Auto : ClockOffsetUse::Yes;
+  edit_option(QStringLiteral("solve"), QStringLiteral("apply_time_offset"), static_cast<int>(use));
 }
 
 void Workbench::resume_solving() {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "model/checks/builtin.h"
 #include "model/checks/data_check.h"
 
@@ -37,7 +39,19 @@ std::vector<Finding> drive_findings(const Session& session) {
   return findings;
 }
 
-std::vector<Finding> data_findings(const Session& session, LookAt look_at, const Progress& progress) {
+namespace {
+
+/// What was measured of the INS: a jump that is interpolated is none any more.
+Session without_interpolated(Session session) {
+  const std::vector<std::int64_t>& fixes_ns = session.ins_fix_stamps_ns;
+  std::erase_if(session.ins, [&](const InsSample& sample) {
+    return !std::binary_search(fixes_ns.begin(), fixes_ns.end(), sample.stamp_ns);
+  });
+  session.ins_fix_stamps_ns.clear();
+  return session;
+}
+
+std::vector<Finding> findings_of_measured(const Session& session, LookAt look_at, const Progress& progress) {
   std::vector<Finding> findings;
   const CheckedSession checked{session, MetricPoses(session)};
   for (const DataCheck& check : data_checks()) {
@@ -46,6 +60,13 @@ std::vector<Finding> data_findings(const Session& session, LookAt look_at, const
       check.look(checked, findings, progress);
   }
   return findings;
+}
+
+}  // namespace
+
+std::vector<Finding> data_findings(const Session& session, LookAt look_at, const Progress& progress) {
+  return session.ins_fix_stamps_ns.empty() ? findings_of_measured(session, look_at, progress)
+                                           : findings_of_measured(without_interpolated(session), look_at, progress);
 }
 
 }  // namespace remount

@@ -5,7 +5,7 @@
 
 namespace remount {
 
-/// Alignment of the LiDAR's trajectory with INS poses or GNSS positions (methods 2).
+/// Alignment of the LiDAR's trajectory with INS poses or GNSS positions. trajectory_method.cpp
 PipelineOutput run_trajectory_method(const PipelineInput& input, Progress& progress);
 PipelineOutput run_fusion_method(const PipelineInput& input, Progress& progress);
 /// Wheels and IMU integrated against the poses of a sensor: vehicle_from_sensor. vehicle_frame_method.cpp

@@ -78,7 +78,7 @@ SettledSweeps settle_sweeps(const PipelineInput& input, Progress& progress) {
   }
   for (std::size_t k = 0; k < most; ++k) {
     PipelineInput& other = settled.others.emplace_back(settled.input);
-    other.settings.solve.apply_time_offset = true;
+    other.settings.solve.apply_time_offset = ClockOffsetUse::Yes;
     other.settings.run.map_check = false;
     for (std::size_t s = 0; s < alternatives.size(); ++s)
       if (!alternatives[s].empty()) other.sessions[s] = alternatives[s][std::min(k, alternatives[s].size() - 1)];

@@ -1,4 +1,4 @@
-// The calibration of a slewing machine (seeds 004) from three recordings: ground, swept arm, full turn.
+// The calibration of a slewing machine from three recordings: ground, swept arm, full turn. docs/maths/slew.md
 #include <algorithm>
 #include <cctype>
 #include <cmath>

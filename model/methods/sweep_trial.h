@@ -1,4 +1,5 @@
 // How the points of a session's scans were swept, where the format does not say: told by the scans themselves.
+// docs/maths/sweeps.md (W4) to (W6)
 #pragma once
 
 #include <optional>

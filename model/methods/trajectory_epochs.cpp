@@ -41,7 +41,7 @@ Positions positions_of(const Session& session, std::int64_t since_ns) {
   std::vector<StampedPose> poses(first_since(session.world_from_ins, since_ns), session.world_from_ins.end());
   for (auto sample = first_since(session.ins, since_ns); sample != session.ins.end(); ++sample)
     if (sample->quality != InsQuality::Invalid) poses.push_back({sample->stamp_ns, level->enu_from_ins(*sample)});
-  out.enu_from_ins = MotionTrack(poses);
+  out.enu_from_ins = MotionTrack(poses, 0.0, session.ins_fix_stamps_ns);
   // Poses in somebody's world have no place on the globe that fixes could be brought to.
   if (!session.world_from_ins.empty()) return out;
   for (auto at = first_since(session.gnss, since_ns); at != session.gnss.end(); ++at) {
@@ -123,12 +123,14 @@ InsNoise ins_noise(const Session& session, const MotionTrack& track, const Solve
 }
 
 // Poses of the INS closer than this share samples: those between two samples, and those smoothed over the same ones.
-std::int64_t independent_after_ns(const MotionTrack& track) {
+std::int64_t independent_after_ns(const Session& session, const MotionTrack& track) {
   constexpr std::int64_t kSmoothed_ns = 200'000'000;
   const bool smoothed = track.position_noise_factor() < 1.0 || track.attitude_noise_factor() < 1.0;
+  std::vector<std::int64_t> stamps_ns = session.ins_fix_stamps_ns;
+  if (stamps_ns.empty())
+    for (const StampedPose& sample : track.samples()) stamps_ns.push_back(sample.stamp_ns);
   std::vector<std::int64_t> apart_ns;
-  for (std::size_t i = 1; i < track.samples().size(); ++i)
-    apart_ns.push_back(track.samples()[i].stamp_ns - track.samples()[i - 1].stamp_ns);
+  for (std::size_t i = 1; i < stamps_ns.size(); ++i) apart_ns.push_back(stamps_ns[i] - stamps_ns[i - 1]);
   if (apart_ns.empty()) return 0;
   const auto middle = apart_ns.begin() + static_cast<std::ptrdiff_t>(apart_ns.size() / 2);
   std::nth_element(apart_ns.begin(), middle, apart_ns.end());
@@ -198,7 +200,7 @@ class EpochMaker {
     track_ = MotionTrack(stamped);
     // Fixes may come more often than poses of the INS are to be taken.
     constexpr std::int64_t kSame_ns = 1'000'000;
-    ins_apart_ns_ = std::max(independent_after_ns(positions_.enu_from_ins),
+    ins_apart_ns_ = std::max(independent_after_ns(session, positions_.enu_from_ins),
                              static_cast<std::int64_t>(std::llround(options_.state_interval_s * 1e9))) -
                     kSame_ns;
   }
@@ -245,9 +247,13 @@ class EpochMaker {
     if (stamp.fix) epoch.antenna = positions_.fixes[*stamp.fix];
     const std::optional<Passage> passage = positions_.enu_from_ins.around(on_ins_clock_ns);
     if (passage && (!last_ins_ns_ || stamp.stamp_ns - *last_ins_ns_ >= ins_apart_ns_)) {
+      const BetweenSamples between =
+          positions_.enu_from_ins.between_samples(on_ins_clock_ns).value_or(BetweenSamples{});
+      const Vector6d spread = between.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
       epoch.ins = InsObservation{passage->pose(),
                                  positions_.enu_from_ins.body_velocity(on_ins_clock_ns).value_or(Vector6d::Zero()),
-                                 noise_.position_m, noise_.attitude_rad};
+                                 std::hypot(noise_.position_m, spread.head<3>().maxCoeff()),
+                                 std::hypot(noise_.attitude_rad, spread.tail<3>().maxCoeff())};
       last_ins_ns_ = stamp.stamp_ns;
     }
     if (!epoch.ins && !epoch.antenna) return std::nullopt;

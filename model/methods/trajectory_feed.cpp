@@ -7,6 +7,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "model/method_needs.h"
+#include "model/pipeline/solve_stage.h"
 #include "model/scan_times.h"
 
 namespace remount {
@@ -59,7 +60,8 @@ TrajectoryFeed::TrajectoryFeed(const Settings& settings, std::optional<RigidTran
     : settings_(settings),
       nominal_(nominal_ins_from_lidar),
       threads_(threads),
-      aligner_(settings.trajectory, settings.solve, nominal_ins_from_lidar, settings.solve.apply_time_offset) {
+      aligner_(settings.trajectory, settings.solve, nominal_ins_from_lidar,
+               settings.solve.apply_time_offset == ClockOffsetUse::Yes) {
   if (settings.measured.ins_height_sigma_m > 0.0)
     throw Error(
         ErrorCode::Contract, "measured.ins_height_m",
@@ -188,23 +190,26 @@ void TrajectoryFeed::offer(const Session& session, bool complete, double least_u
   push();
 }
 
-TrajectoryOutcome TrajectoryFeed::finish(const std::vector<std::shared_ptr<const Session>>& sessions,
-                                         Progress& progress) {
+TrajectoryOutcome TrajectoryFeed::solve_at(const Sessions& sessions, const std::vector<double>& clocks_s,
+                                           bool estimate_clock, Progress& progress) {
+  problem_ = {};
+  problem_.nominal_ins_from_lidar = nominal_;
+  problem_.measured = Measured(settings_.measured, std::nullopt);
+  problem_.estimate_clock = estimate_clock;
+  for (std::size_t s = 0; s < sessions.size(); ++s)
+    problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, clocks_s[s]));
+  return solve_alignment(problem_, settings_.trajectory, settings_.solve, progress);
+}
+
+TrajectoryOutcome TrajectoryFeed::solve_with_clocks(const Sessions& sessions, Progress& progress) {
   constexpr int kMostRounds = 4;
   constexpr double kSettled_s = 5e-4;
   TrajectoryOutcome outcome;
   std::vector<double> clocks_s(sessions.size(), 0.0);
   for (int round = 0; round < kMostRounds; ++round) {
-    problem_ = {};
-    problem_.nominal_ins_from_lidar = nominal_;
-    problem_.measured = Measured(settings_.measured, std::nullopt);
-    problem_.estimate_clock =
-        settings_.solve.apply_time_offset &&
-        std::ranges::all_of(sessions, [&](const auto& session) { return tells_clock(*session, settings_.run.deskew); });
-    for (std::size_t s = 0; s < sessions.size(); ++s)
-      problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, clocks_s[s]));
-    outcome = solve_alignment(problem_, settings_.trajectory, settings_.solve, progress);
-    std::vector<double>& found_s = outcome.answer.result.session_time_offset_s;
+    outcome = solve_at(sessions, clocks_s, true, progress);
+    CalibrationResult& result = outcome.answer.result;
+    std::vector<double>& found_s = result.session_time_offset_s;
     if (found_s.size() != clocks_s.size()) break;
     // Offsets were linearised about those before: once more from INS poses at the times that were found.
     double change_s = 0.0, sum_s = 0.0;
@@ -214,9 +219,29 @@ TrajectoryOutcome TrajectoryFeed::finish(const std::vector<std::shared_ptr<const
       found_s[s] = clocks_s[s];
       sum_s += outcome.answer.clock_weights[s] * clocks_s[s];
     }
-    if (outcome.answer.result.time_offset.applied) outcome.answer.result.time_offset.offset_s = sum_s;
+    if (result.time_offset.applied) {
+      result.time_offset.offset_s = sum_s;
+      for (const double weight : outcome.answer.clock_weights)
+        result.session_time_offset_sigma_s.push_back(result.time_offset.sigma_s / std::sqrt(weight));
+    }
     if (change_s < kSettled_s) break;
   }
+  return outcome;
+}
+
+TrajectoryOutcome TrajectoryFeed::finish(const Sessions& sessions, Progress& progress) {
+  const ClockOffsetUse use = settings_.solve.apply_time_offset;
+  const bool told =
+      std::ranges::all_of(sessions, [&](const auto& session) { return tells_clock(*session, settings_.run.deskew); });
+  TrajectoryOutcome outcome;
+  bool with_clocks = told && use != ClockOffsetUse::No;
+  if (with_clocks) {
+    outcome = solve_with_clocks(sessions, progress);
+    const CalibrationResult& result = outcome.answer.result;
+    with_clocks = use == ClockOffsetUse::Yes || (is_usable(result) && clock_differs(result));
+  }
+  if (!with_clocks && !progress.cancelled())
+    outcome = solve_at(sessions, std::vector<double>(sessions.size(), 0.0), false, progress);
   outcome.converged_after_s = converged_after_s(history());
   return outcome;
 }

@@ -47,6 +47,7 @@ TrajectorySession trajectory_session(const Session& session, const SessionOdomet
 class TrajectoryFeed {
  public:
   using Tell = std::function<void(const TrajectorySnapshot&)>;
+  using Sessions = std::vector<std::shared_ptr<const Session>>;
 
   TrajectoryFeed(const Settings& settings, std::optional<RigidTransform> nominal_ins_from_lidar, int threads);
 
@@ -57,7 +58,8 @@ class TrajectoryFeed {
   /// began with scans and has none any more.
   void offer(const Session& session, bool complete, double least_update_s, const Tell& tell, Progress& progress);
   /// The final solution of the sessions, which are complete now, in the order in which they were begun.
-  TrajectoryOutcome finish(const std::vector<std::shared_ptr<const Session>>& sessions, Progress& progress);
+  /// Clock offsets are taken out as the settings say: where it is left to the program, where they are clear.
+  TrajectoryOutcome finish(const Sessions& sessions, Progress& progress);
 
   const std::vector<TrajectorySnapshot>& history() const { return aligner_.history(); }
   const std::vector<SessionOdometry>& odometry() const { return odometry_; }
@@ -66,6 +68,9 @@ class TrajectoryFeed {
 
  private:
   void begin_odometry();
+  TrajectoryOutcome solve_at(const Sessions& sessions, const std::vector<double>& clocks_s, bool estimate_clock,
+                             Progress& progress);
+  TrajectoryOutcome solve_with_clocks(const Sessions& sessions, Progress& progress);
   bool used_are_first_of(const ScanSource& scans) const;
   void keep_poses(const Session& session, const std::vector<OdometryPose>& poses);
   void run_odometry(const Session& session, std::size_t scans, const std::function<void()>& after, Progress& progress);

@@ -9,6 +9,7 @@
 #include "model/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
+#include "model/pipeline/solve_stage.h"
 
 namespace remount {
 namespace {
@@ -96,6 +97,7 @@ PipelineOutput trajectory_output(const PipelineInput& input, const TrajectoryFee
   if (!solved) return output;
   add_measured_finding(input.settings, output.result, output.findings);
   add_outcome_findings(outcome, output.findings);
+  report_clock(input, output.result, output.findings);
   output.plots = trajectory_plots(feed, outcome);
   return output;
 }

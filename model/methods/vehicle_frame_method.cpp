@@ -1,4 +1,5 @@
-// The vehicle-frame calibration of sessions (seeds 001): wheels and IMU integrated, the sensor's poses against them.
+// The vehicle-frame calibration of sessions: wheels and IMU integrated, the sensor's poses against them.
+// docs/maths/vehicle-frame.md
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/geodesy.h"
@@ -14,7 +15,8 @@ namespace remount {
 DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions)
     : sessions_(possible_sessions(std::move(sessions))) {
   for (const auto& session : sessions_) {
-    tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : remount::local_from_ins(session->ins));
+    tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : remount::local_from_ins(session->ins), 0.0,
+                         session->ins_fix_stamps_ns);
     if (tracks_.back().empty())
       throw Error(ErrorCode::Unsupported, session->path.string(),
                   "the session has no INS poses: X needs the motion of the INS");
@@ -56,7 +58,23 @@ std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes
       node.body_velocity = *velocity;
     out.push_back(node);
   }
+  add_errors_between_samples(keyframes, out);
   return out;
+}
+
+// Poses between the same two samples err alike: all of them say as much as one.
+void DriveMotion::add_errors_between_samples(const std::vector<Keyframe>& keyframes,
+                                             std::vector<JointNode>& nodes) const {
+  std::map<std::pair<int, std::size_t>, double> between;
+  std::vector<std::optional<BetweenSamples>> errors;
+  for (const Keyframe& keyframe : keyframes) {
+    const auto shift_ns = static_cast<std::int64_t>(std::llround(offset_s(keyframe.session) * 1e9));
+    errors.push_back(track(keyframe.session).between_samples(keyframe.stamp_ns + shift_ns));
+    if (errors.back()) between[{keyframe.session, errors.back()->after}] += 1.0;
+  }
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    if (errors[k])
+      nodes[k].between_samples_covariance = between[{keyframes[k].session, errors[k]->after}] * errors[k]->covariance;
 }
 
 std::vector<SessionNoise> DriveMotion::noise() const {
@@ -100,6 +118,7 @@ namespace {
 // Covariance of the LiDAR's motion from one pose to another (axes of the latter) by what it did not tell itself.
 // Motions that rest on an assumed mounting would confirm it, all of them alike: what they are off by may have the same
 // direction in axes of the vehicle throughout, and is then not known at all; a part is anew with every scan.
+// docs/maths/fusion-odometry.md (O16)
 Matrix6d untold_covariance(const Session& session, const std::vector<Matrix6d>& untold_motions, int from, int to) {
   constexpr double kAlike = 30.0, kAnew = 1.0;  // times the motion itself
   Matrix6d anew = Matrix6d::Zero(), alike = Matrix6d::Zero();

@@ -38,6 +38,8 @@ class DriveMotion {
   std::vector<SessionNoise> noise() const;
 
  private:
+  void add_errors_between_samples(const std::vector<Keyframe>& keyframes, std::vector<JointNode>& nodes) const;
+
   std::vector<std::shared_ptr<const Session>> sessions_;
   std::vector<MotionTrack> tracks_;
   std::vector<double> offsets_s_;

@@ -34,6 +34,9 @@ PipelineOutput output_of_session(const PipelineOutput& output, std::size_t sessi
   if (clock.applied && session < output.result.session_time_offset_s.size()) {
     alone.result.time_offset = clock;
     alone.result.session_time_offset_s = {output.result.session_time_offset_s[session]};
+    if (session < output.result.session_time_offset_sigma_s.size())
+      alone.result.session_time_offset_sigma_s = {output.result.session_time_offset_sigma_s[session]};
+    alone.result.time_offset.offset_s = output.result.session_time_offset_s[session];
   }
   std::vector<int> place(output.keyframes.size(), -1);
   for (std::size_t k = 0; k < output.keyframes.size(); ++k) {

@@ -29,7 +29,7 @@ std::string missing_steps(const PipelineInput& input, const PipelineOutput& outp
 
 std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
   const auto finished = static_cast<std::size_t>(std::count_if(output.pairs.begin(), output.pairs.end(), aligned));
-  if (finished == 0 || input.settings.solve.apply_time_offset) return 0;
+  if (finished == 0 || input.settings.solve.apply_time_offset == ClockOffsetUse::Yes) return 0;
   for (Pair& pair : output.pairs) {
     if (pair.decided_by == DecidedBy::User) continue;
     if (aligned(pair)) {

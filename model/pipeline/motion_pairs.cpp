@@ -159,6 +159,7 @@ CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std
   pairs = std::move(solved);
   result.time_offset = {};  // motion pairs carry no time
   result.session_time_offset_s.clear();
+  result.session_time_offset_sigma_s.clear();
   return result;
 }
 

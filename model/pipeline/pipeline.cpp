@@ -132,6 +132,7 @@ void align_all_clouds(const StageContext& context, const PipelineInput& input, D
   if (!solved(joint)) return;  // a good solution is not given up for a worse one
   joint.time_offset = before.time_offset;
   joint.session_time_offset_s = before.session_time_offset_s;
+  joint.session_time_offset_sigma_s = before.session_time_offset_sigma_s;
   for (Candidate& candidate : joint.candidates)
     if (candidate.source == "refined") candidate.source = "joint clouds";
   Candidate refined;
@@ -307,7 +308,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   report_far_clocks(motion, coarse.far_clocks, output);
   blame_recording(output.findings, output.result);
   drop_clock_of_failed(output);
-  report_clock(output.result, output.findings);
+  report_clock(input, output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
   report_nominal(input.nominal_ins_from_lidar, output.result, output.findings);
   return output;
@@ -321,25 +322,14 @@ void compensate_as_solved(const PipelineInput& input, const PipelineOutput& outp
 }
 
 bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& progress) {
-  DriveMotion motion = motion_as_solved(input, output);
   PipelineOutput solved = output;  // a cancelled call leaves the output as it was
-  solved.result = solve_pairwise(solver_input(input, motion, solved), solved.pairs, progress);
-  if (!output.clock_told) {
-    drop_clock(solved.result);
-    doubt_sweeps(solved.sweep_doubts, input.settings.solve, solved.result);
-  } else if (output.result.time_offset.applied) {
-    solved.result.time_offset = output.result.time_offset;
-    solved.result.session_time_offset_s = output.result.session_time_offset_s;
-  } else if (clock_differs(solved.result) != solved.clock_bias.has_value()) {
-    PairwiseDetails unused;
-    solved.result = solve_with_clock(input, motion, solved, unused, progress);
-  }
+  solved.result = solve_with_clock_again(input, solved, progress);
   if (progress.cancelled() || solved.result.status == Status::Cancelled) return false;
   blame_recording(solved.findings, solved.result);
   drop_clock_of_failed(solved);
   forget_sharpness(solved);
   std::erase_if(solved.findings, [](const Finding& finding) { return finding.code == kClockOffset; });
-  report_clock(solved.result, solved.findings);
+  report_clock(input, solved.result, solved.findings);
   report_nominal(input.nominal_ins_from_lidar, solved.result, solved.findings);
   mark_if_cut_short(solved);
   output = std::move(solved);

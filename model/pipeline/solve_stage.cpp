@@ -10,36 +10,113 @@
 namespace remount {
 namespace {
 
-void update_ins_motion(const std::vector<JointNode>& nodes, std::vector<Pair>& pairs) {
+constexpr double kSettled_s = 5e-4;
+constexpr double kLeast_s = 0.002;  ///< smaller offsets are not worth a word
+constexpr double kStandsOut = 4.0;  ///< sigmas
+
+bool stands_out(double offset_s, double sigma_s) {
+  return std::isfinite(offset_s) && std::abs(offset_s) >= std::max(kStandsOut * sigma_s, kLeast_s);
+}
+
+/// 1-sigma of a session's offset; of results that do not say, as if all sessions were alike.
+double session_sigma_s(const CalibrationResult& result, std::size_t session) {
+  if (session < result.session_time_offset_sigma_s.size()) return result.session_time_offset_sigma_s[session];
+  return result.time_offset.sigma_s * std::sqrt(static_cast<double>(result.session_time_offset_s.size()));
+}
+
+bool is_moved(const DriveMotion& motion) {
+  for (int s = 0; s < motion.session_count(); ++s)
+    if (motion.offset_s(s) != 0.0) return true;
+  return false;
+}
+
+void set_ins_motion(const std::vector<JointNode>& nodes, std::vector<Pair>& pairs) {
   for (Pair& pair : pairs)
     pair.ins_b_from_ins_a = nodes[static_cast<std::size_t>(pair.keyframe_b)].local_from_ins.inverse() *
                             nodes[static_cast<std::size_t>(pair.keyframe_a)].local_from_ins;
 }
 
-// Moves the INS poses by the estimated clock offset and solves again until no offset is left. A single estimate falls
-// short: what the offset distorts also passes for noise.
-CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
-                                       CalibrationResult result, PairwiseDetails& details, const Progress& progress) {
-  for (int round = 0; round < 4 && result.session_time_offset_s.size() == input.sessions.size(); ++round) {
+/// A solution, and what it is a solution of.
+struct Solved {
+  DriveMotion motion;
+  std::vector<Pair> pairs;
+  PairwiseDetails details;
+  CalibrationResult result;
+};
+
+void solve_at_present_offsets(const PipelineInput& input, PipelineOutput& output, Solved& solved,
+                              const Progress& progress) {
+  const PairwiseInput solver = solver_input(input, solved.motion, output);
+  set_ins_motion(solver.nodes, solved.pairs);
+  solved.result = solve_pairwise(solver, solved.pairs, solved.details, progress);
+}
+
+/// The offset of a session in all, and whether it is one that X is to be solved with.
+struct WholeOffset {
+  double offset_s = 0.0;
+  bool counts = false;
+};
+
+WholeOffset whole_offset(const Solved& solved, int session, ClockOffsetUse use) {
+  const auto at = static_cast<std::size_t>(session);
+  const double whole_s = solved.motion.offset_s(session) + solved.result.session_time_offset_s[at];
+  return {whole_s, use == ClockOffsetUse::Yes || stands_out(whole_s, session_sigma_s(solved.result, at))};
+}
+
+/// Moves the INS poses by the estimated clock offset and solves again until no offset is left: a single estimate falls
+/// short, for what the offset distorts also passes for noise. Sessions whose offset does not count stay, or go back.
+/// False where the offset does not settle.
+bool solve_without_offset(const PipelineInput& input, PipelineOutput& output, Solved& solved,
+                          const Progress& progress) {
+  constexpr int kMostRounds = 6;
+  const ClockOffsetUse use = input.settings.solve.apply_time_offset;
+  for (int round = 0; round < kMostRounds && !progress.cancelled(); ++round) {
+    if (solved.result.session_time_offset_s.size() != input.sessions.size()) return false;
     double largest_s = 0.0;
-    for (int s = 0; s < motion.session_count(); ++s) {
-      const double more_s = result.session_time_offset_s[static_cast<std::size_t>(s)];
-      motion.set_offset_s(s, motion.offset_s(s) + more_s);
-      largest_s = std::max(largest_s, std::abs(more_s));
+    for (int s = 0; s < solved.motion.session_count(); ++s) {
+      const WholeOffset whole = whole_offset(solved, s, use);
+      const double to_s = whole.counts ? whole.offset_s : 0.0;
+      largest_s = std::max(largest_s, std::abs(to_s - solved.motion.offset_s(s)));
+      solved.motion.set_offset_s(s, to_s);
     }
-    const PairwiseInput solver = solver_input(input, motion, output);
-    update_ins_motion(solver.nodes, output.pairs);
-    result = solve_pairwise(solver, output.pairs, details, progress);
-    if (largest_s < 5e-4) break;
+    solve_at_present_offsets(input, output, solved, progress);
+    if (largest_s < kSettled_s) return true;
   }
-  // What was applied is the offset; what is left is noise of the estimate.
-  double mean_s = 0.0;
-  for (int s = 0; s < motion.session_count(); ++s) mean_s += motion.offset_s(s) / motion.session_count();
-  result.time_offset.offset_s = mean_s;
-  result.time_offset.applied = true;
-  for (std::size_t s = 0; s < result.session_time_offset_s.size(); ++s)
-    result.session_time_offset_s[s] = motion.offset_s(static_cast<int>(s));
-  return result;
+  return false;
+}
+
+/// What was applied is the offset; what is left is noise of the estimate. That of all is the mean of the sessions, each
+/// alike, and so is its sigma.
+void state_offsets(const DriveMotion& motion, bool applied, CalibrationResult& result) {
+  const int count = motion.session_count();
+  double mean_s = 0.0, variance_s2 = 0.0;
+  result.session_time_offset_s.assign(static_cast<std::size_t>(count), 0.0);
+  for (int s = 0; s < count; ++s) {
+    const auto at = static_cast<std::size_t>(s);
+    const double sigma_s = session_sigma_s(result, at) / count;
+    result.session_time_offset_s[at] = motion.offset_s(s);
+    mean_s += motion.offset_s(s) / count;
+    variance_s2 += sigma_s * sigma_s;
+  }
+  result.time_offset = {mean_s, std::sqrt(variance_s2), applied};
+}
+
+void adopt(Solved&& solved, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details) {
+  motion = std::move(solved.motion);
+  output.pairs = std::move(solved.pairs);
+  details = std::move(solved.details);
+}
+
+/// The offset was found and stays in X: how far it moves X joins the sigmas.
+void state_bias(const PipelineInput& input, const Solved& shifted, Solved& unmoved, PipelineOutput& output,
+                const Progress& progress) {
+  if (is_usable(unmoved.result)) {
+    output.clock_bias = difference(unmoved.details.joint.ins_from_lidar, shifted.details.joint.ins_from_lidar);
+    solve_at_present_offsets(input, output, unmoved, progress);
+  }
+  unmoved.result.time_offset = shifted.result.time_offset;
+  unmoved.result.session_time_offset_sigma_s = shifted.result.session_time_offset_sigma_s;
+  state_offsets(shifted.motion, false, unmoved.result);
 }
 
 }  // namespace
@@ -47,6 +124,7 @@ CalibrationResult solve_without_offset(const PipelineInput& input, DriveMotion& 
 void drop_clock(CalibrationResult& result) {
   result.time_offset = {};
   result.session_time_offset_s.clear();
+  result.session_time_offset_sigma_s.clear();
 }
 
 void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& options, CalibrationResult& result) {
@@ -64,15 +142,11 @@ void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& optio
 }
 
 bool clock_differs(const CalibrationResult& result) {
-  const TimeOffset& clock = result.time_offset;
-  const auto stands_out = [](double offset_s, double sigma_s) {
-    return std::isfinite(offset_s) && std::abs(offset_s) >= std::max(4.0 * sigma_s, 0.002);
-  };
-  if (stands_out(clock.offset_s, clock.sigma_s)) return true;
+  if (stands_out(result.time_offset.offset_s, result.time_offset.sigma_s)) return true;
   // Those of several sessions may cancel in the mean.
-  const double sessions = static_cast<double>(result.session_time_offset_s.size());
-  return std::any_of(result.session_time_offset_s.begin(), result.session_time_offset_s.end(),
-                     [&](double offset_s) { return stands_out(offset_s, clock.sigma_s * std::sqrt(sessions)); });
+  for (std::size_t s = 0; s < result.session_time_offset_s.size(); ++s)
+    if (stands_out(result.session_time_offset_s[s], session_sigma_s(result, s))) return true;
+  return false;
 }
 
 DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& output) {
@@ -96,47 +170,89 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
   out.options = input.settings.solve;
   out.measured = Measured(input.settings.measured, output.ground);
   out.clock_bias = output.clock_bias;
+  out.clock_is_unknown = is_moved(motion);
   return out;
 }
 
 CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                                    PairwiseDetails& details, const Progress& progress) {
+  const ClockOffsetUse use = input.settings.solve.apply_time_offset;
   output.clock_bias.reset();
-  CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
+  Solved shifted{motion, output.pairs, {}, {}};
+  shifted.result = solve_pairwise(solver_input(input, motion, output), shifted.pairs, shifted.details, progress);
   if (!output.clock_told) {
+    CalibrationResult result = shifted.result;
+    adopt(std::move(shifted), motion, output, details);
     drop_clock(result);
     doubt_sweeps(output.sweep_doubts, input.settings.solve, result);
     return result;
   }
-  if (input.settings.solve.apply_time_offset)
-    return solve_without_offset(input, motion, output, std::move(result), details, progress);
-  if (!clock_differs(result)) return result;
-  // Only the estimate is wanted, and how far it moves X: the pairs and the solution stay without it.
-  DriveMotion shifted = motion;
-  PipelineOutput copy = output;
-  PairwiseDetails shifted_details;
-  const CalibrationResult estimate = solve_without_offset(input, shifted, copy, result, shifted_details, progress);
-  if (!is_usable(estimate)) return result;
-  if (is_usable(result)) {
-    output.clock_bias = difference(details.joint.ins_from_lidar, shifted_details.joint.ins_from_lidar);
-    result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
+  const auto take = [&](Solved&& solved) {
+    CalibrationResult result = solved.result;
+    adopt(std::move(solved), motion, output, details);
+    return result;
+  };
+  const bool moved = is_moved(motion);
+  if (use != ClockOffsetUse::Yes && !moved && !clock_differs(shifted.result)) return take(std::move(shifted));
+  Solved unmoved = shifted;
+  const bool settled = solve_without_offset(input, output, shifted, progress);
+  const bool known = is_usable(shifted.result) && is_moved(shifted.motion);
+  if (use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && settled && known)) {
+    state_offsets(shifted.motion, true, shifted.result);
+    return take(std::move(shifted));
   }
-  result.time_offset = estimate.time_offset;
-  result.time_offset.applied = false;
-  result.session_time_offset_s = estimate.session_time_offset_s;
+  if (moved) {
+    unmoved.motion = DriveMotion(input.sessions);
+    solve_at_present_offsets(input, output, unmoved, progress);
+  }
+  if (known) state_bias(input, shifted, unmoved, output, progress);
+  return take(std::move(unmoved));
+}
+
+CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOutput& output, const Progress& progress) {
+  const ClockOffsetUse use = input.settings.solve.apply_time_offset;
+  PairwiseDetails details;
+  if (!output.clock_told) {
+    DriveMotion motion(input.sessions);
+    return solve_with_clock(input, motion, output, details, progress);
+  }
+  if (output.result.time_offset.applied && use != ClockOffsetUse::No) {
+    const DriveMotion motion = motion_as_solved(input, output);
+    CalibrationResult result = solve_pairwise(solver_input(input, motion, output), output.pairs, details, progress);
+    result.time_offset = output.result.time_offset;
+    result.session_time_offset_s = output.result.session_time_offset_s;
+    result.session_time_offset_sigma_s = output.result.session_time_offset_sigma_s;
+    return result;
+  }
+  DriveMotion motion(input.sessions);
+  if (output.result.time_offset.applied) {
+    set_ins_motion(motion.nodes(output.keyframes), output.pairs);
+    return solve_with_clock(input, motion, output, details, progress);
+  }
+  // How far the clock biases X hardly depends on a decision about pairs.
+  std::vector<Pair> pairs = output.pairs;
+  const CalibrationResult result = solve_pairwise(solver_input(input, motion, output), pairs, details, progress);
+  const bool as_before = clock_differs(result) == output.clock_bias.has_value();
+  const bool may_apply = use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && clock_differs(result));
+  if (!as_before || may_apply) return solve_with_clock(input, motion, output, details, progress);
+  output.pairs = std::move(pairs);
   return result;
 }
 
-void report_clock(const CalibrationResult& result, std::vector<Finding>& findings) {
+void report_clock(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings) {
   const TimeOffset& clock = result.time_offset;
-  if (clock.applied || !clock_differs(result)) return;
-  char text[240];
-  std::snprintf(text, sizeof text,
-                "The lidar's stamps are %s by %.1f ms (sigma %.1f ms) against the INS. X is biased by it while the "
-                "vehicle turns: "
-                "set solve.apply_time_offset to correct it.",
-                clock.offset_s > 0.0 ? "early" : "late", std::abs(clock.offset_s) * 1e3, clock.sigma_s * 1e3);
-  findings.push_back({Severity::Warning, kClockOffset, "lidar and INS", text});
+  for (std::size_t s = 0; s < std::min(result.session_time_offset_s.size(), input.sessions.size()); ++s) {
+    const double offset_s = result.session_time_offset_s[s], sigma_s = session_sigma_s(result, s);
+    if (!stands_out(offset_s, sigma_s)) continue;
+    char text[280];
+    std::snprintf(text, sizeof text, "The lidar's stamps are %s by %.1f ms (sigma %.1f ms) against the INS. %s",
+                  offset_s > 0.0 ? "early" : "late", std::abs(offset_s) * 1e3, sigma_s * 1e3,
+                  clock.applied ? "X is solved with that taken out."
+                                : "X is biased by it while the vehicle turns: set solve.apply_time_offset to correct "
+                                  "it.");
+    findings.push_back(
+        {clock.applied ? Severity::Note : Severity::Warning, kClockOffset, input.sessions[s]->name, text});
+  }
 }
 
 }  // namespace remount

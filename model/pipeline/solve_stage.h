@@ -13,9 +13,9 @@ DriveMotion motion_as_solved(const PipelineInput& input, const PipelineOutput& o
 /// The solver's input for the keyframes of `output` at the present clock offsets of `motion`.
 PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion, const PipelineOutput& output);
 
-/// Solves the pairs of `output` and estimates the clock offset to convergence. Where the settings ask for it, the
-/// offset is applied: to `motion`, to P of every pair and to the result; otherwise it is reported, and how far it
-/// biases X goes into `output` and the sigmas.
+/// Solves the pairs of `output` and estimates the clock offset to convergence. Where it is clear, or the settings ask
+/// for it, the offset is applied: to `motion`, to P of every pair and to the result. What was found and is not applied
+/// is reported, and how far it biases X goes into `output` and the sigmas.
 CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& motion, PipelineOutput& output,
                                    PairwiseDetails& details, const Progress& progress);
 
@@ -30,7 +30,11 @@ void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& optio
 bool clock_differs(const CalibrationResult& result);
 
 inline constexpr const char* kClockOffset = "clock-offset";
-/// A finding where an offset was found and not applied.
-void report_clock(const CalibrationResult& result, std::vector<Finding>& findings);
+/// A finding for each session whose offset stands out: a note where X is solved with it, a warning where it is not.
+void report_clock(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings);
+
+/// The same for pairs that were solved before: an offset that was applied stays as it was found then, unless the
+/// settings no longer ask for it.
+CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOutput& output, const Progress& progress);
 
 }  // namespace remount

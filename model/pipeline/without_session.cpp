@@ -1,6 +1,7 @@
 #include "model/pipeline/without_session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace remount {
@@ -64,13 +65,17 @@ void take_out_pairs(int session, PipelineOutput& output) {
 }
 
 void take_out_clock(int session, CalibrationResult& result) {
-  std::vector<double>& offsets_s = result.session_time_offset_s;
+  std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   if (static_cast<std::size_t>(session) >= offsets_s.size()) return;
   offsets_s.erase(offsets_s.begin() + session);
+  if (static_cast<std::size_t>(session) < sigmas_s.size()) sigmas_s.erase(sigmas_s.begin() + session);
   // Of one that was applied the mean is that of the sessions, each alike; an estimate knows the accepted pairs alone.
-  if (result.time_offset.applied && !offsets_s.empty())
-    result.time_offset.offset_s =
-        std::accumulate(offsets_s.begin(), offsets_s.end(), 0.0) / static_cast<double>(offsets_s.size());
+  if (!result.time_offset.applied || offsets_s.empty()) return;
+  const auto count = static_cast<double>(offsets_s.size());
+  result.time_offset.offset_s = std::accumulate(offsets_s.begin(), offsets_s.end(), 0.0) / count;
+  if (sigmas_s.size() == offsets_s.size())
+    result.time_offset.sigma_s =
+        std::sqrt(std::inner_product(sigmas_s.begin(), sigmas_s.end(), sigmas_s.begin(), 0.0)) / count;
 }
 
 /// Advice counts sessions as users do: "Session 2 (tuesday) was left out".

@@ -3005,6 +3005,26 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <source>Do not trust this result</source>
         <translation>不要相信此结果</translation>
     </message>
+    <message>
+        <source>Without clock offset</source>
+        <translation>不计时钟偏差</translation>
+    </message>
+    <message>
+        <source>With clock offset</source>
+        <translation>计入时钟偏差</translation>
+    </message>
+    <message>
+        <source>X is solved with the offset that was found between the clocks of LiDAR and INS; solve it as if the clocks agreed</source>
+        <translation>X 已按所发现的激光雷达与 INS 时钟偏差求解；点击则按时钟一致求解</translation>
+    </message>
+    <message>
+        <source>The clocks of LiDAR and INS differ, and X is biased by it; solve X with the offset that was found</source>
+        <translation>激光雷达与 INS 的时钟不一致，X 因此有偏；点击则按所发现的偏差求解 X</translation>
+    </message>
+    <message>
+        <source>clock offset of session %1: %2 ms ± %3 ms</source>
+        <translation>会话 %1 的时钟偏差：%2 毫秒 ± %3 毫秒</translation>
+    </message>
 </context>
 <context>
     <name>remount::SceneController</name>
@@ -3819,6 +3839,10 @@ Save under another name, or close it there first.</source>
         <source>to be estimated</source>
         <translation>待估计</translation>
     </message>
+    <message>
+        <source>where it is clear</source>
+        <translation>明确时才用</translation>
+    </message>
 </context>
 <context>
     <name>remount::edit_commands</name>
@@ -4573,10 +4597,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Align the clouds of all accepted pairs together as the last step.</source>
         <translation>最后一步把所有接受帧对的点云一起配准。</translation>
-    </message>
-    <message>
-        <source>Apply the estimated clock offset between lidar and INS.</source>
-        <translation>应用估计出的激光雷达与 INS 的时钟偏差。</translation>
     </message>
     <message>
         <source>Edge of the cells in which the ground&apos;s height is found.</source>
@@ -11117,6 +11137,18 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Give a better nominal, or drive where there is more to see.</source>
         <translation>请给出更好的标称值，或在特征更多的地方行驶。</translation>
+    </message>
+    <message>
+        <source>The lidar&apos;s stamps are early by %1 ms (sigma %2 ms) against the INS. X is solved with that taken out.</source>
+        <translation>激光雷达的时间戳比 INS 早 %1 毫秒（标准差 %2 毫秒）。求解 X 时已扣除该偏差。</translation>
+    </message>
+    <message>
+        <source>The lidar&apos;s stamps are late by %1 ms (sigma %2 ms) against the INS. X is solved with that taken out.</source>
+        <translation>激光雷达的时间戳比 INS 晚 %1 毫秒（标准差 %2 毫秒）。求解 X 时已扣除该偏差。</translation>
+    </message>
+    <message>
+        <source>Solve X with the clock offset between lidar and INS that the drive shows: where it is clear (auto), always (yes), never (no).</source>
+        <translation>按行驶数据显示的激光雷达与 INS 时钟偏差求解 X：明确时才用（auto）、总是（yes）、从不（no）。</translation>
     </message>
 </context>
 <context>

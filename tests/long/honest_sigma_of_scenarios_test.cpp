@@ -10,6 +10,7 @@
 #include "algorithms/core/parallel.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/chi_square.h"
 
 namespace remount {
 namespace {
@@ -62,13 +63,6 @@ CalibrationResult calibrate(const Drives& drives) {
   return run_pipeline(input, progress).result;
 }
 
-// Quantile of chi-square by Wilson and Hilferty; within 0.3% from ten degrees of freedom on.
-double chi2_quantile(double freedom, double normal_quantile) {
-  if (!(freedom > 0.0)) return 0.0;
-  const double spread = 2.0 / (9.0 * freedom);
-  return freedom * std::pow(1.0 - spread + normal_quantile * std::sqrt(spread), 3.0);
-}
-
 /// @param observed which parameters every drive must show, which none may (order of kParameterNames)
 void expect_honest(const std::function<Drives(int drive)>& drives_of, const std::array<bool, 6>& observed) {
   const std::size_t drives = drive_count();
@@ -80,7 +74,6 @@ void expect_honest(const std::function<Drives(int drive)>& drives_of, const std:
     for (std::size_t parameter = 0; parameter < 6; ++parameter)
       sigmas[i][parameter] = result.sigma(parameter).value_or(0.0);
   });
-  constexpr double kOnePercent = 2.5758;  // two-sided
   for (std::size_t parameter = 0; parameter < 6; ++parameter) {
     double sum = 0.0, mean = 0.0, largest = 0.0, errors2 = 0.0, sigmas2 = 0.0;
     std::size_t count = 0;
@@ -95,7 +88,8 @@ void expect_honest(const std::function<Drives(int drive)>& drives_of, const std:
       ++count;
     }
     const auto freedom = static_cast<double>(count);
-    const double lower = chi2_quantile(freedom, -kOnePercent), upper = chi2_quantile(freedom, kOnePercent);
+    const double lower = chi_square_quantile(freedom, -kOnePercentOutside),
+                 upper = chi_square_quantile(freedom, kOnePercentOutside);
     const double unit = parameter < 3 ? 1e3 : radians_to_degrees(1e3), root = unit / std::sqrt(std::max(1.0, freedom));
     std::printf(
         "  %-5s: %3zu of %zu drives, chi-square %.1f (%.1f to %.1f), mean %+.2f, largest %.2f sigma; rms error %.2f, "

@@ -13,6 +13,7 @@
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/chi_square.h"
 
 namespace remount {
 namespace {
@@ -72,13 +73,6 @@ ErrorsOfDrive errors_of_drive(const SimulationOptions& options) {
   return errors;
 }
 
-// What chi-square exceeds in one of a hundred cases, by Wilson and Hilferty.
-double most_squares(double freedom) {
-  constexpr double kNormal = 2.3263;  // one-sided 1%
-  const double spread = 2.0 / (9.0 * freedom);
-  return freedom * std::pow(1.0 - spread + kNormal * std::sqrt(spread), 3.0);
-}
-
 void expect_as_stated(const char* method, const std::vector<ErrorsOfDrive>& drives,
                       std::array<double, 6> ErrorsOfDrive::*errors_of_method) {
   for (std::size_t parameter = 0; parameter < 6; ++parameter) {
@@ -93,8 +87,9 @@ void expect_as_stated(const char* method, const std::vector<ErrorsOfDrive>& driv
     }
     if (count == 0.0) continue;
     std::printf("  %-13s %-5s: %2.0f drives, chi-square %6.1f (at most %.1f), mean %+.2f, largest %.2f sigma\n", method,
-                kParameterNames[parameter].data(), count, squares, most_squares(count), sum / count, largest);
-    EXPECT_LT(squares, most_squares(count)) << method << ", " << kParameterNames[parameter];
+                kParameterNames[parameter].data(), count, squares, chi_square_quantile(count, kOnePercentAbove),
+                sum / count, largest);
+    EXPECT_LT(squares, chi_square_quantile(count, kOnePercentAbove)) << method << ", " << kParameterNames[parameter];
   }
 }
 

@@ -13,6 +13,7 @@
 #include "algorithms/core/parallel.h"
 #include "model/pipeline.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/chi_square.h"
 
 namespace remount {
 
@@ -80,13 +81,6 @@ inline NoisyMotionPairs noisy_motion_pairs(PairMotion motion, int count, int see
   return out;
 }
 
-/// Quantile of chi-square by Wilson and Hilferty; within 0.3% from ten degrees of freedom on.
-inline double chi_square_quantile(double freedom, double normal_quantile) {
-  if (!(freedom > 0.0)) return 0.0;
-  const double spread = 2.0 / (9.0 * freedom);
-  return freedom * std::pow(1.0 - spread + normal_quantile * std::sqrt(spread), 3.0);
-}
-
 /// Every draw is solved, names what it does not observe, and errs as its sigmas say.
 inline void expect_solved_whatever_the_noise(PairMotion motion, int count, int seeds) {
   std::vector<CalibrationResult> results(static_cast<std::size_t>(seeds));
@@ -115,10 +109,9 @@ inline void expect_solved_whatever_the_noise(PairMotion motion, int count, int s
       ++observed[k];
     }
   }
-  constexpr double kOnePercent = 2.5758;  // two-sided
   for (std::size_t k = 0; k < 6; ++k) {
-    const double lower = chi_square_quantile(observed[k], -kOnePercent),
-                 upper = chi_square_quantile(observed[k], kOnePercent);
+    const double lower = chi_square_quantile(observed[k], -kOnePercentOutside),
+                 upper = chi_square_quantile(observed[k], kOnePercentOutside);
     std::printf(
         "  %-24s %4d pairs, %-5s: observed %3d of %d, chi-square %6.1f (%5.1f to %5.1f), largest %.2f sigma%s\n",
         name_of(motion), count, kParameterNames[k].data(), observed[k], seeds, sum[k], lower, upper, largest[k],

@@ -4,6 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QImage>
 #include <QLabel>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -262,6 +263,38 @@ TEST(result_panel, says_what_was_calibrated_and_in_which_frame) {
   EXPECT_TRUE(says("machine", "lidar", "X: LiDAR in machine"));
   EXPECT_TRUE(says("antenna", "lidar", "X: LiDAR from antenna"));
   EXPECT_TRUE(says("ins", "lidar", "X: LiDAR in INS"));
+}
+
+TEST(result_panel, a_clock_offset_is_left_out_and_taken_in_by_one_click) {
+  PipelineOutput output;
+  output.result.status = Status::Ok;
+  output.result.observed.fill(true);
+  output.result.covariance = 1e-4 * Matrix6d::Identity();
+  ResultPanel panel;
+  const auto button = [&]() -> QPushButton* {
+    for (QPushButton* one : panel.findChildren<QPushButton*>())
+      if (one->text().contains("clock offset")) return one;
+    return nullptr;
+  };
+  const auto show = [&](double offset_s, bool applied) {
+    output.result.time_offset = {offset_s, 1e-4, applied};
+    output.result.session_time_offset_s = {offset_s};
+    output.result.session_time_offset_sigma_s = {1e-4};
+    panel.show_output(std::make_shared<const PipelineOutput>(output), nullptr);
+  };
+  QSignalSpy asked(&panel, &ResultPanel::clock_offset_asked);
+  show(0.0001, false);
+  ASSERT_NE(button(), nullptr);
+  EXPECT_TRUE(button()->isHidden()) << "the clocks agree";
+  show(0.03, true);
+  ASSERT_FALSE(button()->isHidden());
+  button()->click();
+  show(0.03, false);
+  ASSERT_FALSE(button()->isHidden());
+  button()->click();
+  ASSERT_EQ(asked.count(), 2);
+  EXPECT_FALSE(asked[0][0].toBool()) << "without";
+  EXPECT_TRUE(asked[1][0].toBool()) << "with";
 }
 
 TEST(progress_strip, says_how_long_only_when_it_can_know) {

@@ -20,6 +20,7 @@
 #include "widgets/panels/keys_dialog.h"
 #include "widgets/panels/pairs_panel.h"
 #include "widgets/panels/result_panel.h"
+#include "widgets/parameter_text.h"
 
 namespace remount {
 namespace {

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/pipeline/solve_stage.h"
 #include "model/preliminary.h"
 #include "model/result_file.h"
 #include "model/result_words.h"
 #include "widgets/charts/correlation_chart.h"
 #include "widgets/model_text.h"
 #include "widgets/pair_counts.h"
+#include "widgets/panels/result_tables.h"
 #include "widgets/parameter_text.h"
 #include "widgets/theme.h"
 
@@ -23,68 +25,10 @@ constexpr int kStatusRow = 0, kNoteRow = 1, kTitleRow = 2, kFirstParameterRow = 
               kWordsRow = 11, kCorrelationTitleRow = 12, kCorrelationRow = 13;
 constexpr int kColumns = 4;
 
-QString html_list(const QString& title, const QStringList& items) {
-  if (items.isEmpty()) return {};
-  QString html = "<p><b>" + title.toHtmlEscaped() + "</b></p><ul style='margin-left:-22px; margin-top:0'>";
-  for (const QString& item : items) html += "<li>" + item.toHtmlEscaped() + "</li>";
-  return html + "</ul>";
-}
-
 /// Nothing rather than "nan", should an observed parameter come without one.
 std::optional<double> finite_sigma(const CalibrationResult& result, std::size_t i) {
   const std::optional<double> sigma = result.sigma(i);
   return sigma && std::isfinite(*sigma) ? sigma : std::nullopt;
-}
-
-QString html_row(const QStringList& cells, const char* tag = "td") {
-  QString row;
-  for (qsizetype i = 0; i < cells.size(); ++i)
-    row += QStringLiteral("<%1 align='%2'>%3&nbsp;&nbsp;</%1>")
-               .arg(QLatin1String(tag), i == 0 ? QStringLiteral("left") : QStringLiteral("right"),
-                    cells[i].toHtmlEscaped());
-  return "<tr>" + row + "</tr>";
-}
-
-QString html_table(const QString& title, const QStringList& heads, const QString& rows) {
-  return "<p><b>" + title.toHtmlEscaped() + "</b></p><table cellspacing='0'>" + html_row(heads, "th") + rows +
-         "</table>";
-}
-
-/// What was assumed against what was found.
-QString nominal_table(const PipelineOutput& output) {
-  if (!output.nominal_known || !has_mounting(output.result)) return {};
-  const std::array<double, 6> nominal = six_on_screen(output.initial_ins_from_lidar),
-                              found = six_on_screen(output.result.ins_from_lidar);
-  QString rows;
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    double change = found[i] - nominal[i];
-    if (is_angle(i)) change = radians_to_degrees(wrap_angle_rad(degrees_to_radians(change)));
-    const auto number = [&](double value) { return QString::number(value, 'f', 3) + unit_suffix(i); };
-    const bool known = output.result.observed[i];
-    rows += html_row({parameter_name(i), number(nominal[i]), known ? number(found[i]) : QStringLiteral("–"),
-                      known ? moved_text(i, change) : QStringLiteral("–")});
-  }
-  return html_table(ResultPanel::tr("Nominal and new"),
-                    {QString(), ResultPanel::tr("nominal"), ResultPanel::tr("new"), ResultPanel::tr("difference")},
-                    rows);
-}
-
-/// How sharp the accumulated scans are: a check that does not use the residual.
-QString sharpness_table(const PipelineOutput& output) {
-  if (output.sharpness.empty()) return {};
-  QString rows;
-  for (const NamedSharpness& named : output.sharpness) {
-    const QString name = named.source == "result"    ? ResultPanel::tr("after: result")
-                         : named.source == "nominal" ? ResultPanel::tr("before: nominal")
-                                                     : model_text(named.source);
-    const auto number = [](double value, int decimals) {
-      return std::isfinite(value) ? QString::number(value, 'f', decimals) : QStringLiteral("–");
-    };
-    rows += html_row({name, number(1e3 * named.sharpness.plane_thickness_m, 1) + QStringLiteral(" mm"),
-                      number(named.sharpness.mean_map_entropy, 3)});
-  }
-  return html_table(ResultPanel::tr("Map sharpness (lower is sharper)"),
-                    {QString(), ResultPanel::tr("surfaces"), ResultPanel::tr("entropy")}, rows);
 }
 
 auto status_color(const CalibrationResult& result) -> QColor (*)(const QPalette&) {
@@ -139,14 +83,6 @@ QString result_as_text(const CalibrationResult& result) {
   return lines.join('\n');
 }
 
-QString moved_text(std::size_t i, double change) {
-  const bool small = std::abs(change) < 1.0, in_mm = small && !is_angle(i);
-  const QString unit = in_mm ? QStringLiteral(" mm") : unit_suffix(i);
-  const QString number = in_mm ? QString::number(1e3 * change, 'f', 2) : QString::number(change, 'f', small ? 4 : 3);
-  const bool nothing = number.toDouble() == 0.0;
-  return nothing ? QStringLiteral("0") + unit : (change > 0.0 ? QStringLiteral("+") : QString()) + number + unit;
-}
-
 ResultPanel::ResultPanel(QWidget* parent)
     : QScrollArea(parent),
       status_(new QLabel),
@@ -156,7 +92,8 @@ ResultPanel::ResultPanel(QWidget* parent)
       correlation_title_(new QLabel(tr("<b>Correlations</b>"))),
       correlation_(new CorrelationChart),
       copy_(new QPushButton(tr("Copy"))),
-      export_(new QPushButton(tr("Export…"))) {
+      export_(new QPushButton(tr("Export…"))),
+      clock_(new QPushButton) {
   auto* content = new QWidget;
   auto* grid = new QGridLayout(content);
   grid->setContentsMargins(8, 8, 8, 8);
@@ -228,10 +165,24 @@ void ResultPanel::make_buttons(QGridLayout& grid) {
   auto* buttons = new QHBoxLayout;
   buttons->addWidget(copy_);
   buttons->addWidget(export_);
+  buttons->addWidget(clock_);
   buttons->addStretch();
   grid.addLayout(buttons, kButtonRow, 0, 1, kColumns);
   connect(copy_, &QPushButton::clicked, this, &ResultPanel::copy_requested);
   connect(export_, &QPushButton::clicked, this, &ResultPanel::export_requested);
+  connect(clock_, &QPushButton::clicked, this,
+          [this] { emit clock_offset_asked(shown_ && !shown_->result.time_offset.applied); });
+}
+
+// There where an offset was found: what is done with it is taken back by one click, and by another done again.
+void ResultPanel::show_clock_button(const PipelineOutput* output) {
+  const bool applied = output && output->result.time_offset.applied;
+  clock_->setVisible(output && has_mounting(output->result) && (applied || clock_differs(output->result)));
+  clock_->setText(applied ? tr("Without clock offset") : tr("With clock offset"));
+  clock_->setToolTip(applied ? tr("X is solved with the offset that was found between the clocks of LiDAR and INS; "
+                                  "solve it as if the clocks agreed")
+                             : tr("The clocks of LiDAR and INS differ, and X is biased by it; solve X with the offset "
+                                  "that was found"));
 }
 
 QString ResultPanel::what_x_is(const CalibrationResult& result) {
@@ -283,6 +234,7 @@ void ResultPanel::show_output(std::shared_ptr<const PipelineOutput> output,
   export_->setEnabled(output && is_usable(output->result));
   shown_ = output;
   show_status();
+  show_clock_button(output.get());
   correlation_title_->setVisible(numbers);
   correlation_->setVisible(numbers);
   if (numbers) correlation_->show_result(output->result);
@@ -366,6 +318,7 @@ void ResultPanel::show_words(const PipelineOutput& output) {
                    .arg(std::round(1e4 * result.time_offset.offset_s) / 10.0 + 0.0, 0, 'f', 1)  // no "-0.0"
                    .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 1)
                    .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
+  figures << session_clocks(result);
   if (has_mounting(result) && !output.pairs.empty())
     figures << (is_aligned_together(result)
                     ? tr("the clouds of all accepted pairs were aligned together as the last step")

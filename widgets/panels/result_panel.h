@@ -35,6 +35,8 @@ class ResultPanel : public QScrollArea {
  signals:
   void copy_requested();
   void export_requested();
+  /// Solve X with the clock offset that was found, or without it.
+  void clock_offset_asked(bool with_it);
 
  private:
   struct Row {
@@ -45,6 +47,7 @@ class ResultPanel : public QScrollArea {
   void make_buttons(QGridLayout& grid);
   void show_parameters(const CalibrationResult& result, bool nominal_known, const CalibrationResult* before);
   void show_words(const PipelineOutput& output);
+  void show_clock_button(const PipelineOutput* output);
   void show_status();
   static QString what_x_is(const CalibrationResult& result);
 
@@ -57,14 +60,13 @@ class ResultPanel : public QScrollArea {
   CorrelationChart* correlation_;
   QPushButton* copy_;
   QPushButton* export_;
+  QPushButton* clock_;
   std::array<Row, 6> rows_{};
   std::shared_ptr<const PipelineOutput> shown_;  // nothing: no result yet
   ResultStanding standing_ = ResultStanding::Current;
   QString next_;
 };
 
-/// "+1.24 mm", "-0.0031°", "+2.400°": how far parameter i moved, given in m or degrees.
-QString moved_text(std::size_t i, double change);
 /// "Solved", "Solved in part", … for a heading.
 QString status_title(const CalibrationResult& result);
 /// "x = 0.9000 m ± 0.0020 …" line by line, for the clipboard.

@@ -8,6 +8,7 @@
 #include "model/clock_hint.h"
 #include "model/count_words.h"
 #include "model/io/bag/correction_status.h"
+#include "model/io/samples_between_fixes.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -84,20 +85,15 @@ Eigen::Vector3d sigma_of(const Eigen::Vector3d& variance) {
                                    : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-struct Attitude {
-  std::int64_t stamp_ns = 0;
-  Eigen::Quaterniond enu_from_ins = Eigen::Quaterniond::Identity();
-  Eigen::Vector3d sigma_rad = Eigen::Vector3d::Zero();
-};
-
 /// Nothing but the identity is a field that nobody fills in.
 bool all_are_default(const ImuStream& stream) {
   return std::none_of(stream.messages.begin(), stream.messages.end(),
                       [](const ImuMessage& message) { return message.orientation && !message.orientation_is_default; });
 }
 
-std::vector<Attitude> attitudes_of(const ImuStream& stream, const std::string& where, std::vector<Finding>& findings) {
-  std::vector<Attitude> attitudes;
+std::vector<StampedAttitude> attitudes_of(const ImuStream& stream, const std::string& where,
+                                          std::vector<Finding>& findings) {
+  std::vector<StampedAttitude> attitudes;
   if (all_are_default(stream)) return attitudes;
   std::size_t without = 0, before = 0;
   for (const ImuMessage& message : stream.messages) {
@@ -261,9 +257,8 @@ void share_lidar_clock(const BagFile& bag, const TopicRoles& roles, BagStreams& 
 
 namespace {
 
-std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& attitude, const std::string& where,
-                                      std::vector<Finding>& findings) {
-  const std::vector<Attitude> attitudes = attitudes_of(attitude, where, findings);
+std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<StampedAttitude>& attitudes,
+                                    const std::string& where, std::vector<Finding>& findings) {
   const double longest_gap_s = std::max(0.05, 3.0 * median_period_s(attitudes));
   const bool tells_augmentation =
       std::any_of(fixes.messages.begin(), fixes.messages.end(), [](const FixMessage& fix) { return fix.status == 2; });
@@ -275,8 +270,9 @@ std::vector<InsSample> ins_from_fixes(const FixStream& fixes, const ImuStream& a
       continue;
     }
     const std::int64_t stamp_ns = fix.header.stamp_ns;
-    const auto after = std::lower_bound(attitudes.begin(), attitudes.end(), stamp_ns,
-                                        [](const Attitude& a, std::int64_t stamp) { return a.stamp_ns < stamp; });
+    const auto after =
+        std::lower_bound(attitudes.begin(), attitudes.end(), stamp_ns,
+                         [](const StampedAttitude& a, std::int64_t stamp) { return a.stamp_ns < stamp; });
     const bool exact = after != attitudes.end() && after->stamp_ns == stamp_ns;
     const auto before = exact || after == attitudes.begin() ? after : after - 1;
     if (after == attitudes.end() || (!exact && after == attitudes.begin()) ||
@@ -372,13 +368,18 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
   } else if (roles.ins) {
     const bool inspvax = is_inspva(message_kind(bag.topics()[*roles.ins].type));
     if (inspvax) session.ins_axes = InsAxes::RightForwardUp;
+    const std::vector<StampedAttitude> attitudes =
+        inspvax ? std::vector<StampedAttitude>() : attitudes_of(s.attitude, place(*roles.ins), session.findings);
     session.ins = inspvax ? ins_from_inspvax(s.inspvax, s.inspvax_beside, place(*roles.ins), session.findings)
-                          : ins_from_fixes(s.position, s.attitude, place(*roles.ins), session.findings);
+                          : ins_at_fixes(s.position, attitudes, place(*roles.ins), session.findings);
     if (!session.ins.empty()) {
       keep_near(session.ins, place(*roles.ins), session.findings);
       keep_ascending(session.ins, "ins", place(*roles.ins), session.findings);
     }
     report_slow(median_period_s(session.ins), chosen.faster, place(*roles.ins), session.findings);
+    SamplesBetweenFixes whole = samples_between_fixes(std::move(session.ins), attitudes);
+    session.ins = std::move(whole.ins);
+    session.ins_fix_stamps_ns = std::move(whole.fix_stamps_ns);
     if (!inspvax && roles.ins_position) report_antenna(bag, roles, place(*roles.ins_position), session.findings);
   }
   if (roles.ins && session.ins.empty() && session.world_from_ins.empty()) {

@@ -179,7 +179,7 @@ TEST(trajectory_method, three_recorded_drives_agree_with_their_reference) {
   std::vector<Session> sessions;
   for (const char* bag : {"bag1", "bag2", "bag4"}) sessions.push_back(open_session(kData / "zxl19" / bag, progress));
   Settings settings;
-  settings.solve.apply_time_offset = true;
+  settings.solve.apply_time_offset = ClockOffsetUse::Yes;
   const PipelineOutput output = run(sessions, settings);
   const CalibrationError error = error_of(output.result, zxl19_reference());
   EXPECT_LE(error.rotation_deg, 0.5);

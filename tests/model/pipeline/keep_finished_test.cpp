@@ -69,7 +69,7 @@ TEST(keep_finished, nothing_is_kept_of_what_had_aligned_nothing) {
   EXPECT_EQ(keep_finished(run.input, run.output), 0U);
   EXPECT_EQ(run.output.findings.size(), findings);
   Cancelled with_clock = cancelled_at(0.5);
-  with_clock.input.settings.solve.apply_time_offset = true;
+  with_clock.input.settings.solve.apply_time_offset = ClockOffsetUse::Yes;
   EXPECT_EQ(keep_finished(with_clock.input, with_clock.output), 0U) << "its clocks are not known yet";
 }
 

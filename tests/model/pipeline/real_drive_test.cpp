@@ -50,7 +50,7 @@ TEST(kitti, four_short_drives_without_nominal_agree_with_the_published_calibrati
 TEST(zxl19, three_drives_from_raw_logs_agree_with_the_reference_and_with_each_other) {
   if (!std::filesystem::exists(kData / "zxl19")) GTEST_SKIP() << "no recorded data at " << kData;
   Settings settings;
-  settings.solve.apply_time_offset = true;
+  settings.solve.apply_time_offset = ClockOffsetUse::Yes;
   std::vector<CalibrationResult> alone;
   for (const char* bag : {"bag1", "bag2", "bag4"}) {
     alone.push_back(calibrate({kData / "zxl19" / bag}, settings).result);

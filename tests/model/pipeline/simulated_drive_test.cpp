@@ -116,13 +116,14 @@ TEST(simulated_street, across_a_utm_zone_boundary_at_55_north_is_as_good_as_anyw
 TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   SimulationOptions options = small(ScenarioKind::Street);
   options.lidar_clock_offset_s = 0.04;
-  const Calibrated without = calibrate_simulated(options);
+  Settings settings;
+  settings.solve.apply_time_offset = ClockOffsetUse::No;
+  const Calibrated without = calibrate_simulated(options, settings);
   expect_within_sigma(without.output.result, without.drive.ins_from_lidar, 3.5);
   const CalibrationError before = error_of(without.output.result, without.drive.ins_from_lidar);
   EXPECT_NEAR(without.output.result.time_offset.offset_s, 0.04, 0.005);
   EXPECT_FALSE(without.output.result.time_offset.applied);
-  Settings settings;
-  settings.solve.apply_time_offset = true;
+  settings.solve.apply_time_offset = ClockOffsetUse::Yes;
   const Calibrated with = calibrate_simulated(options, settings);
   const CalibrationError after = error_of(with.output.result, with.drive.ins_from_lidar);
   EXPECT_NEAR(with.output.result.time_offset.offset_s, 0.04, 0.005);
@@ -137,6 +138,7 @@ TEST(simulated_street, shows_and_removes_a_clock_offset_of_40_ms) {
   // A decision in the window solves again: the clocks differ as before.
   PipelineInput input;
   input.sessions.push_back(std::make_shared<Session>(without.drive.session));
+  input.settings.solve.apply_time_offset = ClockOffsetUse::No;
   PipelineOutput again = without.output;
   Progress progress;
   solve_again(input, again, progress);

@@ -1,0 +1,56 @@
+// A hundred drives that the method `trajectory` solves from a cold start, as pairwise calibration does. Takes a quarter
+// of an hour; REMOUNT_DRIVES sets another number of drives.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "algorithms/core/parallel.h"
+#include "model/methods/builtin.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+std::size_t cold_drives() {
+  const char* text = std::getenv("REMOUNT_DRIVES");
+  const int count = text != nullptr ? std::atoi(text) : 100;
+  return count > 0 ? static_cast<std::size_t>(count) : 100U;
+}
+
+SimulationOptions cold_drive(int seed) {
+  SimulationOptions options;
+  options.scenario = ScenarioKind::Flat;
+  options.seed = seed;
+  options.beams = 24;
+  options.azimuth_steps = 512;
+  options.scan_rate_hz = 5;
+  options.duration_s = 40.0;
+  options.ins_from_lidar =
+      rigid_from_six({0.9, 0.25, 0.75, degrees_to_radians(1.7), degrees_to_radians(-1.1), degrees_to_radians(0.9)});
+  return options;
+}
+
+TEST(trajectory_without_nominal, fails_on_none_of_a_hundred_drives) {
+  std::vector<CalibrationResult> results(cold_drives());
+  parallel_for(results.size(), 0, [&](std::size_t i) {
+    PipelineInput input;
+    input.sessions = {std::make_shared<Session>(simulate_drive(cold_drive(static_cast<int>(i) + 1)).session)};
+    input.threads = 1;
+    Progress progress;
+    results[i] = run_trajectory_method(input, progress).result;
+  });
+  double largest = 0.0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    EXPECT_TRUE(is_usable(results[i])) << "seed " << i + 1 << ": " << results[i].message;
+    for (const double error : normalised_errors(results[i], cold_drive(1).ins_from_lidar)) {
+      if (!std::isfinite(error)) continue;
+      largest = std::max(largest, std::abs(error));
+      EXPECT_LT(std::abs(error), 4.0) << "seed " << i + 1;
+    }
+  }
+  std::printf("  %zu drives, the largest error %.2f sigma\n", results.size(), largest);
+}
+
+}  // namespace
+}  // namespace remount

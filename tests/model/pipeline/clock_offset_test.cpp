@@ -1,0 +1,151 @@
+// Clocks of LiDAR and INS that differ, and what only looks as if they did.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/io/samples_between_fixes.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+
+namespace remount {
+namespace {
+
+SimulationOptions eight(double lidar_clock_offset_s, int seed = 1) {
+  SimulationOptions options;
+  options.scenario = ScenarioKind::FigureEight;
+  options.beams = 24;
+  options.azimuth_steps = 512;
+  options.seed = seed;
+  options.lidar_clock_offset_s = lidar_clock_offset_s;
+  return options;
+}
+
+struct ClockRun {
+  PipelineInput input;
+  PipelineOutput output;
+  RigidTransform truth;
+};
+
+ClockRun calibrate_clocks(const std::vector<SimulatedDrive>& drives, ClockOffsetUse use = ClockOffsetUse::Auto) {
+  ClockRun run;
+  for (const SimulatedDrive& drive : drives) run.input.sessions.push_back(std::make_shared<Session>(drive.session));
+  run.input.settings.solve.apply_time_offset = use;
+  run.input.settings.run.map_check = false;
+  run.truth = drives.front().ins_from_lidar;
+  Progress progress;
+  run.output = run_pipeline(run.input, progress);
+  return run;
+}
+
+std::vector<Finding> clock_findings(const PipelineOutput& output) {
+  std::vector<Finding> found;
+  std::copy_if(output.findings.begin(), output.findings.end(), std::back_inserter(found),
+               [](const Finding& finding) { return finding.code == "clock-offset"; });
+  return found;
+}
+
+TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_one_setting) {
+  ClockRun run = calibrate_clocks({simulate_drive(eight(0.03))});
+  const CalibrationResult whole = run.output.result;
+  const CalibrationError error = error_of(whole, run.truth);
+  EXPECT_EQ(whole.status, Status::Ok) << whole.message;
+  EXPECT_LT(std::abs(error.x_m), 0.01);
+  EXPECT_LT(std::abs(error.y_m), 0.01);
+  EXPECT_TRUE(whole.observed[2]);
+  expect_within_sigma(whole, run.truth, 4.0);
+  EXPECT_TRUE(whole.time_offset.applied);
+  EXPECT_NEAR(whole.time_offset.offset_s, 0.03, 1e-3);
+  ASSERT_EQ(whole.session_time_offset_s.size(), 1U);
+  EXPECT_NEAR(whole.session_time_offset_s[0], 0.03, 4.0 * whole.session_time_offset_sigma_s[0] + 1e-4);
+  const std::vector<Finding> said = clock_findings(run.output);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].severity, Severity::Note);
+  EXPECT_TRUE(said[0].explanation.ends_with("X is solved with that taken out.")) << said[0].explanation;
+
+  // In the window, from the pairs that are there.
+  Progress progress;
+  run.input.settings.solve.apply_time_offset = ClockOffsetUse::No;
+  ASSERT_TRUE(solve_again(run.input, run.output, progress));
+  const CalibrationResult& without = run.output.result;
+  EXPECT_FALSE(without.time_offset.applied);
+  EXPECT_NEAR(without.time_offset.offset_s, 0.03, 2e-3) << "it is still known";
+  EXPECT_TRUE(run.output.clock_bias);
+  EXPECT_GT((without.ins_from_lidar.translation() - run.truth.translation()).norm(), 0.03);
+  expect_within_sigma(without, run.truth, 4.0);
+  ASSERT_EQ(clock_findings(run.output).size(), 1U);
+  EXPECT_EQ(clock_findings(run.output)[0].severity, Severity::Warning);
+  run.input.settings.solve.apply_time_offset = ClockOffsetUse::Auto;
+  ASSERT_TRUE(solve_again(run.input, run.output, progress));
+  EXPECT_TRUE(run.output.result.time_offset.applied);
+  EXPECT_LT((run.output.result.ins_from_lidar.translation() - whole.ins_from_lidar.translation()).norm(), 0.01);
+}
+
+TEST(clock_offset, is_that_of_each_session) {
+  const ClockRun run = calibrate_clocks({simulate_drive(eight(-0.03, 1)), simulate_drive(eight(0.0, 2))});
+  const CalibrationResult& result = run.output.result;
+  error_of(result, run.truth);
+  expect_within_sigma(result, run.truth, 4.0);
+  EXPECT_TRUE(result.time_offset.applied);
+  ASSERT_EQ(result.session_time_offset_s.size(), 2U);
+  EXPECT_NEAR(result.session_time_offset_s[0], -0.03, 1e-3);
+  EXPECT_NEAR(result.session_time_offset_s[1], 0.0, 1e-3);
+  const std::vector<Finding> said = clock_findings(run.output);
+  ASSERT_EQ(said.size(), 1U) << "the clocks of the second agree";
+  EXPECT_TRUE(said[0].explanation.find("late by 30.") != std::string::npos ||
+              said[0].explanation.find("late by 29.") != std::string::npos)
+      << said[0].explanation;
+}
+
+/// The INS of a drive with a fix every second only.
+void slow_down_fixes(bool attitudes_stay, Session& session) {
+  std::vector<InsSample> at_fixes;
+  std::vector<StampedAttitude> attitudes;
+  for (std::size_t i = 0; i < session.ins.size(); ++i) {
+    const InsSample& sample = session.ins[i];
+    if (i % 100 == 0) at_fixes.push_back(sample);
+    if (i % 2 == 0) attitudes.push_back({sample.stamp_ns, sample.enu_from_ins, sample.sigma.attitude_rad});
+  }
+  if (!attitudes_stay) {
+    session.ins = at_fixes;
+    return;
+  }
+  SamplesBetweenFixes whole = samples_between_fixes(at_fixes, attitudes);
+  session.ins = std::move(whole.ins);
+  session.ins_fix_stamps_ns = std::move(whole.fix_stamps_ns);
+}
+
+TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
+  for (const bool attitudes_stay : {true, false})
+    for (const int seed : {3, 4}) {
+      SimulationOptions options = eight(0.0, seed);
+      options.duration_s = 25.0;
+      SimulatedDrive drive = simulate_drive(options);
+      slow_down_fixes(attitudes_stay, drive.session);
+      const ClockRun run = calibrate_clocks({drive});
+      const CalibrationResult& result = run.output.result;
+      std::printf("  attitudes %s: offset %.1f ms (%.1f)\n", attitudes_stay ? "at 50 Hz" : "at 1 Hz",
+                  1e3 * result.time_offset.offset_s, 1e3 * result.time_offset.sigma_s);
+      error_of(result, run.truth);
+      EXPECT_FALSE(result.time_offset.applied);
+      EXPECT_TRUE(clock_findings(run.output).empty());
+      expect_within_sigma(result, run.truth, 4.0);
+      if (attitudes_stay) {
+        EXPECT_TRUE(result.observed[3]) << "they show how the vehicle turned";
+      }
+    }
+}
+
+TEST(clock_offset, is_still_found_between_slow_fixes_where_attitudes_show_it) {
+  SimulationOptions options = eight(0.06, 5);
+  options.duration_s = 25.0;
+  SimulatedDrive drive = simulate_drive(options);
+  slow_down_fixes(true, drive.session);
+  const ClockRun run = calibrate_clocks({drive});
+  error_of(run.output.result, run.truth);
+  EXPECT_NEAR(run.output.result.time_offset.offset_s, 0.06, 0.01);
+  EXPECT_TRUE(run.output.result.time_offset.applied);
+  expect_within_sigma(run.output.result, run.truth, 4.0);
+}
+
+}  // namespace
+}  // namespace remount

@@ -1,0 +1,49 @@
+// Simulated drives whose errors must be as large as the stated sigma says, neither larger nor smaller.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "algorithms/core/parallel.h"
+#include "model/simulator/simulator.h"
+#include "tests/support/calibration_checks.h"
+#include "tests/support/chi_square.h"
+
+namespace remount {
+
+/// Drives of `beams`, from a seed on.
+inline void expect_honest_sigma(int beams, int first_seed, std::size_t drives) {
+  std::vector<std::array<double, 6>> normalised(drives);
+  parallel_for(drives, 0, [&](std::size_t i) {
+    SimulationOptions options;
+    options.seed = first_seed + static_cast<int>(i);
+    options.beams = beams;
+    options.azimuth_steps = 400;
+    options.duration_s = 9.0;
+    const SimulatedDrive drive = simulate_drive(options);
+    PipelineInput input;
+    input.sessions.push_back(std::make_shared<Session>(drive.session));
+    input.nominal_ins_from_lidar = drive.ins_from_lidar;
+    input.settings.pairing.max_partners = 4;
+    input.threads = 1;
+    Progress progress;
+    normalised[i] = normalised_errors(run_pipeline(input, progress).result, drive.ins_from_lidar);
+  });
+  const double lower = chi_square_quantile(static_cast<double>(drives), -kOnePercentOutside),
+               upper = chi_square_quantile(static_cast<double>(drives), kOnePercentOutside);
+  for (std::size_t parameter = 0; parameter < 6; ++parameter) {
+    double sum = 0.0, mean = 0.0;
+    std::size_t count = 0;
+    for (const auto& drive : normalised)
+      if (std::isfinite(drive[parameter])) {
+        sum += drive[parameter] * drive[parameter];
+        mean += drive[parameter] / static_cast<double>(drives);
+        ++count;
+      }
+    std::printf("  %s: %zu drives, mean %.2f, chi-square %.1f\n", kParameterNames[parameter].data(), count, mean, sum);
+    EXPECT_EQ(count, drives) << kParameterNames[parameter];
+    EXPECT_LT(sum, upper) << kParameterNames[parameter] << ": sigma is too small";
+    EXPECT_GT(sum, lower) << kParameterNames[parameter] << ": sigma is too large";
+  }
+}
+
+}  // namespace remount
