@@ -1,5 +1,5 @@
 # Qt 6 and VTK together. Debian 12 builds VTK's Qt module with Qt 5; the same sources compile against Qt 6 unchanged,
-# so that module is built here from VTK's own sources, which packaging/setup fetches (see docs/adr and platform notes).
+# so that module is built here from VTK's own sources, which packaging/setup fetches (see docs/adr/0004-pcl-vtk-qt6.md).
 # Where VTK comes with a Qt 6 module of its own, that one is used.
 find_package(Qt6 REQUIRED COMPONENTS Widgets OpenGL OpenGLWidgets)
 # Named one by one: a second find_package(VTK) would overwrite VTK_LIBRARIES.

@@ -17,7 +17,7 @@
 
 namespace remount {
 
-/// What every verb may end with; README.md explains them to users.
+/// What every verb may end with; docs/manual/command-line.md explains them to users.
 enum ExitCode { kSolved = 0, kUsage = 1, kUnreadable = 2, kNoResult = 3 };
 
 /// What an error ends a verb with: an option that cannot be, or an input.
