@@ -95,6 +95,9 @@ const std::vector<const char*>& file_phrases() {
           "remount::model",
           "Nothing is known: how the scans are bent by motion makes more of a difference than X can bear."),
       QT_TRANSLATE_NOOP("remount::model", "%1: not known, how the scans are bent by motion is not known"),
+      QT_TRANSLATE_NOOP("remount::model", "%1: not known, it still changes when the odometry is repeated with it"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Nothing is known: the mounting changes whenever the odometry is repeated with it."),
       QT_TRANSLATE_NOOP("remount::model", "trying how scans were swept"),
       QT_TRANSLATE_NOOP(
           "remount::model",

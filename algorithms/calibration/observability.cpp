@@ -125,6 +125,15 @@ MotionSummary summarise_motion(const std::vector<Pair>& pairs) {
   return summary;
 }
 
+std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar) {
+  const SixParameters six = six_from_rigid(ins_from_lidar);
+  return {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
+}
+
+RigidTransform ins_from_lidar_of(const std::array<double, 6>& parameters) {
+  return rigid_from_six({parameters[0], parameters[1], parameters[2], parameters[3], parameters[4], parameters[5]});
+}
+
 Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix6d& perturbation_covariance) {
   Matrix6d jacobian = Matrix6d::Identity();
   jacobian.bottomRightCorner<3, 3>() = yaw_pitch_roll_jacobian(yaw_pitch_roll_from_rotation(ins_from_lidar.linear()));

@@ -111,6 +111,10 @@ bool yaw_is_open(const CalibrationResult& result);
 /// Withdraws every parameter and direction of a judged result.
 void claim_nothing(const std::string& reason, CalibrationResult& result);
 
+/// (x, y, z, yaw, pitch, roll) of X in m and rad, the order of kParameterNames; and X of them.
+std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar);
+RigidTransform ins_from_lidar_of(const std::array<double, 6>& parameters);
+
 /// Covariance of (x, y, z, yaw, pitch, roll) from the covariance of the perturbation [dt; phi] of X.
 Matrix6d parameter_covariance(const RigidTransform& ins_from_lidar, const Matrix6d& perturbation_covariance);
 

@@ -74,15 +74,19 @@ bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& optio
   return false;
 }
 
-// How many times as long as the odometry's the way of INS or fixes is; 1 where they have too little in common.
+// How many times as long as the odometry's the way of INS or fixes is; 1 where they have too little in common. In steps
+// that are far longer than the noise of positions, which makes a way of its own out of a stay.
 double metres_per_unit(const TrajectoryProblem& problem) {
+  constexpr double kBeyondNoise = 10.0;
   double measured_m = 0.0, odometry_m = 0.0;
   for (const TrajectorySession& session : problem.sessions) {
     const TrajectoryEpoch* before = nullptr;  // with a pose of the INS; fixes may lie between two
     for (const TrajectoryEpoch& here : session.epochs) {
       if (!here.ins) continue;
       if (before) {
-        measured_m += (here.ins->enu_from_ins.translation() - before->ins->enu_from_ins.translation()).norm();
+        const double step_m = (here.ins->enu_from_ins.translation() - before->ins->enu_from_ins.translation()).norm();
+        if (step_m < kBeyondNoise * here.ins->position_sigma_m) continue;
+        measured_m += step_m;
         odometry_m += (here.odometry_from_lidar.translation() - before->odometry_from_lidar.translation()).norm();
       }
       before = &here;

@@ -43,6 +43,10 @@ void check_nominal(const PipelineInput& input);
 /// no nominal is taken to the nearest bound first: nothing says that it lies where it was put.
 void keep_in_range(const SearchRange& range, bool nominal_known, CalibrationResult& result);
 
+/// What every method leaves to others, whoever ran it: the result is kept in range, and what was given and not used is
+/// told.
+void complete_output(const PipelineInput& input, PipelineOutput& output);
+
 /// The method that the settings choose. Throws as it does, as check_nominal does, and Error(Io) where recordings are
 /// gone at the end. No result lies outside the search range.
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress);

@@ -113,6 +113,8 @@ void keep_in_range(const SearchRange& whole, bool nominal_known, CalibrationResu
   if (!outside.empty()) refuse_out_of_range(outside, result);
 }
 
+namespace {
+
 // What a session declares is of the LiDAR in the INS frame.
 void tell_unused_nominal(const PipelineInput& input, std::vector<Finding>& findings) {
   const std::string unused = unused_declaration(input.settings.run.method, input.sessions);
@@ -130,21 +132,31 @@ void tell_of_registration(RegistrationAlgorithm algorithm, std::vector<Finding>&
                           " is for comparison: errors may be several times the sigma that is stated."});
 }
 
+const CalibrationMethod& chosen_method(const Settings& settings) {
+  return calibration_method(kMethodIds.at(static_cast<std::size_t>(settings.run.method)));
+}
+
+}  // namespace
+
+void complete_output(const PipelineInput& input, PipelineOutput& output) {
+  const CalibrationMethod& method = chosen_method(input.settings);
+  keep_in_range(input.settings.range, input.nominal_ins_from_lidar.has_value(), output.result);
+  tell_unused_nominal(input, output.findings);
+  tell_of_registration(input.settings.registration.algorithm, output.findings);
+  if (method.id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
+  // Others take no values: with a sigma they are refused or named by the method.
+  if (output.result.reference_frame == "ins" && output.result.calibrated == "lidar")
+    report_values_without_sigma(input.settings.measured, method.from_pairs, output.findings);
+}
+
 PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
-  const std::string_view id = kMethodIds.at(static_cast<std::size_t>(input.settings.run.method));
-  const CalibrationMethod& method = calibration_method(id);
+  const CalibrationMethod& method = chosen_method(input.settings);
   require_valid(input.settings);
   check_nominal(input);
   const SettledSweeps settled = settle_sweeps(input, progress);
   PipelineOutput output = method.run(settled.input, progress);
   add_sweep_doubts(settled, method.run, output, progress);
-  keep_in_range(input.settings.range, input.nominal_ins_from_lidar.has_value(), output.result);
-  tell_unused_nominal(input, output.findings);
-  tell_of_registration(input.settings.registration.algorithm, output.findings);
-  if (id != kPairwise && output.keyframes.empty()) output.map_check = MapCheck::NoScans;
-  // Others take no values: with a sigma they are refused or named by the method.
-  if (output.result.reference_frame == "ins" && output.result.calibrated == "lidar")
-    report_values_without_sigma(input.settings.measured, method.from_pairs, output.findings);
+  complete_output(input, output);
   if (!progress.cancelled()) refuse_vanished(input.sessions);
   return output;
 }

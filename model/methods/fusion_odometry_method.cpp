@@ -1,11 +1,13 @@
 #include <algorithm>
 #include <memory>
 
+#include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
 #include "model/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/methods/fusion_run.h"
 #include "model/pipeline/input_checks.h"
+#include "model/pipeline/solve_stage.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -115,19 +117,14 @@ PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensors, Progres
   return output;
 }
 
-Vector6d six_of(const RigidTransform& ins_from_lidar) {
-  const SixParameters six = six_from_rigid(ins_from_lidar);
-  return (Vector6d() << six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad).finished();
-}
-
-/// By how much the result differs from the mounting that its odometry took for granted; of what is observed.
+/// By how much the mounting that an odometry took for granted differs from what came of it, under `perturbed`; of what
+/// is observed.
 Vector6d taken_for_granted(const RigidTransform& mounting_ins_from_lidar, const CalibrationResult& result) {
-  Vector6d change = six_of(result.ins_from_lidar) - six_of(mounting_ins_from_lidar);
-  for (int i = 0; i < 6; ++i) {
-    if (i >= 3) change[i] = wrap_angle_rad(change[i]);
-    if (!result.observed[static_cast<std::size_t>(i)]) change[i] = 0.0;
-  }
-  return change;
+  std::array<double, 6> six = parameters_of(result.ins_from_lidar);
+  const std::array<double, 6> taken = parameters_of(mounting_ins_from_lidar);
+  for (std::size_t i = 0; i < six.size(); ++i)
+    if (result.observed[i]) six[i] = taken[i];
+  return difference(result.ins_from_lidar, ins_from_lidar_of(six));
 }
 
 // Whether another odometry with the mounting that was found would be another one.
@@ -137,11 +134,9 @@ bool worth_another(const Vector6d& change) {
 
 // What the mounting still moves by when it is put in feeds back into it: the next round would move it by less again,
 // and all that are left out by no more than this one did.
-void add_feedback(const Vector6d& change, CalibrationResult& result) {
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j < 6; ++j)
-      if (result.observed[static_cast<std::size_t>(i)] && result.observed[static_cast<std::size_t>(j)])
-        result.covariance(i, j) += change[i] * change[j];
+void add_feedback(const Vector6d& change, const SolveOptions& options, CalibrationResult& result) {
+  add_doubt(change, "it still changes when the odometry is repeated with it", options, result);
+  judge_again("Nothing is known: the mounting changes whenever the odometry is repeated with it.", result);
 }
 
 bool knows_rotation(const CalibrationResult& result) {
@@ -159,7 +154,7 @@ PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mount
     const Vector6d change = taken_for_granted(mounting_ins_from_lidar, output.result);
     const bool settled = !worth_another(change);
     if (settled || round == kMostRounds) {
-      add_feedback(change, output.result);
+      add_feedback(change, input.settings.solve, output.result);
       if (!settled)
         output.findings.push_back({Severity::Warning, "odometry-unsettled", "multi-sensor odometry",
                                    "The mounting still changed when the odometry was repeated with it; its sigmas "

@@ -7,6 +7,7 @@
 #include "model/io/session_reader.h"
 #include "model/method_needs.h"
 #include "model/methods/calibration_method.h"
+#include "model/methods/sweep_trial.h"
 #include "model/methods/trajectory_method.h"
 
 namespace remount {
@@ -68,9 +69,15 @@ FollowedSession follow_trajectory(const std::filesystem::path& path, const Pipel
   followed.session = std::make_shared<const Session>(open_session(path, options.topics, quiet, LookAt::Streams));
   with_session.sessions = {followed.session};
   if (!feed) begin(*followed.session);
-  feed->offer(*followed.session, true, 0.0, tell, finishing);
-  followed.output = trajectory_output(with_session, *feed, feed->finish(with_session.sessions, finishing));
-  keep_in_range(input.settings.range, with_session.nominal_ins_from_lidar.has_value(), followed.output.result);
+  with_session.settings.run.method = MethodChoice::Trajectory;
+  if (needs_sweep_trial(*followed.session, input.settings.run.deskew)) {
+    // What was told on the way took the scans as they are: how they were swept is tried on the whole recording.
+    followed.output = calibrate(with_session, finishing);
+  } else {
+    feed->offer(*followed.session, true, 0.0, tell, finishing);
+    followed.output = trajectory_output(with_session, *feed, feed->finish(with_session.sessions, finishing));
+    complete_output(with_session, followed.output);
+  }
   followed.nominal_ins_from_lidar = with_session.nominal_ins_from_lidar;
   return followed;
 }

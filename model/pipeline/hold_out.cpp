@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pair_judgement.h"
 #include "model/result_file.h"
 
 namespace remount {
 namespace {
-
-std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar) {
-  const SixParameters six = six_from_rigid(ins_from_lidar);
-  return {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
-}
 
 PipelineInput input_of_session(const PipelineInput& input, std::size_t session) {
   PipelineInput alone = input;
@@ -80,7 +76,7 @@ ResidualRms score(const CalibrationResult& solved, const SessionAlone& session, 
   const std::array<double, 6> own = parameters_of(session.result.ins_from_lidar);
   for (std::size_t i = 0; i < six.size(); ++i)
     if (!solved.observed[i]) six[i] = own[i];
-  return residual_rms(pairs, rigid_from_six({six[0], six[1], six[2], six[3], six[4], six[5]}));
+  return residual_rms(pairs, ins_from_lidar_of(six));
 }
 
 }  // namespace

@@ -134,11 +134,12 @@ void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& optio
   result.advice.emplace_back(
       "How the scans are bent by motion is not known, which biases X; the sigmas include it. Record scans with the "
       "times of their points, or declare how they were swept.");
+  judge_again("Nothing is known: how the scans are bent by motion makes more of a difference than X can bear.", result);
+}
+
+void judge_again(const std::string& nothing_known, CalibrationResult& result) {
   if (!std::ranges::all_of(result.observed, [](bool observed) { return observed; })) result.status = Status::Degenerate;
-  result.message =
-      is_usable(result)
-          ? solved_message(result)
-          : "Nothing is known: how the scans are bent by motion makes more of a difference than X can bear.";
+  result.message = is_usable(result) ? solved_message(result) : nothing_known;
 }
 
 bool clock_differs(const CalibrationResult& result) {

@@ -29,6 +29,9 @@ void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& optio
 /// Whether the estimated offset, or that of one session, stands out of its error.
 bool clock_differs(const CalibrationResult& result);
 
+/// Status and message of a solved result after a doubt, which may have left less of it, or nothing.
+void judge_again(const std::string& nothing_known, CalibrationResult& result);
+
 inline constexpr const char* kClockOffset = "clock-offset";
 /// A finding for each session whose offset stands out: a note where X is solved with it, a warning where it is not.
 void report_clock(const PipelineInput& input, const CalibrationResult& result, std::vector<Finding>& findings);

@@ -47,6 +47,8 @@ TEST(pair_words, other_axes_of_the_ins_are_heeded_and_without_any_no_street_is_c
   const std::string reason = "does not determine the shift along [0.96, -0.28, -0.01] (axes of the lidar)";
   file.ins_axes = InsAxes::RightForwardUp;
   EXPECT_EQ(not_shown_by(reason, file), "the shift across the street");
+  file.ins_axes = InsAxes::LeftBackwardUp;
+  EXPECT_EQ(not_shown_by(reason, file), "the shift across the street");
   file.ins_axes.reset();
   EXPECT_EQ(not_shown_by(reason, file), "every direction of motion");
   file = turned_lidar();

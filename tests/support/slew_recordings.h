@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/methods/builtin.h"
+#include "model/simulator/drive_formats.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
@@ -38,9 +39,8 @@ inline Yard yard_of(const SlewYardOptions& options, bool by_poses, int seed = 3)
     drive.session.name = name;
     yard.machine_from_lidar = vehicle_from_ins(ScenarioKind::SlewYard) * drive.ins_from_lidar;
     if (by_poses && kind == SlewRecording::FullTurn) {
+      drive.session.odometry_from_lidar = exact_odometry(drive);
       drive.session.scans = nullptr;
-      for (const StampedPose& pose : drive.enu_from_ins)
-        drive.session.odometry_from_lidar.push_back({pose.stamp_ns, pose.pose * drive.ins_from_lidar});
     }
     yard.sessions.push_back(std::make_shared<const Session>(std::move(drive.session)));
   }

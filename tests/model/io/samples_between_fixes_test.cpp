@@ -71,5 +71,12 @@ TEST(samples_between_fixes, are_not_made_where_fixes_are_quick_or_attitudes_slow
     EXPECT_FALSE(sample.stamp_ns > circle_ns(5.0) && sample.stamp_ns < circle_ns(14.0));
 }
 
+TEST(samples_between_fixes, are_not_claimed_where_no_orientation_comes_between) {
+  const Streams streams = streams_at(1.0, 50.0);
+  const SamplesBetweenFixes same = samples_between_fixes(streams.fixes, {});
+  EXPECT_EQ(same.ins.size(), streams.fixes.size());
+  EXPECT_TRUE(same.fix_stamps_ns.empty());
+}
+
 }  // namespace
 }  // namespace remount

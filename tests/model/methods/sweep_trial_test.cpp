@@ -54,6 +54,23 @@ class ShuffledScans final : public ScanSource {
   std::shared_ptr<const ScanSource> scans_;
 };
 
+/// A sensor that looks ahead and stands before the same scene all the time.
+class StandingScans final : public ScanSource {
+ public:
+  explicit StandingScans(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {
+    for (const Eigen::Vector3f& point : scans_->load(0).points)
+      if (point.x() > std::abs(point.y())) ahead_.points.push_back(point);
+  }
+  std::size_t size() const override { return scans_->size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
+  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+  PointCloud load(std::size_t) const override { return ahead_; }
+
+ private:
+  std::shared_ptr<const ScanSource> scans_;
+  PointCloud ahead_;
+};
+
 void expect_sweep(const SweepTrial& trial, bool clockwise, double rate_hz, const std::string& what) {
   ASSERT_TRUE(trial.best) << what;
   EXPECT_TRUE(trial.proved) << what;
@@ -185,6 +202,19 @@ TEST(sweep_trial, no_clock_is_told_from_scans_that_may_be_bent) {
     EXPECT_FALSE(output.result.time_offset.applied);
     EXPECT_FALSE(found(output, "clock-offset"));
   }
+}
+
+TEST(sweep_trial, proves_nothing_where_every_length_of_a_sweep_fits_alike) {
+  const SimulatedDrive drive = simulate_drive(swept_options(ScenarioKind::FigureEight, true, 5.0, 8));
+  Session session = untold(drive);
+  session.scans = std::make_shared<StandingScans>(drive.session.scans);
+  Settings settings;
+  settings.run.deskew = DeskewMode::On;
+  Progress progress;
+  const SweepTrial trial = try_sweeps(session, settings, 0, progress);
+  EXPECT_FALSE(trial.proved);
+  EXPECT_FALSE(trial.others.empty()) << "0.2 s and 0.1 s for a sweep";
+  EXPECT_LT(trial.gain, 0.02);
 }
 
 }  // namespace
