@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <optional>
 
 #include "model/methods/sweep_trial.h"
 #include "model/pipeline/solve_stage.h"
@@ -58,16 +60,31 @@ std::vector<std::shared_ptr<const Session>> alternatives_of(const Session& sessi
   return out;
 }
 
+/// A trial of each session that needs one; those of one format are recorded by one LiDAR and judged together.
+std::vector<std::optional<SweepTrial>> try_all(const PipelineInput& input, Progress& progress) {
+  std::vector<std::optional<SweepTrial>> trials(input.sessions.size());
+  std::map<std::string, std::vector<SweepTrial*>> of_format;
+  for (std::size_t s = 0; s < input.sessions.size() && !progress.cancelled(); ++s) {
+    const Session& session = *input.sessions[s];
+    if (!needs_sweep_trial(session, input.settings.run.deskew)) continue;
+    trials[s] = try_sweeps(session, input.settings, input.threads, progress);
+    of_format[session.format].push_back(&*trials[s]);
+  }
+  for (const auto& [format, alike] : of_format) prove_together(alike);
+  return trials;
+}
+
 }  // namespace
 
 SettledSweeps settle_sweeps(const PipelineInput& input, Progress& progress) {
   SettledSweeps settled{input, {}};
   std::vector<std::vector<std::shared_ptr<const Session>>> alternatives(input.sessions.size());
   std::size_t most = 0;
+  const std::vector<std::optional<SweepTrial>> trials = try_all(input, progress);
   for (std::size_t s = 0; s < input.sessions.size() && !progress.cancelled(); ++s) {
+    if (!trials[s]) continue;
     const Session& session = *input.sessions[s];
-    if (!needs_sweep_trial(session, input.settings.run.deskew)) continue;
-    const SweepTrial trial = try_sweeps(session, input.settings, input.threads, progress);
+    const SweepTrial& trial = *trials[s];
     const std::shared_ptr<Session> copy = swept(session, trial.best);
     copy->findings.push_back(trial.proved ? proved_finding(session, trial) : open_finding(session, trial));
     copy->scan_timing_open = !trial.proved;

@@ -103,19 +103,23 @@ struct Comparison {
   bool clear = false;
 };
 
-Comparison compare_residuals(const std::vector<double>& first, const std::vector<double>& second) {
-  constexpr double kLeast = 0.02;   // share
-  constexpr double kClearly = 4.0;  // times its own scatter
-  // Neighbours share the map they are compared with: blocks of them are independent. Of a short drive, shorter ones.
-  constexpr std::size_t kLongestBlock = 8, kShortestBlock = 2, kBlocks = 6, kFewestBlocks = 4;
+/// Differences of two guesses over blocks of scans, for neighbours share the map they are compared with: blocks of them
+/// are independent. Of a short drive, shorter ones.
+void add_blocks(const std::vector<double>& first, const std::vector<double>& second, std::vector<double>& blocks) {
+  constexpr std::size_t kLongestBlock = 8, kShortestBlock = 2, kBlocks = 6;
   const std::size_t scans = first.size() - std::min(first.size(), kFirstScans);
   const std::size_t block = std::clamp(scans / kBlocks, kShortestBlock, kLongestBlock);
-  std::vector<double> blocks;
   for (std::size_t from = kFirstScans; from + block <= first.size(); from += block) {
     double sum = 0.0;
     for (std::size_t i = from; i < from + block; ++i) sum += first[i] - second[i];
     blocks.push_back(sum / static_cast<double>(block));
   }
+}
+
+Comparison compare_blocks(const std::vector<double>& blocks) {
+  constexpr double kLeast = 0.02;   // share
+  constexpr double kClearly = 4.0;  // times its own scatter
+  constexpr std::size_t kFewestBlocks = 4;
   Comparison out;
   if (blocks.size() < kFewestBlocks) return out;
   const auto count = static_cast<double>(blocks.size());
@@ -139,6 +143,56 @@ SweepKind kind_of(const SweepGuess& guess) {
   if (!guess) return {};
   if (guess->by_order) return {SweepKind::Way::ByOrder, guess->period_s};
   return {guess->clockwise ? SweepKind::Way::Clockwise : SweepKind::Way::CounterClockwise, guess->period_s};
+}
+
+/// What several sessions say together, of each of which the same ways were tried.
+struct Verdict {
+  std::size_t best = 0;
+  std::vector<std::size_t> others;  ///< not refuted
+  bool proved = false;
+  double gain = 0.0;
+};
+
+Verdict judge_sweeps(const std::vector<const SweepTrial*>& trials) {
+  Verdict verdict;
+  double least = 0.0;
+  const std::size_t ways = trials.front()->tried.size();
+  for (std::size_t way = 0; way < ways; ++way) {
+    double sum = 0.0;
+    for (const SweepTrial* trial : trials)
+      sum = std::accumulate(trial->tried[way].residuals.begin(), trial->tried[way].residuals.end(), sum);
+    if (way > 0 && sum >= least) continue;
+    verdict.best = way;
+    least = sum;
+  }
+  std::vector<double> means;
+  for (std::size_t way = 0; way < ways; ++way) {
+    if (way == verdict.best) continue;
+    std::vector<double> blocks;
+    for (const SweepTrial* trial : trials)
+      add_blocks(trial->tried[verdict.best].residuals, trial->tried[way].residuals, blocks);
+    const Comparison comparison = compare_blocks(blocks);
+    means.push_back(comparison.mean);
+    if (!comparison.clear) verdict.others.push_back(way);
+  }
+  // What was compared with nothing is not proved.
+  verdict.proved = !means.empty() && verdict.others.empty();
+  if (!means.empty()) verdict.gain = 1.0 - std::exp(*std::max_element(means.begin(), means.end()));
+  return verdict;
+}
+
+void take_verdict(const Verdict& verdict, SweepTrial& trial) {
+  trial.best = trial.tried[verdict.best].guess;
+  trial.proved = verdict.proved;
+  trial.gain = verdict.gain;
+  trial.others.clear();
+  for (const std::size_t way : verdict.others) trial.others.push_back(trial.tried[way].guess);
+}
+
+bool same_ways(const SweepTrial& a, const SweepTrial& b) {
+  return std::ranges::equal(
+      a.tried, b.tried, {}, [](const TriedSweep& tried) { return kind_of(tried.guess).way; },
+      [](const TriedSweep& tried) { return kind_of(tried.guess).way; });
 }
 
 /// Half a turn after it begins.
@@ -190,22 +244,11 @@ class Trial {
     return found;
   }
 
-  SweepTrial outcome() const {
-    SweepTrial out;
-    const auto first = best();
-    if (!first || progress_.cancelled()) return out;
-    out.best = guesses_[*first];
-    std::vector<double> means;
-    for (const SweepKind& kind : kinds()) {
-      const auto other = best(kind);
-      if (!other || kind == kind_of(out.best)) continue;
-      const Comparison comparison = compare_residuals(residuals_[*first], residuals_[*other]);
-      means.push_back(comparison.mean);
-      if (!comparison.clear) out.others.push_back(guesses_[*other]);
-    }
-    // What was compared with nothing is not proved.
-    out.proved = !means.empty() && out.others.empty();
-    if (!means.empty()) out.gain = 1.0 - std::exp(*std::max_element(means.begin(), means.end()));
+  /// The best of each kind.
+  std::vector<TriedSweep> tried() const {
+    std::vector<TriedSweep> out;
+    for (const SweepKind& kind : kinds())
+      if (const auto found = best(kind)) out.push_back({guesses_[*found], residuals_[*found]});
     return out;
   }
 
@@ -337,7 +380,24 @@ SweepTrial try_sweeps(const Session& session, const Settings& settings, int thre
     trial.add({session.sweep});
     if (!session.sweep.direction_known) trial.add({reversed});
   }
-  return trial.outcome();
+  SweepTrial out;
+  out.tried = trial.tried();
+  if (!out.tried.empty() && !progress.cancelled()) take_verdict(judge_sweeps({&out}), out);
+  return out;
+}
+
+void prove_together(const std::vector<SweepTrial*>& trials) {
+  std::vector<SweepTrial*> open;
+  for (SweepTrial* trial : trials)
+    if (!trial->proved && trial->tried.size() > 1) open.push_back(trial);
+  while (open.size() > 1) {
+    SweepTrial* const first = open.front();
+    const auto others = std::stable_partition(open.begin(), open.end(),
+                                              [&](const SweepTrial* trial) { return same_ways(*trial, *first); });
+    const Verdict verdict = judge_sweeps({open.begin(), others});
+    for (auto trial = open.begin(); trial != others; ++trial) take_verdict(verdict, **trial);
+    open.erase(open.begin(), others);
+  }
 }
 
 }  // namespace remount

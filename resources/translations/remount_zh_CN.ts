@@ -11150,6 +11150,14 @@ Save under another name, or close it there first.</source>
         <source>Solve X with the clock offset between lidar and INS that the drive shows: where it is clear (auto), always (yes), never (no).</source>
         <translation>按行驶数据显示的激光雷达与 INS 时钟偏差求解 X：明确时才用（auto）、总是（yes）、从不（no）。</translation>
     </message>
+    <message>
+        <source>%1: not known, it still changes when the odometry is repeated with it</source>
+        <translation>%1：未知，用它重新推算里程计时它仍在变化</translation>
+    </message>
+    <message>
+        <source>Nothing is known: the mounting changes whenever the odometry is repeated with it.</source>
+        <translation>一无所知：每次用它重新推算里程计，安装位置都会变化。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
