@@ -50,6 +50,18 @@ const std::vector<const char*>& pose_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "%1 samples are beyond anything that a vehicle reaches (positions beyond 1e9 m, or 250 km from "
                         "the rest): left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 sample is beyond anything that a vehicle reaches (no latitude, longitude and height on the "
+                        "earth): left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 samples are beyond anything that a vehicle reaches (no latitude, longitude and height on "
+                        "the earth): left out."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 sample is beyond anything that a vehicle reaches (values beyond a million, or none at all): left out."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 samples are beyond anything that a vehicle reaches (values beyond a million, or none at all): left out."),
       QT_TRANSLATE_NOOP("remount::model", "Glitches of a filter or of its log; what lies between them is used."),
       QT_TRANSLATE_NOOP("remount::model", "Look at the source of the stream where they are many."),
       QT_TRANSLATE_NOOP("remount::model",
