@@ -22,9 +22,10 @@ double normal_density(double x, double sigma) {
 /// degrees of the middle of a zone; its northings count from the equator, those of nations from near their south.
 double likelihood_of_utm(const Eigen::Vector3d& at, std::optional<bool> northern) {
   constexpr double kOften = 0.9, kRarely = 0.3;
-  constexpr double kMostEasting_m = 9e5, kMiddle_m = 5e5, kNationalNorthing_m = 1.25e6, kOfEquator_m = 1e7;
+  constexpr double kLeastEasting_m = 1e5, kMostEasting_m = 9e5, kMiddle_m = 5e5, kNationalNorthing_m = 1.25e6,
+                   kOfEquator_m = 1e7;
   constexpr double kEarth_m = 6.371e6, kHalfZone_rad = 3.5 * kPi / 180.0;
-  if (at.x() > kMostEasting_m) return 0.0;
+  if (at.x() < kLeastEasting_m || at.x() > kMostEasting_m) return 0.0;
   const auto in_zone = [&](bool half) {
     const double latitude_rad = (half ? at.y() : kOfEquator_m - at.y()) / kEarth_m;
     return std::abs(at.x() - kMiddle_m) < kHalfZone_rad * kEarth_m * std::cos(latitude_rad);
@@ -143,7 +144,7 @@ bool fits_travel(const NorthHypothesis& north, const HeadingApart& heading) {
 }
 
 double north_doubt_rad(const std::vector<NorthHypothesis>& norths, const NorthHypothesis& taken) {
-  constexpr double kBeyondThreeSigma = 0.003;
+  constexpr double kBeyondThreeSigma = 0.001;
   const auto apart = [&](const NorthHypothesis& north) {
     return std::abs(north.correction_rad - taken.correction_rad);
   };

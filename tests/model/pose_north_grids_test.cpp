@@ -1,6 +1,12 @@
 // Poses of national grids, and of an INS that is turned in its vehicle: within their sigma.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+
 #include "model/pose_north.h"
 #include "tests/model/north_drives.h"
 #include "tests/support/calibration_checks.h"
@@ -90,6 +96,47 @@ TEST(pose_north_grids, of_utm_with_a_turned_ins_are_within_sigma) {
           }
   }
   std::printf("worst %.2f sigma\n", worst);
+}
+
+/// Places, setups and seeds at random: most INS in line with their vehicle to some tenths of a degree, one in ten not.
+TEST(pose_north_grids, of_any_place_are_within_sigma_with_any_setup) {
+  const NationalGrid grids[] = {kSwiss, kBritish, kDutch, kFrench, kPolish};
+  std::mt19937 random(7);
+  const auto between = [&](double least, double most) {
+    return std::uniform_real_distribution<double>(least, most)(random);
+  };
+  std::normal_distribution<double> normal;
+  for (const bool utm : {true, false})
+    for (const bool fixes : {false, true}) {
+      constexpr int kDrives = kSanitized ? 3 : 30;
+      double worst = 0.0, square = 0.0, sum_deg = 0.0;
+      for (int i = 0; i < kDrives; ++i) {
+        const NationalGrid& grid = grids[i % 5];
+        const double origin_deg = grid.origin_deg + (grid.northing_m < 0.0 ? 2.5 : 0.0);  // no northing is negative
+        const Place place = utm ? Place{"", between(-60.0, 65.0), between(-170.0, 170.0)}
+                                : Place{"", origin_deg + between(0.0, 1.0), grid.middle_deg + between(-2.0, 2.0)};
+        const SimulatedDrive drive = drive_at(place, 1000 + i, i % 2 ? ScenarioKind::Hill : ScenarioKind::FigureEight);
+        const double turned_rad = degrees_to_radians((between(0.0, 1.0) < 0.1 ? 1.5 : 0.4) * normal(random));
+        const AttitudesTo north = between(0.0, 1.0) < 0.5 ? AttitudesTo::True : AttitudesTo::Grid;
+        const auto poses_to = [&](AttitudesTo to) {
+          return utm ? utm_poses(drive, to, Origin::Utm, turned_rad)
+                     : grid_poses(grid, drive, to, Origin::Utm, turned_rad);
+        };
+        Session session = session_of(drive, poses_to(north), fixes);
+        settle_north(session);
+        const double off = std::abs(off_deg(session, poses_to(AttitudesTo::Grid))),
+                     sigma_deg = std::hypot(radians_to_degrees(session.ins_north_sigma_rad), 0.02);
+        EXPECT_LT(off, 3.5 * sigma_deg) << place.latitude_deg << ", " << place.longitude_deg << ", turned by "
+                                        << radians_to_degrees(turned_rad);
+        worst = std::max(worst, off / sigma_deg);
+        square += std::pow(off / sigma_deg, 2);
+        sum_deg += sigma_deg;
+      }
+      std::printf("%s, %s: %d drives, root mean square %.2f sigma, worst %.2f, sigma %.2f deg in the mean\n",
+                  utm ? "UTM" : "national grids", fixes ? "fixes" : "no fixes", kDrives, std::sqrt(square / kDrives),
+                  worst, sum_deg / kDrives);
+      EXPECT_LT(std::sqrt(square / kDrives), 1.4);
+    }
 }
 
 /// Other seeds, places and roads than anywhere else, to the end of a calibration.
