@@ -69,18 +69,20 @@ bool is_possible(const Session& session) {
          all_together(session.odometry_from_lidar);
 }
 
-void report_left_out(std::size_t count, const char* stream, Session& session) {
+constexpr const char* kFarPoses = "positions beyond 1e9 m, or 250 km from the rest";
+constexpr const char* kNoPlaces = "no latitude, longitude and height on the earth";
+constexpr const char* kNoMeasurements = "values beyond a million, or none at all";
+
+void report_left_out(std::size_t count, const char* stream, const char* what, Session& session) {
   if (count == 0) return;
-  session.findings.push_back(
-      make_finding(Severity::Warning, "off-earth", stream,
-                   number_of(count, "sample is", "samples are") +
-                       " beyond anything that a vehicle reaches (positions beyond 1e9 m, or 250 km from the rest): "
-                       "left out."));
+  session.findings.push_back(make_finding(Severity::Warning, "off-earth", stream,
+                                          number_of(count, "sample is", "samples are") +
+                                              " beyond anything that a vehicle reaches (" + what + "): left out."));
 }
 
 template <class Item>
-void keep_possible(std::vector<Item>& items, const char* stream, Session& session) {
-  report_left_out(std::erase_if(items, [](const Item& item) { return !is_possible(item); }), stream, session);
+void keep_possible(std::vector<Item>& items, const char* stream, const char* what, Session& session) {
+  report_left_out(std::erase_if(items, [](const Item& item) { return !is_possible(item); }), stream, what, session);
 }
 
 void keep_possible(std::vector<StampedPose>& poses, const char* stream, Session& session) {
@@ -97,7 +99,7 @@ void keep_possible(std::vector<StampedPose>& poses, const char* stream, Session&
                 std::string("no position of the ") + stream +
                     " lies on the earth (all are beyond 1e9 m, or hundreds of kilometres apart): look what is logged "
                     "for a position, and in which unit");
-  report_left_out(left_out, stream, session);
+  report_left_out(left_out, stream, kFarPoses, session);
 }
 
 }  // namespace
@@ -113,15 +115,15 @@ bool is_possible_motion(const RigidTransform& motion) {
 void leave_out_impossible(Session& session) {
   if (is_possible(session)) return;
   const bool had_ins = !session.ins.empty();
-  keep_possible(session.ins, "INS", session);
+  keep_possible(session.ins, "INS", kNoPlaces, session);
   if (had_ins && session.ins.empty())
     throw Error(ErrorCode::Format, path_or_name(session), "no position of the INS lies on the earth");
   keep_possible(session.world_from_ins, "INS", session);
   keep_possible(session.odometry_from_lidar, "LiDAR", session);
-  keep_possible(session.gnss, "GNSS", session);
-  keep_possible(session.imu, "IMU", session);
-  keep_possible(session.wheels, "wheels", session);
-  keep_possible(session.barometer, "barometer", session);
+  keep_possible(session.gnss, "GNSS", kNoPlaces, session);
+  keep_possible(session.imu, "IMU", kNoMeasurements, session);
+  keep_possible(session.wheels, "wheels", kNoMeasurements, session);
+  keep_possible(session.barometer, "barometer", kNoMeasurements, session);
 }
 
 std::vector<std::shared_ptr<const Session>> possible_sessions(std::vector<std::shared_ptr<const Session>> sessions) {

@@ -34,13 +34,15 @@ TimeSpan span_of_lidar(const Session& session) {
   return span_of_items(session.odometry_from_lidar);
 }
 
+/// Returns by how much.
 template <class Items>
-void move_to(const TimeSpan& other, bool from_gps_time, const char* stream, Items& items,
-             std::vector<Finding>& findings) {
+std::int64_t move_to(const TimeSpan& other, bool from_gps_time, const char* stream, Items& items,
+                     std::vector<Finding>& findings) {
   const std::int64_t by_ns = week_rollover_ns(span_of_items(items), other, from_gps_time);
-  if (by_ns == 0) return;
+  if (by_ns == 0) return 0;
   for (auto& item : items) item.stamp_ns += by_ns;
   findings.push_back(week_rollover_finding(by_ns, stream));
+  return by_ns;
 }
 
 }  // namespace
@@ -72,7 +74,8 @@ Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where) {
 
 void mend_week_rollover(Session& session) {
   const TimeSpan lidar = span_of_lidar(session);
-  move_to(lidar, session.ins_stamps_from_gps, "INS", session.ins, session.findings);
+  const std::int64_t ins_ns = move_to(lidar, session.ins_stamps_from_gps, "INS", session.ins, session.findings);
+  for (std::int64_t& stamp_ns : session.ins_fix_stamps_ns) stamp_ns += ins_ns;
   move_to(lidar, false, "INS", session.world_from_ins, session.findings);
   const TimeSpan other = !is_empty(lidar)       ? lidar
                          : !session.ins.empty() ? span_of_items(session.ins)

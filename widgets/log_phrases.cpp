@@ -23,9 +23,12 @@ const std::vector<const char*>& log_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "The attitude is taken from %1, and the position with it; %2 other positions are not used, nor "
                         "the attitudes of %3."),
-      QT_TRANSLATE_NOOP("remount::model", "The attitude is taken from %1; %2 other positions are not used."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "The attitude is taken from %1; %2 other positions are not used, nor the attitudes of %3."),
+                        "The attitude is taken from %1, and the position with it; %2 other position is not used."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The attitude is taken from %1, and the position with it; %2 other position is not used, nor "
+                        "the attitudes of %3."),
+      QT_TRANSLATE_NOOP("remount::model", "The attitude is taken from %1; the attitudes of %2 are not used."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The log has the heading and pitch of two antennas (%1) and no roll: it is taken to be zero, "
                         "with an error of 3 degrees (1 sigma) that lasts over the drive."),

@@ -23,6 +23,13 @@ const std::vector<const char*>& pose_phrases() {
                         "Positions are of the UTM grid, and attitudes are taken to be relative to its north, too; "
                         "distances were divided by the grid's scale."),
       QT_TRANSLATE_NOOP("remount::model",
+                        "By the fixes, positions are of a grid whose north is %1 degrees from the true one, to which "
+                        "attitudes are relative: they were turned to the grid by that."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Positions have the numbers of a grid that need not be UTM, and are left as they are. Which "
+                        "north the attitudes count from, that of the grid or the true one, is not known: yaw is "
+                        "uncertain by %1 degrees, which its sigma includes."),
+      QT_TRANSLATE_NOOP("remount::model",
                         "Which north the attitudes count from was judged by the direction of travel, and may be "
                         "another: yaw is uncertain by %1 degrees, which its sigma includes."),
       QT_TRANSLATE_NOOP("remount::model",
@@ -50,6 +57,18 @@ const std::vector<const char*>& pose_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "%1 samples are beyond anything that a vehicle reaches (positions beyond 1e9 m, or 250 km from "
                         "the rest): left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 sample is beyond anything that a vehicle reaches (no latitude, longitude and height on the "
+                        "earth): left out."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 samples are beyond anything that a vehicle reaches (no latitude, longitude and height on "
+                        "the earth): left out."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 sample is beyond anything that a vehicle reaches (values beyond a million, or none at all): left out."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "%1 samples are beyond anything that a vehicle reaches (values beyond a million, or none at all): left out."),
       QT_TRANSLATE_NOOP("remount::model", "Glitches of a filter or of its log; what lies between them is used."),
       QT_TRANSLATE_NOOP("remount::model", "Look at the source of the stream where they are many."),
       QT_TRANSLATE_NOOP("remount::model",

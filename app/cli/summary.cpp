@@ -71,12 +71,12 @@ std::string pairs(const ResultFile& file) {
 std::string time_offset(const CalibrationResult& result) {
   const TimeOffset& clock = result.time_offset;
   std::string text =
-      format("time offset: t_ins = t_lidar %+.4f s (1-sigma %.4f s), %s\n", clock.offset_s, clock.sigma_s,
+      format("time offset: t_ins = t_lidar %+.2f ms (1-sigma %.2f ms), %s\n", 1e3 * clock.offset_s, 1e3 * clock.sigma_s,
              clock.applied ? "applied: X is solved with it (solve.apply_time_offset=no: without)" : "not applied");
   const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   for (std::size_t s = 0; offsets_s.size() > 1 && s < offsets_s.size(); ++s)
-    text += format("  session %zu: %+.4f s", s + 1, offsets_s[s]) +
-            (s < sigmas_s.size() ? format(" (1-sigma %.4f s)\n", sigmas_s[s]) : "\n");
+    text += format("  session %zu: %+.2f ms", s + 1, 1e3 * offsets_s[s]) +
+            (s < sigmas_s.size() ? format(" (1-sigma %.2f ms)\n", 1e3 * sigmas_s[s]) : "\n");
   return text;
 }
 

@@ -99,13 +99,13 @@ struct AsciiMark {
 constexpr std::array<AsciiMark, 3> kMarks{
     {{"#INSPVAXA,", AsciiKind::Inspvax, 5}, {"#INSPVAA,", AsciiKind::Inspva, 5}, {"%INSPVASA,", AsciiKind::Inspva, 1}}};
 
-/// Where a log begins within a line, from a place on; null where none does.
+/// Where a log begins within a line, from a place on; null where none does. Looks at no byte beyond the first that
+/// does: a line may be a whole file.
 const AsciiMark* find_mark(std::string_view line, std::size_t from, std::size_t& at) {
-  const AsciiMark* found = nullptr;
-  at = std::string_view::npos;
-  for (const AsciiMark& mark : kMarks)
-    if (const std::size_t place = line.find(mark.begin, from); place < at) found = &mark, at = place;
-  return found;
+  for (at = line.find_first_of("#%", from); at != std::string_view::npos; at = line.find_first_of("#%", at + 1))
+    for (const AsciiMark& mark : kMarks)
+      if (line.substr(at).starts_with(mark.begin)) return &mark;
+  return nullptr;
 }
 
 /// "<week>,<seconds>,<latitude>,<longitude>,<height>,3 speeds,<roll>,<pitch>,<azimuth>,<status>"
@@ -324,9 +324,9 @@ std::optional<InspvaxFormat> recognise_inspvax(const fs::path& path) {
   try {
     const std::string head = read_text_head(path, kHeadBytes);
     std::size_t at = 0;
-    for (const AsciiMark* mark = find_mark(head, 0, at); mark != nullptr; mark = find_mark(head, at + 1, at)) {
-      const std::string_view log = std::string_view(head).substr(at, head.find_first_of("\r\n", at) - at);
-      if (log.find(';') != std::string_view::npos) return InspvaxFormat::AsciiLog;  // not only mentioned in a text
+    while (find_mark(head, at, at) != nullptr) {
+      at = std::min(head.find_first_of("\r\n;", at), head.size());
+      if (at < head.size() && head[at] == ';') return InspvaxFormat::AsciiLog;  // not only mentioned in a text
     }
     LineReader lines(head);
     std::string_view line;

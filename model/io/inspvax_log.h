@@ -53,8 +53,8 @@ bool is_of_wrong_table(std::string_view status);
 /// Adds "ins-status-misnamed" where there are such.
 void report_misnamed(std::size_t count, const std::string& where, std::vector<Finding>& findings);
 
-/// Errors and quality of samples that state none (INSPVA), from the nearest of others that do (INSPVAX), not more than
-/// two seconds away. Both ascending.
+/// Errors of samples that state none (INSPVA), from the nearest of others that do (INSPVAX), not more than two seconds
+/// away; their quality stays their own. Both ascending.
 void give_errors(std::vector<InsSample>& ins, const std::vector<InsSample>& with_errors);
 
 /// NovAtel's CRC-32 of a log's text between '#' and '*'.

@@ -260,11 +260,24 @@ void read_new_fixes(const DocumentView& root, const fs::path& folder, SessionSou
   if (!text.empty()) session.gnss = parse_gnss_table(text, session.files.back(), session.findings);
 }
 
+/// A file that is not there yet is none.
+bool is_in_another_encoding(const fs::path& file) {
+  try {
+    return is_file(file) && !is_plain_text(file);
+  } catch (const Error&) {
+    return false;  // the reader says what is wrong with it
+  }
+}
+
 /// Sentences of one moment belong together, clocks are aligned over the whole drive, and poses in somebody's world are
 /// judged by all of them.
 bool can_be_read_in_parts(const DocumentView& root, const fs::path& folder) {
   if (root.has("ins_poses")) return false;
   if (root.has("clocks") && root.at("clocks").string() != "shared") return false;
+  for (const auto& [stream, file] :
+       {std::pair{"ins", "file"}, {"gnss", "file"}, {"lidar_poses", "file"}, {"scans", "stamps"}})
+    if (const auto node = root.find(stream); node && node->has(file))
+      if (is_in_another_encoding(folder / node->at(file).string())) return false;
   const auto log = [&](std::string_view key) {
     const auto node = root.find(key);
     if (!node || (node->has("columns"))) return false;

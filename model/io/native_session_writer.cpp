@@ -67,6 +67,17 @@ std::string ins_csv(const Session& session) {
   return text;
 }
 
+/// Poses with the numbers of a grid were read as such, and their distances may have been divided by its scale already:
+/// from an origin near the drive nobody does so again.
+std::vector<StampedPose> near_origin(std::vector<StampedPose> poses) {
+  constexpr double kNear_m = 1e4;
+  if (poses.empty() || poses.front().pose.translation().head<2>().norm() < kNear_m) return poses;
+  const Eigen::Vector3d at_m = poses.front().pose.translation();
+  const Eigen::Vector3d origin_m(std::floor(at_m.x()), std::floor(at_m.y()), 0.0);
+  for (StampedPose& pose : poses) pose.pose.translation() -= origin_m;
+  return poses;
+}
+
 std::string name_line(const Session& session) {
   DocumentNode root = DocumentNode::map();
   root.add("name", DocumentNode::string(session.name));
@@ -222,7 +233,7 @@ void write_native_session(const Session& session, const fs::path& folder, int th
   if (!session.ins.empty())
     write_file(folder / "ins.csv", ins_csv(session));
   else if (has_ins(session))
-    write_file(folder / "ins_poses.txt", tum_text(session.world_from_ins));
+    write_file(folder / "ins_poses.txt", tum_text(near_origin(session.world_from_ins)));
   const std::string sensors = write_sensors(session, folder);
   // Last: a folder without its manifest is not taken for a session.
   write_file(folder / "session.yaml", "format: remount-session/1\n" + name_line(session) +

@@ -1,6 +1,8 @@
 // Attitudes of an NMEA log that have a time of their own, as makers write them.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "model/assumed_tilt.h"
 #include "model/io/attitude_convention.h"
@@ -18,6 +20,31 @@ constexpr NmeaTalker kFpdTalker{'F', 'D'}, kChcTalker{'C', 'H'}, kKsxtTalker{'K'
 
 /// The quality that GGA would state for the numbers that makers give a solution of single, float and fixed.
 int gga_quality(std::int64_t solution) { return solution == 3 ? 4 : solution == 2 ? 5 : 1; }
+
+constexpr int kUnknownQuality = 0, kDeadReckoning = 6;
+
+/// GPFPD: the last digit is the state of the INS, 0 before it has begun to align, 1 and 2 while it does, 8 on its
+/// inertial sensors alone. Nothing where there is no solution yet.
+std::optional<int> fpd_quality(std::string_view status) {
+  const char state = status.empty() ? ' ' : status.back();
+  if (state == '0') return std::nullopt;
+  return state == '1' || state == '2' || state == '8' ? kDeadReckoning : kUnknownQuality;
+}
+
+/// GPCHC, two hexadecimal digits: the last is the state of the INS, 0 before it has begun, 1 by satellites alone,
+/// 2 by both, which is the best, 3 by its inertial sensors alone; the first the position by satellites, 0 none,
+/// 1 single, 2 differential, 3 extrapolated, 4 RTK fixed, 5 RTK float; 6 to 9 are 1, 2, 4 and 5 without a heading.
+std::optional<int> chc_quality(std::string_view status) {
+  constexpr std::array<int, 10> kPositions{kDeadReckoning, 1, 2, kDeadReckoning, 4, 5, 1, 2, 4, 5};
+  if (status.empty()) return kUnknownQuality;
+  const char state = status.back(), position = status.size() > 1 ? status[status.size() - 2] : '0';
+  const bool by_satellites = state == '1';
+  if (state == '0' || (by_satellites && position == '0')) return std::nullopt;
+  if (state == '3') return kDeadReckoning;
+  if ((state != '2' && !by_satellites) || position < '0' || position > '9') return kUnknownQuality;
+  const int quality = kPositions[static_cast<std::size_t>(position - '0')];
+  return by_satellites && quality == 4 ? 5 : quality;  // its attitude is not that of an INS: no good sample
+}
 
 }  // namespace
 
@@ -135,12 +162,10 @@ bool NmeaRecords::take_gps_time_record(const NmeaSentence& sentence) {
   places.add_position();
   const auto now = running(*stamp_ns % kDayOfRecord_ns);
   if (!dated_) dated_ = *stamp_ns - *now;
-  // The last digit is the state of the INS: 0 before it has begun to align, 1 and 2 while it does.
-  const char state = status.empty() ? ' ' : status.back();
-  if (state == '0') return true;
-  const int quality = state == '1' || state == '2' ? 6 : 0;
+  const std::optional<int> quality = fpd ? fpd_quality(status) : chc_quality(status);
+  if (!quality) return true;
   const std::size_t place = fpd ? 5 : 11;
-  return add_place(*now, sentence, place, place + 1, place + 2, quality, fpd ? kFpdTalker : kChcTalker) &&
+  return add_place(*now, sentence, place, place + 1, place + 2, *quality, fpd ? kFpdTalker : kChcTalker) &&
          add_attitude(kind, *now, sentence, {2, 3, 4});
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/assumed_tilt.h"
+#include "model/count_words.h"
 #include "model/io/input_file.h"
 #include "model/io/nmea_records.h"
 #include "model/io/text_file.h"
@@ -138,12 +139,7 @@ class NmeaAssembly {
       if (other != kind && !records_.attitudes[i].samples.empty())
         others += (others.empty() ? "" : "; ") + std::string(NmeaRecords::name(other));
     }
-    if (!others.empty() || other_fixes > 0)
-      findings_.push_back(make_finding(Severity::Note, "attitude-chosen", path_.string(),
-                                       "The attitude is taken from " + std::string(NmeaRecords::name(kind)) +
-                                           (other_fixes > 0 ? ", and the position with it; " : "; ") +
-                                           std::to_string(other_fixes) + " other positions are not used" +
-                                           (others.empty() ? "." : ", nor the attitudes of " + others + ".")));
+    tell_chosen(std::string(NmeaRecords::name(kind)), others, other_fixes);
     const bool rolls = records_.of(kind).rolls;
     attitudes_.measured = std::move(records_.of(kind).samples);
     records_.attitudes = {};
@@ -161,6 +157,17 @@ class NmeaAssembly {
                                          std::string(NmeaRecords::name(kind)) +
                                          ") and no roll: it is taken to be zero, with an error of 3 degrees (1 sigma) "
                                          "that lasts over the drive."));
+  }
+
+  void tell_chosen(const std::string& chosen, const std::string& others, std::size_t other_fixes) const {
+    if (others.empty() && other_fixes == 0) return;
+    const std::string unused =
+        other_fixes == 0 ? "; the attitudes of " + others + " are not used."
+                         : ", and the position with it; " +
+                               number_of(other_fixes, "other position is not used", "other positions are not used") +
+                               (others.empty() ? "." : ", nor the attitudes of " + others + ".");
+    findings_.push_back(make_finding(Severity::Note, "attitude-chosen", path_.string(),
+                                     "The attitude is taken from " + chosen + unused));
   }
 
   Eigen::Vector3d sigma_enu_m(const NmeaFix& fix) const {

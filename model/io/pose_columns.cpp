@@ -181,15 +181,17 @@ std::optional<std::int64_t> unit_of_stamps_ns(const std::vector<double>& stamps)
   constexpr double kEarliest_s = 3e8, kLatest_s = 4.1e9;  // 1979 to 2099
   constexpr double kShortestStep_s = 5e-4, kLongestStep_s = 20.0;
   if (stamps.empty()) return std::nullopt;
-  for (const std::int64_t unit_ns : kUnits_ns) {
-    const double time_s = stamps.front() * static_cast<double>(unit_ns) * 1e-9;
-    if (time_s > kEarliest_s && time_s < kLatest_s) return unit_ns;
-  }
   std::vector<double> steps;
   for (std::size_t i = 1; i < stamps.size(); ++i)
     if (stamps[i] > stamps[i - 1]) steps.push_back(stamps[i] - stamps[i - 1]);
-  if (steps.empty()) return kUnits_ns[0];
-  const double step = median_of(std::move(steps));
+  const bool one_time = steps.empty();
+  const double step = one_time ? 0.0 : median_of(std::move(steps));
+  // Nanoseconds since power-on soon have the size of seconds since 1970; their steps have not.
+  for (const std::int64_t unit_ns : kUnits_ns) {
+    const double in_s = static_cast<double>(unit_ns) * 1e-9, time_s = stamps.front() * in_s;
+    if (time_s > kEarliest_s && time_s < kLatest_s && step * in_s <= kLongestStep_s) return unit_ns;
+  }
+  if (one_time) return kUnits_ns[0];
   const auto possible = [&](std::int64_t unit_ns) {
     const double step_s = step * static_cast<double>(unit_ns) * 1e-9;
     return step_s >= kShortestStep_s && step_s <= kLongestStep_s;

@@ -27,8 +27,8 @@ PoseColumns usual_pose_columns(bool numbered);
 std::optional<PoseColumns> named_pose_columns(std::string_view line);
 
 /// Nanoseconds in one unit of stamps that nobody names, from the stamps at the begin of a file. Times since 1970 say it
-/// by their size; of others seconds are taken where their steps may be, and another unit where it is the only one that
-/// may. Nothing where none or several may.
+/// by their size where their steps are not too long for it; of others seconds are taken where their steps may be, and
+/// another unit where it is the only one that may. Nothing where none or several may.
 std::optional<std::int64_t> unit_of_stamps_ns(const std::vector<double>& stamps);
 
 }  // namespace remount

@@ -25,6 +25,7 @@ class SessionSource {
   virtual std::vector<std::filesystem::path> files(const std::filesystem::path& folder) { return files_in(folder); }
 };
 
+/// Text that is in UTF-8 without a mark (is_plain_text).
 /// What has been added to tables and folders since it was handed out last: costs in proportion to that. A line that is
 /// not complete waits for the rest.
 class GrowingSource final : public SessionSource {

@@ -71,6 +71,11 @@ std::string read_text_file(const std::filesystem::path& path, std::uint64_t max_
   return utf8_text(read_regular_file(path, max_bytes));
 }
 
+bool is_plain_text(const std::filesystem::path& path) {
+  const std::string head = read_file_head(path, 4);
+  return utf8_text(head) == head;
+}
+
 std::string read_text_head(const std::filesystem::path& path, std::size_t bytes) {
   return utf8_text(read_file_head(path, bytes & ~std::size_t{1}));
 }

@@ -16,6 +16,9 @@ std::string read_text_file(const std::filesystem::path& path, std::uint64_t max_
 /// The first bytes of a text, at most `bytes` of the file; same errors.
 std::string read_text_head(const std::filesystem::path& path, std::size_t bytes);
 
+/// Whether read_text_file gives a file's bytes as they are, so that what is added to it can be read alone.
+bool is_plain_text(const std::filesystem::path& path);
+
 /// What read_text_file makes of the bytes of a file.
 std::string utf8_text(std::string bytes);
 

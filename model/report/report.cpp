@@ -233,8 +233,8 @@ void Page::write_observability() {
   if (const std::string words = disagreement_words(result_); !words.empty()) lines.push_back(sentence(words));
   if (std::isfinite(result_.time_offset.offset_s))
     lines.push_back(phrase("report", "Clock offset INS − LiDAR") + ": " +
-                    number("%.1f ms", 1e3 * result_.time_offset.offset_s) + " ± " +
-                    number("%.1f ms", 1e3 * result_.time_offset.sigma_s) + ", " +
+                    number("%.2f ms", 1e3 * result_.time_offset.offset_s) + " ± " +
+                    number("%.2f ms", 1e3 * result_.time_offset.sigma_s) + ", " +
                     (result_.time_offset.applied ? phrase("report", "applied") : phrase("report", "not applied")));
   list(lines);
 }

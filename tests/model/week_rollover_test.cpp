@@ -123,11 +123,39 @@ TEST(week_rollover, of_a_bag_is_told_by_the_clock_of_its_recorder) {
   bag.finish();
   Progress progress;
   const Session read = open_session(folder.path() / "drive.bag", progress);
-  EXPECT_GE(rollovers_in(read), 1u);
+  EXPECT_EQ(rollovers_in(read), 2u) << "orientation and fix, whatever they are used for";
   EXPECT_FALSE(says_clocks_are_apart(read));
   ASSERT_EQ(read.ins.size(), 41u);
   EXPECT_EQ(read.ins.front().stamp_ns, bags::BagMaker::on_circle(0).stamp_ns);
   EXPECT_EQ(read.gnss.front().stamp_ns, bags::BagMaker::on_circle(0).stamp_ns);
+}
+
+TEST(week_rollover, of_inspva_moves_the_inspvax_beside_it_whose_errors_it_has) {
+  const TemporaryFolder folder;
+  bags::BagMaker bag(folder.path() / "drive.bag");
+  bag.add_inspva("/novatel/oem7/inspva", 201, 1024);
+  bag.add_inspvax("/novatel/oem7/inspvax", 11, 20, 56, 0, 1024);
+  bag.add_scans("/points", 100, 30);
+  bag.finish();
+  Progress progress;
+  const Session read = open_session(folder.path() / "drive.bag", progress);
+  EXPECT_EQ(rollovers_in(read), 1u) << "of one receiver";
+  EXPECT_FALSE(says_clocks_are_apart(read));
+  ASSERT_EQ(read.ins.size(), 201u);
+  for (std::size_t i = 0; i < read.ins.size(); ++i) {
+    EXPECT_EQ(read.ins[i].stamp_ns, bags::BagMaker::on_circle(static_cast<int>(i)).stamp_ns);
+    EXPECT_NEAR(read.ins[i].sigma.position_enu_m.x(), 0.02, 1e-6) << i;
+  }
+}
+
+TEST(week_rollover, moves_which_positions_were_measured_with_the_ins) {
+  Session session = drive_of_today().session;
+  const std::int64_t measured_ns = session.ins.at(40).stamp_ns;
+  session.ins_fix_stamps_ns = {session.ins.front().stamp_ns - kWeeks_ns, measured_ns - kWeeks_ns};
+  move_back(session.ins, kWeeks_ns);
+  mend_week_rollover(session);
+  EXPECT_EQ(session.ins.at(40).stamp_ns, measured_ns);
+  EXPECT_EQ(session.ins_fix_stamps_ns.back(), measured_ns);
 }
 
 }  // namespace

@@ -315,8 +315,8 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   if (const std::string words = disagreement_words(result); !words.empty()) figures << model_text(words);
   if (has_mounting(result) && std::isfinite(result.time_offset.offset_s))
     figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
-                   .arg(std::round(1e4 * result.time_offset.offset_s) / 10.0 + 0.0, 0, 'f', 1)  // no "-0.0"
-                   .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 1)
+                   .arg(std::round(1e5 * result.time_offset.offset_s) / 100.0 + 0.0, 0, 'f', 2)  // no "-0.0"
+                   .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 2)
                    .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
   figures << session_clocks(result);
   if (has_mounting(result) && !output.pairs.empty())

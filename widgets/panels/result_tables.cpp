@@ -40,8 +40,8 @@ QStringList session_clocks(const CalibrationResult& result) {
   for (std::size_t s = 0; s < offsets_s.size(); ++s)
     lines << ResultPanel::tr("clock offset of session %1: %2 ms ± %3 ms")
                  .arg(s + 1)
-                 .arg(std::round(1e4 * offsets_s[s]) / 10.0 + 0.0, 0, 'f', 1)  // no "-0.0"
-                 .arg(1e3 * sigmas_s[s], 0, 'f', 1);
+                 .arg(std::round(1e5 * offsets_s[s]) / 100.0 + 0.0, 0, 'f', 2)  // no "-0.0"
+                 .arg(1e3 * sigmas_s[s], 0, 'f', 2);
   return lines;
 }
 

@@ -34,9 +34,14 @@ constexpr std::uint64_t kSpareBytes = std::uint64_t{64} << 20;
 
 std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MB"; }
 
-/// What else helps than a folder with more room.
+/// What else helps than a folder with more room. By what the file holds, as it is read: its name may be any.
 std::string other_way(const fs::path& source) {
-  return source.extension() == ".zstd" ? "unpack it with 'zstd -d'" : "copy the bag to a folder that can be written";
+  const char* const copied = "copy the bag to a folder that can be written";
+  try {
+    return is_zstd(read_file_head(source, 4)) ? "unpack it with 'zstd -d'" : copied;
+  } catch (const Error&) {
+    return copied;
+  }
 }
 
 [[noreturn]] void no_room(const fs::path& source, const fs::path& folder, const std::string& why) {

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Scans whose names are their stamps, an INS and fixes.
-void write_whole(const fs::path& folder, double duration_s) {
+void write_whole(const fs::path& folder, double duration_s, bool stamps_in_names = true) {
   SimulationOptions options;
   options.duration_s = duration_s;
   options.beams = 2;
@@ -25,6 +25,7 @@ void write_whole(const fs::path& folder, double duration_s) {
   const SimulatedDrive drive = simulate_drive(options);
   Progress progress;
   write_native_session(drive.session, folder, 1, progress);
+  if (!stamps_in_names) return;
   for (std::size_t i = 0; i < drive.session.scans->size(); ++i) {
     char name[32];
     std::snprintf(name, sizeof name, "%010zu.pcd", i);
@@ -67,6 +68,36 @@ template <class Item>
 void expect_beginning(const std::vector<Item>& part, const std::vector<Item>& whole) {
   ASSERT_LE(part.size(), whole.size());
   for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(part[i].stamp_ns, whole[i].stamp_ns) << i;
+}
+
+/// As Windows' editors and exporters write texts.
+std::string utf16(const std::string& text) {
+  std::string wide = "\xFF\xFE";
+  for (const char c : text) wide += c, wide += '\0';
+  return wide;
+}
+
+TEST(growing_session, in_another_encoding_is_read_as_a_whole) {
+  const TemporaryFolder folder;
+  const fs::path copy = folder.path() / "copy";
+  write_whole(copy, 3.0, false);
+  Progress progress;
+  const Session whole = open_session(copy, progress, LookAt::Streams);
+  for (const char* table : {"ins.csv", "gnss.csv", "scan_stamps.csv"}) {
+    const std::string plain = bytes_of(copy / table);
+    for (const std::string& text : {utf16(plain), "\xEF\xBB\xBF" + plain}) {
+      SCOPED_TRACE(table);
+      std::ofstream(copy / table, std::ios::binary) << text;
+      GrowingSession growing(copy, {});
+      const Session* now = growing.look();
+      ASSERT_NE(now, nullptr) << growing.problem();
+      EXPECT_EQ(now->ins.size(), whole.ins.size());
+      EXPECT_EQ(now->gnss.size(), whole.gnss.size());
+      ASSERT_NE(now->scans, nullptr);
+      EXPECT_EQ(now->scans->size(), whole.scans->size());
+    }
+    std::ofstream(copy / table, std::ios::binary) << plain;
+  }
 }
 
 TEST(growing_session, each_look_costs_what_is_new) {

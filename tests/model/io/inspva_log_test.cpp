@@ -1,12 +1,15 @@
 // NovAtel's ASCII logs as terminals and loggers write them, and INSPVA among them.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "model/io/attitude_convention.h"
 #include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
+#include "tests/support/sanitized.h"
 
 namespace remount {
 namespace {
@@ -90,6 +93,38 @@ TEST_F(inspva_log, the_faster_of_the_two_serves_with_the_errors_of_the_other) {
   for (int i = 0; i < 100; ++i)
     alike += inspva("INSPVAA", 100.0 + 0.02 * i, 90.0) + inspvaxa(2183, 100.0 + 0.02 * i, 90.0);
   EXPECT_EQ(read(alike).front().sigma.position_enu_m, Eigen::Vector3d(0.9, 0.8, 1.2));
+}
+
+double seconds_of(const std::function<void()>& what) {
+  const auto start = std::chrono::steady_clock::now();
+  what();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST_F(inspva_log, with_other_ends_of_lines_is_one_line_and_costs_no_more) {
+  constexpr std::size_t kLogs = 20'000;
+  std::string text, cut;
+  for (std::size_t i = 0; i < kLogs; ++i) {
+    std::string line = inspvaxa(2183, 100.0 + 0.01 * static_cast<double>(i), 90.0);
+    line.pop_back();  // "\n" of "\r\n"
+    text += line;
+    cut += "#INSPVAXA,#%INSPVASA,##";
+  }
+  std::vector<InsSample> ins;
+  const double taken_s = seconds_of([&] { ins = read(text); });
+  EXPECT_EQ(ins.size(), kLogs);
+  // Marks without a log behind them, in one line as well: recognised by the last.
+  while (cut.size() < 1'500'000) cut += cut;
+  std::size_t after_marks = 0;
+  const double marks_s = seconds_of([&] { after_marks = read(inspvaxa(2183, 100.0, 90.0) + cut).size(); });
+  EXPECT_EQ(after_marks, 1U);
+  const auto none = folder_.write("none", cut);
+  const double none_s = seconds_of([&] { EXPECT_FALSE(recognise_inspvax(none)); });
+  std::printf("%.1f MB in one line: %.3f s; of marks alone %.3f s, not recognised in %.3f s\n",
+              1e-6 * static_cast<double>(text.size()), taken_s, marks_s, none_s);
+  EXPECT_LT(taken_s, 1.0 * kSanitizerSlowdown);
+  EXPECT_LT(marks_s, 1.0 * kSanitizerSlowdown);
+  EXPECT_LT(none_s, 1.0 * kSanitizerSlowdown);
 }
 
 TEST_F(inspva_log, a_text_that_mentions_a_log_is_none) {

@@ -201,6 +201,54 @@ TEST_F(nmea_makers, ksxt_is_a_log_of_its_own) {
   EXPECT_DOUBLE_EQ(log.ins[0].height_m, 298.0);
 }
 
+/// GPCHC of 20 epochs that all have one status.
+std::string chc_of_status(const std::string& status) {
+  std::string text;
+  for (int i = 0; i < 20; ++i)
+    text += nmea_line(formatted(
+        "GPCHC,2445,%.2f,%.3f,%.3f,%.3f,0,0,0,0,0,1,%.8f,9.19166667,298.0,1,2,0,2.2,20,18,%s,1.0,0", 561618.0 + 0.1 * i,
+        heading_of(i), kPitch_deg, kRoll_deg, 48.0 + (46.1 + 1e-4 * i) / 60.0, status.c_str()));
+  return text;
+}
+
+TEST_F(nmea_makers, status_of_chc_is_that_of_its_ins_and_of_its_satellites) {
+  struct Meaning {
+    const char* status;
+    InsQuality quality;
+    double sigma_m;
+  };
+  for (const auto& [status, quality, sigma_m] :
+       {Meaning{"42", InsQuality::Good, 0.02}, Meaning{"82", InsQuality::Good, 0.02},
+        Meaning{"52", InsQuality::Degraded, 0.3}, Meaning{"92", InsQuality::Degraded, 0.3},
+        Meaning{"22", InsQuality::Degraded, 0.8}, Meaning{"72", InsQuality::Degraded, 0.8},
+        Meaning{"12", InsQuality::Degraded, 2.0}, Meaning{"62", InsQuality::Degraded, 2.0},
+        Meaning{"02", InsQuality::Degraded, 2.0}, Meaning{"32", InsQuality::Degraded, 2.0},
+        Meaning{"43", InsQuality::Degraded, 2.0}, Meaning{"03", InsQuality::Degraded, 2.0},
+        Meaning{"41", InsQuality::Degraded, 0.3}, Meaning{"11", InsQuality::Degraded, 2.0}}) {
+    SCOPED_TRACE(status);
+    const NmeaLog log = read(chc_of_status(status));
+    expect_attitudes(log, kPitch_deg, kRoll_deg);
+    for (const InsSample& sample : log.ins) {
+      EXPECT_EQ(sample.quality, quality);
+      EXPECT_DOUBLE_EQ(sample.sigma.position_enu_m.x(), sigma_m);
+      EXPECT_DOUBLE_EQ(sample.sigma.position_enu_m.z(), 1.5 * sigma_m);
+    }
+  }
+  for (const char* status : {"", "4F", "A2"}) {
+    SCOPED_TRACE(status);
+    const NmeaLog log = read(chc_of_status(status));
+    ASSERT_EQ(log.ins.size(), 20U);
+    EXPECT_EQ(log.ins[7].quality, InsQuality::Unknown);
+    EXPECT_TRUE(std::isnan(log.ins[7].sigma.position_enu_m.x()));
+  }
+  for (const char* status : {"00", "40", "01", "0"})
+    EXPECT_TRUE(read(chc_of_status(status) + gga("GN", 3, 4)).ins.empty()) << status;
+  // What the INS has while it begins is left out alone.
+  const NmeaLog begun = read(chc_of_status("00").substr(0, 5 * chc_of_status("00").size() / 20) + chc_of_status("42"));
+  EXPECT_EQ(begun.ins.size(), 20U);
+  EXPECT_EQ(begun.ins.front().quality, InsQuality::Good);
+}
+
 TEST_F(nmea_makers, fpd_and_chc_are_the_ins_with_their_own_position) {
   // 21 November 2026, 12:00:00 UTC, is 561618 s of GPS week 2445.
   const std::int64_t noon_ns = *parse_date_ns("2026-11-21 12:00:00");
@@ -221,6 +269,7 @@ TEST_F(nmea_makers, fpd_and_chc_are_the_ins_with_their_own_position) {
     const NmeaLog log = read(text);
     expect_attitudes(log, kPitch_deg, kRoll_deg);
     for (std::size_t i = 0; i < 20; ++i) {
+      EXPECT_EQ(log.ins[i].quality, fpd ? InsQuality::Unknown : InsQuality::Good);
       EXPECT_EQ(log.ins[i].stamp_ns, noon_ns + static_cast<std::int64_t>(i) * 100'000'000);
       EXPECT_NEAR((radians_to_degrees(log.ins[i].latitude_rad) - 48.0) * 60.0, 46.1 + 1e-4 * static_cast<double>(i),
                   2e-6);

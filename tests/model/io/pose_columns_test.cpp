@@ -119,6 +119,18 @@ TEST(pose_columns, units_of_times_are_those_of_the_header_or_of_their_size) {
   expect_poses(pose_lines_in("ntxyzabcd", ' ', kNs, kThen_ns), kThen_ns, 1);
 }
 
+TEST(pose_columns, units_by_size_are_those_in_which_steps_are_possible) {
+  for (const double first : {3.1e8, 1e9, 4e9}) {  // in which seconds would be of 1979 to 2096
+    EXPECT_EQ(unit_of_stamps_ns({first, first + 1e8, first + 2e8}), kNs) << first;
+    EXPECT_EQ(unit_of_stamps_ns({first, first + 1e5, first + 2e5}), kUs) << first;
+    EXPECT_EQ(unit_of_stamps_ns({first, first + 0.1, first + 0.2}), kS) << first;
+    EXPECT_EQ(unit_of_stamps_ns({first, first, first}), kS) << first;
+  }
+  EXPECT_EQ(unit_of_stamps_ns({1e12, 1e12 + 1e8, 1e12 + 2e8}), kNs) << "a quarter of an hour, not 2001 in ms";
+  EXPECT_EQ(unit_of_stamps_ns({1.7e18, 1.7e18 + 1024.0, 1.7e18 + 1e8}), kNs) << "a burst at the begin";
+  expect_poses(pose_lines_in("txyzabcd", ' ', kNs, 1'000'000'000), 1'000'000'000, 1);
+}
+
 TEST(pose_columns, units_that_several_sizes_allow_are_not_guessed) {
   EXPECT_EQ(unit_of_stamps_ns({0.0, 1e6, 2e6}), std::nullopt);  // milliseconds of ns, or seconds of us
   EXPECT_EQ(unit_of_stamps_ns({0.0, 0.1, 0.2}), kS);

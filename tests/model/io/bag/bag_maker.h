@@ -74,14 +74,16 @@ class BagMaker {
     }
   }
   /// INSPVAX of novatel_oem7_driver on the circle. @param every of its places, which are 50 ms apart
-  void add_inspvax(const std::string& topic, int count, int every, std::uint32_t position_type = 56, int first = 0) {
-    constexpr std::int64_t kWeek = 2123, kStartOfDrive_ms = 44'818'000;  // kStart_ns
+  /// @param weeks_back by which the receiver counts too few
+  void add_inspvax(const std::string& topic, int count, int every, std::uint32_t position_type = 56, int first = 0,
+                   int weeks_back = 0) {
+    constexpr std::int64_t kStartOfDrive_ms = 44'818'000;  // kStart_ns
     for (int i = first; i < first + count; ++i) {
       const InsSample sample = on_circle(i * every);
       const std::int64_t since_ns = sample.stamp_ns - kStart_ns;
       MessageWriter writer(kRos1);
       writer.header(sample.stamp_ns, "gps").string("INSPVAX").number<std::uint16_t>(1465).number<std::uint8_t>(0);
-      writer.number<std::uint32_t>(0).number<std::uint8_t>(180).number(static_cast<std::uint16_t>(kWeek));
+      writer.number<std::uint32_t>(0).number<std::uint8_t>(180).number(static_cast<std::uint16_t>(2123 - weeks_back));
       writer.number(static_cast<std::uint32_t>(kStartOfDrive_ms + since_ns / 1'000'000));
       writer.number<std::uint32_t>(3).number(position_type);
       writer.number(radians_to_degrees(sample.latitude_rad)).number(radians_to_degrees(sample.longitude_rad));
@@ -93,12 +95,12 @@ class BagMaker {
     }
   }
   /// INSPVA of novatel_oem7_driver on the circle, at its places.
-  void add_inspva(const std::string& topic, int count) {
+  void add_inspva(const std::string& topic, int count, int weeks_back = 0) {
     for (int i = 0; i < count; ++i) {
       const InsSample sample = on_circle(i);
       MessageWriter writer(kRos1);
       writer.header(sample.stamp_ns, "gps").string("INSPVA").number<std::uint16_t>(507).number<std::uint8_t>(0);
-      writer.number<std::uint32_t>(0).number<std::uint8_t>(180).number<std::uint16_t>(2123);
+      writer.number<std::uint32_t>(0).number<std::uint8_t>(180).number(static_cast<std::uint16_t>(2123 - weeks_back));
       writer.number(static_cast<std::uint32_t>(44'818'000 + (sample.stamp_ns - kStart_ns) / 1'000'000));
       writer.number(radians_to_degrees(sample.latitude_rad)).number(radians_to_degrees(sample.longitude_rad));
       writer.number(sample.height_m);

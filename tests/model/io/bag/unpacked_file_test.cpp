@@ -54,6 +54,13 @@ TEST(unpacked_file, without_a_folder_for_it_says_which_to_set) {
   const auto packed = folder.write("a.db3.zstd", pack_chunk(ChunkCompression::Zstd, "some bytes"));
   const testing::TemporaryFilesIn none(folder.path() / "none");
   EXPECT_ERROR(UnpackedFile(packed, progress), "set TMPDIR");
+  for (const char* name : {"a.db3.zstd", "a.mcap.zst", "a.bag"}) {
+    SCOPED_TRACE(name);
+    const auto any = folder.write(name, pack_chunk(ChunkCompression::Zstd, "some bytes"));
+    EXPECT_ERROR(UnpackedFile(any, progress), "or unpack it with 'zstd -d'");
+    const auto database = folder.write(std::string("plain/") + name, "SQLite format 3");
+    EXPECT_ERROR(UnpackedFile({database, database}, progress), "or copy the bag to a folder that can be written");
+  }
 }
 
 }  // namespace
