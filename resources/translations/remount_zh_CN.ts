@@ -10507,14 +10507,6 @@ Save under another name, or close it there first.</source>
         <translation>姿态取自 %1，位置也随之取用；另有 %2 个位置以及 %3 的姿态未使用。</translation>
     </message>
     <message>
-        <source>The attitude is taken from %1; %2 other positions are not used.</source>
-        <translation>姿态取自 %1；另有 %2 个位置未使用。</translation>
-    </message>
-    <message>
-        <source>The attitude is taken from %1; %2 other positions are not used, nor the attitudes of %3.</source>
-        <translation>姿态取自 %1；另有 %2 个位置以及 %3 的姿态未使用。</translation>
-    </message>
-    <message>
         <source>The log has the heading and pitch of two antennas (%1) and no roll: it is taken to be zero, with an error of 3 degrees (1 sigma) that lasts over the drive.</source>
         <translation>日志有双天线的航向和俯仰（%1），没有横滚：横滚按零处理，误差为 3 度（1 sigma），在整个行程中保持不变。</translation>
     </message>
@@ -11157,6 +11149,42 @@ Save under another name, or close it there first.</source>
     <message>
         <source>Nothing is known: the mounting changes whenever the odometry is repeated with it.</source>
         <translation>一无所知：每次用它重新推算里程计，安装位置都会变化。</translation>
+    </message>
+    <message>
+        <source>The attitude is taken from %1, and the position with it; %2 other position is not used.</source>
+        <translation>姿态取自 %1，位置也随之取用；另有 %2 个位置未使用。</translation>
+    </message>
+    <message>
+        <source>The attitude is taken from %1, and the position with it; %2 other position is not used, nor the attitudes of %3.</source>
+        <translation>姿态取自 %1，位置也随之取用；另有 %2 个位置以及 %3 的姿态未使用。</translation>
+    </message>
+    <message>
+        <source>The attitude is taken from %1; the attitudes of %2 are not used.</source>
+        <translation>姿态取自 %1；%2 的姿态未使用。</translation>
+    </message>
+    <message>
+        <source>By the fixes, positions are of a grid whose north is %1 degrees from the true one, to which attitudes are relative: they were turned to the grid by that.</source>
+        <translation>由定位点判断，位置为网格坐标，其网格北与真北相差 %1 度，而姿态相对真北：姿态已按此转到网格。</translation>
+    </message>
+    <message>
+        <source>Positions have the numbers of a grid that need not be UTM, and are left as they are. Which north the attitudes count from, that of the grid or the true one, is not known: yaw is uncertain by %1 degrees, which its sigma includes.</source>
+        <translation>位置的数值属于某种网格坐标，但未必是 UTM，因此保持不变。姿态参照的是网格北还是真北，无从得知：偏航角因此有 %1 度的不确定度，已计入其 sigma。</translation>
+    </message>
+    <message>
+        <source>%1 sample is beyond anything that a vehicle reaches (no latitude, longitude and height on the earth): left out.</source>
+        <translation>%1 个样本超出车辆所能到达的范围（纬度、经度和高度不在地球上）：已略去。</translation>
+    </message>
+    <message>
+        <source>%1 samples are beyond anything that a vehicle reaches (no latitude, longitude and height on the earth): left out.</source>
+        <translation>%1 个样本超出车辆所能到达的范围（纬度、经度和高度不在地球上）：已略去。</translation>
+    </message>
+    <message>
+        <source>%1 sample is beyond anything that a vehicle reaches (values beyond a million, or none at all): left out.</source>
+        <translation>%1 个样本超出车辆所能达到的范围（数值超过一百万，或根本不是数值）：已略去。</translation>
+    </message>
+    <message>
+        <source>%1 samples are beyond anything that a vehicle reaches (values beyond a million, or none at all): left out.</source>
+        <translation>%1 个样本超出车辆所能达到的范围（数值超过一百万，或根本不是数值）：已略去。</translation>
     </message>
 </context>
 <context>
