@@ -9,13 +9,19 @@
 namespace remount {
 namespace {
 
-constexpr double kConvergence_rad = 1.5 * kPi / 180.0;  // of a place on a national grid, 1 sigma
-constexpr double kInLine_rad = 0.4 * kPi / 180.0;       // of most INS in their vehicle
-constexpr double kGridScale_sigma = 2e-4;               // with the height, which changes it as well
+constexpr double kConvergence_rad = 1.5 * kPi / 180.0;  // of a place on most national grids, 1 sigma
+constexpr double kWideConvergence_rad = 5.0 * kPi / 180.0, kWideShare = 0.05;  // and on oblique ones, as Krovak's
+constexpr double kInLine_rad = 0.4 * kPi / 180.0;                              // of most INS in their vehicle
+constexpr double kGridScale_sigma = 2e-4;  // with the height, which changes it as well
 constexpr double kOtherScale_sigma = 4e-4;
 
 double normal_density(double x, double sigma) {
   return std::exp(-0.5 * x * x / (sigma * sigma)) / (sigma * std::sqrt(2.0 * kPi));
+}
+
+double convergence_density(double angle_rad) {
+  return (1.0 - kWideShare) * normal_density(angle_rad, kConvergence_rad) +
+         kWideShare * normal_density(angle_rad, kWideConvergence_rad);
 }
 
 /// How likely numbers are UTM's before the drive is looked at. Its eastings have six digits and stay within three
@@ -25,7 +31,7 @@ double likelihood_of_utm(const Eigen::Vector3d& at, std::optional<bool> northern
   constexpr double kLeastEasting_m = 1e5, kMostEasting_m = 9e5, kMiddle_m = 5e5, kNationalNorthing_m = 1.25e6,
                    kOfEquator_m = 1e7;
   constexpr double kEarth_m = 6.371e6, kHalfZone_rad = 3.5 * kPi / 180.0;
-  if (at.x() < kLeastEasting_m || at.x() > kMostEasting_m) return 0.0;
+  if (at.x() < kLeastEasting_m || at.x() > kMostEasting_m || at.y() < 0.0) return 0.0;
   const auto in_zone = [&](bool half) {
     const double latitude_rad = (half ? at.y() : kOfEquator_m - at.y()) / kEarth_m;
     return std::abs(at.x() - kMiddle_m) < kHalfZone_rad * kEarth_m * std::cos(latitude_rad);
@@ -37,12 +43,12 @@ double likelihood_of_utm(const Eigen::Vector3d& at, std::optional<bool> northern
 /// Another grid: attitudes to its north, or to the true one by any convergence.
 void add_other_grid(double weight, double to_true_north, std::vector<NorthHypothesis>& norths) {
   constexpr double kStep_rad = 0.1 * kPi / 180.0;
-  constexpr int kSteps = 60;
+  constexpr int kSteps = 120;
   norths.push_back({.world = PoseWorld::OtherGrid, .weight = weight * (1.0 - to_true_north)});
   for (int i = -kSteps; i <= kSteps; ++i)
     norths.push_back({.world = PoseWorld::OtherGrid,
                       .correction_rad = kStep_rad * i,
-                      .weight = weight * to_true_north * kStep_rad * normal_density(kStep_rad * i, kConvergence_rad)});
+                      .weight = weight * to_true_north * kStep_rad * convergence_density(kStep_rad * i)});
 }
 
 }  // namespace
@@ -105,7 +111,7 @@ std::vector<NorthHypothesis> norths_by_fixes(const Session& session, const Turne
     norths.push_back({.world = PoseWorld::OtherGrid,
                       .correction_rad = to_true ? turned.angle_rad : 0.0,
                       .scale_sigma = kOtherScale_sigma,
-                      .weight = kOther * share * normal_density(turned.angle_rad, kConvergence_rad) * 2.0 * kPi});
+                      .weight = kOther * share * convergence_density(turned.angle_rad) * 2.0 * kPi});
   }
   return norths;
 }

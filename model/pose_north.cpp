@@ -15,11 +15,12 @@ namespace remount {
 namespace {
 
 /// UTM's false easting keeps eastings from 100 to 900 km, and its northings count from the equator. National grids have
-/// such numbers, too, or smaller and larger eastings: no world of its own begins ten kilometres away.
+/// such numbers, too, or smaller, larger and negative ones: no world of its own begins ten kilometres away.
 bool has_numbers_of_a_grid(const std::vector<StampedPose>& poses) {
   return std::all_of(poses.begin(), poses.end(), [](const StampedPose& pose) {
     const Eigen::Vector3d at = pose.pose.translation();
-    return at.x() > 1e4 && at.x() < 5e7 && at.y() > 1e4 && at.y() < 1e7 && std::abs(at.z()) < 1e4;
+    return std::abs(at.x()) > 1e4 && std::abs(at.x()) < 5e7 && std::abs(at.y()) > 1e4 && std::abs(at.y()) < 1e7 &&
+           std::abs(at.z()) < 1e4;
   });
 }
 

@@ -19,7 +19,9 @@ using namespace north;
 
 constexpr NationalGrid kSwiss{"LV03", 7.4396, 46.9524, 1.0, 6e5, 2e5},
     kBritish{"OSGB", -2.0, 49.0, 0.9996013, 4e5, -1e5}, kDutch{"RD", 5.3876, 52.1562, 0.9999079, 155e3, 463e3},
-    kFrench{"Lambert 93", 3.0, 46.5, 0.99905, 7e5, 6.6e6}, kPolish{"PL-1992", 19.0, 52.0, 0.9993, 5e5, 461e3};
+    kFrench{"Lambert 93", 3.0, 46.5, 0.99905, 7e5, 6.6e6}, kPolish{"PL-1992", 19.0, 52.0, 0.9993, 5e5, 461e3},
+    // Not a transverse Mercator in truth; numbers and convergences are as here.
+    kCzech{"Krovak", 24.8333, 49.5, 0.9999, 0.0, -1.1e6};
 
 struct PlaceOnGrid {
   const NationalGrid& grid;
@@ -29,7 +31,8 @@ const PlaceOnGrid kPlacesOnGrids[] = {
     {kSwiss, {"Bern", 46.95, 7.45}},      {kSwiss, {"Zurich", 47.4, 8.55}},    {kSwiss, {"Chur", 46.85, 9.53}},
     {kSwiss, {"Geneva", 46.2, 6.15}},     {kBritish, {"London", 51.5, -0.1}},  {kBritish, {"Truro", 50.3, -5.05}},
     {kBritish, {"Glasgow", 55.9, -4.25}}, {kDutch, {"Groningen", 53.2, 6.57}}, {kFrench, {"Lyon", 45.75, 4.85}},
-    {kFrench, {"Nice", 43.7, 7.27}},      {kPolish, {"Rzeszow", 50.0, 22.0}}};
+    {kFrench, {"Nice", 43.7, 7.27}},      {kPolish, {"Rzeszow", 50.0, 22.0}},  {kCzech, {"Prague", 50.09, 14.42}},
+    {kCzech, {"Kosice", 48.72, 21.26}}};
 
 /// The yaw by which attitudes are off, against the same poses with attitudes to the grid.
 double off_deg(const Session& session, const Poses& exact) {
