@@ -20,8 +20,8 @@ using namespace north;
 constexpr NationalGrid kSwiss{"LV03", 7.4396, 46.9524, 1.0, 6e5, 2e5},
     kBritish{"OSGB", -2.0, 49.0, 0.9996013, 4e5, -1e5}, kDutch{"RD", 5.3876, 52.1562, 0.9999079, 155e3, 463e3},
     kFrench{"Lambert 93", 3.0, 46.5, 0.99905, 7e5, 6.6e6}, kPolish{"PL-1992", 19.0, 52.0, 0.9993, 5e5, 461e3},
-    // Not a transverse Mercator in truth; numbers and convergences are as here.
-    kCzech{"Krovak", 24.8333, 49.5, 0.9999, 0.0, -1.1e6};
+    // Numbers below zero, as those of Krovak's grid are, which is no transverse Mercator.
+    kCzech{"negative", 19.0, 49.5, 0.9999, -4e5, -1.1e6};
 
 struct PlaceOnGrid {
   const NationalGrid& grid;
