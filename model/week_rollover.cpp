@@ -65,7 +65,7 @@ std::int64_t week_rollover_ns(const TimeSpan& stream, const TimeSpan& other, boo
 Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where) {
   const std::int64_t weeks =
       1024 * std::abs(std::llround(static_cast<double>(moved_ns) / static_cast<double>(kTurn_ns)));
-  return make_finding(Severity::Warning, "gps-week-rollover", where,
+  return make_finding(Severity::Warning, kWeekRollover, where,
                       "The stamps are " + std::to_string(weeks) + " weeks " + (moved_ns > 0 ? "before" : "after") +
                           " those they belong to: the week number of GPS begins anew every 1024 weeks, and a receiver "
                           "with old firmware "

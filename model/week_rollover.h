@@ -15,6 +15,7 @@ namespace remount {
 /// other is taken, and where both do, what `from_gps_time` says.
 std::int64_t week_rollover_ns(const TimeSpan& stream, const TimeSpan& other, bool from_gps_time);
 
+inline constexpr const char* kWeekRollover = "gps-week-rollover";
 Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where);
 
 /// Moves INS, IMU, GNSS, wheels and barometer of a session to the LiDAR's turn of the week; without a LiDAR the others

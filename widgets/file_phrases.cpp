@@ -63,6 +63,12 @@ const std::vector<const char*>& file_phrases() {
           "otherwise"),
       QT_TRANSLATE_NOOP(
           "remount::model",
+          "per-point is declared, but %1 in %2. Columns of times that are known: %3, also behind scalar_. Or "
+          "declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown "
+          "otherwise. Besides, the stamps of %4 are turns of the GPS week (1024 weeks each) off, which is mended once "
+          "the session can be read"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
           "its points have no times, or all the same, while those of other scans have: it would be used as "
           "if it had been measured at once"),
       QT_TRANSLATE_NOOP("remount::model", "%1 gps_time (one value for all points)"),

@@ -5,6 +5,7 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "model/io/number_text.h"
+#include "model/week_rollover.h"
 
 namespace remount {
 namespace {
@@ -36,11 +37,30 @@ RigidTransform read_nominal(const DocumentView& node) {
                          angle("pitch_deg"), angle("roll_deg")});
 }
 
+/// What is wrong with the stamps of a session that is refused for something else: both are seen in one go.
+std::string also_off(Session session) {
+  mend_week_rollover(session);
+  for (const Finding& finding : session.findings)
+    if (finding.code == kWeekRollover)
+      return ". Besides, the stamps of " + finding.where +
+             " are turns of the GPS week (1024 weeks each) off, which is mended once the session can be read";
+  return {};
+}
+
 }  // namespace
 
 void read_declared(const DocumentView& root, Session& session) {
   if (const auto noise = root.find("ins_noise")) read_noise(*noise, session);
   if (const auto nominal = root.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
+}
+
+void require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session) {
+  const FoundPointTimes found = find_point_times(scans);
+  if (found.usable || found.scan.empty()) return;
+  timing.fail("per-point is declared, but " + found.problem + " in " + found.scan + ". " + expected_time_columns() +
+              " Or declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown "
+              "otherwise" +
+              also_off(session));
 }
 
 }  // namespace remount

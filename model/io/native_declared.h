@@ -2,11 +2,16 @@
 #pragma once
 
 #include "model/io/document.h"
+#include "model/io/stream_tools.h"
 #include "model/session.h"
 
 namespace remount {
 
 /// Takes `ins_noise` and `nominal`. Throws Error(Format) with the line of what is wrong.
 void read_declared(const DocumentView& root, Session& session);
+
+/// Throws where times of points are declared and the points of the first scans tell none: they would be used as if they
+/// had been measured at once. @param session as far as it is read
+void require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session);
 
 }  // namespace remount

@@ -154,16 +154,6 @@ void read_timing(const DocumentView& node, Session& session) {
   if (const auto certain = sweep->find("direction_certain")) session.sweep.direction_known = certain->boolean();
 }
 
-/// Throws where times of points are declared and the points of the first scans tell none: they would be used as if they
-/// had been measured at once.
-void require_point_times(const DocumentView& timing, const FileScanSource& scans) {
-  const FoundPointTimes found = find_point_times(scans);
-  if (found.usable || found.scan.empty()) return;
-  timing.fail("per-point is declared, but " + found.problem + " in " + found.scan + ". " + expected_time_columns() +
-              " Or declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown "
-              "otherwise");
-}
-
 void read_scans(const DocumentView& node, const fs::path& folder, SessionSource& source, Session& session) {
   node.allow_only({"directory", "type", "stamps", "timing", "sweep"});
   const auto format = choice<CloudFormat>(node.at("type"), {{"pcd", CloudFormat::Pcd},
@@ -190,10 +180,10 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
   const bool timed = session.scan_timing == ScanTiming::PerPoint;
   const auto files = std::make_shared<FileScanSource>(std::move(scans), format,
                                                       timed ? TimesOfPoints::Required : TimesOfPoints::Unused);
-  if (timed) require_point_times(node.at("timing"), *files);
+  session.scans = files;
+  if (timed) require_point_times(node.at("timing"), *files, session);
   if (timed && !source.only_new()) report_point_clock(*files, session.findings);
   if (session.scan_timing == ScanTiming::Unknown && !source.only_new()) report_no_point_times(*files, session);
-  session.scans = files;
 }
 
 std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& folder, SessionSource& source,

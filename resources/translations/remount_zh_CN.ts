@@ -11186,6 +11186,10 @@ Save under another name, or close it there first.</source>
         <source>%1 samples are beyond anything that a vehicle reaches (values beyond a million, or none at all): left out.</source>
         <translation>%1 个样本超出车辆所能达到的范围（数值超过一百万，或根本不是数值）：已略去。</translation>
     </message>
+    <message>
+        <source>per-point is declared, but %1 in %2. Columns of times that are known: %3, also behind scalar_. Or declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown otherwise. Besides, the stamps of %4 are turns of the GPS week (1024 weeks each) off, which is mended once the session can be read</source>
+        <translation>声明了 per-point，但 %2 中%1。可识别的时间列：%3，带 scalar_ 前缀者亦可。或改为声明 timing：旋转式传感器用 sweep，已补偿的扫描用 instant，其他情况用 unknown。此外，%4 的时间戳相差整数个 GPS 周轮回（每个 1024 周），会话可以读取后会自动修正</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

@@ -65,11 +65,13 @@ TEST(point_columns, names_that_other_programs_write_are_known_in_ply_and_pcd) {
 class declared_per_point : public ::testing::Test {
  protected:
   /// The message of a session whose scans are declared to have times; empty where it opens.
-  std::string message(const std::string& type, const std::string& bytes, const std::string& timing = "per-point") {
+  std::string message(const std::string& type, const std::string& bytes, const std::string& timing = "per-point",
+                      long ins_s = 1'600'000'000) {
     const TemporaryFolder folder;
     const std::string name = "." + (type == "kitti-bin" ? std::string("bin") : type);
     for (int i = 0; i < 4; ++i) folder.write("s/160000000" + std::to_string(i) + name, bytes);
-    folder.write("ins.csv", "t,lat,lon,h,yaw,p,r\n1600000000,48,9,250,90,1,2\n1600000004,48,9,250,91,1,2\n");
+    folder.write("ins.csv", "t,lat,lon,h,yaw,p,r\n" + std::to_string(ins_s) + ",48,9,250,90,1,2\n" +
+                                std::to_string(ins_s + 4) + ",48,9,250,91,1,2\n");
     folder.write("session.yaml",
                  "format: remount-session/1\nname: test\nscans: {directory: s, type: " + type +
                      ", stamps: from-names, timing: " + timing +
@@ -124,6 +126,14 @@ TEST_F(declared_per_point, times_that_are_not_there_are_an_error_that_names_what
     EXPECT_TRUE(contains(said, "session.yaml:3") && contains(said, one.columns) && contains(said, "time, t, timestamp"))
         << one.type << ": " << said;
   }
+}
+
+TEST_F(declared_per_point, times_that_are_not_there_hide_no_turn_of_the_gps_week) {
+  const std::string cloud = pcd_with("intensity", text_rows([](double) { return 0.0; }));
+  constexpr long kTurn_s = 1024L * 7 * 86'400;
+  const std::string both = message("pcd", cloud, "per-point", 1'600'000'000 - kTurn_s);
+  EXPECT_TRUE(contains(both, "columns: x y z intensity") && contains(both, "turns of the GPS week")) << both;
+  EXPECT_FALSE(contains(message("pcd", cloud), "GPS week"));
 }
 
 TEST_F(declared_per_point, seconds_of_a_week_as_32_bit_floats_are_no_times) {
