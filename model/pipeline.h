@@ -67,6 +67,10 @@ struct PipelineOutput {
   /// How far X is off, under `perturbed`, where the scans were swept otherwise than was taken: one of each way that
   /// they do not refute.
   std::vector<Vector6d> sweep_doubts;
+  /// X is solved with the offset of each session's clocks as an unknown: the drive determines it well.
+  bool clock_is_unknown = false;
+  /// The largest offset between the clocks of a session that turning found and registered pairs confirm.
+  double farthest_clock_s = 0.0;
   /// How far X is off, under `perturbed`, by a clock offset that was found and not applied.
   std::optional<Vector6d> clock_bias;
   /// The ground in the scans; where the settings give the height of the INS above it.

@@ -143,6 +143,8 @@ DocumentNode calibration_document(const Project& project) {
   DocumentNode& found = node.add("session_sweeps", DocumentNode::sequence());
   for (const SweepModel& sweep : output.session_sweeps) found.add(sweep_document(sweep));
   if (!output.clock_told) node.add("clock_told", DocumentNode::boolean(false));
+  if (output.clock_is_unknown) node.add("clock_is_unknown", DocumentNode::boolean(true));
+  if (output.farthest_clock_s > 0.0) node.add("farthest_clock_s", DocumentNode::number(output.farthest_clock_s));
   DocumentNode& doubts = node.add("sweep_doubts", DocumentNode::sequence());
   for (const Vector6d& doubt : output.sweep_doubts) doubts.add(DocumentNode::numbers({doubt.begin(), doubt.end()}));
   node.add("findings", stored_findings(output.findings));
@@ -189,6 +191,8 @@ void read_calibration(const DocumentView& view, Project& project) {
     for (const DocumentView& item : view.at("session_sweeps").items())
       output.session_sweeps.push_back(sweep_from_document(item));
   output.clock_told = !view.has("clock_told") || view.at("clock_told").boolean();
+  output.clock_is_unknown = view.has("clock_is_unknown") && view.at("clock_is_unknown").boolean();
+  if (view.has("farthest_clock_s")) output.farthest_clock_s = view.at("farthest_clock_s").number();
   if (view.has("sweep_doubts"))
     for (const DocumentView& item : view.at("sweep_doubts").items())
       output.sweep_doubts.emplace_back(Eigen::Map<const Vector6d>(item.numbers(6).data()));

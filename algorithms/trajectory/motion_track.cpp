@@ -234,20 +234,24 @@ std::optional<RigidTransform> MotionTrack::at(std::int64_t stamp_ns) const {
   const auto before = after - 1;
   const double step_s = seconds_between(*before, *after);
   if (step_s > max_gap_s_) return std::nullopt;
-  const double u = seconds(stamp_ns - before->stamp_ns) / step_s;
-
-  CubicNeighbours around;
-  around.has_first = before != samples_.begin() && seconds_between(*(before - 1), *before) <= max_gap_s_;
-  around.has_last = after + 1 != samples_.end() && seconds_between(*after, *(after + 1)) <= max_gap_s_;
-  for (std::size_t i = around.has_first ? 0 : 1; i < (around.has_last ? 4U : 3U); ++i) {
+  CubicNeighbours places;
+  places.has_first = before != samples_.begin() && seconds_between(*(before - 1), *before) <= max_gap_s_;
+  places.has_last = after + 1 != samples_.end() && seconds_between(*after, *(after + 1)) <= max_gap_s_;
+  CubicNeighbours turns = places;
+  const Eigen::Matrix3d before_from_world = before->pose.linear().transpose();
+  // Of samples that are close the turn between the two is straight, and the neighbours would only add their noise.
+  if (attitude_spacing_.empty()) turns.has_first = turns.has_last = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    if ((i == 0 && !places.has_first) || (i == 3 && !places.has_last)) continue;
     const StampedPose& sample = *(before + static_cast<std::ptrdiff_t>(i) - 1);
-    around.times_s[i] = seconds(sample.stamp_ns - before->stamp_ns);
-    around.values[i] = sample.pose.translation();
+    places.times_s[i] = turns.times_s[i] = seconds(sample.stamp_ns - before->stamp_ns);
+    places.values[i] = sample.pose.translation();
+    if ((i == 0 && !turns.has_first) || (i == 3 && !turns.has_last)) continue;
+    turns.values[i] =
+        i == 1 ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : so3_log(before_from_world * sample.pose.linear());
   }
-  const Eigen::Vector3d position = cubic_between(around, u * step_s);
-  const Eigen::Matrix3d r0 = before->pose.linear();
-  const Eigen::Vector3d turn_rad = so3_log(r0.transpose() * after->pose.linear());
-  return make_rigid(r0 * so3_exp(u * turn_rad), position);
+  const double time_s = seconds(stamp_ns - before->stamp_ns);
+  return make_rigid(before->pose.linear() * so3_exp(cubic_between(turns, time_s)), cubic_between(places, time_s));
 }
 
 std::optional<Vector6d> MotionTrack::body_velocity(std::int64_t stamp_ns) const {

@@ -34,8 +34,9 @@ struct BetweenSamples {
   std::size_t after = 0;  ///< number of the measured position before: poses between the same two err alike
 };
 
-/// Stamped poses world_from_body with interpolation: attitude by slerp, position by a cubic through the neighbours (so
-/// that a curve is not cut short), never outside the data and never across a gap.
+/// Stamped poses world_from_body with interpolation: position by a cubic through the neighbours (so that a curve is not
+/// cut short), attitude by slerp, and by a cubic of turns where samples are slow; never outside the data and never
+/// across a gap.
 ///
 /// Logs whose samples carry independent noise would shake the points of a scan with it: worse, the noise of the pose at
 /// the scan's stamp would enter the motion of the INS and, through the compensation of the scan, the motion of the

@@ -26,18 +26,21 @@ Eigen::Vector3d miss_of_position(const std::vector<StampedPose>& samples, std::s
   return cubic_between(around, 0.0);
 }
 
+// Likewise for turns since the sample before, as a turn of the body at the sample.
 Eigen::Vector3d miss_of_attitude(const std::vector<StampedPose>& samples, std::size_t k, std::size_t step) {
-  if (k < step || k + step >= samples.size()) return kUnknownMiss;
-  const StampedPose &before = samples[k - step], &after = samples[k + step];
-  const double share =
-      time_between_s(before.stamp_ns, samples[k].stamp_ns) / time_between_s(before.stamp_ns, after.stamp_ns);
-  const Eigen::Vector3d turn_rad = so3_log(before.pose.linear().transpose() * after.pose.linear());
-  const Eigen::Matrix3d predicted = before.pose.linear() * so3_exp(share * turn_rad);
-  return so3_log(samples[k].pose.linear().transpose() * predicted);
+  if (k < 3 * step || k + 3 * step >= samples.size()) return kUnknownMiss;
+  CubicNeighbours around;
+  const std::size_t nodes[4] = {k - 3 * step, k - step, k + step, k + 3 * step};
+  const Eigen::Matrix3d from = samples[k - step].pose.linear();
+  for (std::size_t i = 0; i < 4; ++i) {
+    around.times_s[i] = time_between_s(samples[k].stamp_ns, samples[nodes[i]].stamp_ns);
+    around.values[i] = so3_log(from.transpose() * samples[nodes[i]].pose.linear());
+  }
+  return so3_log(samples[k].pose.linear().transpose() * from * so3_exp(cubic_between(around, 0.0)));
 }
 
 template <class MissOf>
-SampleSpacing spacing_of(const std::vector<StampedPose>& samples, int order, MissOf&& miss_of) {
+SampleSpacing spacing_of(const std::vector<StampedPose>& samples, MissOf&& miss_of) {
   std::vector<double> steps_s;
   for (std::size_t k = 1; k < samples.size(); ++k)
     steps_s.push_back(time_between_s(samples[k - 1].stamp_ns, samples[k].stamp_ns));
@@ -56,17 +59,17 @@ SampleSpacing spacing_of(const std::vector<StampedPose>& samples, int order, Mis
     near2 += misses.back().squaredNorm();
     far2 += far.squaredNorm();
   }
-  // An interpolation of order n misses 2^n times less where samples are twice as close and the motion is smooth; where
-  // it is not, less than that, but twice.
-  const double proportion = near2 > 0.0 ? std::clamp(std::sqrt(far2 / near2), 2.0, std::exp2(order)) : 2.0;
-  return {std::move(stamps_ns), std::move(misses), proportion, order};
+  // A cubic misses 16 times less where samples are twice as close and the motion is smooth; where it is not, less than
+  // that, but twice.
+  const double proportion = near2 > 0.0 ? std::clamp(std::sqrt(far2 / near2), 2.0, 16.0) : 2.0;
+  return {std::move(stamps_ns), std::move(misses), proportion};
 }
 
 }  // namespace
 
 SampleSpacing::SampleSpacing(std::vector<std::int64_t> stamps_ns, std::vector<Eigen::Vector3d> misses,
-                             double proportion, int order)
-    : stamps_ns_(std::move(stamps_ns)), proportion_(proportion), order_(order) {
+                             double proportion)
+    : stamps_ns_(std::move(stamps_ns)), proportion_(proportion) {
   Eigen::Matrix3d all = Eigen::Matrix3d::Zero();
   double known = 0.0;
   for (const Eigen::Vector3d& miss : misses)
@@ -91,17 +94,17 @@ Eigen::Matrix3d SampleSpacing::covariance(std::int64_t stamp_ns) const {
   const std::size_t k = knot_before(stamp_ns);
   if (k >= squares_.size() || stamp_ns < stamps_ns_[k]) return Eigen::Matrix3d::Zero();
   const double u = time_between_s(stamps_ns_[k], stamp_ns) / time_between_s(stamps_ns_[k], stamps_ns_[k + 1]);
-  // The error of an interpolation between two samples, as a share of that halfway.
-  const double share = order_ == 2 ? 4.0 * u * (1.0 - u) : (1.0 + u) * u * (1.0 - u) * (2.0 - u) / 0.5625;
+  // The error of a cubic between two samples, as a share of that halfway.
+  const double share = (1.0 + u) * u * (1.0 - u) * (2.0 - u) / 0.5625;
   return share * share / (proportion_ * proportion_) * squares_[k];
 }
 
 SampleSpacing spacing_of_attitudes(const std::vector<StampedPose>& world_from_body) {
-  return spacing_of(world_from_body, 2, miss_of_attitude);
+  return spacing_of(world_from_body, miss_of_attitude);
 }
 
 SampleSpacing spacing_of_positions(const std::vector<StampedPose>& world_from_body) {
-  return spacing_of(world_from_body, 4, miss_of_position);
+  return spacing_of(world_from_body, miss_of_position);
 }
 
 }  // namespace remount

@@ -21,8 +21,10 @@ class SampleSpacing {
   SampleSpacing() = default;
   /// @param misses of each sample by its neighbours; NaN where there are too few
   /// @param proportion by which an interpolation misses less when samples are twice as close
-  /// @param order of the interpolation: 2 (linear) or 4 (cubic)
-  SampleSpacing(std::vector<std::int64_t> stamps_ns, std::vector<Eigen::Vector3d> misses, double proportion, int order);
+  SampleSpacing(std::vector<std::int64_t> stamps_ns, std::vector<Eigen::Vector3d> misses, double proportion);
+
+  /// Samples are so close that what they miss is their noise.
+  bool empty() const { return squares_.empty(); }
 
   /// Covariance of what is interpolated at a time; zero at a sample, and where samples are close.
   Eigen::Matrix3d covariance(std::int64_t stamp_ns) const;
@@ -33,10 +35,9 @@ class SampleSpacing {
   std::vector<std::int64_t> stamps_ns_;
   std::vector<Eigen::Matrix3d> squares_;  // of the misses between this sample and the next
   double proportion_ = 1.0;
-  int order_ = 2;
 };
 
-/// Of attitudes that are interpolated by slerp; components are turns about the body's axes.
+/// Of attitudes whose turns are interpolated by a cubic; components are turns about the body's axes.
 SampleSpacing spacing_of_attitudes(const std::vector<StampedPose>& world_from_body);
 /// Of positions that are interpolated by a cubic through the neighbours; components are along the axes of the world.
 SampleSpacing spacing_of_positions(const std::vector<StampedPose>& world_from_body);

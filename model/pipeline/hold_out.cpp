@@ -25,6 +25,7 @@ PipelineOutput output_of_session(const PipelineOutput& output, std::size_t sessi
   alone.initial_known = output.initial_known;
   alone.up_in_lidar = output.up_in_lidar;
   alone.clock_told = output.clock_told;
+  alone.clock_is_unknown = output.clock_is_unknown;
   alone.sweep_doubts = output.sweep_doubts;
   const TimeOffset& clock = output.result.time_offset;
   if (clock.applied && session < output.result.session_time_offset_s.size()) {

@@ -96,7 +96,8 @@ void drop_clock_of_failed(PipelineOutput& output) {
   CalibrationResult& result = output.result;
   // What the clock alone made unusable is known by it.
   const bool by_clock = output.clock_bias && result.status == Status::Degenerate;
-  if (is_usable(result) || result.time_offset.applied || by_clock) return;
+  const bool solved_elsewhere = result.status == Status::OutOfRange;
+  if (is_usable(result) || result.time_offset.applied || by_clock || solved_elsewhere) return;
   drop_clock(result);
 }
 
@@ -284,7 +285,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
       if (!coarse.ins_from_lidar) {
         report_far_clocks(motion, coarse.far_clocks, output);
         output.result = progress.cancelled() ? cancelled_result(output.pairs) : without_start(coarse);
-        blame_recording(output.findings, output.result);
+        blame_recording(output.findings, output.result, output.farthest_clock_s);
         return output;
       }
       output.initial_ins_from_lidar = *coarse.ins_from_lidar;
@@ -306,7 +307,7 @@ PipelineOutput run_pipeline(const PipelineInput& input, Progress& progress) {
   if (progress.cancelled()) output.result = cancelled_result(output.pairs);
   report_columns(motion, output);
   report_far_clocks(motion, coarse.far_clocks, output);
-  blame_recording(output.findings, output.result);
+  blame_recording(output.findings, output.result, output.farthest_clock_s);
   drop_clock_of_failed(output);
   report_clock(input, output.result, output.findings);
   report_sharpness(output.sharpness, output.findings);
@@ -325,7 +326,7 @@ bool solve_again(const PipelineInput& input, PipelineOutput& output, Progress& p
   PipelineOutput solved = output;  // a cancelled call leaves the output as it was
   solved.result = solve_with_clock_again(input, solved, progress);
   if (progress.cancelled() || solved.result.status == Status::Cancelled) return false;
-  blame_recording(solved.findings, solved.result);
+  blame_recording(solved.findings, solved.result, solved.farthest_clock_s);
   drop_clock_of_failed(solved);
   forget_sharpness(solved);
   std::erase_if(solved.findings, [](const Finding& finding) { return finding.code == kClockOffset; });

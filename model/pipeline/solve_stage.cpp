@@ -11,17 +11,26 @@ namespace remount {
 namespace {
 
 constexpr double kSettled_s = 5e-4;
-constexpr double kLeast_s = 0.002;  ///< smaller offsets are not worth a word
+constexpr double kLeast_s = 0.002;  ///< smaller offsets are not worth a word: as an unknown they do no harm
+constexpr double kHarmless_s = 1e-4;
 constexpr double kStandsOut = 4.0;  ///< sigmas
 
-bool stands_out(double offset_s, double sigma_s) {
-  return std::isfinite(offset_s) && std::abs(offset_s) >= std::max(kStandsOut * sigma_s, kLeast_s);
+bool stands_out(double offset_s, double sigma_s, double least_s = kLeast_s) {
+  return std::isfinite(offset_s) && std::abs(offset_s) >= std::max(kStandsOut * sigma_s, least_s);
 }
 
 /// 1-sigma of a session's offset; of results that do not say, as if all sessions were alike.
 double session_sigma_s(const CalibrationResult& result, std::size_t session) {
   if (session < result.session_time_offset_sigma_s.size()) return result.session_time_offset_sigma_s[session];
   return result.time_offset.sigma_s * std::sqrt(static_cast<double>(result.session_time_offset_s.size()));
+}
+
+bool any_stands_out(const CalibrationResult& result, double least_s) {
+  if (stands_out(result.time_offset.offset_s, result.time_offset.sigma_s, least_s)) return true;
+  // Those of several sessions may cancel in the mean.
+  for (std::size_t s = 0; s < result.session_time_offset_s.size(); ++s)
+    if (stands_out(result.session_time_offset_s[s], session_sigma_s(result, s), least_s)) return true;
+  return false;
 }
 
 bool is_moved(const DriveMotion& motion) {
@@ -60,7 +69,9 @@ struct WholeOffset {
 WholeOffset whole_offset(const Solved& solved, int session, ClockOffsetUse use) {
   const auto at = static_cast<std::size_t>(session);
   const double whole_s = solved.motion.offset_s(session) + solved.result.session_time_offset_s[at];
-  return {whole_s, use == ClockOffsetUse::Yes || stands_out(whole_s, session_sigma_s(solved.result, at))};
+  // What X is not to be solved with biases it also where it is small.
+  const double least_s = use == ClockOffsetUse::No ? kHarmless_s : kLeast_s;
+  return {whole_s, use == ClockOffsetUse::Yes || stands_out(whole_s, session_sigma_s(solved.result, at), least_s)};
 }
 
 /// Moves the INS poses by the estimated clock offset and solves again until no offset is left: a single estimate falls
@@ -142,11 +153,13 @@ void judge_again(const std::string& nothing_known, CalibrationResult& result) {
   result.message = is_usable(result) ? solved_message(result) : nothing_known;
 }
 
-bool clock_differs(const CalibrationResult& result) {
-  if (stands_out(result.time_offset.offset_s, result.time_offset.sigma_s)) return true;
-  // Those of several sessions may cancel in the mean.
+bool clock_differs(const CalibrationResult& result) { return any_stands_out(result, kLeast_s); }
+
+bool clock_is_determined(const CalibrationResult& result) {
+  constexpr double kWell_s = 5e-4;
+  if (!is_usable(result) && result.status != Status::OutOfRange) return false;
   for (std::size_t s = 0; s < result.session_time_offset_s.size(); ++s)
-    if (stands_out(result.session_time_offset_s[s], session_sigma_s(result, s))) return true;
+    if (session_sigma_s(result, s) < kWell_s) return true;
   return false;
 }
 
@@ -171,7 +184,7 @@ PairwiseInput solver_input(const PipelineInput& input, const DriveMotion& motion
   out.options = input.settings.solve;
   out.measured = Measured(input.settings.measured, output.ground);
   out.clock_bias = output.clock_bias;
-  out.clock_is_unknown = is_moved(motion);
+  out.clock_is_unknown = is_moved(motion) || output.clock_is_unknown;
   return out;
 }
 
@@ -179,6 +192,7 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
                                    PairwiseDetails& details, const Progress& progress) {
   const ClockOffsetUse use = input.settings.solve.apply_time_offset;
   output.clock_bias.reset();
+  output.clock_is_unknown = output.clock_told && use != ClockOffsetUse::No;
   Solved shifted{motion, output.pairs, {}, {}};
   shifted.result = solve_pairwise(solver_input(input, motion, output), shifted.pairs, shifted.details, progress);
   if (!output.clock_told) {
@@ -194,15 +208,26 @@ CalibrationResult solve_with_clock(const PipelineInput& input, DriveMotion& moti
     return result;
   };
   const bool moved = is_moved(motion);
-  if (use != ClockOffsetUse::Yes && !moved && !clock_differs(shifted.result)) return take(std::move(shifted));
+  if (use == ClockOffsetUse::Auto && !moved && !clock_differs(shifted.result)) {
+    if (clock_is_determined(shifted.result)) return take(std::move(shifted));
+    // A clock that the drive does not show would leave X as open as itself.
+    output.clock_is_unknown = false;
+    shifted.pairs = output.pairs;
+    solve_at_present_offsets(input, output, shifted, progress);
+    if (!clock_differs(shifted.result)) return take(std::move(shifted));
+  }
+  if (use == ClockOffsetUse::No && !moved && !any_stands_out(shifted.result, kHarmless_s))
+    return take(std::move(shifted));
   Solved unmoved = shifted;
   const bool settled = solve_without_offset(input, output, shifted, progress);
-  const bool known = is_usable(shifted.result) && is_moved(shifted.motion);
+  const bool known =
+      (is_usable(shifted.result) || shifted.result.status == Status::OutOfRange) && is_moved(shifted.motion);
   if (use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && settled && known)) {
     state_offsets(shifted.motion, true, shifted.result);
     return take(std::move(shifted));
   }
-  if (moved) {
+  output.clock_is_unknown = false;
+  if (moved || use == ClockOffsetUse::Auto) {
     unmoved.motion = DriveMotion(input.sessions);
     solve_at_present_offsets(input, output, unmoved, progress);
   }
@@ -233,9 +258,12 @@ CalibrationResult solve_with_clock_again(const PipelineInput& input, PipelineOut
   // How far the clock biases X hardly depends on a decision about pairs.
   std::vector<Pair> pairs = output.pairs;
   const CalibrationResult result = solve_pairwise(solver_input(input, motion, output), pairs, details, progress);
-  const bool as_before = clock_differs(result) == output.clock_bias.has_value();
+  const double least_s = use == ClockOffsetUse::No ? kHarmless_s : kLeast_s;
+  const bool as_before = any_stands_out(result, least_s) == output.clock_bias.has_value();
   const bool may_apply = use == ClockOffsetUse::Yes || (use == ClockOffsetUse::Auto && clock_differs(result));
-  if (!as_before || may_apply) return solve_with_clock(input, motion, output, details, progress);
+  const bool other_unknowns =
+      use == ClockOffsetUse::No ? output.clock_is_unknown : !output.clock_is_unknown && clock_is_determined(result);
+  if (!as_before || may_apply || other_unknowns) return solve_with_clock(input, motion, output, details, progress);
   output.pairs = std::move(pairs);
   return result;
 }

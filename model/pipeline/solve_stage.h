@@ -28,6 +28,9 @@ void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& optio
 
 /// Whether the estimated offset, or that of one session, stands out of its error.
 bool clock_differs(const CalibrationResult& result);
+/// Whether the drive determines the clocks of a session so well that X loses little where they are unknowns of it: what
+/// is too small to stand out is then in its sigma.
+bool clock_is_determined(const CalibrationResult& result);
 
 /// Status and message of a solved result after a doubt, which may have left less of it, or nothing.
 void judge_again(const std::string& nothing_known, CalibrationResult& result);

@@ -19,11 +19,14 @@ namespace {
 constexpr const char* kFarClock = "clock-far";
 constexpr double kFar_s = 0.2;  ///< the solution estimates what is less
 
-/// An offset that was applied and is too small to be the one that was found bridges nothing.
-bool bridged(const CalibrationResult& result) {
+/// An offset that was applied and is another than the one that was found bridges nothing.
+bool bridged(const CalibrationResult& result, double farthest_clock_s) {
+  constexpr double kSame_s = 0.15;
   const std::vector<double>& applied_s = result.session_time_offset_s;
   return is_usable(result) && result.time_offset.applied &&
-         std::any_of(applied_s.begin(), applied_s.end(), [](double offset_s) { return std::abs(offset_s) > kFar_s; });
+         std::any_of(applied_s.begin(), applied_s.end(), [&](double offset_s) {
+           return std::abs(offset_s) > std::max(kFar_s, farthest_clock_s - kSame_s);
+         });
 }
 
 /// Between UTC, GPS time and TAI.
@@ -115,9 +118,13 @@ std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
 }
 
 void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& found, PipelineOutput& output) {
+  const auto take = [&output](double offset_s, Finding finding) {
+    output.findings.push_back(std::move(finding));
+    output.farthest_clock_s = std::max(output.farthest_clock_s, std::abs(offset_s));
+  };
   for (const FarClock& far : found)
     if (misfit_ratio(motion, output, far.session, far.offset_s).value_or(0.0) < 1.0 / kClearlyBetter)
-      output.findings.push_back(far.finding);
+      take(far.offset_s, far.finding);
   for (int s = 0; s < motion.session_count(); ++s) {
     const std::string& name = motion.session(s).name;
     const auto named = [&](const char* code) {
@@ -131,11 +138,11 @@ void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& f
     std::snprintf(text, sizeof text,
                   "Between the pairs of scans that were registered the LiDAR turned as the INS did %.0f s %s. ",
                   std::abs(*offset_s), *offset_s > 0.0 ? "later" : "earlier");
-    output.findings.push_back({Severity::Problem, kFarClock, name, text + leap_second_hint(*offset_s, 0.5)});
+    take(*offset_s, {Severity::Problem, kFarClock, name, text + leap_second_hint(*offset_s, 0.5)});
   }
 }
 
-void blame_recording(const std::vector<Finding>& findings, CalibrationResult& result) {
+void blame_recording(const std::vector<Finding>& findings, CalibrationResult& result, double farthest_clock_s) {
   bool named = false, too_far = false;
   for (const Finding& finding : findings) {
     if (finding.code != kFarClock) continue;
@@ -143,7 +150,7 @@ void blame_recording(const std::vector<Finding>& findings, CalibrationResult& re
     too_far = too_far || finding.severity == Severity::Problem;
   }
   if (named && result.status != Status::Cancelled) {
-    if (!is_usable(result) || (too_far && !bridged(result))) {
+    if (!is_usable(result) || (too_far && !bridged(result, farthest_clock_s))) {
       result.status = Status::Inconsistent;
       result.message = "The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.";
       claim_nothing("the clocks are apart", result);

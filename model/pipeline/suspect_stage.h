@@ -26,9 +26,9 @@ std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
 /// ("clock-leap-seconds"), what they confirm.
 void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& found, PipelineOutput& output);
 
-/// Where clocks are too far apart there is no result, whatever was solved, unless the offset was applied: the message
+/// Where clocks are too far apart there is no result, whatever was solved, unless that offset was applied: the message
 /// and the advice say so, and blame nothing else. Then blame_attitude.
-void blame_recording(const std::vector<Finding>& findings, CalibrationResult& result);
+void blame_recording(const std::vector<Finding>& findings, CalibrationResult& result, double farthest_clock_s = 0.0);
 
 /// Compares how INS and LiDAR turned between the scans of every pair that was registered: finding "attitude-columns",
 /// where readers have not found the attitude wrong already.

@@ -96,6 +96,36 @@ TEST(clock_offset, is_that_of_each_session) {
       << said[0].explanation;
 }
 
+/// Too small to be spoken of, and ten times as large as X could bear without a word.
+TEST(clock_offset, of_less_than_2_ms_is_in_the_sigmas) {
+  for (const double offset_s : {0.0018, -0.0006}) {
+    SimulationOptions options = eight(offset_s, 6);
+    options.scenario = ScenarioKind::Street;
+    options.speed_mps = 9.0;
+    options.duration_s = 15.0;
+    const ClockRun run = calibrate_clocks({simulate_drive(options)});
+    error_of(run.output.result, run.truth);
+    EXPECT_NEAR(run.output.result.time_offset.offset_s, offset_s, 2e-4);
+    EXPECT_FALSE(run.output.result.time_offset.applied);
+    EXPECT_TRUE(clock_findings(run.output).empty());
+    expect_within_sigma(run.output.result, run.truth, 3.5);
+  }
+}
+
+TEST(clock_offset, is_taken_out_also_where_x_then_lies_outside_the_search_range) {
+  const SimulatedDrive drive = simulate_drive(eight(0.02, 7));
+  const double x_m = drive.ins_from_lidar.translation().x();
+  PipelineInput input;
+  input.sessions.push_back(std::make_shared<Session>(drive.session));
+  input.settings.run.map_check = false;
+  input.settings.range.x_min_m = x_m + 0.02;  // where X lies by the clocks as they are
+  Progress progress;
+  const CalibrationResult result = run_pipeline(input, progress).result;
+  EXPECT_EQ(result.status, Status::OutOfRange) << result.message;
+  EXPECT_NEAR(result.ins_from_lidar.translation().x(), x_m, 0.01);
+  EXPECT_NEAR(result.time_offset.offset_s, 0.02, 1e-3);
+}
+
 /// The INS of a drive with a fix every second only.
 void slow_down_fixes(bool attitudes_stay, Session& session) {
   std::vector<InsSample> at_fixes;
@@ -133,6 +163,20 @@ TEST(clock_offset, is_not_made_of_what_lies_between_slow_fixes) {
         EXPECT_TRUE(result.observed[3]) << "they show how the vehicle turned";
       }
     }
+}
+
+/// Turns that begin and end between two samples are no straight turns.
+TEST(clock_offset, is_not_made_of_what_lies_between_five_samples_a_second) {
+  for (const int seed : {23, 74}) {
+    SimulationOptions options = eight(0.0, seed);
+    options.scenario = ScenarioKind::Street;
+    options.ins_rate_hz = 5.0;
+    options.duration_s = 18.0;
+    const ClockRun run = calibrate_clocks({simulate_drive(options)});
+    error_of(run.output.result, run.truth);
+    EXPECT_TRUE(clock_findings(run.output).empty());
+    expect_within_sigma(run.output.result, run.truth, 3.5);
+  }
 }
 
 TEST(clock_offset, is_still_found_between_slow_fixes_where_attitudes_show_it) {

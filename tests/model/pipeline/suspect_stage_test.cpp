@@ -236,5 +236,17 @@ TEST(suspect_stage, scans_that_turn_otherwise_than_pitch_and_roll_say_give_no_re
   EXPECT_FALSE(is_usable(output.result));
 }
 
+TEST(blame_recording, an_offset_that_was_applied_bridges_no_other) {
+  for (const double applied_s : {-0.366, 17.95}) {
+    CalibrationResult result;
+    result.status = Status::Ok;
+    result.observed.fill(true);
+    result.time_offset = {applied_s, 0.001, true};
+    result.session_time_offset_s = {applied_s};
+    blame_recording({{Severity::Problem, "clock-far", "drive", ""}}, result, 18.0);
+    EXPECT_EQ(result.status == Status::Inconsistent, applied_s < 0.0) << applied_s;
+  }
+}
+
 }  // namespace
 }  // namespace remount
