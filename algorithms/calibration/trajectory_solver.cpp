@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace remount {
 namespace {
@@ -71,16 +72,32 @@ StepSize size_of(const std::vector<ChainVector>& steps) {
   return size;
 }
 
+// How the cost falls at a state: half its negative derivative by poses, borders and what all sessions share.
+struct Descent {
+  std::vector<ChainVector> sides;
+  SharedVector shared = SharedVector::Zero();
+  double along(const std::vector<ChainVector>& moves) const {
+    double sum = shared.dot(moves.front().border.head<kSharedSize>());
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      sum += sides[s].border.dot(moves[s].border);
+      for (std::size_t i = 0; i < sides[s].poses.size(); ++i) sum += sides[s].poses[i].dot(moves[s].poses[i]);
+    }
+    return sum;
+  }
+};
+
 // A step, and by how much it lowers the cost if residuals are linear.
 struct Step {
   std::vector<ChainVector> moves;
   double predicted_decrease = 0.0;
+  Descent descent;
 };
 
 Step gauss_newton_step(const TrajectoryProblem& problem, const WeightedTerms& weighted, const TrajectoryNoise& noise,
                        const TrajectoryPrior& prior, const TrajectoryEquations& equations,
                        const TrajectoryState& state) {
-  std::vector<ChainVector> sides;
+  Step step;
+  std::vector<ChainVector>& sides = step.descent.sides;
   for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
     sides.emplace_back(problem.sessions[s].epochs.size());
     for (std::size_t k = 0; k < weighted.terms[s].size(); ++k) {
@@ -92,30 +109,70 @@ Step gauss_newton_step(const TrajectoryProblem& problem, const WeightedTerms& we
     sides[s].border[kClockAt] -= equations.own_prior()[1] * state.clock_s[s];
     sides[s].border -= problem.sessions[s].past.pull_at(border_point(state, s));
   }
-  const SharedVector shared = -prior.information * prior.distance(state);
-  Step step;
-  step.moves = equations.solve(sides, shared);
-  if (step.moves.empty()) return step;
-  step.predicted_decrease = shared.dot(step.moves.front().border.head<kSharedSize>());
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    step.predicted_decrease += sides[s].border.dot(step.moves[s].border);
-    for (std::size_t i = 0; i < sides[s].poses.size(); ++i)
-      step.predicted_decrease += sides[s].poses[i].dot(step.moves[s].poses[i]);
-  }
+  step.descent.shared = -prior.information * prior.distance(state);
+  step.moves = equations.solve(sides, step.descent.shared);
+  if (!step.moves.empty()) step.predicted_decrease = step.descent.along(step.moves);
   return step;
+}
+
+// A direction that was gone along, for the one after it.
+struct Gone {
+  Step step;                       ///< that the equations gave there
+  std::vector<ChainVector> moves;  ///< as it was gone, but for its length
+};
+
+// Where a drive hardly shows a direction (z on flat ground), residuals bend the cost as much as their derivatives say:
+// steps by linear residuals go to and fro about the minimum, or reach it after hundreds. Conjugate directions (Polak
+// and Ribiere 1969), with the equations in the place of a scale, learn the bend on the way.
+std::vector<ChainVector> conjugate_moves(const Gone& before, const Step& step) {
+  const double share =
+      (step.predicted_decrease - before.step.descent.along(step.moves)) / before.step.predicted_decrease;
+  std::vector<ChainVector> moves = step.moves;
+  if (!(share > 0.0) || !std::isfinite(share)) return moves;
+  for (std::size_t s = 0; s < moves.size(); ++s) {
+    moves[s].border += share * before.moves[s].border;
+    for (std::size_t i = 0; i < moves[s].poses.size(); ++i) moves[s].poses[i] += share * before.moves[s].poses[i];
+  }
+  return step.descent.along(moves) > 0.0 ? moves : step.moves;
 }
 
 enum class Improved { Moved, AtMinimum, Stuck };
 
-// One step with as much of it as lowers the cost.
-Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
-                 double widened, TrajectorySolution& solution) {
-  constexpr double kShared = 1e-7, kPoses = 1e-5, kNoDecrease = 1e-5, kNoShare = 1e-9;
+// Cost falls by share * (2 - bend * share) * slope, slope being that along the step: how much it fell tells the bend.
+double best_share(double share, double fell, double slope) {
+  constexpr double kShortest = 0.1, kLongest = 20.0;
+  const double bend = (2.0 - fell / (share * slope)) / share;
+  return std::clamp(1.0 / std::max(bend, 1.0 / kLongest), kShortest * share, kLongest);
+}
+
+// Along `moves` as far as the cost falls, or falls most. Nothing where it does not.
+template <class Cost>
+std::optional<TrajectoryState> lowered(const TrajectoryState& state, const std::vector<ChainVector>& moves,
+                                       double before, double slope, const Cost& cost) {
+  constexpr double kSame = 0.9;
   constexpr int kMostHalvings = 12;
+  const double most = before * (1.0 + 1e-9);
+  double share = 1.0;
+  for (int halved = 0; halved < kMostHalvings; ++halved, share *= 0.5) {
+    TrajectoryState next = moved(state, moves, share);
+    const double after = cost(next);
+    if (!(after <= most)) continue;
+    const double better = best_share(share, before - after, slope);
+    if (better > kSame * share && share > kSame * better) return next;
+    TrajectoryState other = moved(state, moves, better);
+    return cost(other) < after ? other : next;
+  }
+  return std::nullopt;
+}
+
+// One step, conjugate to the one before. `gone` is begun anew where another cost is to be lowered.
+Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
+                 double widened, TrajectorySolution& solution, std::optional<Gone>& gone) {
+  constexpr double kShared = 1e-7, kPoses = 1e-5, kNoDecrease = 1e-5, kNoShare = 1e-9;
   const WeightedTerms weighted = weighted_terms(problem, options, solution.state, solution.noise, widened);
   const TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
   if (!equations.solvable()) return Improved::Stuck;
-  const Step step = gauss_newton_step(problem, weighted, solution.noise, prior, equations, solution.state);
+  Step step = gauss_newton_step(problem, weighted, solution.noise, prior, equations, solution.state);
   const auto cost = [&](const TrajectoryState& state) {
     return total_cost(problem, options, state, solution.noise, prior, equations.own_prior(), widened);
   };
@@ -127,14 +184,21 @@ Improved improve(const TrajectoryProblem& problem, const TrajectoryOptions& opti
   // Along what the drive hardly shows, steps stay long however little they change: three thousandths of a sigma, whose
   // square is this decrease.
   const bool nothing_left = step.predicted_decrease < std::max(kNoDecrease, kNoShare * before);
-  double share = 1.0;
-  for (int halved = 0; halved < kMostHalvings; ++halved, share *= 0.5) {
-    const TrajectoryState next = moved(solution.state, step.moves, share);
-    if (cost(next) > before * (1.0 + 1e-9)) continue;
-    solution.state = next;
-    return at_minimum || nothing_left ? Improved::AtMinimum : Improved::Moved;
+  if (at_minimum || nothing_left) {
+    TrajectoryState last = moved(solution.state, step.moves, 1.0);
+    if (cost(last) <= before) solution.state = std::move(last);
+    return Improved::AtMinimum;
   }
-  return at_minimum || nothing_left ? Improved::AtMinimum : Improved::Stuck;
+  std::vector<ChainVector> moves = gone ? conjugate_moves(*gone, step) : step.moves;
+  std::optional<TrajectoryState> next = lowered(solution.state, moves, before, step.descent.along(moves), cost);
+  if (!next && gone) {
+    moves = step.moves;
+    next = lowered(solution.state, moves, before, step.predicted_decrease, cost);
+  }
+  if (!next) return Improved::Stuck;
+  solution.state = *std::move(next);
+  gone = Gone{std::move(step), std::move(moves)};
+  return Improved::Moved;
 }
 
 // Median of the sum of so many squares of unit variance.
@@ -223,8 +287,9 @@ double starting_width(const TrajectoryProblem& problem, const TrajectoryOptions&
 
 bool converge(const TrajectoryProblem& problem, const TrajectoryOptions& options, const TrajectoryPrior& prior,
               double widened, int most, const Progress& progress, TrajectorySolution& solution) {
+  std::optional<Gone> gone;
   for (int i = 0; i < most && !progress.cancelled(); ++i) {
-    const Improved now = improve(problem, options, prior, widened, solution);
+    const Improved now = improve(problem, options, prior, widened, solution, gone);
     ++solution.iterations;
     if (now != Improved::Moved) return now == Improved::AtMinimum;
   }

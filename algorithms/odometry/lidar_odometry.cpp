@@ -52,11 +52,20 @@ Matrix6d covariance_of(const Matrix6d& information, const Eigen::Matrix3d& lidar
 
 RegistrationOptions for_odometry(RegistrationOptions registration, double voxel_m) {
   registration.voxel_m = voxel_m;
-  registration.search_when_doubtful = false;  // the prediction is near, and time is short
+  // A velocity may be a mere guess: at the start, after scans that failed, or because it came from an alignment that
+  // let rings of the ground slide over each other. That fits well wherever it ends, and the velocity that it tells
+  // leads the next scan astray. Facades then miss each other, as they never do where a scan near the map is in place.
+  registration.near_is_a_sign = false;
   // Rings of a sparse sensor on open ground lie between those of the map: less in common than two scans of a street
   // have is no sign of another place, where the prediction is near.
   registration.min_overlap *= 0.5;
   registration.max_iterations *= 3;  // a prediction in the place of a pose costs more than the few scans that need them
+  return registration;
+}
+
+// What was aligned already is near, and time is short.
+RegistrationOptions for_refinement(RegistrationOptions registration) {
+  registration.search_when_doubtful = false;
   return registration;
 }
 
@@ -84,11 +93,11 @@ std::unique_ptr<PreparedCloud> LidarOdometry::prepared(const Scan& scan, const S
 }
 
 LidarOdometry::Attempt LidarOdometry::attempt(const Scan& scan, const RigidTransform& start, const SweepMotion& motion,
-                                              const Progress& progress) const {
+                                              const RegistrationOptions& registration, const Progress& progress) const {
   Attempt out;
   out.cloud = prepared(scan, motion, progress);
   const RigidTransform& odometry_from_map = map_.odometry_from_map();
-  out.result = align_scans(*out.cloud, map_.cloud(), odometry_from_map.inverse() * start, registration_, progress);
+  out.result = align_scans(*out.cloud, map_.cloud(), odometry_from_map.inverse() * start, registration, progress);
   out.odometry_from_lidar = odometry_from_map * out.result.target_from_source;
   // Rotations stay rotations over ten thousand products.
   out.odometry_from_lidar.linear() = nearest_rotation(out.odometry_from_lidar.linear());
@@ -117,7 +126,7 @@ void LidarOdometry::mend_first_map(const Scan& second, OdometryPose pose, Attemp
     pose.odometry_from_lidar = found.odometry_from_lidar;
     const SweepMotion motion = SweepMotion::through(std::array{seen_from(waiting_->pose, pose)});
     start_map(first, odometry_from_first, motion, progress);
-    Attempt again = attempt(second, found.odometry_from_lidar, motion, progress);
+    Attempt again = attempt(second, found.odometry_from_lidar, motion, for_refinement(registration_), progress);
     if (!again.aligned()) {
       // Times that make it worse: what fitted before is kept, with the map that it fitted.
       start_map(first, odometry_from_first, before, progress);
@@ -134,8 +143,8 @@ void LidarOdometry::compensate_again(const Scan& scan, OdometryPose pose, const 
                                      const Progress& progress) const {
   if (!found.aligned()) return;
   pose.odometry_from_lidar = found.odometry_from_lidar;
-  Attempt again =
-      attempt(scan, found.odometry_from_lidar, SweepMotion::through(std::array{seen_from(pose, before)}), progress);
+  Attempt again = attempt(scan, found.odometry_from_lidar, SweepMotion::through(std::array{seen_from(pose, before)}),
+                          for_refinement(registration_), progress);
   if (again.aligned()) found = std::move(again);
 }
 
@@ -181,7 +190,7 @@ OdometryPose LidarOdometry::settle(const OdometryPose* after, const Progress& pr
   if (final_.empty()) return keep(waiting->pose);
   const Scan scan{waiting->cloud, waiting->times_s};
   const SweepMotion motion = motion_around(waiting->pose, after);
-  Attempt best = attempt(scan, waiting->pose.odometry_from_lidar, motion, progress);
+  Attempt best = attempt(scan, waiting->pose.odometry_from_lidar, motion, for_refinement(registration_), progress);
   if (!best.aligned()) best = std::move(waiting->found);
   return keep(accept(scan, best, motion, waiting->pose, progress));
 }
@@ -215,7 +224,7 @@ std::vector<OdometryPose> LidarOdometry::push(const PointCloud& cloud_in_lidar, 
   if (predicted_step) velocity_ = SweepMotion::through(std::array{TimedMotion{step_s, *predicted_step}}).velocity;
   const SweepMotion expected{velocity_, Vector6d::Zero()};
   pose.odometry_from_lidar = before.odometry_from_lidar * expected.at(step_s);
-  Attempt found = attempt(scan, pose.odometry_from_lidar, expected, progress);
+  Attempt found = attempt(scan, pose.odometry_from_lidar, expected, registration_, progress);
   if (final_.empty() && !times_s.empty())
     mend_first_map(scan, pose, found, progress);
   else if (!times_s.empty())

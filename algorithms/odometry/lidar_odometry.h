@@ -63,7 +63,7 @@ class LidarOdometry {
   struct Waiting;
   std::unique_ptr<PreparedCloud> prepared(const Scan& scan, const SweepMotion& motion, const Progress& progress) const;
   Attempt attempt(const Scan& scan, const RigidTransform& start, const SweepMotion& motion,
-                  const Progress& progress) const;
+                  const RegistrationOptions& registration, const Progress& progress) const;
   void start_map(const Scan& scan, const RigidTransform& odometry_from_lidar, const SweepMotion& motion,
                  const Progress& progress);
   void mend_first_map(const Scan& second, OdometryPose pose, Attempt& found, const Progress& progress);

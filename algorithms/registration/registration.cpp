@@ -86,7 +86,7 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
   if (!options.search_when_doubtful || progress.cancelled()) return alignment.result;
   AroundSearch around;
   around.target_from_source = alignment.result.target_from_source;
-  if (is_doubtful(alignment, target_from_source_start))
+  if (is_doubtful(alignment, target_from_source_start, options))
     around = search_around(source, target, target_from_source_start, alignment, options, progress);
   // The way from far away may take more iterations than are allowed from near.
   const bool on_its_way =

@@ -18,6 +18,9 @@ struct RegistrationOptions {
   double min_overlap = 0.3;
   double max_rmse_m = 0.15;
   bool search_when_doubtful = true;
+  /// An alignment that stays near its start may fit worse than one that moves away before others are looked for; false
+  /// where the start may be a mere guess, and both scans see the same place from nearly the same point.
+  bool near_is_a_sign = true;
   double search_reach_m = 7.0;
   double search_reach_deg = 45.0;
   InstructionSet instructions = InstructionSet::Best;  ///< for tests; the results are the same

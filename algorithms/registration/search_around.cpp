@@ -61,8 +61,9 @@ bool moved_far(const RigidTransform& from, const RigidTransform& to) {
   return !(moved.head<3>().norm() < kFar_m && moved.tail<3>().norm() < kFar_rad);
 }
 
-bool is_doubtful(const JudgedAlignment& alignment, const RigidTransform& start) {
-  const bool stayed = alignment.result.quality.converged && !moved_far(start, alignment.result.target_from_source);
+bool is_doubtful(const JudgedAlignment& alignment, const RigidTransform& start, const RegistrationOptions& options) {
+  const bool stayed = options.near_is_a_sign && alignment.result.quality.converged &&
+                      !moved_far(start, alignment.result.target_from_source);
   return alignment.agreement < (stayed ? kSurelyWrong : kSurelyRight);
 }
 

@@ -13,7 +13,8 @@ struct JudgedAlignment {
 
 /// Whether an alignment may have ended in a wrong minimum: surfaces miss each other, or it moved far from its start, or
 /// did not converge, without fitting well. From a good start hardly any pair is.
-bool is_doubtful(const JudgedAlignment& alignment, const RigidTransform& target_from_source_start);
+bool is_doubtful(const JudgedAlignment& alignment, const RigidTransform& target_from_source_start,
+                 const RegistrationOptions& options);
 
 /// Whether two transforms are farther apart than a good start and its alignment.
 bool moved_far(const RigidTransform& from, const RigidTransform& to);

@@ -18,6 +18,18 @@ SimulatedDrive street_of(double duration_s) {
   return simulate_drive(options);
 }
 
+// Few rings on open ground, whole turns from scan to scan.
+SimulatedDrive flat_of(int seed, double duration_s) {
+  SimulationOptions options;
+  options.scenario = ScenarioKind::Flat;
+  options.seed = seed;
+  options.beams = 24;
+  options.azimuth_steps = 512;
+  options.scan_rate_hz = 5.0;
+  options.duration_s = duration_s;
+  return simulate_drive(options);
+}
+
 void append(const std::vector<OdometryPose>& more, std::vector<OdometryPose>& poses) {
   poses.insert(poses.end(), more.begin(), more.end());
 }
@@ -79,6 +91,48 @@ TEST(lidar_odometry_drive, motion_within_the_scans_is_compensated_by_its_own_mot
   std::printf("  mean residual %.4f m, without compensation %.4f m\n", residual / static_cast<double>(with.size() - 1),
               residual_without / static_cast<double>(with.size() - 1));
   EXPECT_LT(residual, residual_without);
+}
+
+double largest_step_error_m(const SimulatedDrive& drive, const std::vector<OdometryPose>& poses, std::size_t first) {
+  double largest_m = 0.0;
+  for (std::size_t i = first; i < poses.size(); ++i) {
+    const RigidTransform step = true_lidar(drive, i - 1).inverse() * true_lidar(drive, i);
+    const RigidTransform found = poses[i - 1].odometry_from_lidar.inverse() * poses[i].odometry_from_lidar;
+    largest_m = std::max(largest_m, (found.translation() - step.translation()).norm());
+  }
+  return largest_m;
+}
+
+// Rings of the ground fit each other where the vehicle stands still as well.
+TEST(lidar_odometry_drive, a_first_step_of_a_metre_and_eight_degrees_is_found) {
+  for (const int seed : {2, 24}) {
+    const SimulatedDrive drive = flat_of(seed, 2.0);
+    const std::vector<OdometryPose> poses = odometry_of(drive, true);
+    const double largest_m = largest_step_error_m(drive, poses, 1);
+    std::printf("  seed %d: the largest error of a step %.3f m\n", seed, largest_m);
+    for (const OdometryPose& pose : poses) EXPECT_TRUE(pose.aligned) << pose.problem;
+    EXPECT_LT(largest_m, 0.03);
+  }
+}
+
+TEST(lidar_odometry_drive, a_wrong_velocity_leads_no_later_scan_astray) {
+  constexpr std::size_t kWrong = 5, kFound = 8;
+  const SimulatedDrive drive = flat_of(3, 3.0);
+  const auto& scans = *drive.session.scans;
+  for (const RigidTransform& step : {rigid_from_six({-3.5, 3.0, 0, 0.5, 0, 0}), rigid_from_six({5.0, 0, 0, -0.6, 0, 0}),
+                                     rigid_from_six({0, 0, 0, -0.7, 0, 0})}) {
+    LidarOdometry odometry({}, {});
+    std::vector<OdometryPose> poses;
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      const PointCloud cloud = scans.load(i);
+      const std::optional<RigidTransform> told = i == kWrong ? std::optional(step) : std::nullopt;
+      append(odometry.push(cloud, cloud.time_from_stamp_s, scans.stamp_ns(i), {}, told), poses);
+    }
+    append(odometry.finish({}), poses);
+    const double largest_m = largest_step_error_m(drive, poses, kFound);
+    std::printf("  the largest error of a step later on %.3f m\n", largest_m);
+    EXPECT_LT(largest_m, 0.05);
+  }
 }
 
 TEST(lidar_odometry_drive, the_same_scans_give_the_same_poses) {
