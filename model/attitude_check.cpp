@@ -9,6 +9,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "model/attitude_columns.h"
+#include "model/inverted_poses.h"
 #include "model/io/attitude_convention.h"
 #include "model/session_frames.h"
 #include "model/travel_steps.h"
@@ -211,6 +212,7 @@ std::vector<Finding> attitude_findings(const Session& session, const MetricPoses
   constexpr double kDown = -0.5;
   std::vector<Finding> findings;
   if (unit_is_to_blame(session)) return findings;
+  if (std::vector<Finding> inverted = inverted_pose_findings(session); !inverted.empty()) return inverted;
   judge_heading(session, travel_steps(poses), findings);
   double up = 0.0;
   for (const StampedPose pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
@@ -231,17 +233,21 @@ void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& res
   };
   const bool convention = found(kAttitudeConvention);
   const bool columns = found(kAttitudeColumns) || found(kAttitudeUnit) || found(kPositionColumns);
-  if ((!convention && !columns) || result.status == Status::Cancelled) return;
+  const bool inverted = found(kPosesInverted);
+  if ((!convention && !columns && !inverted) || result.status == Status::Cancelled) return;
   if (result.status == Status::Ok || result.status == Status::Degenerate) {
     result.status = Status::Inconsistent;
-    result.message = convention
+    result.message = inverted ? "The poses contradict the travel of the vehicle: their inverses follow it."
+                     : convention
                          ? "The INS contradicts itself: its heading follows its travel only under another convention."
                          : "The INS contradicts itself: a column of its log is not what it is taken for.";
     result.advice.clear();
   }
-  claim_nothing("the INS contradicts itself", result);
+  claim_nothing(inverted ? "the poses are inverted" : "the INS contradicts itself", result);
   result.advice.insert(result.advice.begin(),
-                       convention
+                       inverted ? "Before anything else invert the poses that the findings name: they are from the "
+                                  "world to the body, expected from the body to the world."
+                       : convention
                            ? "Before anything else correct the convention of the INS attitude: its heading does "
                              "not follow the direction of travel, and would under another one (see the findings)."
                            : "Before anything else correct columns, signs and units of the INS log (see the "

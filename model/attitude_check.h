@@ -16,7 +16,7 @@ namespace remount {
 /// are declared with z up point down. Where yaw is right, pitch and roll are judged (attitude_columns.h). Any constant
 /// direction of travel is fine: sensors are mounted sideways and backwards, and vehicles drive in reverse. Nothing
 /// where the vehicle moves for less than some five seconds, and where the reader found that the unit of the angles is
-/// wrong.
+/// wrong. Where poses are inverted (inverted_poses.h), only that is said.
 std::vector<Finding> attitude_findings(const Session& session);
 std::vector<Finding> attitude_findings(const Session& session, const MetricPoses& poses);
 

@@ -14,13 +14,21 @@ std::vector<float> times_by_order(std::size_t points, double period_s) {
   return times_s;
 }
 
+std::vector<float> counted(std::vector<float> times_s, TimesCount count) {
+  if (count == TimesCount::Backwards)
+    for (float& time_s : times_s) time_s = -time_s;
+  return times_s;
+}
+
 }  // namespace
 
 std::vector<float> told_times(const Session& session, const PointCloud& cloud, const std::optional<SweepModel>& sweep) {
   if (cloud.points.empty()) return {};
-  if (session.scan_timing == ScanTiming::PerPoint && cloud.time_from_stamp_s.size() == cloud.size())
-    return cloud.time_from_stamp_s;
+  const bool timed = cloud.time_from_stamp_s.size() == cloud.size();
+  if (session.scan_timing == ScanTiming::PerPoint && timed)
+    return counted(cloud.time_from_stamp_s, session.times_count);
   if (!sweep) return {};
+  if (sweep->by_times) return timed ? counted(cloud.time_from_stamp_s, *sweep->by_times) : std::vector<float>{};
   if (sweep->by_order) return times_by_order(cloud.size(), sweep->period_s);
   return sweep_times(cloud, sweep->period_s, sweep->stamp_azimuth_rad, sweep->clockwise);
 }

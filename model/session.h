@@ -38,6 +38,13 @@ enum class ScanTiming {
   Unknown,       ///< no times, and nothing says that the scans are compensated: see sweep_trial.h
 };
 
+/// Which way the times of points count. Some drivers write how long ago a point was measured, seen from the stamp.
+enum class TimesCount {
+  Forwards,
+  Backwards,
+  Open,  ///< the sensor would turn the other way than its points are stored, or than sensors do: see sweep_trial.h
+};
+
 /// A spinning sensor's turn, in either direction: time_from_stamp = (angle turned since `stamp_azimuth_rad`) / 2 pi *
 /// period, in (-period/2, period/2]. Of a sensor that does not spin, points in the order in which they were measured.
 struct SweepModel {
@@ -47,6 +54,8 @@ struct SweepModel {
   bool certain = true;             ///< false: the format does not say whether scans are already compensated
   bool direction_known = true;     ///< false: the format does not say which way the sensor turns
   bool by_order = false;           ///< times follow from the order of the points instead, evenly over the period
+  /// Of a trial only: times follow from those of the points, counted so.
+  std::optional<TimesCount> by_times = {};
 };
 
 /// The scans of a session. load() is thread-safe and throws Error where a scan cannot be read.
@@ -89,6 +98,7 @@ struct Session {
   std::vector<WheelSample> wheels;
   std::vector<BarometerSample> barometer;
   ScanTiming scan_timing = ScanTiming::Instant;
+  TimesCount times_count = TimesCount::Forwards;  ///< with ScanTiming::PerPoint
   SweepModel sweep;
   /// How motion within the scans is compensated is the best guess of several: no clock is to be told from them.
   bool scan_timing_open = false;

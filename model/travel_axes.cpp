@@ -27,11 +27,30 @@ bool may_be_reverse(const TravelDirection& travel, const std::optional<InsAxes>&
                               (declared == InsAxes::LeftBackwardUp && told == InsAxes::RightForwardUp));
 }
 
+/// Forward, right, down in a world whose z points up, say.
+bool z_points_down(const MetricPoses& world_from_ins) {
+  constexpr double kDown = -0.5;
+  double up = 0.0;
+  for (const StampedPose pose : world_from_ins)
+    up += pose.pose.linear()(2, 2) / static_cast<double>(world_from_ins.size());
+  return up < kDown;
+}
+
+void leave_axes_open(Session& session) {
+  session.ins_axes.reset();
+  session.findings.push_back(make_finding(
+      Severity::Note, "ins-axes-down", path_or_name(session),
+      "The z axis of the INS points down, as in axes x forward, y right, z down. The result is in the axes of the log; "
+      "they are not called by a name, and an export that would turn them is refused."));
+}
+
 }  // namespace
 
 void settle_axes(Session& session) {
   if (session.ins.empty() && session.world_from_ins.empty()) return;
-  const std::optional<TravelDirection> travel = travel_direction(MetricPoses(session));
+  const MetricPoses poses(session);
+  const std::optional<TravelDirection> travel = travel_direction(poses);
+  if ((travel || session.ins_axes) && z_points_down(poses)) return leave_axes_open(session);
   const std::optional<InsAxes> told = travel ? axes_by_travel(*travel) : std::nullopt;
   if (!told || session.ins_axes == told || may_be_reverse(*travel, session.ins_axes, *told)) return;
   const std::string axes(to_string(*told));

@@ -169,6 +169,11 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "%1, the turn about [%2], the turn about [%3]"),
       QT_TRANSLATE_NOOP("remount::model",
                         "A height measured by tape goes into measured.z_m, its sigma into measured.z_sigma_m."),
+      QT_TRANSLATE_NOOP("remount::model", "The poses contradict the travel of the vehicle: their inverses follow it."),
+      QT_TRANSLATE_NOOP("remount::model", "the poses are inverted"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Before anything else invert the poses that the findings name: they are from the world to the "
+                        "body, expected from the body to the world."),
   };
   return phrases;
 }

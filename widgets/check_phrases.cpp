@@ -416,6 +416,38 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "roll, pitch or yaw reaches %1, more than a turn in radians, which KITTI has. Convert the "
                         "angles from degrees"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Times that are of another unit, or shares of a turn, bend the scans instead of mending them; "
+                        "they count as scans whose times are not known."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Have the driver write the times of points in seconds, or name the unit in the column "
+                        "(time_ms, time_us, time_ns)."),
+      QT_TRANSLATE_NOOP("remount::model", "Taken forwards, such times bend the scans twice."),
+      QT_TRANSLATE_NOOP("remount::model", "Have the driver write the times of points from the stamp on."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The poses of the INS seem to be inverted, from the world to the body: as they are they keep "
+                        "to no axis of a vehicle that travels, their inverses do. Invert each of them (rotation R "
+                        "transposed, position -R transposed times p)."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The poses of the LiDAR seem to be inverted, from the world to the body: as they are they keep "
+                        "to no axis of a vehicle that travels, their inverses do. Invert each of them (rotation R "
+                        "transposed, position -R transposed times p)."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The inverse of a motion is another motion, about another place; no result stands on it."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Export the poses as those of the body in the world, or invert each of them; check those of "
+                        "the other sensor as well."),
+      QT_TRANSLATE_NOOP("remount::model", "Exports that turn axes cannot know what the axes of the INS are."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "Nothing, where the INS has z down; otherwise check the convention of the attitude (ENU or NED)."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Look at the clock offset of the result; where it has none, record a drive with several turns, "
+                        "on one clock."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The z axis of the INS points down, as in axes x forward, y right, z down. The result is in the axes of the "
+          "log; they are not called by a name, and an export that would turn them is refused."),
   };
   return phrases;
 }

@@ -305,6 +305,21 @@ const std::vector<const char*>& file_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "large"),
       QT_TRANSLATE_NOOP("remount::model", "the outline's rear end is not behind its front end"),
       QT_TRANSLATE_NOOP("remount::model", "the outline's right side is not right of its left side"),
+      QT_TRANSLATE_NOOP("remount::model", "The times of the points are of no sweep and are not used: %1."),
+      QT_TRANSLATE_NOOP("remount::model", "column %1 spans %2 s in a scan, while scans are %3 s apart"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "column %1 comes in steps of %2 s: 32-bit floats cannot hold seconds of the day or the week"),
+      QT_TRANSLATE_NOOP("remount::model", "compensated by the times of their points, counted backwards"),
+      QT_TRANSLATE_NOOP("remount::model", "compensated by the times of their points as they are"),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The times of the points count backwards, as the time since a point was measured does; told by the scans "
+          "themselves. They are taken so. That leaves %1 % less between scans than the next of what was tried."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Rates of rotation alone do not tell by how much the clocks of the LiDAR poses and the INS "
+                        "differ: %1. The stamps stay as they are; a small offset is estimated with the mounting."),
+      QT_TRANSLATE_NOOP("remount::model", "its columns are separated by semicolons, expected commas"),
+      QT_TRANSLATE_NOOP("remount::model", "its columns are separated by tabs, expected commas"),
   };
   return phrases;
 }

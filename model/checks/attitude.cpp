@@ -22,6 +22,9 @@ DataCheck attitude_data_check() {
             "at the sign of roll as well."},
            {"attitude-unit", "To the calibration the vehicle hardly turns; no result stands on that.",
             "Give the unit of the angles as the log has it, or have the driver convert them to radians once."},
+           {"poses-inverted", "The inverse of a motion is another motion, about another place; no result stands on it.",
+            "Export the poses as those of the body in the world, or invert each of them; check those of the other "
+            "sensor as well."},
            {"position-columns", "The path is mirrored, and goes its own way; no result stands on it.",
             "Exchange the columns of latitude and longitude."},
            {"heading-against-travel", "Heading and direction of travel have nothing to do with each other.",

@@ -63,7 +63,8 @@ DataCheck clock_check() {
             "Synchronise the host with GPS (PTP, NTP, chrony); stamp scans by GPS time (PPS) where the LiDAR can."},
            {"host-stamps-rounded", "The host's clock cannot be judged.", "Export the log again with all digits."},
            {"clock-ambiguous", "Poses and INS may belong to different instants.",
-            "Record a drive with several turns, on one clock."},
+            "Look at the clock offset of the result; where it has none, record a drive with several turns, on one "
+            "clock."},
            {"clock-moved", "The clocks were brought together by the recorder's, as well as it took messages down.",
             "Synchronise the clocks before the next drive; look at the clock offset of the result."},
            {"point-clock", "Within a scan, points may be compensated for the motion of another instant.",

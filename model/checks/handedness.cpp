@@ -73,8 +73,19 @@ bool attitude_is_to_blame(const CheckedSession& checked) {
                      [](const Finding& finding) { return finding.severity != Severity::Note; });
 }
 
+/// Turns of different instants say nothing of each other. The clocks were looked at before.
+bool clocks_are_to_blame(const CheckedSession& checked, const std::vector<Finding>& findings) {
+  const auto is_clock = [](const Finding& finding) {
+    return finding.severity != Severity::Note &&
+           (finding.code.starts_with("clocks-") || finding.code.starts_with("clock-"));
+  };
+  return std::any_of(findings.begin(), findings.end(), is_clock) ||
+         std::any_of(checked.session.findings.begin(), checked.session.findings.end(), is_clock);
+}
+
 void look_at_handedness(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
   if (!checked.session.scans || checked.session.scans->size() < 2 || checked.poses.size() < 2) return;
+  if (clocks_are_to_blame(checked, findings)) return;
   std::size_t upright = 0, mirrored = 0;
   for (const TurningPair& pair : turning_pairs(checked)) {
     if (progress.cancelled()) return;

@@ -13,6 +13,8 @@ DataCheck pose_check() {
                "Record the fixes of the same drive, too, or give latitude and longitude with attitudes to true north."},
               {"ins-axes-by-travel", "Exports that turn axes, and the obstacle check, go by what looks forward.",
                "Nothing; where a robot moves sideways at will, mind that its axes are called otherwise."},
+              {"ins-axes-down", "Exports that turn axes cannot know what the axes of the INS are.",
+               "Nothing, where the INS has z down; otherwise check the convention of the attitude (ENU or NED)."},
               {"off-earth", "Glitches of a filter or of its log; what lies between them is used.",
                "Look at the source of the stream where they are many."},
               {"stamps-unit", "Stamps in another unit would be none at all.",

@@ -36,6 +36,13 @@ DataCheck reading_check() {
            "Record points with their times: set the driver to write them (in a field called time, t or timestamp). A "
            "calibration tries sweeps in both directions and takes what the scans prove; without proof the sigmas "
            "include the others, and no clock offset is estimated."},
+          {"point-times-misfit",
+           "Times that are of another unit, or shares of a turn, bend the scans instead of mending them; they count as "
+           "scans whose times are not known.",
+           "Have the driver write the times of points in seconds, or name the unit in the column (time_ms, time_us, "
+           "time_ns)."},
+          {"point-times-backwards", "Taken forwards, such times bend the scans twice.",
+           "Have the driver write the times of points from the stamp on."},
           {"sweep-open", "How the scans are bent by motion is a guess.",
            "Record points with their times, or declare in a native session how the sensor turns (timing: sweep)."},
           {"sweep-reversed", "The sensor turns the other way than those that the format was made for.",

@@ -74,7 +74,10 @@ void GrowingSession::look_at_parts() {
     append_later(session_.world_from_ins, std::move(part->world_from_ins));
     append_later(session_.odometry_from_lidar, std::move(part->odometry_from_lidar));
     append_later(session_.gnss, std::move(part->gnss));
-    if (!session_.scans && scans) session_.scan_timing = part->scan_timing, session_.sweep = part->sweep;
+    if (!session_.scans && scans) {
+      session_.scan_timing = part->scan_timing, session_.sweep = part->sweep;
+      session_.times_count = part->times_count;
+    }
   }
   if (scans && !scans_) scans_ = std::make_shared<AppendedScans>();
   if (scans) scans_->append(scans);

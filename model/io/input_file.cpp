@@ -110,11 +110,12 @@ std::vector<std::filesystem::path> directories_in(const std::filesystem::path& d
 
 LineReader::LineReader(std::string_view text) : text_(text) {
   if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+  if (text_.find('\n') == std::string_view::npos && text_.find('\r') != std::string_view::npos) line_end_ = '\r';
 }
 
 bool LineReader::next(std::string_view& line) {
   if (offset_ >= text_.size()) return false;
-  const std::size_t end = text_.find('\n', offset_);
+  const std::size_t end = text_.find(line_end_, offset_);
   line = text_.substr(offset_, end == std::string_view::npos ? end : end - offset_);
   offset_ = end == std::string_view::npos ? text_.size() : end + 1;
   if (line.ends_with('\r')) line.remove_suffix(1);

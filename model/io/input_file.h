@@ -41,6 +41,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& directo
 std::vector<std::filesystem::path> directories_in(const std::filesystem::path& directory);
 
 /// Walks the lines of a text without copying; strips "\r" at the end and a byte order mark at the beginning.
+/// Where there is no "\n" at all, lines end at "\r" (old spreadsheets).
 class LineReader {
  public:
   explicit LineReader(std::string_view text);
@@ -53,6 +54,7 @@ class LineReader {
   std::string_view text_;
   std::size_t offset_ = 0;
   std::size_t line_number_ = 0;
+  char line_end_ = '\n';
 };
 
 std::string_view trimmed(std::string_view text);

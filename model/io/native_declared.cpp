@@ -54,9 +54,9 @@ void read_declared(const DocumentView& root, Session& session) {
   if (const auto nominal = root.find("nominal")) session.nominal_ins_from_lidar = read_nominal(*nominal);
 }
 
-void require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session) {
+FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session) {
   const FoundPointTimes found = find_point_times(scans);
-  if (found.usable || found.scan.empty()) return;
+  if (found.usable || found.misfit || found.scan.empty()) return found;
   timing.fail("per-point is declared, but " + found.problem + " in " + found.scan + ". " + expected_time_columns() +
               " Or declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown "
               "otherwise" +

@@ -12,6 +12,7 @@ void read_declared(const DocumentView& root, Session& session);
 
 /// Throws where times of points are declared and the points of the first scans tell none: they would be used as if they
 /// had been measured at once. @param session as far as it is read
-void require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session);
+/// @return with `misfit` where the times are of no sweep, which is no reason to refuse the session
+FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session);
 
 }  // namespace remount

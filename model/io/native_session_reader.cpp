@@ -181,7 +181,11 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
   const auto files = std::make_shared<FileScanSource>(std::move(scans), format,
                                                       timed ? TimesOfPoints::Required : TimesOfPoints::Unused);
   session.scans = files;
-  if (timed) require_point_times(node.at("timing"), *files, session);
+  if (timed) {
+    const FoundPointTimes found = require_point_times(node.at("timing"), *files, session);
+    session.times_count = found.count;
+    if (found.misfit) return report_no_point_times(*files, session);
+  }
   if (timed && !source.only_new()) report_point_clock(*files, session.findings);
   if (session.scan_timing == ScanTiming::Unknown && !source.only_new()) report_no_point_times(*files, session);
 }

@@ -83,11 +83,13 @@ void use_scans(OpencalibContents& contents, Session& session) {
   for (const ScanFile& scan : contents.scans) session.files.push_back(scan.path);
   const auto scans = std::make_shared<FileScanSource>(std::move(contents.scans), CloudFormat::Pcd);
   session.scans = scans;
-  if (!find_point_times(*scans).usable) {
+  const FoundPointTimes found = find_point_times(*scans);
+  if (!found.usable) {
     report_no_point_times(*scans, session);
     return;
   }
   session.scan_timing = ScanTiming::PerPoint;
+  session.times_count = found.count;
   scans->use_times(TimesOfPoints::Required);
   report_point_clock(*scans, session.findings);
 }

@@ -43,9 +43,15 @@ void align_lidar_clock(Session& session, ClockUse clocks) {
   if (!clear) {
     if (needed)
       session.findings.push_back(
-          make_finding(overlapping ? Severity::Warning : Severity::Problem, "clock-ambiguous", "clocks",
-                       "The LiDAR poses cannot be brought to INS time: " + alignment.why +
-                           ". Their stamps stay as they are; record a drive with several turns."));
+          overlapping ? make_finding(Severity::Warning, "clock-ambiguous", "clocks",
+                                     "Rates of rotation alone do not tell by how much the clocks of the LiDAR poses "
+                                     "and the INS differ: " +
+                                         alignment.why +
+                                         ". The stamps stay as they are; a small offset is estimated with the "
+                                         "mounting.")
+                      : make_finding(Severity::Problem, "clock-ambiguous", "clocks",
+                                     "The LiDAR poses cannot be brought to INS time: " + alignment.why +
+                                         ". Their stamps stay as they are; record a drive with several turns."));
     return;
   }
   // Moving by what may be chance makes clocks worse that agree; a coarse estimate does not show that they do.

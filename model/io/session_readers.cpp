@@ -113,9 +113,12 @@ const SessionReader& reader_of(const std::filesystem::path& path, const Progress
     throw Error(ErrorCode::Io, path.string(),
                 std::filesystem::is_symlink(path, error) ? "is a symbolic link that leads nowhere" : "does not exist");
   if (const SessionReader* best = surest_reader(path)) return *best;
-  if (const auto sessions = sessions_below(path, progress); !sessions.empty())
+  if (const auto sessions = sessions_below(path, progress); !sessions.empty()) {
+    // Files beside others that may not be read: half of a session, likely.
+    if (std::any_of(sessions.begin(), sessions.end(), is_file)) refuse_unreadable(path);
     throw SeveralSessions(path, "is no session itself; open those of one vehicle below it:" + list_of(sessions),
                           sessions);
+  }
   refuse_unreadable(path);
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
     throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");

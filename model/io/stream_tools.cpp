@@ -7,6 +7,7 @@
 #include "model/count_words.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/input_file.h"
+#include "model/io/sweep_misfit.h"
 
 namespace remount {
 namespace {
@@ -239,22 +240,47 @@ PointCloud TimedScanSource::load(std::size_t scan) const {
   return cloud;
 }
 
+namespace {
+
+double scan_interval_s(const TimedScanSource& scans) {
+  constexpr std::size_t kMost = 500;
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < std::min(scans.size(), kMost); ++i)
+    steps.push_back(scans.stamp_ns(i) - scans.stamp_ns(i - 1));
+  if (steps.empty()) return 0.0;
+  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
+  return static_cast<double>(steps[steps.size() / 2]) * 1e-9;
+}
+
+std::string no_times_words(const ReadCloud& read) {
+  return std::string(read.cloud.time_from_stamp_s.empty()
+                         ? "the points have no times"
+                         : "the times of the points are all the same, or few for all points") +
+         " (columns: " + read.columns + ")";
+}
+
+}  // namespace
+
 FoundPointTimes find_point_times(const TimedScanSource& scans) {
   FoundPointTimes found;
+  const double interval_s = scan_interval_s(scans);
   for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3) && !found.usable; ++i) {
     try {
       const ReadCloud read = scans.read(i);
-      found.usable = has_point_times(read.cloud);
-      if (!found.scan.empty() || read.cloud.points.empty()) continue;
+      const std::string coarse = coarse_times(read);
+      const bool timed = coarse.empty() && has_point_times(read.cloud);
+      const std::string misfit = timed ? sweep_misfit(read, interval_s) : std::string();
+      found.usable = timed && misfit.empty();
+      if (found.usable) found.count = times_count(read.cloud);
+      if (found.misfit || read.cloud.points.empty() || (!found.scan.empty() && misfit.empty())) continue;
       found.scan = scans.name(i);
-      found.problem = std::string(read.cloud.time_from_stamp_s.empty()
-                                      ? "the points have no times"
-                                      : "the times of the points are all the same, or few for all points") +
-                      " (columns: " + read.columns + ")";
+      found.misfit = !misfit.empty();
+      found.problem = found.misfit ? misfit : !coarse.empty() ? coarse : no_times_words(read);
     } catch (const Error&) {
       continue;  // becomes known when the scan is used
     }
   }
+  found.misfit = found.misfit && !found.usable;
   return found;
 }
 
@@ -268,6 +294,12 @@ void report_no_point_times(TimedScanSource& scans, Session& session) {
   const FoundPointTimes found = find_point_times(scans);
   session.scan_timing = ScanTiming::Unknown;
   scans.use_times(TimesOfPoints::Unused);
+  if (found.misfit) {
+    session.findings.push_back(
+        make_finding(Severity::Warning, "point-times-misfit", found.scan,
+                     "The times of the points are of no sweep and are not used: " + found.problem + "."));
+    return;
+  }
   session.findings.push_back(make_finding(
       Severity::Warning, "no-point-times", found.scan.empty() ? scans.name(0) : found.scan,
       "When the points were measured is not known: " + (found.problem.empty() ? "no scan can be read" : found.problem) +

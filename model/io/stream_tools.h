@@ -122,7 +122,9 @@ bool has_point_times(const PointCloud& cloud);
 /// Of the first scans, up to three: whether the points of one of them carry usable times.
 struct FoundPointTimes {
   bool usable = false;
-  std::string scan;     ///< the first that could be read; empty where none could
+  bool misfit = false;                      ///< there are times, but they cannot be of one sweep
+  TimesCount count = TimesCount::Forwards;  ///< of those that are usable; or open
+  std::string scan;                         ///< the first that could be read; empty where none could
   std::string problem;  ///< what is wrong with its times, and its columns: "the points have no times (columns: x y z)"
 };
 FoundPointTimes find_point_times(const TimedScanSource& scans);
@@ -131,7 +133,7 @@ FoundPointTimes find_point_times(const TimedScanSource& scans);
 std::string expected_time_columns();
 
 /// Makes the timing of the session unknown, as its scans have no times and may be compensated or not, with the warning
-/// "no-point-times".
+/// "no-point-times"; "point-times-misfit" where there are times that are of no sweep.
 void report_no_point_times(TimedScanSource& scans, Session& session);
 
 /// Adds a finding "point-clock" where the times of the points of that scan are on another clock than its stamp.

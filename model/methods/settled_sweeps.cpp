@@ -14,6 +14,9 @@ namespace {
 
 std::string sweep_words(const SweepGuess& guess) {
   if (!guess) return "used as they are";
+  if (guess->by_times)
+    return guess->by_times == TimesCount::Backwards ? "compensated by the times of their points, counted backwards"
+                                                    : "compensated by the times of their points as they are";
   char text[120];
   if (guess->by_order)
     std::snprintf(text, sizeof text, "compensated by the order of their points, over %.3f s", guess->period_s);
@@ -27,6 +30,11 @@ Finding proved_finding(const Session& session, const SweepTrial& trial) {
   char gain[80];
   std::snprintf(gain, sizeof gain, " That leaves %.0f %% less between scans than the next of what was tried.",
                 100.0 * trial.gain);
+  if (trial.best && trial.best->by_times)
+    return {Severity::Warning, "point-times-backwards", session.name,
+            "The times of the points count backwards, as the time since a point was measured does; told by the scans "
+            "themselves. They are taken so." +
+                std::string(gain)};
   const bool turned =
       session.scan_timing == ScanTiming::SweepAzimuth && trial.best && trial.best->clockwise != session.sweep.clockwise;
   if (turned)
@@ -47,6 +55,10 @@ Finding open_finding(const Session& session, const SweepTrial& trial) {
 
 std::shared_ptr<Session> swept(const Session& session, const SweepGuess& guess) {
   auto copy = std::make_shared<Session>(session);
+  if (guess && guess->by_times) {
+    copy->times_count = *guess->by_times;
+    return copy;
+  }
   copy->scan_timing = guess ? ScanTiming::SweepAzimuth : ScanTiming::Instant;
   if (guess) copy->sweep = *guess;
   copy->sweep.certain = copy->sweep.direction_known = true;
@@ -86,7 +98,10 @@ SettledSweeps settle_sweeps(const PipelineInput& input, Progress& progress) {
     const Session& session = *input.sessions[s];
     const SweepTrial& trial = *trials[s];
     const std::shared_ptr<Session> copy = swept(session, trial.best);
-    copy->findings.push_back(trial.proved ? proved_finding(session, trial) : open_finding(session, trial));
+    // Nothing is to be said of times that are what they seem.
+    const bool as_told = trial.proved && trial.best && trial.best->by_times == TimesCount::Forwards;
+    if (!as_told)
+      copy->findings.push_back(trial.proved ? proved_finding(session, trial) : open_finding(session, trial));
     copy->scan_timing_open = !trial.proved;
     settled.input.sessions[s] = copy;
     if (trial.proved) continue;

@@ -52,9 +52,13 @@ std::size_t first_of_stretch(const Session& session) {
 
 PointCloud thinned_in_order(const PointCloud& cloud) {
   if (cloud.size() <= kMostTrialPoints) return cloud;
+  const bool timed = cloud.time_from_stamp_s.size() == cloud.size();
   PointCloud out;
-  for (std::size_t k = 0; k < kMostTrialPoints; ++k)
-    out.points.push_back(cloud.points[k * cloud.size() / kMostTrialPoints]);
+  for (std::size_t k = 0; k < kMostTrialPoints; ++k) {
+    const std::size_t from = k * cloud.size() / kMostTrialPoints;
+    out.points.push_back(cloud.points[from]);
+    if (timed) out.time_from_stamp_s.push_back(cloud.time_from_stamp_s[from]);
+  }
   return out;
 }
 
@@ -134,13 +138,15 @@ Comparison compare_blocks(const std::vector<double>& blocks) {
 /// Guesses that differ only in where the sweep begins are of one kind: none, the order of the points or a direction of
 /// turning, each over a time.
 struct SweepKind {
-  enum class Way { None, ByOrder, Clockwise, CounterClockwise } way = Way::None;
+  enum class Way { None, ByOrder, Clockwise, CounterClockwise, ByTimes, ByTimesBackwards } way = Way::None;
   double period_s = 0.0;
   auto operator<=>(const SweepKind&) const = default;
 };
 
 SweepKind kind_of(const SweepGuess& guess) {
   if (!guess) return {};
+  if (guess->by_times)
+    return {guess->by_times == TimesCount::Backwards ? SweepKind::Way::ByTimesBackwards : SweepKind::Way::ByTimes};
   if (guess->by_order) return {SweepKind::Way::ByOrder, guess->period_s};
   return {guess->clockwise ? SweepKind::Way::Clockwise : SweepKind::Way::CounterClockwise, guess->period_s};
 }
@@ -201,6 +207,12 @@ SweepModel sweep_from(double first_azimuth_rad, bool clockwise, double period_s)
   sweep.period_s = period_s;
   sweep.clockwise = clockwise;
   sweep.stamp_azimuth_rad = wrap_angle_rad(first_azimuth_rad + kPi);
+  return sweep;
+}
+
+SweepModel by_times(TimesCount count) {
+  SweepModel sweep;
+  sweep.by_times = count;
   return sweep;
 }
 
@@ -315,52 +327,10 @@ void try_unknown(Trial& trial, const std::vector<StampedCloud>& scans) {
 
 }  // namespace
 
-std::optional<SweepOrder> sweep_order(const PointCloud& cloud) {
-  constexpr std::size_t kParts = 48;
-  constexpr double kNearest_m = 1.0;  // nearer points are of the vehicle, at any azimuth
-  if (cloud.size() < 16 * kParts) return std::nullopt;
-  std::vector<double> azimuths_rad;  // the mean of each part
-  for (std::size_t part = 0; part < kParts; ++part) {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    double count = 0.0;
-    for (std::size_t i = part * cloud.size() / kParts; i < (part + 1) * cloud.size() / kParts; ++i) {
-      const Eigen::Vector2d flat = cloud.points[i].head<2>().cast<double>();
-      if (flat.norm() < kNearest_m) continue;
-      sum += flat.normalized();
-      count += 1.0;
-    }
-    constexpr double kTogether = 0.8;  // points of a part of a turn lie on one side
-    if (!(sum.norm() > kTogether * count)) return std::nullopt;
-    azimuths_rad.push_back(std::atan2(sum.y(), sum.x()));
-  }
-  double turned_rad = 0.0;
-  int backward = 0, forward = 0;
-  for (std::size_t part = 1; part < kParts; ++part) {
-    const double step_rad = wrap_angle_rad(azimuths_rad[part] - azimuths_rad[part - 1]);
-    turned_rad += step_rad;
-    ++(step_rad > 0.0 ? forward : backward);
-  }
-  const double whole_turns = std::abs(turned_rad) / (2.0 * kPi);
-  const bool one_turn = whole_turns > 0.75 && whole_turns < 1.1;
-  if (!one_turn || std::min(forward, backward) > static_cast<int>(kParts) / 10) return std::nullopt;
-  // The middle of the first part is half of it from where the sweep begins.
-  const double half_a_part_rad = 0.5 * turned_rad / static_cast<double>(kParts - 1);
-  return SweepOrder{turned_rad < 0.0, wrap_angle_rad(azimuths_rad.front() - half_a_part_rad)};
-}
-
-bool looks_around(const PointCloud& cloud) {
-  constexpr std::size_t kSectors = 36, kMostEmpty = 10;  // a body may hide a quarter of the view
-  std::array<bool, kSectors> seen{};
-  for (const Eigen::Vector3f& point : cloud.points) {
-    const double turns = std::atan2(point.y(), point.x()) / (2.0 * kPi) + 0.5;
-    seen[std::min(kSectors - 1, static_cast<std::size_t>(turns * kSectors))] = true;
-  }
-  return std::count(seen.begin(), seen.end(), false) <= static_cast<std::ptrdiff_t>(kMostEmpty);
-}
-
 bool needs_sweep_trial(const Session& session, DeskewMode mode) {
   if (!session.scans || session.scans->size() == 0 || mode == DeskewMode::Off) return false;
   if (session.scan_timing == ScanTiming::Unknown) return true;
+  if (session.scan_timing == ScanTiming::PerPoint) return session.times_count == TimesCount::Open;
   if (session.scan_timing != ScanTiming::SweepAzimuth) return false;
   return !session.sweep.direction_known || (!session.sweep.certain && mode == DeskewMode::Auto);
 }
@@ -369,11 +339,13 @@ SweepTrial try_sweeps(const Session& session, const Settings& settings, int thre
   const std::vector<StampedCloud> scans = load_stretch(session, threads, progress);
   if (scans.size() < 2) return {};
   Trial trial(scans, settings, threads, progress);
-  const bool surely_swept = settings.run.deskew == DeskewMode::On ||
+  const bool surely_swept = settings.run.deskew == DeskewMode::On || session.scan_timing == ScanTiming::PerPoint ||
                             (session.scan_timing == ScanTiming::SweepAzimuth && session.sweep.certain);
   if (!surely_swept) trial.add({std::nullopt});
   if (session.scan_timing == ScanTiming::Unknown) {
     try_unknown(trial, scans);
+  } else if (session.scan_timing == ScanTiming::PerPoint) {
+    trial.add({by_times(TimesCount::Forwards), by_times(TimesCount::Backwards)});
   } else {
     SweepModel reversed = session.sweep;
     reversed.clockwise = !reversed.clockwise;

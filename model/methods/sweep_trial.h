@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/cloud/sweep_order.h"
 #include "algorithms/core/progress.h"
 #include "model/session.h"
 #include "model/settings.h"
@@ -42,16 +43,5 @@ SweepTrial try_sweeps(const Session& session, const Settings& settings, int thre
 /// Sessions of which none proves anything for itself are judged together, where the same ways were tried of each: one
 /// LiDAR is recorded in one way.
 void prove_together(const std::vector<SweepTrial*>& trials);
-
-/// The way in which points follow each other in a scan: those of a sensor that spins, in the order of their times.
-struct SweepOrder {
-  bool clockwise = true;
-  double first_azimuth_rad = 0.0;
-};
-/// Nothing where the order is another: by rings, by place, or of a sensor that does not spin.
-std::optional<SweepOrder> sweep_order(const PointCloud& cloud);
-
-/// Whether there are points all around.
-bool looks_around(const PointCloud& cloud);
 
 }  // namespace remount

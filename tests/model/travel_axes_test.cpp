@@ -54,6 +54,22 @@ TEST(travel_axes, are_told_of_every_box_whatever_the_format_calls_them) {
     }
 }
 
+TEST(travel_axes, whose_z_points_down_are_not_called_by_a_name) {
+  const SimulatedDrive drive = driven(9.0);
+  for (const bool declared : {true, false}) {
+    Session session = drive.session;
+    session.scans.reset();
+    for (InsSample& sample : session.ins)
+      sample.enu_from_ins = sample.enu_from_ins * Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);  // forward, right, down
+    if (!declared) session.ins_axes.reset();
+    settle_axes(session);
+    EXPECT_FALSE(session.ins_axes);
+    EXPECT_FALSE(told_by_travel(session));
+    ASSERT_FALSE(session.findings.empty());
+    EXPECT_EQ(session.findings.back().code, "ins-axes-down");
+  }
+}
+
 TEST(travel_axes, of_a_slow_vehicle_that_may_be_in_reverse_are_left_as_they_are_declared) {
   const SimulatedDrive drive = driven(3.0);
   for (const InsAxes axes : {InsAxes::BackwardRightUp, InsAxes::LeftBackwardUp}) {

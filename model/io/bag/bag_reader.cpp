@@ -47,11 +47,13 @@ class BagScanSource final : public TimedScanSource {
 
 /// Whether points have times, from the first scans that can be read.
 void judge_point_times(BagScanSource& scans, Session& session) {
-  if (!find_point_times(scans).usable) {
+  const FoundPointTimes found = find_point_times(scans);
+  if (!found.usable) {
     report_no_point_times(scans, session);
     return;
   }
   session.scan_timing = ScanTiming::PerPoint;
+  session.times_count = found.count;
   scans.use_times(TimesOfPoints::Required);
   report_point_clock(scans, session.findings);
 }

@@ -54,6 +54,12 @@ TEST(handedness_check, mirrored_clouds_are_named_whichever_axis_is_wrong) {
     }
 }
 
+TEST(handedness_check, waits_until_the_clocks_are_mended) {
+  Session session = changed(drive(ScenarioKind::Street), {1, -1, 1});
+  session.findings.push_back({Severity::Warning, "clock-leap-seconds", "", ""});
+  EXPECT_TRUE(found_by(handedness_check(), session).empty());
+}
+
 TEST(handedness_check, right_handed_clouds_pass_however_the_sensor_is_mounted) {
   for (const SixParameters& mounting :
        {SixParameters{1.2, -0.3, 1.6, 0.1, 0, 0}, SixParameters{1.2, -0.3, 1.6, 2.5, 0.0, kPi},

@@ -4,6 +4,7 @@
 
 #include <clocale>
 
+#include "model/io/csv_table.h"
 #include "model/io/time_stamp.h"
 #include "tests/model/io/temporary_folder.h"
 
@@ -19,6 +20,24 @@ TEST(input_file, numbers_are_strict_and_finite) {
   EXPECT_FALSE(parse_integer("1.0"));
   EXPECT_FALSE(parse_integer("99999999999999999999"));
   EXPECT_ERROR(require_number("abc", "yaw", "ins.csv", 7), "ins.csv:7: yaw is 'abc'");
+}
+
+TEST(input_file, lines_of_old_spreadsheets_end_in_carriage_returns) {
+  LineReader old("a,b\r1,2\r3,4"), mixed("a\r\nb\rc\n");
+  std::string_view line;
+  std::string all;
+  while (old.next(line)) all += std::string(line) + "|";
+  EXPECT_EQ(all, "a,b|1,2|3,4|");
+  EXPECT_EQ(old.line_number(), 3U);
+  ASSERT_TRUE(mixed.next(line));
+  EXPECT_EQ(line, "a");
+  ASSERT_TRUE(mixed.next(line));
+  EXPECT_EQ(line, "b\rc");
+}
+
+TEST(input_file, columns_between_other_separators_are_named) {
+  EXPECT_ERROR(CsvHeader("t;x;y").require("x", "ins.csv"), "ins.csv:1: its columns are separated by semicolons");
+  EXPECT_ERROR(CsvHeader("t\tx\ty").require("x", "ins.csv"), "ins.csv:1: its columns are separated by tabs");
 }
 
 TEST(input_file, numbers_do_not_depend_on_the_locale) {

@@ -1,8 +1,10 @@
 #include "model/io/known_files.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
+#include <filesystem>
 
 #include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
@@ -77,6 +79,18 @@ TEST(known_files, others_are_not) {
     EXPECT_FALSE(known_file(folder.write("a.dat", bytes))) << bytes.substr(0, 10);
   EXPECT_FALSE(known_file(folder.path() / "missing"));
   EXPECT_ERROR(open(folder.write("a.dat", "hello\n")), "is no session that Remount knows. It looks for:");
+}
+
+TEST(known_files, half_a_session_beside_a_file_without_permission_is_none) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  const TemporaryFolder folder;
+  std::string poses;
+  for (int i = 0; i < 20; ++i) poses += std::to_string(100 + i) + " " + std::to_string(i) + " 0 0 0 0 0 1\n";
+  folder.write("p/lidar.txt", poses);
+  folder.write("p/ins.txt", poses);
+  std::filesystem::permissions(folder.path() / "p/ins.txt", std::filesystem::perms::none);
+  Progress progress;
+  EXPECT_ERROR(open_session(folder.path() / "p", progress), "ins.txt: ");
 }
 
 }  // namespace

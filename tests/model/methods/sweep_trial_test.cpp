@@ -71,6 +71,25 @@ class StandingScans final : public ScanSource {
   PointCloud ahead_;
 };
 
+/// Times of points as somebody else writes them.
+class RetimedScans final : public ScanSource {
+ public:
+  RetimedScans(std::shared_ptr<const ScanSource> scans, float factor, float shift_s)
+      : scans_(std::move(scans)), factor_(factor), shift_s_(shift_s) {}
+  std::size_t size() const override { return scans_->size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
+  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+  PointCloud load(std::size_t scan) const override {
+    PointCloud cloud = scans_->load(scan);
+    for (float& time_s : cloud.time_from_stamp_s) time_s = factor_ * time_s + shift_s_;
+    return cloud;
+  }
+
+ private:
+  std::shared_ptr<const ScanSource> scans_;
+  float factor_, shift_s_;
+};
+
 void expect_sweep(const SweepTrial& trial, bool clockwise, double rate_hz, const std::string& what) {
   ASSERT_TRUE(trial.best) << what;
   EXPECT_TRUE(trial.proved) << what;
@@ -184,6 +203,29 @@ TEST(sweep_trial, a_drive_without_times_of_points_is_calibrated_within_its_sigma
     EXPECT_NEAR(output.result.time_offset.offset_s, -0.05, 0.004) << "of sweeps that are compensated";
     EXPECT_TRUE(found(output, "deskew-on"));
   }
+}
+
+/// The age of points at a stamp at the end of the sweep.
+TEST(sweep_trial, times_that_count_backwards_are_turned_round_where_the_scans_prove_it) {
+  SimulationOptions options = swept_options(ScenarioKind::FigureEight, true, 10.0, 24);
+  options.duration_s = 24.0;
+  options.per_point_time = true;
+  const SimulatedDrive drive = simulate_drive(options);
+  Session session = drive.session;
+  EXPECT_FALSE(needs_sweep_trial(session, DeskewMode::Auto));
+  session.scans = std::make_shared<const RetimedScans>(drive.session.scans, -1.0f, 0.0f);
+  session.times_count = TimesCount::Open;
+  const PipelineOutput output = calibrated(session);
+  error_of(output.result, drive.ins_from_lidar);
+  expect_within_sigma(output.result, drive.ins_from_lidar, 4.0);
+  EXPECT_TRUE(found(output, "point-times-backwards"));
+
+  session.scans = drive.session.scans;  // a suspicion that is unfounded
+  const PipelineOutput right = calibrated(session);
+  expect_within_sigma(right.result, drive.ins_from_lidar, 4.0);
+  EXPECT_TRUE(right.clock_told);
+  EXPECT_FALSE(found(right, "point-times-backwards"));
+  EXPECT_FALSE(found(right, "sweep-open"));
 }
 
 TEST(sweep_trial, no_clock_is_told_from_scans_that_may_be_bent) {
