@@ -204,8 +204,6 @@ void name_quantities(const VehicleFrameProblem& problem, const VehicleFrameSolut
 
 void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) {
   CalibrationResult& calibration = result.calibration;
-  const auto observed = std::count(calibration.observed.begin(), calibration.observed.end(), true);
-  char text[240];
   if (!solution.converged) {
     calibration.status = Status::NotConverged;
     calibration.message =
@@ -214,10 +212,7 @@ void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) 
     claim_nothing("the solution did not converge", calibration);
     return;
   }
-  calibration.status = observed == 6 ? Status::Ok : Status::Degenerate;
-  std::snprintf(text, sizeof text, "Vehicle from sensor by %d intervals of wheels and IMU; %s.", result.intervals,
-                observed == 6 ? "all six parameters are observed" : "some parameters are not observed");
-  calibration.message = text;
+  state_vehicle_frame(result.intervals, calibration);
 }
 
 // "2.50 times as long as".
@@ -262,6 +257,15 @@ VehicleFrameResult too_few(std::size_t intervals) {
 }
 
 }  // namespace
+
+void state_vehicle_frame(int intervals, CalibrationResult& calibration) {
+  const auto observed = std::count(calibration.observed.begin(), calibration.observed.end(), true);
+  calibration.status = observed == 6 ? Status::Ok : Status::Degenerate;
+  char text[240];
+  std::snprintf(text, sizeof text, "Vehicle from sensor by %d intervals of wheels and IMU; %s.", intervals,
+                observed == 6 ? "all six parameters are observed" : "some parameters are not observed");
+  calibration.message = text;
+}
 
 std::vector<VehicleInterval> vehicle_intervals(const std::vector<VehicleDrive>& drives,
                                                const VehicleFrameOptions& options) {

@@ -59,4 +59,7 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
                                        const VehicleFrameOptions& options, const SolveOptions& solve,
                                        Progress& progress);
 
+/// Status and message of a solved calibration by what of it is observed.
+void state_vehicle_frame(int intervals, CalibrationResult& calibration);
+
 }  // namespace remount

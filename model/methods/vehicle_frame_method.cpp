@@ -13,7 +13,9 @@
 #include "model/method_needs.h"
 #include "model/methods/antenna_on_vehicle.h"
 #include "model/methods/builtin.h"
+#include "model/methods/vehicle_clock.h"
 #include "model/pipeline/input_checks.h"
+#include "model/pipeline/solve_stage.h"
 #include "model/scan_times.h"
 #include "model/session_frames.h"
 
@@ -210,8 +212,7 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
     drives.push_back(drive_of(*session, input.settings, output.findings, progress));
     if (session->imu.size() < 2) blamed.insert(blamed.end(), session->findings.begin(), session->findings.end());
   }
-  const VehicleFrameResult result = solve_vehicle_frame(drives, input.nominal_ins_from_lidar,
-                                                        input.settings.vehicle_frame, input.settings.solve, progress);
+  const VehicleFrameResult result = solve_vehicle_frame_with_clocks(input, drives, progress);
   output.result = result.calibration;
   output.quantities = result.quantities;
   output.initial_ins_from_lidar =
@@ -219,6 +220,7 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
   output.compensation_ins_from_lidar = result.calibration.ins_from_lidar;
   output.session_uses_sweep.assign(input.sessions.size(), false);
   report(result, input.settings.vehicle_frame.estimate_wheel_scale, output.findings);
+  report_clock(input, output.result, output.findings);
   blame_attitude(blamed, output.result);
   if (result.calibration.status == Status::Ok || result.calibration.status == Status::Degenerate) {
     progress.report("comparing integrations", 0, 0);
