@@ -11190,6 +11190,102 @@ Save under another name, or close it there first.</source>
         <source>per-point is declared, but %1 in %2. Columns of times that are known: %3, also behind scalar_. Or declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown otherwise. Besides, the stamps of %4 are turns of the GPS week (1024 weeks each) off, which is mended once the session can be read</source>
         <translation>声明了 per-point，但 %2 中%1。可识别的时间列：%3，带 scalar_ 前缀者亦可。或改为声明 timing：旋转式传感器用 sweep，已补偿的扫描用 instant，其他情况用 unknown。此外，%4 的时间戳相差整数个 GPS 周轮回（每个 1024 周），会话可以读取后会自动修正</translation>
     </message>
+    <message>
+        <source>The poses contradict the travel of the vehicle: their inverses follow it.</source>
+        <translation>位姿与车辆的行驶相矛盾：取逆后才与之相符。</translation>
+    </message>
+    <message>
+        <source>the poses are inverted</source>
+        <translation>位姿是反的</translation>
+    </message>
+    <message>
+        <source>Before anything else invert the poses that the findings name: they are from the world to the body, expected from the body to the world.</source>
+        <translation>首先请将检查结果所指的位姿取逆：它们是由世界到本体，应为由本体到世界。</translation>
+    </message>
+    <message>
+        <source>Times that are of another unit, or shares of a turn, bend the scans instead of mending them; they count as scans whose times are not known.</source>
+        <translation>单位不对或只是一圈的占比的时间会使扫描变形而非校正；这些扫描按时间未知处理。</translation>
+    </message>
+    <message>
+        <source>Have the driver write the times of points in seconds, or name the unit in the column (time_ms, time_us, time_ns).</source>
+        <translation>让驱动以秒写入点的时间，或在列名中注明单位（time_ms、time_us、time_ns）。</translation>
+    </message>
+    <message>
+        <source>Taken forwards, such times bend the scans twice.</source>
+        <translation>若按正向使用，这样的时间会使扫描加倍变形。</translation>
+    </message>
+    <message>
+        <source>Have the driver write the times of points from the stamp on.</source>
+        <translation>让驱动写入从时间戳起算的点时间。</translation>
+    </message>
+    <message>
+        <source>The poses of the INS seem to be inverted, from the world to the body: as they are they keep to no axis of a vehicle that travels, their inverses do. Invert each of them (rotation R transposed, position -R transposed times p).</source>
+        <translation>INS 的位姿似乎是反的（由世界到本体）：按现状，行驶的车辆不沿其任何一个轴运动，而取逆后则沿一个轴运动。请逐个取逆（旋转 R 转置，位置 -R 转置乘 p）。</translation>
+    </message>
+    <message>
+        <source>The poses of the LiDAR seem to be inverted, from the world to the body: as they are they keep to no axis of a vehicle that travels, their inverses do. Invert each of them (rotation R transposed, position -R transposed times p).</source>
+        <translation>激光雷达的位姿似乎是反的（由世界到本体）：按现状，行驶的车辆不沿其任何一个轴运动，而取逆后则沿一个轴运动。请逐个取逆（旋转 R 转置，位置 -R 转置乘 p）。</translation>
+    </message>
+    <message>
+        <source>The inverse of a motion is another motion, about another place; no result stands on it.</source>
+        <translation>运动的逆是绕另一处的另一种运动；任何结果都不成立。</translation>
+    </message>
+    <message>
+        <source>Export the poses as those of the body in the world, or invert each of them; check those of the other sensor as well.</source>
+        <translation>请导出本体在世界中的位姿，或逐个取逆；另一传感器的位姿也请检查。</translation>
+    </message>
+    <message>
+        <source>Exports that turn axes cannot know what the axes of the INS are.</source>
+        <translation>需要转换坐标轴的导出无法得知 INS 的轴向。</translation>
+    </message>
+    <message>
+        <source>Nothing, where the INS has z down; otherwise check the convention of the attitude (ENU or NED).</source>
+        <translation>若 INS 的 z 轴本来朝下则无需处理；否则请检查姿态约定（ENU 或 NED）。</translation>
+    </message>
+    <message>
+        <source>Look at the clock offset of the result; where it has none, record a drive with several turns, on one clock.</source>
+        <translation>请查看结果中的时钟偏移；若没有，请在同一时钟下录制包含多次转弯的行程。</translation>
+    </message>
+    <message>
+        <source>The z axis of the INS points down, as in axes x forward, y right, z down. The result is in the axes of the log; they are not called by a name, and an export that would turn them is refused.</source>
+        <translation>INS 的 z 轴朝下，如 x 前、y 右、z 下。结果采用日志自身的轴；这些轴不予命名，需要转换它们的导出会被拒绝。</translation>
+    </message>
+    <message>
+        <source>The times of the points are of no sweep and are not used: %1.</source>
+        <translation>点的时间不可能属于一次扫描，未予使用：%1。</translation>
+    </message>
+    <message>
+        <source>column %1 spans %2 s in a scan, while scans are %3 s apart</source>
+        <translation>列 %1 在一帧内跨度为 %2 s，而相邻帧间隔为 %3 s</translation>
+    </message>
+    <message>
+        <source>column %1 comes in steps of %2 s: 32-bit floats cannot hold seconds of the day or the week</source>
+        <translation>列 %1 的步长为 %2 s：32 位浮点数无法表示当日秒或周内秒</translation>
+    </message>
+    <message>
+        <source>compensated by the times of their points, counted backwards</source>
+        <translation>按点的时间（倒计）补偿</translation>
+    </message>
+    <message>
+        <source>compensated by the times of their points as they are</source>
+        <translation>按点的时间原样补偿</translation>
+    </message>
+    <message>
+        <source>The times of the points count backwards, as the time since a point was measured does; told by the scans themselves. They are taken so. That leaves %1 % less between scans than the next of what was tried.</source>
+        <translation>点的时间是倒计的（即点测得后经过的时间）；由扫描本身判定，并按此使用。与所尝试的次优方式相比，帧间残差减少 %1 %。</translation>
+    </message>
+    <message>
+        <source>Rates of rotation alone do not tell by how much the clocks of the LiDAR poses and the INS differ: %1. The stamps stay as they are; a small offset is estimated with the mounting.</source>
+        <translation>仅凭转动速率无法判定激光雷达位姿与 INS 的时钟相差多少：%1。时间戳保持不变；较小的偏移将与安装参数一同估计。</translation>
+    </message>
+    <message>
+        <source>its columns are separated by semicolons, expected commas</source>
+        <translation>各列以分号分隔，应为逗号</translation>
+    </message>
+    <message>
+        <source>its columns are separated by tabs, expected commas</source>
+        <translation>各列以制表符分隔，应为逗号</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
