@@ -369,6 +369,7 @@ TrajectoryOutcome align_trajectories(const TrajectoryProblem& problem, const Tra
                                      std::vector<TrajectorySnapshot>& history, Progress& progress) {
   TrajectoryAligner aligner(options, judged_by, problem.nominal_ins_from_lidar, problem.estimate_clock);
   aligner.set_measured(problem.measured);
+  aligner.set_up_in_lidar(problem.up_in_lidar);
   std::size_t total = 0, done = 0;
   for (const TrajectorySession& session : problem.sessions) total += session.epochs.size();
   const std::size_t step = most_snapshots > 0 ? std::max<std::size_t>(1, total / most_snapshots) : 0;

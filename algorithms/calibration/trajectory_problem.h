@@ -60,6 +60,8 @@ struct TrajectoryProblem {
   std::optional<RigidTransform> nominal_ins_from_lidar;
   bool estimate_clock = false;  ///< t_ins = t_lidar + offset, one for each session
   Measured measured;            ///< what is known of X beside the drives
+  /// Away from the ground in the scans, unit length: settles roll where the motion does not and no nominal is known.
+  std::optional<Eigen::Vector3d> up_in_lidar;
 };
 
 /// Everything that is sought. `clock_s` also holds for GNSS fixes.
