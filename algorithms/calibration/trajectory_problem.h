@@ -53,6 +53,7 @@ struct TrajectorySession {
   double north_sigma_rad = 0.0;         ///< positions and attitudes may count from norths that are apart
   /// The INS states its errors: they are not believed to be smaller, however smooth its poses.
   bool ins_noise_stated = false;
+  bool odometry_over_scans = false;  ///< poses of the LiDAR are by the odometry over its scans, and not somebody's
 };
 
 struct TrajectoryProblem {
