@@ -161,6 +161,14 @@ const std::vector<const char*>& method_phrases() {
                         "Look at the units of the LiDAR's poses, and at how points of scans are scaled."),
       QT_TRANSLATE_NOOP(
           "remount::model",
+          "The way of the %1 is %2 times as long as that of the %3: the odometry over the scans slipped, or one "
+          "of the two is not in metres."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Look at the units of the positions and of the points of the scans. Where these are metres, "
+                        "the surroundings hold no scan along the way: record where there is structure, or use another "
+                        "method."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
           "places %1 in %2, and the method '%3' finds %4 in %5: the numbers of one are wrong in the other. "
           "Give a nominal mounting in that frame, or none."),
       QT_TRANSLATE_NOOP(

@@ -65,10 +65,6 @@ struct Trial {
   double allowance = 1.0;
 };
 
-// Pairs overrule a reference where they fit this much better without it. A plain threshold on what counts as determined
-// would depend on their noise.
-constexpr double kReferenceAllowance = 0.9;
-
 // Of those from `first` on, with all compared at the scale of the smallest residuals.
 const Trial& best_of(const std::vector<Trial>& tried, std::size_t first) {
   double scale2 = std::numeric_limits<double>::infinity();
@@ -125,7 +121,7 @@ RobustStart robust_start(const std::vector<Pair>& pairs, const std::vector<int>&
     const RigidTransform x = joint_quadratic(form, near_m);
     consider(x, 1.0);
     if (reference.ins_from_lidar || reference.up_in_lidar)
-      consider(settled(x, form, reference, near_m), kReferenceAllowance);
+      consider(settled(x, form, reference, near_m), reference.allowance);
     const std::vector<double>& d2 = best_of(tried, first).d2;
     weights = kernel_weights(d2, residual_scale2(d2));
   }

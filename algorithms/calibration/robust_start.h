@@ -20,10 +20,11 @@ struct RobustStart {
 };
 
 /// What settles a rotation that the motion hardly determines (roll about the track of a straight drive): pairs overrule
-/// it where their truncated cost, the wrong ones' constant share included, is a tenth less without it.
+/// it where their truncated cost, the wrong ones' constant share included, is less than `allowance` of that without it.
 struct RotationReference {
   std::optional<Eigen::Matrix3d> ins_from_lidar;  ///< the nominal mounting, or an earlier estimate
   std::optional<Eigen::Vector3d> up_in_lidar;     ///< away from the ground, unit length: used where there is no nominal
+  double allowance = 0.9;                         ///< less where many pairs overlap and err alike
 };
 
 /// Tries the nominal (where known), the global minimum of the quadratic form over screw-consistent pairs and its

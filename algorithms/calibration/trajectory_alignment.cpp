@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/trajectory_condense.h"
+#include "algorithms/calibration/trajectory_refusal.h"
 #include "algorithms/calibration/trajectory_start.h"
 #include "algorithms/core/error.h"
 
@@ -13,13 +13,6 @@ namespace {
 
 constexpr std::size_t kFewestEpochs = 8;
 constexpr double kLeastTravel_m = 3.0;
-
-TrajectoryAnswer without_numbers(Status status, const std::string& message) {
-  TrajectoryAnswer answer;
-  answer.result.status = status;
-  answer.result.message = message;
-  return answer;
-}
 
 double travelled_m(const TrajectorySession& session) {
   double sum = 0.0;
@@ -72,48 +65,6 @@ bool contradict(const TrajectoryProblem& problem, const TrajectoryOptions& optio
   for (std::size_t kind = 0; kind < kTermKinds; ++kind)
     if (2 * without[kind] > all[kind] || solution.noise.factor[kind] > kBeyondBelief) return true;
   return false;
-}
-
-// How many times as long as the odometry's the way of INS or fixes is; 1 where they have too little in common. In steps
-// that are far longer than the noise of positions, which makes a way of its own out of a stay.
-double metres_per_unit(const TrajectoryProblem& problem) {
-  constexpr double kBeyondNoise = 10.0;
-  double measured_m = 0.0, odometry_m = 0.0;
-  for (const TrajectorySession& session : problem.sessions) {
-    const TrajectoryEpoch* before = nullptr;  // with a pose of the INS; fixes may lie between two
-    for (const TrajectoryEpoch& here : session.epochs) {
-      if (!here.ins) continue;
-      if (before) {
-        const double step_m = (here.ins->enu_from_ins.translation() - before->ins->enu_from_ins.translation()).norm();
-        if (step_m < kBeyondNoise * here.ins->position_sigma_m) continue;
-        measured_m += step_m;
-        odometry_m += (here.odometry_from_lidar.translation() - before->odometry_from_lidar.translation()).norm();
-      }
-      before = &here;
-    }
-  }
-  return measured_m > kLeastTravel_m && odometry_m > 0.0 ? measured_m / odometry_m : 1.0;
-}
-
-// A LiDAR beside the INS goes as far as it does, but for some metres in turns.
-TrajectoryAnswer why_not_aligned(const TrajectoryProblem& problem) {
-  constexpr double kOtherScale = 1.25;
-  const double ratio = metres_per_unit(problem);
-  if (std::abs(std::log(ratio)) < std::log(kOtherScale)) {
-    TrajectoryAnswer answer = without_numbers(Status::NotConverged, "The trajectories could not be aligned.");
-    answer.result.advice.emplace_back(
-        "Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?");
-    return answer;
-  }
-  char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "The way of the %s is %.2f times as long as that of the %s: poses of the LiDAR are not in metres, or are "
-      "of another drive.",
-      ratio > 1.0 ? "INS" : "LiDAR", std::max(ratio, 1.0 / ratio), ratio > 1.0 ? "LiDAR" : "INS");
-  TrajectoryAnswer answer = without_numbers(Status::Inconsistent, text);
-  answer.result.advice.emplace_back("Look at the units of the LiDAR's poses, and at how points of scans are scaled.");
-  return answer;
 }
 
 // What the drive does not show stays where it was.
@@ -343,8 +294,9 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
     outcome.answer = without_numbers(Status::Cancelled, "Cancelled.");
     return outcome;
   }
-  if (!outcome.solution.converged || contradict(usable, options, outcome.solution)) {
-    outcome.answer = why_not_aligned(usable);
+  const bool aligned = outcome.solution.converged && !contradict(usable, options, outcome.solution);
+  if (auto refusal = refusal_of(usable, options, outcome.solution.state, aligned)) {
+    outcome.answer = *std::move(refusal);
     return outcome;
   }
   count_outliers(usable, options, outcome);
@@ -369,6 +321,7 @@ TrajectoryOutcome align_trajectories(const TrajectoryProblem& problem, const Tra
                                      std::vector<TrajectorySnapshot>& history, Progress& progress) {
   TrajectoryAligner aligner(options, judged_by, problem.nominal_ins_from_lidar, problem.estimate_clock);
   aligner.set_measured(problem.measured);
+  aligner.set_up_in_lidar(problem.up_in_lidar);
   std::size_t total = 0, done = 0;
   for (const TrajectorySession& session : problem.sessions) total += session.epochs.size();
   const std::size_t step = most_snapshots > 0 ? std::max<std::size_t>(1, total / most_snapshots) : 0;

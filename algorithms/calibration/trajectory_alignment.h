@@ -47,6 +47,7 @@ class TrajectoryAligner {
 
   /// What is known of X beside the drives. Before the first answer.
   void set_measured(const Measured& measured) { problem_.measured = window_.measured = measured; }
+  void set_up_in_lidar(const std::optional<Eigen::Vector3d>& up) { problem_.up_in_lidar = window_.up_in_lidar = up; }
   /// The next session; epochs given are kept. Returns its index.
   std::size_t add_session(TrajectorySession session);
   /// Epochs of a session come in the order of their times, sessions one after the other or at once. Throws

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/open_rotation.h"
 #include "algorithms/calibration/trajectory_spread.h"
 #include "algorithms/calibration/uncertainty.h"
 
@@ -94,6 +95,21 @@ void set_bootstrap(const Matrix6d& parameters, CalibrationResult& result) {
   }
 }
 
+// Information of what is observed. Of other directions noise makes a tenth of a radian out of nothing.
+Matrix6d clear_information(std::vector<ObservabilityDirection> directions, const SolveOptions& options) {
+  std::erase_if(directions, [](const ObservabilityDirection& direction) { return !direction.observed; });
+  return trusted_information(directions, options);
+}
+
+// Without a nominal, what turns with a rotation that the drive leaves open is no better known.
+void widen_by_open_rotation(const Evidence& evidence, const Matrix6d& by_turns, CalibrationResult& result) {
+  const TrajectoryProblem& problem = evidence.problem;
+  if (problem.nominal_ins_from_lidar) return;
+  const RigidTransform& x = result.ins_from_lidar;
+  const Matrix6d known = by_turns + problem.measured.information(x) + level_information(problem.up_in_lidar, x);
+  widen_angles(turned_by_open_rotation(x, known), evidence.judged_by, result);
+}
+
 void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answer) {
   CalibrationResult& result = answer.result;
   result.ins_from_lidar = evidence.solution.state.ins_from_lidar;
@@ -125,6 +141,9 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   covariance += by_north * by_north.transpose();
   result.measured = measured.parameters();
   judge_parameters(covariance, motion, evidence.judged_by, result);
+  // Where the INS is taken to be level, that is what leaves directions open, and not noise.
+  widen_by_open_rotation(
+      evidence, motion.tilt_assumed ? information : clear_information(result.directions, evidence.judged_by), result);
   set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);
   const Matrix6d joint = (apparent + evidence.prior.information.topLeftCorner<6, 6>()).inverse();
   for (const Contradiction& one : contradictions(measured, result.ins_from_lidar, joint, covariance)) {
@@ -358,37 +377,6 @@ void set_values(const TrajectoryState& state, TrajectoryAnswer& answer) {
     offset_s += answer.clock_weights[s] * state.clock_s[s];
   }
   if (result.time_offset.applied) result.time_offset.offset_s = offset_s;
-}
-
-namespace {
-
-// What was measured by hand draws the prior towards itself, linear about x.
-void add_measured(const Measured& measured, const RigidTransform& x, TrajectoryPrior& prior) {
-  Matrix6d information = prior.information.topLeftCorner<6, 6>();
-  Vector6d pull = Vector6d::Zero();
-  const Vector6d away = difference(prior.ins_from_lidar, x);
-  for (const MeasuredRow& known : measured.rows(x)) {
-    const double weight = 1.0 / (known.sigma * known.sigma);
-    information += weight * known.row * known.row.transpose();
-    pull += weight * (known.residual + known.row.dot(away)) * known.row;
-  }
-  prior.ins_from_lidar = perturbed(prior.ins_from_lidar, information.ldlt().solve(pull));
-  prior.information.topLeftCorner<6, 6>() = information;
-}
-
-}  // namespace
-
-TrajectoryPrior weak_trajectory_prior(const TrajectoryProblem& problem, const TrajectoryOptions& options,
-                                      const RigidTransform& start_ins_from_lidar) {
-  TrajectoryPrior prior;
-  // A start knows nothing of a translation that the drive does not show; LiDAR and INS are on one vehicle.
-  prior.ins_from_lidar =
-      problem.nominal_ins_from_lidar.value_or(make_rigid(start_ins_from_lidar.linear(), Eigen::Vector3d::Zero()));
-  prior.information.topLeftCorner<6, 6>() = weak_prior(problem.nominal_ins_from_lidar.has_value());
-  prior.information.bottomRightCorner<3, 3>() =
-      Eigen::Matrix3d::Identity() / (options.antenna_reach_m * options.antenna_reach_m);
-  add_measured(problem.measured, start_ins_from_lidar, prior);
-  return prior;
 }
 
 }  // namespace remount

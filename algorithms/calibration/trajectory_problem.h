@@ -53,6 +53,7 @@ struct TrajectorySession {
   double north_sigma_rad = 0.0;         ///< positions and attitudes may count from norths that are apart
   /// The INS states its errors: they are not believed to be smaller, however smooth its poses.
   bool ins_noise_stated = false;
+  bool odometry_over_scans = false;  ///< poses of the LiDAR are by the odometry over its scans, and not somebody's
 };
 
 struct TrajectoryProblem {
@@ -60,6 +61,8 @@ struct TrajectoryProblem {
   std::optional<RigidTransform> nominal_ins_from_lidar;
   bool estimate_clock = false;  ///< t_ins = t_lidar + offset, one for each session
   Measured measured;            ///< what is known of X beside the drives
+  /// Away from the ground in the scans, unit length: settles roll where the motion does not and no nominal is known.
+  std::optional<Eigen::Vector3d> up_in_lidar;
 };
 
 /// Everything that is sought. `clock_s` also holds for GNSS fixes.

@@ -81,10 +81,12 @@ RigidTransform start_of_x(const TrajectoryProblem& problem, const TrajectoryOpti
   std::vector<int> usable;
   for (std::size_t i = 0; i < pairs.size(); ++i) usable.push_back(static_cast<int>(i));
   RotationReference reference;
-  if (problem.nominal_ins_from_lidar)
+  if (problem.nominal_ins_from_lidar) {
     reference.ins_from_lidar = known.linear();
-  else
-    reference.up_in_lidar = Eigen::Vector3d::UnitZ();
+  } else {
+    reference.up_in_lidar = problem.up_in_lidar.value_or(Eigen::Vector3d::UnitZ());  // most stand upright
+    reference.allowance = 0.5;  // each stretch of odometry is in many pairs: by chance they fit a sixth better without
+  }
   return robust_start(pairs, usable, NoiseModel{}, problem.nominal_ins_from_lidar, reference, known.translation(),
                       progress)
       .ins_from_lidar;

@@ -9,9 +9,9 @@
 #include "algorithms/calibration/bootstrap.h"
 #include "algorithms/calibration/noise_prior.h"
 #include "algorithms/calibration/observability.h"
+#include "algorithms/calibration/open_rotation.h"
 #include "algorithms/calibration/session_agreement.h"
 #include "algorithms/calibration/shared_errors.h"
-#include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
 namespace {
@@ -147,49 +147,6 @@ void add_disagreement_advice(CalibrationResult& result) {
 
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
 
-constexpr double kGround_rad = 0.1;  ///< to which a road is level, and an INS on its vehicle
-
-// What else than the pairs says where about an open axis X lies: measurements, and roll and pitch by the ground in the
-// scans. Where X says that the ground leans, one of the two is wrong by as much.
-Matrix6d settled_beside_pairs(const PairwiseInput& input, const RigidTransform& x) {
-  Matrix6d information = input.measured.information(x);
-  if (!input.up_in_lidar) return information;
-  const Eigen::Vector3d up_in_ins = x.linear() * *input.up_in_lidar;
-  const double sigma_rad = std::max(kGround_rad, std::atan2(up_in_ins.head<2>().norm(), up_in_ins.z()));
-  information.diagonal().segment<2>(3).array() += 1.0 / (sigma_rad * sigma_rad);
-  return information;
-}
-
-// What yaw, pitch and roll may be off by where, without a nominal, a rotation is open (roll on a straight road): all of
-// X turns with it, far beyond what holds to first order. A LiDAR whose axis lies 2 degrees off the road's has yaw and
-// pitch of anything up to that.
-Eigen::Vector3d turned_by_open_rotation(const RigidTransform& x, const Matrix6d& information) {
-  constexpr double kOpen_rad = 1.2 * kGround_rad;  // the ground alone leaves less; there, first order holds
-  constexpr int kSteps = 36;
-  Matrix6d bounded = information;
-  // On an arc X turns about the middle of the arc, as far as a LiDAR may be from the INS: a little, to first order.
-  bounded.topLeftCorner<3, 3>() += weak_prior(false).topLeftCorner<3, 3>();
-  bounded.diagonal().tail<3>().array() += 1.0 / (kPi * kPi);
-  const auto eigen = symmetric_eigen(Eigen::Matrix3d(inverse(bounded).bottomRightCorner<3, 3>()));
-  const auto angles_of = [](const Eigen::Matrix3d& rotation) {
-    const YawPitchRoll angles = yaw_pitch_roll_from_rotation(rotation);
-    return Eigen::Vector3d(angles.yaw_rad, angles.pitch_rad, angles.roll_rad);
-  };
-  const Eigen::Vector3d here = angles_of(x.linear());
-  Eigen::Vector3d off = Eigen::Vector3d::Zero();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double sigma_rad = std::sqrt(std::max(0.0, eigen.eigenvalues()[axis]));
-    if (sigma_rad < kOpen_rad) continue;
-    const double reach_rad = std::min(kPi, 2.0 * sigma_rad);
-    for (int k = -kSteps; k <= kSteps; ++k) {
-      const Eigen::Vector3d there =
-          angles_of(so3_exp(reach_rad * k / kSteps * eigen.eigenvectors().col(axis)) * x.linear());
-      for (int i = 0; i < 3; ++i) off[i] = std::max(off[i], std::abs(std::remainder(there[i] - here[i], 2.0 * kPi)));
-    }
-  }
-  return off;
-}
-
 }  // namespace
 
 // Measured on simulated drives (docs/adr/0006-honest-sigma.md). Most about the direction of travel, across which the
@@ -254,7 +211,9 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
   // solution.
   const Matrix6d by_turns = motion.tilt_assumed ? Matrix6d(details.joint.information / (wider * wider)) : by_pairs;
   if (!input.nominal_ins_from_lidar)
-    widen_angles(turned_by_open_rotation(x, by_turns + settled_beside_pairs(input, x)), input.options, result);
+    widen_angles(
+        turned_by_open_rotation(x, by_turns + input.measured.information(x) + level_information(input.up_in_lidar, x)),
+        input.options, result);
   add_disagreement_advice(result);
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));

@@ -6,6 +6,7 @@
 #include "algorithms/geometry/local_level.h"
 #include "algorithms/trajectory/motion_track.h"
 #include "model/assumed_tilt.h"
+#include "model/method_needs.h"
 #include "model/methods/trajectory_feed.h"
 
 namespace remount {
@@ -291,6 +292,7 @@ TrajectorySession trajectory_session(const Session& session, const SessionOdomet
   TrajectorySession out;
   EpochMaker maker(session, odometry, settings, clock_s, range);
   maker.describe(out);
+  out.odometry_over_scans = has_scans(session);
   maker.add_epochs(out.epochs);
   return out;
 }

@@ -7,6 +7,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "model/method_needs.h"
+#include "model/pipeline/first_ground.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/scan_times.h"
 
@@ -78,6 +79,8 @@ void TrajectoryFeed::begin(const Session& session) {
   begin_odometry();
   TrajectorySession empty = trajectory_session(session, {}, settings_, 0.0);
   aligner_.add_session(std::move(empty));
+  if (nominal_ || aligner_.problem().up_in_lidar) return;
+  aligner_.set_up_in_lidar(up_of_first_scans(session));
 }
 
 void TrajectoryFeed::begin_odometry() {
@@ -196,6 +199,7 @@ TrajectoryOutcome TrajectoryFeed::solve_at(const Sessions& sessions, const std::
   problem_.nominal_ins_from_lidar = nominal_;
   problem_.measured = Measured(settings_.measured, std::nullopt);
   problem_.estimate_clock = estimate_clock;
+  problem_.up_in_lidar = up_in_lidar_;
   for (std::size_t s = 0; s < sessions.size(); ++s)
     problem_.sessions.push_back(trajectory_session(*sessions[s], odometry_[s], settings_, clocks_s[s]));
   return solve_alignment(problem_, settings_.trajectory, settings_.solve, progress);
@@ -233,6 +237,8 @@ TrajectoryOutcome TrajectoryFeed::finish(const Sessions& sessions, Progress& pro
   const ClockOffsetUse use = settings_.solve.apply_time_offset;
   const bool told =
       std::ranges::all_of(sessions, [&](const auto& session) { return tells_clock(*session, settings_.run.deskew); });
+  for (auto session = sessions.begin(); !nominal_ && !up_in_lidar_ && session != sessions.end(); ++session)
+    up_in_lidar_ = up_of_first_scans(**session);
   TrajectoryOutcome outcome;
   bool with_clocks = told && use != ClockOffsetUse::No;
   if (with_clocks) {

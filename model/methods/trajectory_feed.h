@@ -82,9 +82,10 @@ class TrajectoryFeed {
   int threads_;
   TrajectoryAligner aligner_;
   std::vector<SessionOdometry> odometry_;
-  std::unique_ptr<LidarOdometry> running_;   // of the session begun last
-  std::vector<std::int64_t> used_scans_ns_;  // likewise
-  bool from_scans_ = false;                  // likewise: decided once, for poses and scans have frames of their own
+  std::unique_ptr<LidarOdometry> running_;      // of the session begun last
+  std::vector<std::int64_t> used_scans_ns_;     // likewise
+  bool from_scans_ = false;                     // likewise: decided once, for poses and scans have frames of their own
+  std::optional<Eigen::Vector3d> up_in_lidar_;  // of the ground in complete sessions; looked for without a nominal
   TrajectoryProblem problem_;
 };
 

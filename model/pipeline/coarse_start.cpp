@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "algorithms/calibration/robust_start.h"
-#include "algorithms/cloud/objects.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"
 #include "algorithms/trajectory/pairing.h"
+#include "model/pipeline/first_ground.h"
 #include "model/pipeline/stages.h"
 #include "model/pipeline/step_finder.h"
 
@@ -142,20 +142,12 @@ void judge_clock(const DriveMotion& motion, int session, const std::vector<Chain
   if (auto far = find_far_clock(motion, session, poses)) out.far_clocks.push_back(*std::move(far));
 }
 
-// Away from the ground in the lidar frame, from the first scan that shows one: settles roll on a drive without turns.
-std::optional<Eigen::Vector3d> up_of_first_scans(const DriveMotion& motion) {
-  for (int session = 0; session < motion.session_count(); ++session) {
-    const auto& source = motion.session(session).scans;
-    for (std::size_t scan = 0; source && scan < std::min<std::size_t>(source->size(), 10); ++scan) {
-      try {
-        const GroundPlane ground = estimate_ground_plane(source->load(scan), Eigen::Vector3f::Zero());
-        if (ground.found) return ground.up_in_lidar.cast<double>();
-      } catch (const Error&) {
-        // Unreadable scans are reported where keyframes are read.
-      }
-    }
-  }
-  return std::nullopt;
+// Of the first session that shows a ground.
+std::optional<Eigen::Vector3d> up_of_sessions(const DriveMotion& motion) {
+  std::optional<Eigen::Vector3d> up_in_lidar;
+  for (int session = 0; session < motion.session_count() && !up_in_lidar; ++session)
+    up_in_lidar = up_of_first_scans(motion.session(session));
+  return up_in_lidar;
 }
 
 }  // namespace
@@ -171,7 +163,7 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
   pairing.min_distance_m = 0.5;
   pairing.max_partners = 4;
   std::vector<Pair> pairs;
-  out.up_in_lidar = up_of_first_scans(motion);
+  out.up_in_lidar = up_of_sessions(motion);
   // Most stand upright; of a start, not of what is known, that is a fair guess.
   const Eigen::Vector3d likely_up = out.up_in_lidar.value_or(Eigen::Vector3d::UnitZ());
   int key = -1'000'000;  // apart from the keyframes' keys

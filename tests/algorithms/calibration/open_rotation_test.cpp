@@ -6,7 +6,9 @@
 #include <cstdio>
 
 #include "algorithms/calibration/pairwise.h"
+#include "algorithms/calibration/trajectory_alignment.h"
 #include "tests/algorithms/support/simulated_drive.h"
+#include "tests/algorithms/support/trajectory_drive.h"
 
 namespace remount {
 namespace {
@@ -86,6 +88,51 @@ TEST(open_rotation, the_ground_bounds_how_far_yaw_and_pitch_turn_with_roll_where
   EXPECT_LT(most_sigma, 2.5);
   EXPECT_EQ(claimed_of_a_wall, 0) << "X and what is taken for the ground contradict each other";
   EXPECT_EQ(claimed_of_nothing, 0) << "a first X that rests on nothing settles nothing";
+}
+
+const RigidTransform kAskew = rigid_from_six({0.85, 0.33, 0.95, -0.13, 0.03, -0.04});
+
+// A straight road along the x of the INS as `trajectory` sees it, by a LiDAR that is askew.
+TrajectoryProblem straight_road(unsigned seed, bool ground_seen) {
+  TrajectoryDriveOptions drive;
+  drive.duration_s = 22.0;
+  drive.interval_s = 0.2;
+  drive.turn_rad = drive.slope_rad = 0.0;
+  drive.ins_from_lidar = make_rigid(Eigen::Matrix3d::Identity(), kAskew.translation());
+  drive.seed = seed;
+  TrajectoryProblem problem;
+  problem.sessions.push_back(trajectory_session(drive));
+  const RigidTransform turn = make_rigid(kAskew.linear(), Eigen::Vector3d::Zero());
+  for (TrajectoryEpoch& epoch : problem.sessions.back().epochs)
+    epoch.odometry_from_lidar = turn.inverse() * epoch.odometry_from_lidar * turn;
+  if (ground_seen) problem.up_in_lidar = kAskew.linear().transpose() * Eigen::Vector3d::UnitZ();
+  return problem;
+}
+
+TEST(open_rotation, trajectory_claims_no_yaw_and_pitch_that_turn_with_an_open_roll) {
+  const SixParameters truth = six_from_rigid(kAskew);
+  for (const bool ground_seen : {false, true}) {
+    int claimed = 0;
+    double most_sigma = 0.0, most_roll_rad = 0.0;
+    for (unsigned seed = 11; seed <= 18; ++seed) {
+      const CalibrationResult result =
+          solve_alignment(straight_road(seed, ground_seen), {}, {}, Progress{}).answer.result;
+      ASSERT_TRUE(is_usable(result) || !result.observed[3]) << result.message;
+      const SixParameters is = six_from_rigid(result.ins_from_lidar);
+      const double off_rad[] = {is.yaw_rad - truth.yaw_rad, is.pitch_rad - truth.pitch_rad,
+                                is.roll_rad - truth.roll_rad};
+      for (const std::size_t i : {3U, 4U, 5U}) {
+        claimed += result.observed[i];
+        if (result.observed[i]) most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.sigma(i));
+      }
+      most_roll_rad = std::max(most_roll_rad, std::abs(wrap_angle_rad(off_rad[2])));
+    }
+    std::printf("  ground %s: claimed %d of 24, off by up to %.2f sigma; roll off by up to %.3f rad\n",
+                ground_seen ? "seen" : "not seen", claimed, most_sigma, most_roll_rad);
+    EXPECT_LT(most_sigma, 3.5);
+    if (ground_seen) EXPECT_LT(most_roll_rad, 0.2) << "the ground says where up is";
+    if (!ground_seen) EXPECT_EQ(claimed, 0) << "nothing says where up is";
+  }
 }
 
 }  // namespace

@@ -1,0 +1,94 @@
+#include "algorithms/calibration/trajectory_refusal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace remount {
+namespace {
+
+constexpr double kOtherScale = 1.25;
+
+// In steps that are far longer than the noise of positions, which makes a way of its own out of a stay. 1 where INS and
+// odometry have too little in common.
+double metres_per_unit(const TrajectoryProblem& problem) {
+  constexpr double kBeyondNoise = 10.0, kLeastTravel_m = 3.0;
+  double measured_m = 0.0, odometry_m = 0.0;
+  for (const TrajectorySession& session : problem.sessions) {
+    const TrajectoryEpoch* before = nullptr;  // with a pose of the INS; fixes may lie between two
+    for (const TrajectoryEpoch& here : session.epochs) {
+      if (!here.ins) continue;
+      if (before) {
+        const double step_m = (here.ins->enu_from_ins.translation() - before->ins->enu_from_ins.translation()).norm();
+        if (step_m < kBeyondNoise * here.ins->position_sigma_m) continue;
+        measured_m += step_m;
+        odometry_m += (here.odometry_from_lidar.translation() - before->odometry_from_lidar.translation()).norm();
+      }
+      before = &here;
+    }
+  }
+  return measured_m > kLeastTravel_m && odometry_m > 0.0 ? measured_m / odometry_m : 1.0;
+}
+
+bool far_from_one(double ratio, double limit) { return std::abs(std::log(ratio)) >= std::log(limit); }
+
+bool over_scans(const TrajectoryProblem& problem) {
+  return std::ranges::any_of(problem.sessions,
+                             [](const TrajectorySession& session) { return session.odometry_over_scans; });
+}
+
+// The same by the scales of the odometry that were found; 1 where none is far from one.
+double found_metres_per_unit(const TrajectoryProblem& problem, const TrajectoryState& state, double limit) {
+  constexpr double kLeast = 1e-3;  // a scale that ran to zero or beyond is no ratio
+  for (std::size_t s = 0; s < problem.sessions.size(); ++s) {
+    const double units_per_metre = std::max(kLeast, 1.0 + state.scale[s]);
+    if (!problem.sessions[s].epochs.empty() && far_from_one(units_per_metre, limit)) return 1.0 / units_per_metre;
+  }
+  return 1.0;
+}
+
+TrajectoryAnswer not_aligned() {
+  TrajectoryAnswer answer = without_numbers(Status::NotConverged, "The trajectories could not be aligned.");
+  answer.result.advice.emplace_back(
+      "Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?");
+  return answer;
+}
+
+TrajectoryAnswer of_another_scale(const TrajectoryProblem& problem, double ins_per_lidar_way) {
+  const bool ins_longer = ins_per_lidar_way > 1.0, own = over_scans(problem);
+  const char* const ins = has_ins(problem) ? "INS" : "GNSS";
+  char text[240];
+  std::snprintf(text, sizeof text, "The way of the %s is %.2f times as long as that of the %s: %s.",
+                ins_longer ? ins : "LiDAR", ins_longer ? ins_per_lidar_way : 1.0 / ins_per_lidar_way,
+                ins_longer ? "LiDAR" : ins,
+                own ? "the odometry over the scans slipped, or one of the two is not in metres"
+                    : "poses of the LiDAR are not in metres, or are of another drive");
+  TrajectoryAnswer answer = without_numbers(Status::Inconsistent, text);
+  answer.result.advice.emplace_back(
+      own ? "Look at the units of the positions and of the points of the scans. Where these are metres, the "
+            "surroundings "
+            "hold no scan along the way: record where there is structure, or use another method."
+          : "Look at the units of the LiDAR's poses, and at how points of scans are scaled.");
+  return answer;
+}
+
+}  // namespace
+
+TrajectoryAnswer without_numbers(Status status, const std::string& message) {
+  TrajectoryAnswer answer;
+  answer.result.status = status;
+  answer.result.message = message;
+  return answer;
+}
+
+std::optional<TrajectoryAnswer> refusal_of(const TrajectoryProblem& problem, const TrajectoryOptions& options,
+                                           const TrajectoryState& state, bool aligned) {
+  constexpr double kExpected = 3.0;  // sigmas of what the settings expect of the odometry's scale
+  const double limit = std::max(kOtherScale, 1.0 + 0.01 * kExpected * options.odometry_scale_percent);
+  double ratio = found_metres_per_unit(problem, state, limit);
+  if (!aligned && !far_from_one(ratio, limit)) ratio = metres_per_unit(problem);
+  if (far_from_one(ratio, limit)) return of_another_scale(problem, ratio);
+  return aligned ? std::nullopt : std::optional(not_aligned());
+}
+
+}  // namespace remount

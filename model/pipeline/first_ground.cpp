@@ -1,0 +1,24 @@
+#include "model/pipeline/first_ground.h"
+
+#include <algorithm>
+
+#include "algorithms/cloud/objects.h"
+#include "algorithms/core/error.h"
+
+namespace remount {
+
+std::optional<Eigen::Vector3d> up_of_first_scans(const Session& session) {
+  constexpr std::size_t kMostScans = 10;
+  const std::size_t count = session.scans ? std::min(session.scans->size(), kMostScans) : 0;
+  for (std::size_t scan = 0; scan < count; ++scan) {
+    try {
+      const GroundPlane ground = estimate_ground_plane(session.scans->load(scan), Eigen::Vector3f::Zero());
+      if (ground.found) return ground.up_in_lidar.cast<double>();
+    } catch (const Error&) {
+      // Unreadable scans are reported where all are read.
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace remount
