@@ -11286,6 +11286,14 @@ Save under another name, or close it there first.</source>
         <source>its columns are separated by tabs, expected commas</source>
         <translation>各列以制表符分隔，应为逗号</translation>
     </message>
+    <message>
+        <source>The way of the %1 is %2 times as long as that of the %3: the odometry over the scans slipped, or one of the two is not in metres.</source>
+        <translation>%1 走过的路程是 %3 的 %2 倍：由扫描推算的里程计打滑了，或者两者之一的单位不是米。</translation>
+    </message>
+    <message>
+        <source>Look at the units of the positions and of the points of the scans. Where these are metres, the surroundings hold no scan along the way: record where there is structure, or use another method.</source>
+        <translation>请检查位置和扫描点的单位。如果都是米，则周围环境沿行进方向无法固定扫描：请在有结构物的地方采集，或改用其他方法。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
