@@ -96,8 +96,7 @@ void drop_clock_of_failed(PipelineOutput& output) {
   CalibrationResult& result = output.result;
   // What the clock alone made unusable is known by it.
   const bool by_clock = output.clock_bias && result.status == Status::Degenerate;
-  const bool solved_elsewhere = result.status == Status::OutOfRange;
-  if (is_usable(result) || result.time_offset.applied || by_clock || solved_elsewhere) return;
+  if (is_usable(result) || result.time_offset.applied || by_clock) return;
   drop_clock(result);
 }
 
