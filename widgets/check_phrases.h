@@ -7,4 +7,7 @@ namespace remount {
 
 const std::vector<const char*>& check_phrases();
 
+/// What each code of a finding means, and what to do about it.
+const std::vector<const char*>& meaning_phrases();
+
 }  // namespace remount

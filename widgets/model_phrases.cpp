@@ -19,7 +19,8 @@ namespace {
 std::vector<const char*> with_other_phrases(std::vector<const char*> phrases) {
   for (const auto* others :
        {&bag_phrases(), &calibration_phrases(), &check_phrases(), &document_phrases(), &file_phrases(), &log_phrases(),
-        &method_phrases(), &method_option_phrases(), &pose_phrases(), &reader_phrases(), &topic_phrases()})
+        &meaning_phrases(), &method_phrases(), &method_option_phrases(), &method_plot_phrases(), &pose_phrases(),
+        &reader_phrases(), &topic_phrases()})
     phrases.insert(phrases.end(), others->begin(), others->end());
   return phrases;
 }

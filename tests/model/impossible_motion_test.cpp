@@ -16,6 +16,7 @@
 #include "model/simulator/drive_formats.h"
 #include "tests/model/io/bag/bag_maker.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/motion_drive.h"
 
 namespace remount {
 namespace {
@@ -46,13 +47,7 @@ Session with_a_leap(const SimulatedDrive& drive, double to_m) {
 
 /// Half a minute and more, by poses of the LiDAR: long enough for every method that takes them.
 SimulatedDrive long_drive() {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::FigureEight;
-  options.duration_s = 40.0;
-  options.beams = 1;
-  options.azimuth_steps = 16;
-  options.ins_rate_hz = 50.0;
-  options.imu.rate_hz = 50.0;
+  SimulationOptions options = motion_options(ScenarioKind::FigureEight, 40.0, 50.0);
   options.wheels.rate_hz = 20.0;
   return simulate_drive(options);
 }

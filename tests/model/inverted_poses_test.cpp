@@ -6,20 +6,14 @@
 
 #include "model/attitude_check.h"
 #include "model/session_frames.h"
-#include "model/simulator/simulator.h"
+#include "tests/support/motion_drive.h"
 
 namespace remount {
 namespace {
 
 /// Poses of INS and LiDAR of a drive.
 Session pose_drive(ScenarioKind scenario) {
-  SimulationOptions options;
-  options.scenario = scenario;
-  options.duration_s = 30.0;
-  options.beams = 1;
-  options.azimuth_steps = 16;
-  options.ins_rate_hz = 20.0;
-  const SimulatedDrive drive = simulate_drive(options);
+  const SimulatedDrive drive = simulate_drive(motion_options(scenario, 30.0, 20.0));
   Session session;
   session.name = "drive";
   session.ins_axes.reset();

@@ -10,6 +10,7 @@
 #include "model/simulator/drive_formats.h"
 #include "tests/model/io/bag/bag_maker.h"
 #include "tests/model/simulator/written_drive.h"
+#include "tests/support/motion_drive.h"
 
 namespace remount {
 namespace {
@@ -17,13 +18,7 @@ namespace {
 constexpr std::int64_t kWeeks_ns = std::int64_t{1024} * 604'800 * 1'000'000'000;
 
 SimulatedDrive drive_of_today() {
-  SimulationOptions options;
-  options.scenario = ScenarioKind::FigureEight;
-  options.duration_s = 12.0;
-  options.beams = 1;
-  options.azimuth_steps = 16;
-  options.ins_rate_hz = 20.0;
-  options.imu.rate_hz = 20.0;
+  SimulationOptions options = motion_options(ScenarioKind::FigureEight, 12.0, 20.0);
   options.gnss.rate_hz = 2.0;
   options.wheels.rate_hz = 10.0;
   return simulate_drive(options);
