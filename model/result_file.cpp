@@ -321,6 +321,7 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("time_offset_s", DocumentNode::number(result.time_offset.offset_s));
   root.add("time_offset_sigma_s", DocumentNode::number(result.time_offset.sigma_s));
   root.add("time_offset_applied", DocumentNode::boolean(result.time_offset.applied));
+  root.add("time_offset_in_sigma", DocumentNode::boolean(result.time_offset.in_sigma));
   root.add("session_time_offset_s", DocumentNode::numbers(result.session_time_offset_s));
   root.add("session_time_offset_sigma_s", DocumentNode::numbers(result.session_time_offset_sigma_s));
   if (!file.quantities.empty()) root.add("quantities", quantities_document(file.quantities));

@@ -189,6 +189,7 @@ ResultFile result_from_document(const DocumentView& root) {
   result.time_offset.offset_s = number_or(root.at("time_offset_s"), kNan);
   if (root.has("time_offset_sigma_s")) result.time_offset.sigma_s = number_or(root.at("time_offset_sigma_s"), kNan);
   if (root.has("time_offset_applied")) result.time_offset.applied = root.at("time_offset_applied").boolean();
+  if (root.has("time_offset_in_sigma")) result.time_offset.in_sigma = root.at("time_offset_in_sigma").boolean();
   const auto read_numbers = [&root](const char* key, std::vector<double>& numbers) {
     if (!root.has(key)) return;
     for (const DocumentView& item : root.at(key).items()) numbers.push_back(number_or(item, kNan));

@@ -266,7 +266,7 @@ StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns) {
   const std::int64_t median = median_of(steps);
   if (median > 0) report.rate_hz = 1e9 / static_cast<double>(median);
   for (const std::int64_t step : steps) {
-    if (median > 0 && step > 3 * median) ++report.gaps;
+    if (median > 0 && static_cast<double>(step) > 3.0 * static_cast<double>(median)) ++report.gaps;
     report.longest_gap_s = std::max(report.longest_gap_s, static_cast<double>(step) * 1e-9);
   }
   return report;

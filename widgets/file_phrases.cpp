@@ -116,10 +116,10 @@ const std::vector<const char*>& file_phrases() {
                         "taken out."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The lidar's stamps are early by %1 ms (sigma %2 ms) against the INS. X is biased by it while "
-                        "the vehicle turns: set solve.apply_time_offset to correct it."),
+                        "the vehicle turns: set solve.apply_time_offset to auto or yes to correct it."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The lidar's stamps are late by %1 ms (sigma %2 ms) against the INS. X is biased by it while "
-                        "the vehicle turns: set solve.apply_time_offset to correct it."),
+                        "the vehicle turns: set solve.apply_time_offset to auto or yes to correct it."),
       QT_TRANSLATE_NOOP(
           "remount::model",
           "Surfaces in the accumulated scans are %1 mm thick under the result and %2 mm under the nominal: the map "

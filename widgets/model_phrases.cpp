@@ -126,7 +126,13 @@ const std::vector<const char*>& model_phrases() {
                         "both sides."),
       QT_TRANSLATE_NOOP("remount::model",
                         "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set "
-                        "solve.apply_time_offset: X is then no longer biased."),
+                        "solve.apply_time_offset to auto or yes: X is then no longer biased."),
+      QT_TRANSLATE_NOOP("remount::model", "clock offset INS - LiDAR: %1 ms (sigma %2 ms), %3"),
+      QT_TRANSLATE_NOOP("remount::model", "clock offset INS - LiDAR, mean of the sessions: %1 ms (sigma %2 ms), %3"),
+      QT_TRANSLATE_NOOP("remount::model", "clock offset of session %1: %2 ms (sigma %3 ms)"),
+      QT_TRANSLATE_NOOP("remount::model", "applied"),
+      QT_TRANSLATE_NOOP("remount::model", "an unknown of X, in its sigmas"),
+      QT_TRANSLATE_NOOP("remount::model", "not applied"),
       QT_TRANSLATE_NOOP("remount::model",
                         "Widen the search range where it is too narrow. Where it is right, the data contradict it: "
                         "check axes and units of the INS, and whether the LiDAR is the one that the range is for."),

@@ -55,6 +55,7 @@ struct TimeOffset {
   double offset_s = std::numeric_limits<double>::quiet_NaN();  ///< t_ins = t_lidar + offset; NaN where not estimated
   double sigma_s = std::numeric_limits<double>::quiet_NaN();
   bool applied = false;
+  bool in_sigma = false;  ///< not applied, for it does not stand out, but an unknown of the solution
 };
 
 /// Sessions whose answers scatter more than so many times what their errors explain contradict one another: it is said.

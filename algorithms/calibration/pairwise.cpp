@@ -41,6 +41,7 @@ void estimate_clock_offset(const JointProblem& problem, const PairwiseDetails& d
   result.time_offset.sigma_s = 1.0 / std::sqrt(information);
   result.session_time_offset_s = solution.time_offset_s;
   result.session_time_offset_sigma_s = solution.time_offset_sigma_s;
+  result.time_offset.in_sigma = problem.estimate_time_offset;
 }
 
 // Solves once more with the rotations that are not observed held at `kept`, for the others turn with them. Translations

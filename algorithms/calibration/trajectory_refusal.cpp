@@ -66,8 +66,7 @@ TrajectoryAnswer of_another_scale(const TrajectoryProblem& problem, double ins_p
   TrajectoryAnswer answer = without_numbers(Status::Inconsistent, text);
   answer.result.advice.emplace_back(
       own ? "Look at the units of the positions and of the points of the scans. Where these are metres, the "
-            "surroundings "
-            "hold no scan along the way: record where there is structure, or use another method."
+            "surroundings hold no scan along the way: record where there is structure, or use another method."
           : "Look at the units of the LiDAR's poses, and at how points of scans are scaled.");
   return answer;
 }

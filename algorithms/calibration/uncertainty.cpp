@@ -246,8 +246,8 @@ void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const Pair
   if (!input.clock_bias) return;
   add_doubt(*input.clock_bias, "the clocks of lidar and INS differ", input.options, result);
   result.advice.emplace_back(
-      "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: X is "
-      "then no longer biased.");
+      "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset to auto "
+      "or yes: X is then no longer biased.");
 }
 
 }  // namespace remount

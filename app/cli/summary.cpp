@@ -8,7 +8,6 @@
 #include "model/deciding_notes.h"
 #include "model/display_units.h"
 #include "model/pair_words.h"
-#include "model/pipeline/solve_stage.h"
 #include "model/report/plot_chart.h"
 #include "model/result_words.h"
 
@@ -71,12 +70,10 @@ std::string pairs(const ResultFile& file) {
 /// The offset of the clocks, of each session where there are several, and whether X is solved with it.
 std::string time_offset(const CalibrationResult& result) {
   const TimeOffset& clock = result.time_offset;
-  std::string text =
-      format("time offset: t_ins = t_lidar %+.2f ms (1-sigma %.2f ms), %s\n", 1e3 * clock.offset_s, 1e3 * clock.sigma_s,
-             clock.applied                 ? "applied: X is solved with it (solve.apply_time_offset=no: without)"
-             : clock_differs(result)       ? "not applied"
-             : clock_is_determined(result) ? "small: it is an unknown of X, in its sigmas"
-                                           : "not known well enough to stand out");
+  std::string text = format("time offset%s: t_ins = t_lidar %+.2f ms (1-sigma %.2f ms), %s\n",
+                            result.session_time_offset_s.size() > 1 ? " (mean of the sessions)" : "",
+                            1e3 * clock.offset_s, 1e3 * clock.sigma_s, std::string(clock_use_words(clock)).c_str());
+  if (clock.applied) text.insert(text.size() - 1, ": X is solved with it (solve.apply_time_offset=no: without)");
   const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   for (std::size_t s = 0; offsets_s.size() > 1 && s < offsets_s.size(); ++s)
     text += format("  session %zu: %+.2f ms", s + 1, 1e3 * offsets_s[s]) +

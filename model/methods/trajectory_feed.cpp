@@ -248,6 +248,7 @@ TrajectoryOutcome TrajectoryFeed::finish(const Sessions& sessions, Progress& pro
         use == ClockOffsetUse::Yes || (is_usable(result) && (clock_differs(result) || clock_is_determined(result)));
     // As an unknown it is in the sigmas; that it was taken out is said of what stands out.
     result.time_offset.applied = result.time_offset.applied && (use == ClockOffsetUse::Yes || clock_differs(result));
+    result.time_offset.in_sigma = with_clocks && !result.time_offset.applied;
   }
   if (!with_clocks && !progress.cancelled())
     outcome = solve_at(sessions, std::vector<double>(sessions.size(), 0.0), false, progress);

@@ -109,7 +109,7 @@ void state_offsets(const DriveMotion& motion, bool applied, CalibrationResult& r
     mean_s += motion.offset_s(s) / count;
     variance_s2 += sigma_s * sigma_s;
   }
-  result.time_offset = {mean_s, std::sqrt(variance_s2), applied};
+  result.time_offset = {mean_s, std::sqrt(variance_s2), applied, false};
 }
 
 void adopt(Solved&& solved, DriveMotion& motion, PipelineOutput& output, PairwiseDetails& details) {
@@ -274,11 +274,11 @@ void report_clock(const PipelineInput& input, const CalibrationResult& result, s
     const double offset_s = result.session_time_offset_s[s], sigma_s = session_sigma_s(result, s);
     if (!stands_out(offset_s, sigma_s)) continue;
     char text[280];
-    std::snprintf(text, sizeof text, "The lidar's stamps are %s by %.1f ms (sigma %.1f ms) against the INS. %s",
+    std::snprintf(text, sizeof text, "The lidar's stamps are %s by %.1f ms (sigma %.2f ms) against the INS. %s",
                   offset_s > 0.0 ? "early" : "late", std::abs(offset_s) * 1e3, sigma_s * 1e3,
                   clock.applied ? "X is solved with that taken out."
-                                : "X is biased by it while the vehicle turns: set solve.apply_time_offset to correct "
-                                  "it.");
+                                : "X is biased by it while the vehicle turns: set solve.apply_time_offset to auto or "
+                                  "yes to correct it.");
     findings.push_back(
         {clock.applied ? Severity::Note : Severity::Warning, kClockOffset, input.sessions[s]->name, text});
   }

@@ -231,11 +231,7 @@ void Page::write_observability() {
                   : is_any_measured(result_) ? phrase("report", "All six parameters are known, with what was measured.")
                                              : phrase("report", "All six parameters are observed."));
   if (const std::string words = disagreement_words(result_); !words.empty()) lines.push_back(sentence(words));
-  if (std::isfinite(result_.time_offset.offset_s))
-    lines.push_back(phrase("report", "Clock offset INS − LiDAR") + ": " +
-                    number("%.2f ms", 1e3 * result_.time_offset.offset_s) + " ± " +
-                    number("%.2f ms", 1e3 * result_.time_offset.sigma_s) + ", " +
-                    (result_.time_offset.applied ? phrase("report", "applied") : phrase("report", "not applied")));
+  for (const std::string& words : clock_words(result_)) lines.push_back(sentence(words));
   list(lines);
 }
 

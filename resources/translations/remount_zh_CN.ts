@@ -2860,18 +2860,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
         <translation>残差：%1 cm，%2°（均方根）</translation>
     </message>
     <message>
-        <source>clock offset INS − LiDAR: %1 ms ± %2 ms, %3</source>
-        <translation>时钟偏差 INS − 激光雷达：%1 毫秒 ± %2 毫秒，%3</translation>
-    </message>
-    <message>
-        <source>applied</source>
-        <translation>已应用</translation>
-    </message>
-    <message>
-        <source>not applied</source>
-        <translation>未应用</translation>
-    </message>
-    <message>
         <source>the clouds of all accepted pairs were aligned together as the last step</source>
         <translation>最后一步已把所有接受帧对的点云一起配准</translation>
     </message>
@@ -3020,10 +3008,6 @@ Here it is read-only from now on. Save your work under another name (File, Save 
     <message>
         <source>The clocks of LiDAR and INS differ, and X is biased by it; solve X with the offset that was found</source>
         <translation>激光雷达与 INS 的时钟不一致，X 因此有偏；点击则按所发现的偏差求解 X</translation>
-    </message>
-    <message>
-        <source>clock offset of session %1: %2 ms ± %3 ms</source>
-        <translation>会话 %1 的时钟偏差：%2 毫秒 ± %3 毫秒</translation>
     </message>
 </context>
 <context>
@@ -4111,10 +4095,6 @@ Save under another name, or close it there first.</source>
         <translation>横滚需要转弯或坡道：直线行驶看不出来。</translation>
     </message>
     <message>
-        <source>The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset: X is then no longer biased.</source>
-        <translation>激光雷达与 INS 的时钟不一致，使 X 有偏；标准差已计入。设置 solve.apply_time_offset 后 X 不再有偏。</translation>
-    </message>
-    <message>
         <source>Widen the search range where it is too narrow. Where it is right, the data contradict it: check axes and units of the INS, and whether the LiDAR is the one that the range is for.</source>
         <translation>搜索范围太窄时请放宽。若范围正确，则数据与它矛盾：请检查 INS 的坐标轴和单位，以及激光雷达是否为该范围所指的那一个。</translation>
     </message>
@@ -4837,14 +4817,6 @@ Save under another name, or close it there first.</source>
     <message>
         <source>%1 The scan is skipped.</source>
         <translation>%1 该帧扫描已跳过。</translation>
-    </message>
-    <message>
-        <source>The lidar&apos;s stamps are early by %1 ms (sigma %2 ms) against the INS. X is biased by it while the vehicle turns: set solve.apply_time_offset to correct it.</source>
-        <translation>激光雷达的时间戳比 INS 早 %1 毫秒（标准差 %2 毫秒）。车辆转弯时 X 因此有偏：设置 solve.apply_time_offset 以改正。</translation>
-    </message>
-    <message>
-        <source>The lidar&apos;s stamps are late by %1 ms (sigma %2 ms) against the INS. X is biased by it while the vehicle turns: set solve.apply_time_offset to correct it.</source>
-        <translation>激光雷达的时间戳比 INS 晚 %1 毫秒（标准差 %2 毫秒）。车辆转弯时 X 因此有偏：设置 solve.apply_time_offset 以改正。</translation>
     </message>
     <message>
         <source>Surfaces in the accumulated scans are %1 mm thick under the result and %2 mm under the nominal: the map contradicts the result. Look at the pairs and at the clock offset before using it.</source>
@@ -11294,6 +11266,42 @@ Save under another name, or close it there first.</source>
         <source>Look at the units of the positions and of the points of the scans. Where these are metres, the surroundings hold no scan along the way: record where there is structure, or use another method.</source>
         <translation>请检查位置和扫描点的单位。如果都是米，则周围环境沿行进方向无法固定扫描：请在有结构物的地方采集，或改用其他方法。</translation>
     </message>
+    <message>
+        <source>The lidar&apos;s stamps are early by %1 ms (sigma %2 ms) against the INS. X is biased by it while the vehicle turns: set solve.apply_time_offset to auto or yes to correct it.</source>
+        <translation>激光雷达的时间戳比 INS 早 %1 毫秒（标准差 %2 毫秒）。车辆转弯时 X 因此有偏：将 solve.apply_time_offset 设为 auto 或 yes 即可修正。</translation>
+    </message>
+    <message>
+        <source>The lidar&apos;s stamps are late by %1 ms (sigma %2 ms) against the INS. X is biased by it while the vehicle turns: set solve.apply_time_offset to auto or yes to correct it.</source>
+        <translation>激光雷达的时间戳比 INS 晚 %1 毫秒（标准差 %2 毫秒）。车辆转弯时 X 因此有偏：将 solve.apply_time_offset 设为 auto 或 yes 即可修正。</translation>
+    </message>
+    <message>
+        <source>The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset to auto or yes: X is then no longer biased.</source>
+        <translation>激光雷达与 INS 的时钟不一致，X 因此有偏，标准差已包含该影响。将 solve.apply_time_offset 设为 auto 或 yes，X 便不再有偏。</translation>
+    </message>
+    <message>
+        <source>clock offset INS - LiDAR: %1 ms (sigma %2 ms), %3</source>
+        <translation>时钟偏差 INS − 激光雷达：%1 毫秒（标准差 %2 毫秒），%3</translation>
+    </message>
+    <message>
+        <source>clock offset INS - LiDAR, mean of the sessions: %1 ms (sigma %2 ms), %3</source>
+        <translation>时钟偏差 INS − 激光雷达，各会话平均：%1 毫秒（标准差 %2 毫秒），%3</translation>
+    </message>
+    <message>
+        <source>clock offset of session %1: %2 ms (sigma %3 ms)</source>
+        <translation>会话 %1 的时钟偏差：%2 毫秒（标准差 %3 毫秒）</translation>
+    </message>
+    <message>
+        <source>applied</source>
+        <translation>已应用</translation>
+    </message>
+    <message>
+        <source>an unknown of X, in its sigmas</source>
+        <translation>作为未知量一并求解，已计入标准差</translation>
+    </message>
+    <message>
+        <source>not applied</source>
+        <translation>未应用</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>
@@ -11739,18 +11747,6 @@ The result appears when all of it is done. Esc stops.</source>
     <message>
         <source>Not observed</source>
         <translation>不可观测</translation>
-    </message>
-    <message>
-        <source>Clock offset INS − LiDAR</source>
-        <translation>时钟偏差 INS − 激光雷达</translation>
-    </message>
-    <message>
-        <source>applied</source>
-        <translation>已应用</translation>
-    </message>
-    <message>
-        <source>not applied</source>
-        <translation>未应用</translation>
     </message>
     <message>
         <source>Check by the accumulated map</source>

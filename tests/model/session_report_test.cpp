@@ -52,6 +52,13 @@ TEST(session_report, counts_rates_and_gaps) {
   EXPECT_EQ(report_stream({5}).rate_hz, 0.0);
 }
 
+TEST(session_report, counts_where_stamps_lie_a_century_apart) {
+  constexpr std::int64_t kCentury_ns = 3'500'000'000'000'000'000;  // three of them are more than 64 bits hold
+  const StreamReport report = report_stream({-kCentury_ns, 0, kCentury_ns});
+  EXPECT_EQ(report.gaps, 0U);
+  EXPECT_DOUBLE_EQ(report.longest_gap_s, 3.5e9);
+}
+
 TEST(session_report, a_good_session_is_usable) {
   Progress progress;
   const Session session = example();

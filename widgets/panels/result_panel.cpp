@@ -313,12 +313,8 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   for (std::size_t i = 0; i < 6; ++i) starred = starred || (result.measured[i] && finite_sigma(result, i));
   if (has_mounting(result) && starred) figures << tr("* with a value measured by hand");
   if (const std::string words = disagreement_words(result); !words.empty()) figures << model_text(words);
-  if (has_mounting(result) && std::isfinite(result.time_offset.offset_s))
-    figures << tr("clock offset INS − LiDAR: %1 ms ± %2 ms, %3")
-                   .arg(std::round(1e5 * result.time_offset.offset_s) / 100.0 + 0.0, 0, 'f', 2)  // no "-0.0"
-                   .arg(1e3 * result.time_offset.sigma_s, 0, 'f', 2)
-                   .arg(result.time_offset.applied ? tr("applied") : tr("not applied"));
-  figures << session_clocks(result);
+  if (has_mounting(result))
+    for (const std::string& words : clock_words(result)) figures << model_text(words);
   if (has_mounting(result) && !output.pairs.empty())
     figures << (is_aligned_together(result)
                     ? tr("the clouds of all accepted pairs were aligned together as the last step")

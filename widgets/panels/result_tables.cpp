@@ -33,18 +33,6 @@ QString html_list(const QString& title, const QStringList& items) {
   return html + "</ul>";
 }
 
-QStringList session_clocks(const CalibrationResult& result) {
-  QStringList lines;
-  const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
-  if (!has_mounting(result) || offsets_s.size() < 2 || sigmas_s.size() != offsets_s.size()) return lines;
-  for (std::size_t s = 0; s < offsets_s.size(); ++s)
-    lines << ResultPanel::tr("clock offset of session %1: %2 ms ± %3 ms")
-                 .arg(s + 1)
-                 .arg(std::round(1e5 * offsets_s[s]) / 100.0 + 0.0, 0, 'f', 2)  // no "-0.0"
-                 .arg(1e3 * sigmas_s[s], 0, 'f', 2);
-  return lines;
-}
-
 QString nominal_table(const PipelineOutput& output) {
   if (!output.nominal_known || !has_mounting(output.result)) return {};
   const std::array<double, 6> nominal = six_on_screen(output.initial_ins_from_lidar),

@@ -10,8 +10,6 @@ namespace remount {
 
 /// A heading and its items; empty for none.
 QString html_list(const QString& title, const QStringList& items);
-/// The clock offset of each session, where there are several.
-QStringList session_clocks(const CalibrationResult& result);
 /// What was assumed against what was found; empty where nothing was assumed.
 QString nominal_table(const PipelineOutput& output);
 /// How sharp the accumulated scans are: a check that does not use the residual. Empty where it was not made.

@@ -130,8 +130,11 @@ TEST(open_rotation, trajectory_claims_no_yaw_and_pitch_that_turn_with_an_open_ro
     std::printf("  ground %s: claimed %d of 24, off by up to %.2f sigma; roll off by up to %.3f rad\n",
                 ground_seen ? "seen" : "not seen", claimed, most_sigma, most_roll_rad);
     EXPECT_LT(most_sigma, 3.5);
-    if (ground_seen) EXPECT_LT(most_roll_rad, 0.2) << "the ground says where up is";
-    if (!ground_seen) EXPECT_EQ(claimed, 0) << "nothing says where up is";
+    if (ground_seen) {
+      EXPECT_LT(most_roll_rad, 0.2) << "the ground says where up is";
+    } else {
+      EXPECT_EQ(claimed, 0) << "nothing says where up is";
+    }
   }
 }
 
