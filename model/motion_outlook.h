@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "algorithms/messages/message.h"
 #include "model/session.h"
 #include "model/settings.h"
 
@@ -18,7 +19,7 @@ struct MotionOutlook {
   std::array<bool, 6> open{};
   /// The session has no nominal mounting, and its motion does not tell yaw: without a nominal nothing can be told.
   bool needs_nominal = false;
-  std::vector<std::string> advice;  ///< what to drive for the rest, one sentence each
+  std::vector<Message> advice;  ///< what to drive for the rest, one sentence each
 };
 
 /// Takes keyframes and pairs as the calibration will, supposes that each pair is registered to a few centimetres, and

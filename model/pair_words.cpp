@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "algorithms/messages/render.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -124,15 +125,16 @@ std::string without_numbers(const std::string& reason) {
 }
 
 void count_rejected(const PairRecord& pair, CountedKinds& kinds) {
-  const bool contradicts = pair.reason.starts_with(kContradicts), slid = pair.reason.starts_with(kSlid);
+  const std::string reason = english(pair.reason);
+  const bool contradicts = reason.starts_with(kContradicts), slid = reason.starts_with(kSlid);
   CountedKind& kind = kinds[contradicts ? std::string(kContradicts)
                             : slid      ? std::string(kSlid)
-                                        : without_numbers(pair.reason)];
+                                        : without_numbers(reason)];
   if (kind.count++ == 0)
     kind.words = contradicts ? "scans and INS tell different motions"
                  : slid      ? "the scans show too little and were aligned in the wrong place"
-                             : pair.reason;
-  kind.differ = !contradicts && !slid && (kind.differ || pair.reason != kind.words);
+                             : reason;
+  kind.differ = !contradicts && !slid && (kind.differ || reason != kind.words);
   if (contradicts || slid) kind.residuals_m.push_back(pair.residual_translation_m);
 }
 
@@ -178,7 +180,7 @@ std::vector<std::string> pair_lines(const ResultFile& file, std::size_t most_kin
   for (const PairRecord& pair : file.pairs) {
     if (pair.state == PairState::Rejected) count_rejected(pair, rejected);
     if (pair.state != PairState::Accepted || pair.decided_by != DecidedBy::Program) continue;
-    const std::string words = not_shown_by(pair.reason, file);
+    const std::string words = not_shown_by(english(pair.reason), file);
     if (words.empty()) continue;
     ++accepted[words].count;
     accepted[words].words = "the scans do not show " + words;

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "model/deciding_notes.h"
 #include "model/io/atomic_save.h"
@@ -45,7 +46,7 @@ DocumentNode verdicts_document(const std::vector<PairVerdict>& verdicts) {
     node.add("stamp_a_ns", DocumentNode::integer(verdict.stamp_a_ns));
     node.add("stamp_b_ns", DocumentNode::integer(verdict.stamp_b_ns));
     node.add("state", DocumentNode::string(to_string(verdict.state)));
-    node.add("reason", DocumentNode::string(verdict.reason));
+    node.add("reason", DocumentNode::string(english(verdict.reason)));
   }
   return list;
 }
@@ -71,7 +72,7 @@ DocumentNode stored_findings(const std::vector<Finding>& findings) {
     node.add("severity", DocumentNode::integer(static_cast<int>(finding.severity)));
     node.add("code", DocumentNode::string(finding.code));
     node.add("where", DocumentNode::string(finding.where));
-    node.add("explanation", DocumentNode::string(finding.explanation));
+    node.add("explanation", DocumentNode::string(english(finding.explanation)));
   }
   return list;
 }
@@ -222,7 +223,7 @@ TopicChoice topics_from(const DocumentView& session) {
   for (const DocumentView& item : session.at("topics").items()) try {
       add_topic_choice(topics, item.string());
     } catch (const Error& error) {
-      item.fail(error.what_happened());
+      item.fail(english(error.what_happened()));
     }
   return topics;
 }

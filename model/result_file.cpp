@@ -9,6 +9,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/messages/render.h"
 #include "model/io/atomic_save.h"
 #include "model/io/method_document.h"
 #include "model/io/sha256.h"
@@ -86,7 +87,7 @@ DocumentNode directions_document(const std::vector<ObservabilityDirection>& dire
     node.add("direction", DocumentNode::numbers({v.begin(), v.end()}));
     node.add("sigma", DocumentNode::number(direction.sigma));
     node.add("observed", DocumentNode::boolean(direction.observed));
-    node.add("words", DocumentNode::string(direction.words));
+    node.add("words", DocumentNode::string(english(direction.words)));
   }
   return list;
 }
@@ -115,7 +116,7 @@ DocumentNode pairs_document(const std::vector<PairRecord>& pairs) {
     node.add("stamp_b_ns", DocumentNode::integer(pair.stamp_b_ns));
     node.add("state", DocumentNode::string(to_string(pair.state)));
     node.add("decided_by", DocumentNode::string(to_string(pair.decided_by)));
-    node.add("reason", DocumentNode::string(pair.reason));
+    node.add("reason", DocumentNode::string(english(pair.reason)));
     node.add("rotation_deg", DocumentNode::number(radians_to_degrees(pair.rotation_rad)));
     node.add("baseline_m", DocumentNode::number(pair.baseline_m));
     node.add("rmse_m", DocumentNode::number(pair.rmse_m));
@@ -175,7 +176,7 @@ DocumentNode findings_document(const std::vector<Finding>& findings) {
     node.add("code", DocumentNode::string(finding.code));
     node.add("severity", DocumentNode::string(to_string(finding.severity)));
     node.add("where", DocumentNode::string(finding.where));
-    node.add("explanation", DocumentNode::string(finding.explanation));
+    node.add("explanation", DocumentNode::string(english(finding.explanation)));
   }
   return list;
 }
@@ -293,8 +294,8 @@ DocumentNode result_document(const ResultFile& file) {
   root.add("format", DocumentNode::string("remount-result/1"));
   root.add("method", DocumentNode::string(file.method));
   root.add("status", DocumentNode::string(to_string(result.status)));
-  root.add("message", DocumentNode::string(result.message));
-  root.add("advice", strings_document(result.advice));
+  root.add("message", DocumentNode::string(english(result.message)));
+  root.add("advice", strings_document(english(result.advice)));
   root.add("ins_from_lidar", transform_document(result.ins_from_lidar));
   root.add("reference_frame", DocumentNode::string(result.reference_frame));
   root.add("calibrated", DocumentNode::string(result.calibrated));

@@ -26,7 +26,7 @@ struct PairRecord {
   std::int64_t stamp_a_ns = 0, stamp_b_ns = 0;
   PairState state = PairState::Proposed;
   DecidedBy decided_by = DecidedBy::Nobody;
-  std::string reason;
+  Message reason;
   double rotation_rad = 0.0;
   double baseline_m = 0.0;
   double rmse_m = 0.0;

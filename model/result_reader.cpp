@@ -21,11 +21,11 @@ double number_or(const DocumentView& view, double otherwise) { return view.is_nu
 
 int count_of(const DocumentView& view) { return static_cast<int>(view.integer(0, kMaxCount)); }
 
-std::vector<std::string> strings_of(const DocumentView& root, std::string_view key) {
-  std::vector<std::string> strings;
-  if (!root.has(key)) return strings;
-  for (const DocumentView& item : root.at(key).items()) strings.push_back(item.string());
-  return strings;
+std::vector<Message> sentences_of(const DocumentView& root, std::string_view key) {
+  std::vector<Message> sentences;
+  if (!root.has(key)) return sentences;
+  for (const DocumentView& item : root.at(key).items()) sentences.emplace_back(item.string());
+  return sentences;
 }
 
 /// Files of former versions hold sentences alone.
@@ -165,7 +165,7 @@ ResultFile result_from_document(const DocumentView& root) {
   if (root.has("quantities")) file.quantities = quantities_from_document(root.at("quantities"));
   if (root.has("plots")) file.plots = plots_from_document(root.at("plots"));
   if (root.has("message")) result.message = root.at("message").string();
-  result.advice = strings_of(root, "advice");
+  result.advice = sentences_of(root, "advice");
   result.ins_from_lidar = transform_from_document(root.at("ins_from_lidar"));
   if (root.has("ins_axes") && !root.at("ins_axes").is_null()) {
     constexpr InsAxes kAxes[kInsAxesCount] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp, InsAxes::BackwardRightUp,

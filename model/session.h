@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "algorithms/cloud/point_cloud.h"
+#include "algorithms/messages/message.h"
 #include "algorithms/trajectory/ins_sample.h"
 #include "algorithms/trajectory/sensor_samples.h"
 #include "model/io/attitude_convention.h"
@@ -25,9 +26,9 @@ std::string_view to_string(Severity severity);
 /// Something the engineer should know about the data: what, where, and what to do about it.
 struct Finding {
   Severity severity = Severity::Note;
-  std::string code;         ///< stable identifier, "ins-gap"
-  std::string where;        ///< file, stamp or stream
-  std::string explanation;  ///< in words, with what to do
+  std::string code;     ///< stable identifier, "ins-gap"
+  std::string where;    ///< file, stamp or stream
+  Message explanation;  ///< in words, with what to do
 };
 
 /// How the points of a scan relate to the time of its stamp.

@@ -10,6 +10,7 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
+#include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "model/clock_hint.h"
 #include "model/count_words.h"
@@ -186,7 +187,7 @@ std::string usable_lines(const SessionReport& report) {
                      (told.empty() ? "nothing for sure" : told) +
                      (open.empty() ? "" : "; as the scans align, perhaps: " + open) +
                      (untold.empty() ? "" : "; it cannot tell: " + untold) + "\n";
-  for (const std::string& advice : report.outlook.advice) text += "  advice: " + advice + "\n";
+  for (const Message& advice : report.outlook.advice) text += "  advice: " + english(advice) + "\n";
   if (lacking)
     text +=
         "  advice: Give a nominal mounting (some 10 degrees are enough): while yaw is open, nothing is known without "
@@ -323,7 +324,7 @@ std::string describe(const Session& session, const SessionReport& report) {
   constexpr const char* kSeverity[] = {"note", "warning", "problem"};
   for (const Finding& finding : report.findings) {
     text += std::string("  ") + kSeverity[static_cast<int>(finding.severity)] + " [" + finding.code + "] " +
-            on_one_line(finding.where) + ": " + finding.explanation + "\n";
+            on_one_line(finding.where) + ": " + english(finding.explanation) + "\n";
     if (const FindingKind* kind = finding_kind(finding.code))
       text += "    " + std::string(kind->meaning) + "\n    do: " + std::string(kind->remedy) + "\n";
   }

@@ -30,7 +30,7 @@ int apply_verdicts(const std::vector<PairVerdict>& verdicts, PipelineOutput& out
 void withdraw_verdicts(PipelineOutput& output) {
   for (Pair& pair : output.pairs) {
     if (pair.decided_by != DecidedBy::User) continue;
-    const std::string unusable = unusable_reason(pair);
+    const Message unusable = unusable_reason(pair);
     pair.state = unusable.empty() ? PairState::Proposed : PairState::Rejected;
     pair.decided_by = unusable.empty() ? DecidedBy::Nobody : DecidedBy::Program;
     pair.reason = unusable;

@@ -15,7 +15,7 @@ struct PairVerdict {
   int session = 0;  ///< index of the session
   std::int64_t stamp_a_ns = 0, stamp_b_ns = 0;
   PairState state = PairState::Proposed;
-  std::string reason;
+  Message reason;
 };
 
 /// Gives the pairs of an output the states of the verdicts, as decided by the user; a solution makes them count.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "algorithms/messages/render.h"
 #include "widgets/forms/flag_mentions.h"
 #include "widgets/forms/option_mentions.h"
 
@@ -138,6 +139,12 @@ QString model_text(const QString& text) {
 }
 
 QString model_text(std::string_view text) { return model_text(QString::fromUtf8(text)); }
+
+QString model_text(const Message& message) {
+  if (message.code() == kVerbatim) return model_text(QString::fromStdString(english(message)));
+  const Language language = translated("observed") == QLatin1String("observed") ? Language::English : Language::Chinese;
+  return in_words_of_window(QString::fromStdString(render(message, language)));
+}
 
 std::string drawn_text(const char* context, const char* english) {
   const QString text = QString::fromUtf8(english), known = QCoreApplication::translate(context, english);

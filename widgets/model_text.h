@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "algorithms/messages/message.h"
+
 namespace remount {
 
 /// The sentence in the present language: recognised as one of model_phrases(), whose "%1" stand for whatever the model
@@ -13,6 +15,7 @@ namespace remount {
 /// named as in the window.
 QString model_text(std::string_view text);
 QString model_text(const QString& text);
+QString model_text(const Message& message);
 
 /// In whatever language it is: options that it mentions by their keys have the names that their pages give them, and
 /// flags of the command line are the places of the window for what they give.

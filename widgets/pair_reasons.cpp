@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "algorithms/messages/render.h"
 #include "widgets/model_text.h"
 
 namespace remount {
@@ -26,5 +27,9 @@ QString words_of(const std::string& reason) {
 }  // namespace
 
 QString reason_words(const std::string& reason) { return reason.empty() ? QString() : words_of(reason); }
+
+QString reason_words(const Message& reason) {
+  return reason.code() == kVerbatim ? reason_words(english(reason)) : model_text(reason);
+}
 
 }  // namespace remount

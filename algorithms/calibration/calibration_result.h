@@ -9,6 +9,7 @@
 
 #include "algorithms/calibration/noise_model.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/messages/message.h"
 #include "algorithms/trajectory/pair.h"
 
 namespace remount {
@@ -48,7 +49,7 @@ struct ObservabilityDirection {
   Vector6d direction = Vector6d::Zero();  ///< unit length after scaling; translation first, rotation about INS axes
   double sigma = 0.0;  ///< along it, in units of the limits of what counts as observed; infinite: unknown
   bool observed = true;
-  std::string words;  ///< "height z: not observable, flat driving"
+  Message words;  ///< "height z: not observable, flat driving"
 };
 
 struct TimeOffset {
@@ -63,8 +64,8 @@ inline constexpr double kSessionsContradict = 2.0;
 
 struct CalibrationResult {
   Status status = Status::TooFewPairs;
-  std::string message;              ///< one sentence for the user: what happened and why
-  std::vector<std::string> advice;  ///< what to drive or to add, one sentence each
+  Message message;              ///< one sentence for the user: what happened and why
+  std::vector<Message> advice;  ///< what to drive or to add, one sentence each
 
   /// What X takes coordinates to: "ins"; methods that know no INS relate another frame, "vehicle" or "machine", and
   /// then `ins_from_lidar` is that frame from the sensor's.

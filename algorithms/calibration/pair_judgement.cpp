@@ -80,7 +80,7 @@ std::vector<int> usable_pairs(const std::vector<Pair>& pairs) {
 void refuse_unusable(std::vector<Pair>& pairs) {
   for (Pair& pair : pairs) {
     if (pair.state != PairState::Accepted) continue;
-    const std::string reason = unusable_reason(pair);
+    const Message reason = unusable_reason(pair);
     if (reason.empty()) continue;
     pair.state = PairState::Rejected;
     pair.decided_by = DecidedBy::Program;

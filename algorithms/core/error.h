@@ -3,6 +3,9 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "algorithms/messages/render.h"
 
 namespace remount {
 
@@ -19,20 +22,20 @@ class Error : public std::runtime_error {
  public:
   /// @param where file with line or byte ("scan.pcd:7", "oxts/data/0000000003.txt")
   /// @param what_happened what was found, what was expected, and what to do where that is known
-  Error(ErrorCode code, std::string where, std::string what_happened)
-      : std::runtime_error(where.empty() ? what_happened : where + ": " + what_happened),
+  Error(ErrorCode code, std::string where, Message what_happened)
+      : std::runtime_error((where.empty() ? where : where + ": ") + english(what_happened)),
         code_(code),
         where_(std::move(where)),
         what_happened_(std::move(what_happened)) {}
 
   ErrorCode code() const { return code_; }
   const std::string& where() const { return where_; }
-  const std::string& what_happened() const { return what_happened_; }
+  const Message& what_happened() const { return what_happened_; }
 
  private:
   ErrorCode code_;
   std::string where_;
-  std::string what_happened_;
+  Message what_happened_;
 };
 
 }  // namespace remount

@@ -2,7 +2,7 @@
 
 namespace remount {
 
-std::string unusable_reason(const Pair& pair) {
+Message unusable_reason(const Pair& pair) {
   if (!pair.registration.failure.empty()) return pair.registration.failure;
   // Without information it would agree with every X.
   if (pair.registration.attempted && pair.registration.information.isZero(0.0)) return "its scans determine nothing";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -67,11 +68,11 @@ struct Pair {
   double weight = 0.0;                  ///< robust weight in the solution, 0..1
   PairState state = PairState::Proposed;
   DecidedBy decided_by = DecidedBy::Nobody;
-  std::string reason;  ///< why it was rejected (or by whom accepted), in words
+  Message reason;  ///< why it was rejected (or by whom accepted), in words
 };
 
 /// Why no solution can use the pair, in words; empty where it can. A registration may converge and still have failed:
 /// what it found is then no motion to rely on, so that such a pair is never accepted.
-std::string unusable_reason(const Pair& pair);
+Message unusable_reason(const Pair& pair);
 
 }  // namespace remount

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "algorithms/messages/render.h"
 #include "app/cli/verbs.h"
 #include "model/display_units.h"
 #include "model/report/comparison.h"
@@ -58,9 +59,9 @@ int compare(const std::vector<std::string>& paths, Console& console) {
   for (const ComparedResults& pair : compare_results(results)) {
     const bool compared = largest_difference(pair.difference).has_value();
     if (pair.contradict || !compared)
-      console.complain("warning: " + pair.words);
+      console.complain("warning: " + english(pair.words));
     else
-      console.print(pair.words);
+      console.print(english(pair.words));
     agree = agree && compared && !pair.contradict;
   }
   char limit[128];

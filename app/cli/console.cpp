@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
 #include "model/io/regular_file.h"
@@ -188,14 +189,14 @@ void Console::complain(std::string_view text) {
 
 void Console::complain(const Error& error) {
   const std::string where = printable(error.where(), LineBreaks::Escaped);
-  complain(where.empty() ? error.what_happened() : where + ": " + error.what_happened());
+  complain((where.empty() ? where : where + ": ") + english(error.what_happened()));
 }
 
 void Console::report(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    const std::string text = printable(finding.where, LineBreaks::Escaped) + ": " + finding.explanation + " [" +
-                             finding.code + "]" + (kind ? "\n  do: " + std::string(kind->remedy) : "");
+    const std::string text = printable(finding.where, LineBreaks::Escaped) + ": " + english(finding.explanation) +
+                             " [" + finding.code + "]" + (kind ? "\n  do: " + std::string(kind->remedy) : "");
     const std::scoped_lock lock(mutex_);
     clear_line();
     const bool note = finding.severity == Severity::Note;

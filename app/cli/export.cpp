@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/cli/verbs.h"
 #include "model/exporters/exporter.h"
 #include "model/io/atomic_save.h"
@@ -18,7 +19,8 @@ int export_result(const ExportArguments& arguments, Console& console) {
   const Exporter& format = exporter(arguments.format);
   const ResultFile result = load_result(arguments.result);
   if (!is_usable(result.result)) {
-    console.complain(arguments.result + ": holds no usable result, nothing is exported; " + result.result.message);
+    console.complain(arguments.result + ": holds no usable result, nothing is exported; " +
+                     english(result.result.message));
     return kNoResult;
   }
   for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);

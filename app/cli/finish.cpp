@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "algorithms/messages/render.h"
 #include "app/cli/summary.h"
 
 namespace remount {
@@ -20,7 +21,8 @@ int finish(const ResultFile& file, const std::string& output, Console& console) 
     console.print(output.empty() ? std::string("the result was not written: give -o RESULT.yaml")
                                  : "result: " + output);
   if (is_usable(file.result)) return kSolved;
-  console.complain("no usable result (" + std::string(to_string(file.result.status)) + "): " + file.result.message);
+  console.complain("no usable result (" + std::string(to_string(file.result.status)) +
+                   "): " + english(file.result.message));
   return kNoResult;
 }
 

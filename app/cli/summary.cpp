@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/messages/render.h"
 #include "model/deciding_notes.h"
 #include "model/display_units.h"
 #include "model/pair_words.h"
@@ -100,7 +101,7 @@ std::string quantities(const std::vector<NamedQuantity>& list) {
 std::string advice(const CalibrationResult& result) {
   constexpr std::size_t kMost = 6;
   std::vector<std::string> lines;
-  for (const std::string& one : result.advice) lines.push_back("advice: " + one);
+  for (const Message& one : result.advice) lines.push_back("advice: " + english(one));
   return first_of(lines, kMost);
 }
 
@@ -109,7 +110,7 @@ std::string deciding_notes(const std::vector<Finding>& findings) {
   constexpr std::size_t kMost = 6;
   std::vector<std::string> lines;
   for (const Finding& finding : findings)
-    if (is_deciding(finding)) lines.push_back("note: " + finding.where + ": " + finding.explanation);
+    if (is_deciding(finding)) lines.push_back("note: " + finding.where + ": " + english(finding.explanation));
   return first_of(lines, kMost);
 }
 
@@ -119,7 +120,7 @@ std::string summary(const ResultFile& file) {
   const CalibrationResult& result = file.result;
   const bool usable = is_usable(result);
   std::string text = "status: " + std::string(to_string(result.status)) +
-                     (result.message.empty() ? "" : " - " + result.message) + "\n";
+                     (result.message.empty() ? "" : " - " + english(result.message)) + "\n";
   if (usable) text += parameters(result);
   // What to do comes before what it rests on.
   text += advice(result) + deciding_notes(file.findings);

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <new>
 
+#include "algorithms/messages/render.h"
 #include "widgets/model_text.h"
 
 namespace remount {
@@ -37,8 +38,8 @@ bool advises(ErrorCode code, const QString& what) {
 }  // namespace
 
 JobFailure failure_of(const Error& error) {
-  const QString what = QString::fromStdString(error.what_happened());
-  QString text = model_text(what);
+  const QString what = QString::fromStdString(english(error.what_happened()));
+  QString text = model_text(error.what_happened());
   if (const QString advice = what_to_try(error.code()); !advice.isEmpty() && !advises(error.code(), what))
     text += QLatin1Char('\n') + advice;
   return {QString::fromStdString(error.where()), text};

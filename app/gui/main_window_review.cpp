@@ -5,6 +5,7 @@
 #include <QSettings>
 #include <QTableView>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/main_window.h"
 #include "app/gui/remembering.h"
 #include "widgets/pair_reasons.h"
@@ -95,7 +96,7 @@ void MainWindow::ask_reason() {
                                          : tr("Why are %1 pairs rejected?").arg(pairs.size()));
   const Pair& first = workbench_.output()->pairs.at(static_cast<std::size_t>(pairs.front()));
   if (first.decided_by == DecidedBy::User && first.state == PairState::Rejected)
-    dialog->setTextValue(QString::fromStdString(first.reason));
+    dialog->setTextValue(QString::fromStdString(english(first.reason)));
   connect(dialog, &QInputDialog::textValueSelected, this,
           [this, pairs](const QString& reason) { workbench_.decide(pairs, PairState::Rejected, reason); });
   dialog->open();

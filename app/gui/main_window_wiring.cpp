@@ -6,6 +6,7 @@
 #include <QTabWidget>
 #include <QTableView>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/main_window.h"
 #include "app/gui/map_controller.h"
 #include "app/gui/method_controller.h"
@@ -277,7 +278,7 @@ QString MainWindow::pair_caption(int pair) const {
   const OutputPtr output = workbench_.output();
   const Pair& chosen = output->pairs.at(static_cast<std::size_t>(pair));
   QString verdict = state_text(chosen);
-  const bool by_whom_only = chosen.reason.ends_with("by the user");
+  const bool by_whom_only = english(chosen.reason).ends_with("by the user");
   if (!chosen.reason.empty() && !by_whom_only) verdict += QStringLiteral(": ") + reason_words(chosen.reason);
   return tr("Pair %1: %2 → %3, %4 m, %5°. %6")
       .arg(pair)

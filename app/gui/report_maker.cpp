@@ -62,7 +62,7 @@ QString pdf_beside(const QString& html_path) { return without_html(html_path) + 
 ReportStyle report_style() {
   ReportStyle style;
   style.phrase = drawn_text;
-  style.sentence = [](const std::string& text) { return model_text(text).toStdString(); };
+  style.sentence = [](const Message& text) { return model_text(text).toStdString(); };
   style.language = QLocale().bcp47Name().toStdString();
   return style;
 }

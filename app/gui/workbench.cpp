@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/error_words.h"
 #include "app/gui/wording.h"
@@ -168,8 +169,9 @@ void Workbench::take_run(const PipelineInput& input, OutputPtr output) {
   exported_ = Exported::No;
   ++solution_;
   for (const Finding& finding : output_->findings)
-    emit logged(finding.severity, QString::fromStdString(finding.where), QString::fromStdString(finding.explanation));
-  emit message(Severity::Note, tr("Result"), QString::fromStdString(output_->result.message));
+    emit logged(finding.severity, QString::fromStdString(finding.where),
+                QString::fromStdString(english(finding.explanation)));
+  emit message(Severity::Note, tr("Result"), QString::fromStdString(english(output_->result.message)));
   keep_what_was(before);
   emit output_changed();
   selected_ = -1;

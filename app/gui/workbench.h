@@ -34,7 +34,7 @@ struct PairDecision {
   int pair = 0;
   PairState state = PairState::Proposed;
   DecidedBy decided_by = DecidedBy::Nobody;
-  std::string reason;
+  Message reason;
 };
 
 /// What the user works on at a moment, as it is saved: a value that a worker may write to a file.
@@ -225,7 +225,7 @@ class Workbench : public QObject {
   using DecisionKey = std::tuple<std::string, std::int64_t, std::int64_t>;  // session path, stamps of scans a and b
   struct Verdict {
     PairState state = PairState::Proposed;
-    std::string reason;
+    Message reason;
     bool operator==(const Verdict&) const = default;
   };
   using Decisions = std::map<DecisionKey, Verdict>;

@@ -137,7 +137,7 @@ void Workbench::decide(const std::vector<int>& pairs, PairState state, const QSt
     if (pair.state == state && pair.decided_by == DecidedBy::User &&
         (reason.isEmpty() || pair.reason == decision.reason))
       continue;
-    if (const std::string why = unusable_reason(pair); state == PairState::Accepted && !why.empty()) {
+    if (const Message why = unusable_reason(pair); state == PairState::Accepted && !why.empty()) {
       refused << tr("pair %1: %2").arg(index).arg(model_text(why));
       continue;
     }

@@ -1,4 +1,5 @@
 // The map check of a new X, in the background.
+#include "algorithms/messages/render.h"
 #include "app/gui/error_words.h"
 #include "app/gui/workbench.h"
 #include "model/pipeline/sharpness_stage.h"
@@ -36,7 +37,7 @@ void Workbench::check_map_again() {
             if (finding.code == kMapLessSharp) {
               confirmed_ = false;  // it was, without this
               emit message(finding.severity, QString::fromStdString(finding.where),
-                           QString::fromStdString(finding.explanation));
+                           QString::fromStdString(english(finding.explanation)));
             }
           emit output_changed();
           emit state_changed();

@@ -1,6 +1,7 @@
 // How the sessions look from above and over time, found out in the background.
 #include <algorithm>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/workbench.h"
 
 namespace remount {
@@ -34,7 +35,7 @@ void Workbench::look_over_sessions() {
             overviews_[unknown[i]] = found[i];
             for (const Finding& finding : found[i]->findings)
               emit logged(finding.severity, QString::fromStdString(finding.where),
-                          QString::fromStdString(finding.explanation));
+                          QString::fromStdString(english(finding.explanation)));
           }
           if (found.size() == unknown.size()) look_over_sessions();
         };

@@ -26,7 +26,7 @@ std::string_view to_string(JobState state);
 /// One calibration compared with an earlier one of the same vehicle.
 struct FleetChange {
   std::string since;        ///< the name of the earlier one; empty: there is none
-  std::string words;        ///< what to make of it; why it cannot be compared where it cannot
+  Message words;            ///< what to make of it; why it cannot be compared where it cannot
   ResultDifference change;  ///< this minus that, with the sigma of both; NaN where not compared or not observed
   std::string drift;        ///< the alarm in words; empty: none
 };
@@ -34,7 +34,7 @@ struct FleetChange {
 struct FleetRow {
   std::size_t job = 0;  ///< index into Fleet::jobs
   JobState state = JobState::Waiting;
-  std::string message;
+  Message message;
   std::optional<CalibrationResult> result;  ///< of OutOfDate and Done
   FleetChange last;                         ///< since the vehicle's last usable calibration before this
   /// Since the one that the vehicle's mounting is judged by: many small steps add up. Where the fleet file names no

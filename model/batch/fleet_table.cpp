@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/messages/render.h"
 #include "model/display_units.h"
 #include "model/io/document.h"
 #include "model/printable_text.h"
@@ -31,11 +32,13 @@ bool usable(const FleetRow& row) { return row.result && is_usable(*row.result); 
 
 std::string status_of(const FleetRow& row) { return row.result ? std::string(to_string(row.result->status)) : ""; }
 
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
 std::string text_line(const Fleet& fleet, const FleetRow& row) {
   const FleetJob& job = fleet.jobs[row.job];
   std::string line = format("%zu  ", row.job + 1) + title_of(fleet, job) + ": ";
   line += row.state == JobState::Done ? status_of(row) : std::string(to_string(row.state));
-  if (!row.message.empty()) line += ", " + row.message.substr(0, row.message.find('\n'));
+  if (!row.message.empty()) line += ", " + first_line(english(row.message));
   if (!usable(row)) return line + "\n";
   const std::array<double, 6> values = six_on_screen(row.result->ins_from_lidar);
   line += "\n    ";
@@ -44,9 +47,9 @@ std::string text_line(const Fleet& fleet, const FleetRow& row) {
     line += std::string(i > 0 ? ", " : "") + std::string(kParameterNames[i]) + " ";
     line += sigma ? format("%.4f +-%.4f %s", values[i], on_screen(i, *sigma), unit_of(i)) : "not observed";
   }
-  if (!row.last.words.empty()) line += "\n    " + row.last.words;
+  if (!row.last.words.empty()) line += "\n    " + english(row.last.words);
   if (row.has_reference_of_its_own && !row.reference.words.empty())
-    line += "\n    By the reference: " + row.reference.words;
+    line += "\n    By the reference: " + english(row.reference.words);
   if (const std::string drift = row.drift(); !drift.empty()) line += "\n    DRIFT: " + drift;
   return line + "\n";
 }
@@ -106,7 +109,7 @@ std::string csv_line(const Fleet& fleet, const FleetRow& row) {
     cells.push_back(sigma ? csv_number(on_screen(i, *sigma)) : "");
   }
   add_change(row.last, cells);
-  cells.push_back(row.message);
+  cells.push_back(english(row.message));
   cells.push_back(row.result ? job.result.string() : "");  // a file that is there and belongs to the job
   add_change(row.reference, cells);
   return csv_line(cells);
@@ -140,7 +143,8 @@ std::string html_row(const Fleet& fleet, const FleetRow& row) {
     if (row.has_reference_of_its_own) html += html_change(row.reference, i, "ref. ");
     html += "</td>";
   }
-  return html + cell(row.last.since, true) + cell(row.reference.since, true) + cell(row.message, true) + "</tr>\n";
+  return html + cell(row.last.since, true) + cell(row.reference.since, true) + cell(english(row.message), true) +
+         "</tr>\n";
 }
 
 }  // namespace

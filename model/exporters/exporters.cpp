@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/exporters/builtin.h"
 #include "model/exporters/export_text.h"
 #include "model/exporters/exporter.h"
@@ -75,7 +76,7 @@ std::vector<std::string> export_warnings(const CalibrationResult& result) {
   if (!is_usable(result))
     warnings.push_back("the calibration found no usable result (status " + std::string(to_string(result.status)) +
                        "); do not use these numbers");
-  if (is_preliminary(result)) warnings.push_back(result.message);
+  if (is_preliminary(result)) warnings.push_back(english(result.message));
   if (result.reference_frame != "ins")
     warnings.push_back(std::string(kOtherFrame) + result.reference_frame + kNotIns + result.reference_frame);
   const std::string missing = parameter_names(result.observed, false);

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/input_file.h"
 #include "model/io/regular_file.h"
 #include "model/io/system_call.h"
@@ -209,7 +210,7 @@ void save_together(const std::vector<BytesToSave>& files) {
       file->replace();
       replaced += "; replaced already: " + file->path().string();
     } catch (const Error& error) {
-      throw Error(error.code(), error.where(), error.what_happened() + replaced);
+      throw Error(error.code(), error.where(), english(error.what_happened()) + replaced);
     }
 }
 

@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/file_lock.h"
 #include "model/io/parse_document.h"
 #include "model/io/sha256.h"
@@ -164,7 +165,7 @@ HolderLock::Attempt HolderLock::take(const std::filesystem::path& path, bool by_
   return ours;
 } catch (const Error& error) {
   Attempt none;
-  none.why_none = error.what_happened();
+  none.why_none = english(error.what_happened());
   return none;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "algorithms/messages/render.h"
 #include "model/io/csv_table.h"
 #include "model/io/gnss_log_reader.h"
 #include "model/io/gpx_track.h"
@@ -213,7 +214,7 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
     if (!session.ins.empty()) return;
     for (const Finding& finding : session.findings)
       if (finding.code == "attitude-sparse" && finding.where == file.string())
-        node.at("file").fail(finding.explanation);
+        node.at("file").fail(english(finding.explanation));
     node.at("file").fail("has no attitude (PASHR or HDT): declare it as gnss");
   }
   const InsTableLayout layout = read_layout(node.at("columns"));

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "algorithms/messages/render.h"
 #include "model/io/transform_document.h"
 
 namespace remount {
@@ -91,7 +92,7 @@ DocumentNode pair_document(const Pair& pair) {
   node.add("keyframe_b", DocumentNode::integer(pair.keyframe_b));
   node.add("state", DocumentNode::integer(static_cast<int>(pair.state)));
   node.add("decided_by", DocumentNode::integer(static_cast<int>(pair.decided_by)));
-  node.add("reason", DocumentNode::string(pair.reason));
+  node.add("reason", DocumentNode::string(english(pair.reason)));
   node.add("gap_s", DocumentNode::number(pair.gap_s));
   node.add("baseline_m", DocumentNode::number(pair.baseline_m));
   node.add("rotation_rad", DocumentNode::number(pair.rotation_rad));

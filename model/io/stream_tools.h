@@ -13,7 +13,7 @@
 
 namespace remount {
 
-inline Finding make_finding(Severity severity, std::string code, std::string where, std::string explanation) {
+inline Finding make_finding(Severity severity, std::string code, std::string where, Message explanation) {
   return {severity, std::move(code), std::move(where), std::move(explanation)};
 }
 

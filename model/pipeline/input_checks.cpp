@@ -6,6 +6,7 @@
 #include <map>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/clock_hint.h"
 #include "model/deciding_notes.h"
 #include "model/impossible_motion.h"
@@ -189,8 +190,8 @@ CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vec
   CalibrationResult result;
   result.status = Status::TooFewPairs;
   for (int s = 0; s < motion.session_count() && keyframes.empty(); ++s)
-    result.message += (s == 0 ? "No scan lies within the INS data: " : " ") + motion.session(s).name + ": " +
-                      why_not_covered(motion, s);
+    result.message = english(result.message) + (s == 0 ? "No scan lies within the INS data: " : " ") +
+                     motion.session(s).name + ": " + why_not_covered(motion, s);
   if (keyframes.empty()) {
     result.advice.push_back("Give scans and INS data of the same time, on one clock.");
     return result;

@@ -35,7 +35,7 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
     if (aligned(pair)) {
       pair.state = PairState::Proposed;
       pair.decided_by = DecidedBy::Nobody;
-      pair.reason.clear();
+      pair.reason = {};
     } else if (not_reached(pair) && (pair.state != PairState::Rejected || pair.registration.attempted)) {
       pair.state = PairState::Rejected;
       pair.decided_by = DecidedBy::Program;

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/messages/render.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/solve_stage.h"
 
@@ -67,7 +68,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
       recorded[i] = cloud.size();
       points[i] = thinned(cloud.points, share);
     } catch (const Error& error) {
-      failures[i] = error.where() + ": " + error.what_happened();
+      failures[i] = error.where() + ": " + english(error.what_happened());
     }
     progress.report("reading scans for the map", ++done, stops.size());
   });

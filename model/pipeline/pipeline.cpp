@@ -161,7 +161,7 @@ void reconsider(std::vector<Pair>& pairs) {
     if (pair.registration.attempted) {
       pair.state = PairState::Proposed;
       pair.decided_by = DecidedBy::Nobody;
-      pair.reason.clear();
+      pair.reason = {};
     }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "algorithms/messages/render.h"
+
 namespace remount {
 namespace {
 
@@ -80,15 +82,15 @@ void take_out_clock(int session, CalibrationResult& result) {
 
 /// Advice counts sessions as users do: "Session 2 (tuesday) was left out".
 void take_out_advice(const std::vector<std::shared_ptr<const Session>>& sessions, int session,
-                     std::vector<std::string>& advice) {
+                     std::vector<Message>& advice) {
   const auto title = [&](int number, int of) {
     return "Session " + std::to_string(number + 1) + " (" + sessions[static_cast<std::size_t>(of)]->name + ")";
   };
-  std::erase_if(advice, [&](const std::string& line) { return line.starts_with(title(session, session)); });
+  std::erase_if(advice, [&](const Message& line) { return english(line).starts_with(title(session, session)); });
   for (int later = session + 1; later < std::ssize(sessions); ++later)
-    for (std::string& line : advice)
-      if (const std::string old = title(later, later); line.starts_with(old))
-        line.replace(0, old.size(), title(later - 1, later));
+    for (Message& line : advice)
+      if (const std::string old = title(later, later), words = english(line); words.starts_with(old))
+        line = title(later - 1, later) + words.substr(old.size());
 }
 
 void take_out_findings(const std::vector<std::shared_ptr<const Session>>& sessions, int session,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/messages/render.h"
 #include "model/display_units.h"
 
 namespace remount {
@@ -63,7 +64,7 @@ std::vector<ComparedResults> compare_results(const std::vector<NamedResult>& res
         pair.words = largest ? in_words(results[a], results[b], pair.difference, *largest)
                              : results[a].name + " and " + results[b].name + " observe no component in common.";
       } else {
-        pair.words = "Not compared: " + pair.words + ".";
+        pair.words = "Not compared: " + english(pair.words) + ".";
       }
       compared.push_back(std::move(pair));
     }

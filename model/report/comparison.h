@@ -18,7 +18,7 @@ struct ComparedResults {
   std::size_t a = 0, b = 0;     ///< places in the list
   ResultDifference difference;  ///< a minus b
   bool contradict = false;      ///< by more than both claim
-  std::string words;            ///< what to make of it, one sentence
+  Message words;                ///< what to make of it, one sentence
 };
 
 /// Every two results once, in order. Those in different frames or INS axes are not compared, and say so; all NaN then.

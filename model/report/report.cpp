@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "model/display_units.h"
 #include "model/io/base64.h"
@@ -45,8 +46,8 @@ class Page {
   std::string phrase(const char* context, const char* english) const {
     return html_escaped(style_.phrase ? style_.phrase(context, english) : english);
   }
-  std::string sentence(const std::string& text) const {
-    return html_escaped(style_.sentence ? style_.sentence(text) : text);
+  std::string sentence(const Message& text) const {
+    return html_escaped(style_.sentence ? style_.sentence(text) : english(text));
   }
   std::string parameter(std::size_t i) const { return sentence(std::string(kParameterNames[i])); }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
@@ -114,7 +115,7 @@ void Page::write_verdict() {
   html_ += "<p><b>" + phrase("report", "Status") + ": " + sentence(std::string(to_string(result_.status))) + ".</b> " +
            sentence(result_.message) + "</p>\n";
   std::vector<std::string> advice;
-  for (const std::string& line : result_.advice) advice.push_back(sentence(line));
+  for (const Message& line : result_.advice) advice.push_back(sentence(line));
   list(advice);
 }
 

@@ -26,7 +26,7 @@ struct Report {
 /// How the parts that are no text come into the page.
 struct ReportStyle {
   Phrases phrase;                                            ///< unset: English
-  std::function<std::string(const std::string&)> sentence;   ///< of the program's own messages; unset: as they are
+  std::function<std::string(const Message&)> sentence;       ///< of the program's own messages; unset: as they are
   std::function<std::string(const Drawing&)> chart;          ///< HTML of a chart; unset: inline SVG
   std::function<std::string(const ReportPicture&)> picture;  ///< HTML of a picture; unset: an image within the page
   std::string language = "en";

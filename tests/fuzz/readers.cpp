@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "algorithms/messages/render.h"
 #include "model/batch/fleet.h"
 #include "model/exporters/exporter.h"
 #include "model/io/cloud_file.h"
@@ -50,7 +51,7 @@ std::string read_project(const fs::path& path) {
   for (const fs::path& session : project.sessions) text += session.string() + "\n";
   if (project.nominal_ins_from_lidar) text += matrix_text(*project.nominal_ins_from_lidar);
   if (project.output) text += matrix_text(project.output->result.ins_from_lidar);
-  for (const PairVerdict& verdict : project.verdicts) text += verdict.reason;
+  for (const PairVerdict& verdict : project.verdicts) text += english(verdict.reason);
   for (const std::string& change : project.changes_since_calibration()) text += change;
   return text;
 }

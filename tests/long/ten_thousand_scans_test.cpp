@@ -4,6 +4,7 @@
 
 #include <chrono>
 
+#include "algorithms/messages/render.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
@@ -43,7 +44,7 @@ TEST(ten_thousand_scans, calibrate_within_two_gigabytes) {
               seconds, peak_mb());
   EXPECT_GE(output.keyframes.size(), 9990U);
   EXPECT_LT(peak_mb(), 2048.0);
-  EXPECT_EQ(output.result.status, Status::Ok) << output.result.message;
+  EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
   EXPECT_LE(error.rotation_deg, 0.02);
   EXPECT_LE(std::hypot(error.x_m, error.y_m), 0.01);
 }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "algorithms/core/parallel.h"
+#include "algorithms/messages/render.h"
 #include "model/methods/builtin.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
@@ -42,7 +43,7 @@ TEST(trajectory_without_nominal, fails_on_none_of_a_hundred_drives) {
   });
   double largest = 0.0;
   for (std::size_t i = 0; i < results.size(); ++i) {
-    EXPECT_TRUE(is_usable(results[i])) << "seed " << i + 1 << ": " << results[i].message;
+    EXPECT_TRUE(is_usable(results[i])) << "seed " << i + 1 << ": " << english(results[i].message);
     for (const double error : normalised_errors(results[i], cold_drive(1).ins_from_lidar)) {
       if (!std::isfinite(error)) continue;
       largest = std::max(largest, std::abs(error));

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "model/io/input_file.h"
 #include "model/methods/calibration_method.h"
@@ -79,7 +80,7 @@ bool has_text(const std::vector<std::string>& texts, const std::string& part) {
 
 std::vector<std::string> words_of(const CalibrationResult& result) {
   std::vector<std::string> words;
-  for (const ObservabilityDirection& direction : result.directions) words.push_back(direction.words);
+  for (const ObservabilityDirection& direction : result.directions) words.push_back(english(direction.words));
   return words;
 }
 
@@ -92,7 +93,7 @@ TEST(assumed_tilt, of_headings_alone_leaves_pitch_and_roll_open_and_covers_the_r
         const TiltedDrive drive = drive_of(hilly(scenario, 3), true);
         const CalibrationResult result = calibrated({drive}, method, nominal);
         error_of(result, drive.truth);
-        EXPECT_TRUE(is_usable(result)) << result.message;
+        EXPECT_TRUE(is_usable(result)) << english(result.message);
         for (const std::size_t tilt : {kPitch, kRoll}) EXPECT_FALSE(result.observed[tilt]) << kParameterNames[tilt];
         // Turns on a slope, all of the odometry's, show z of this drive to a quarter of a metre: just within what
         // counts as observed. Others show pitch and roll to 0.9 degrees: see below.
@@ -105,8 +106,8 @@ TEST(assumed_tilt, of_headings_alone_leaves_pitch_and_roll_open_and_covers_the_r
         }
         expect_within_sigma(result, drive.truth, 3.5);
         EXPECT_TRUE(has_text(words_of(result), "roll and pitch of the INS are assumed, not measured"));
-        EXPECT_TRUE(has_text(result.advice, "The log has a heading and neither roll nor pitch"));
-        EXPECT_FALSE(has_text(result.advice, "Roll needs turns")) << "no drive would show it";
+        EXPECT_TRUE(has_text(english(result.advice), "The log has a heading and neither roll nor pitch"));
+        EXPECT_FALSE(has_text(english(result.advice), "Roll needs turns")) << "no drive would show it";
       }
 }
 
@@ -114,11 +115,11 @@ TEST(assumed_tilt, that_many_slopes_average_gives_wide_sigmas_and_says_why) {
   const TiltedDrive drive = drive_of(hilly(ScenarioKind::ParkingRamp, 4), true);
   const CalibrationResult result = calibrated({drive}, "trajectory", false);
   error_of(result, drive.truth);
-  EXPECT_TRUE(is_usable(result)) << result.message;
+  EXPECT_TRUE(is_usable(result)) << english(result.message);
   for (const std::size_t tilt : {kPitch, kRoll})
     EXPECT_GT(result.sigma(tilt).value_or(1.0), degrees_to_radians(0.5)) << kParameterNames[tilt];
   expect_within_sigma(result, drive.truth, 3.5);
-  EXPECT_TRUE(has_text(result.advice, "The log has a heading and neither roll nor pitch"));
+  EXPECT_TRUE(has_text(english(result.advice), "The log has a heading and neither roll nor pitch"));
 }
 
 TEST(assumed_tilt, is_told_before_anything_is_calibrated) {
@@ -126,7 +127,7 @@ TEST(assumed_tilt, is_told_before_anything_is_calibrated) {
   const MotionOutlook outlook = motion_outlook(*drive.session, {}, {});
   EXPECT_TRUE(outlook.determinable[kYaw]);
   for (const std::size_t open : {kZ, kPitch, kRoll}) EXPECT_FALSE(outlook.determinable[open]) << kParameterNames[open];
-  EXPECT_TRUE(has_text(outlook.advice, "The log has a heading and neither roll nor pitch"));
+  EXPECT_TRUE(has_text(english(outlook.advice), "The log has a heading and neither roll nor pitch"));
   for (const Finding& finding : drive_findings(*drive.session))
     EXPECT_NE(finding.code, "flat-driving") << "a ramp would not show";
 }
@@ -137,7 +138,7 @@ TEST(assumed_tilt, does_not_spoil_a_drive_that_measured_it) {
   for (const std::string method : {"pairwise", "trajectory"}) {
     SCOPED_TRACE(method);
     const CalibrationResult alone = calibrated({measured}, method, true);
-    EXPECT_FALSE(has_text(alone.advice, "The log has a heading and neither roll nor pitch"));
+    EXPECT_FALSE(has_text(english(alone.advice), "The log has a heading and neither roll nor pitch"));
     const CalibrationResult both = calibrated({measured, headings}, method, true);
     error_of(both, measured.truth);
     for (const std::size_t i : {kPitch, kRoll}) {
@@ -163,7 +164,7 @@ TEST(assumed_tilt, that_was_measured_by_hand_is_known) {
     error_of(result, drive.truth);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(result.observed[i]) << kParameterNames[i];
     expect_within_sigma(result, drive.truth, 3.5);
-    EXPECT_FALSE(has_text(result.advice, "contradicts")) << "the guess is no measurement";
+    EXPECT_FALSE(has_text(english(result.advice), "contradicts")) << "the guess is no measurement";
   }
 }
 

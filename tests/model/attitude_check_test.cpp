@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "algorithms/messages/render.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/input_file.h"
 #include "model/io/session_reader.h"
@@ -68,7 +69,7 @@ TEST(attitude_check, a_quaternion_of_another_convention_is_named_with_the_right_
     const std::vector<Finding> findings = attitude_findings(*session);
     ASSERT_FALSE(findings.empty()) << right;
     EXPECT_EQ(findings[0].code, "attitude-convention") << right;
-    EXPECT_NE(findings[0].explanation.find(right), std::string::npos) << findings[0].explanation;
+    EXPECT_NE(english(findings[0].explanation).find(right), std::string::npos) << english(findings[0].explanation);
   }
 }
 
@@ -84,8 +85,8 @@ TEST(attitude_check, a_heading_from_north_that_is_taken_for_a_yaw_looks_like_a_c
   ASSERT_EQ(findings.size(), 1U) << codes(session);
   EXPECT_EQ(findings[0].code, "attitude-convention");
   EXPECT_EQ(findings[0].severity, Severity::Problem);
-  EXPECT_NE(findings[0].explanation.find("this looks like a compass heading"), std::string::npos)
-      << findings[0].explanation;
+  EXPECT_NE(english(findings[0].explanation).find("this looks like a compass heading"), std::string::npos)
+      << english(findings[0].explanation);
 }
 
 /// Poses of a vehicle on a circle of `radius_m` at 5 m/s, 10 Hz, half to either side; seen `ahead_m` of its rear axle.
@@ -146,16 +147,16 @@ TEST(attitude_check, no_result_stands_on_another_convention) {
   EXPECT_EQ(bad.status, Status::Inconsistent);
   EXPECT_EQ(parameter_names(bad.observed, true), "") << "nothing is claimed of it";
   ASSERT_EQ(bad.advice.size(), 1U);
-  EXPECT_NE(bad.advice[0].find("convention"), std::string::npos);
+  EXPECT_NE(english(bad.advice[0]).find("convention"), std::string::npos);
   failed.status = Status::TooFewPairs;
   blame_attitude(findings, failed);
   EXPECT_EQ(parameter_names(failed.observed, true), "") << "whatever else went wrong";
   EXPECT_EQ(failed.status, Status::TooFewPairs);
   ASSERT_EQ(failed.advice.size(), 2U) << "another cause stays known";
-  EXPECT_NE(failed.advice[0].find("convention"), std::string::npos);
+  EXPECT_NE(english(failed.advice[0]).find("convention"), std::string::npos);
   cancelled.status = Status::Cancelled;
   blame_attitude(findings, cancelled);
-  EXPECT_EQ(cancelled.advice[0], "drive more");
+  EXPECT_EQ(english(cancelled.advice[0]), "drive more");
   blame_attitude({{Severity::Warning, "heading-against-travel", "drive", ""}}, other);
   EXPECT_EQ(other.status, Status::Degenerate);
 }
@@ -180,9 +181,9 @@ TEST(attitude_check, a_log_whose_manifest_declares_another_convention_is_named_w
   EXPECT_EQ(std::count_if(output.findings.begin(), output.findings.end(),
                           [](const Finding& finding) { return finding.code == "attitude-convention"; }),
             1);
-  EXPECT_FALSE(is_usable(output.result)) << output.result.message;
+  EXPECT_FALSE(is_usable(output.result)) << english(output.result.message);
   ASSERT_FALSE(output.result.advice.empty());
-  EXPECT_NE(output.result.advice[0].find("convention"), std::string::npos) << output.result.advice[0];
+  EXPECT_NE(english(output.result.advice[0]).find("convention"), std::string::npos) << english(output.result.advice[0]);
 }
 
 TEST(attitude_check, a_vehicle_that_hardly_moves_tells_nothing) {

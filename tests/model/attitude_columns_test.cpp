@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "algorithms/messages/render.h"
 #include "model/attitude_check.h"
 #include "model/io/session_reader.h"
 #include "model/session_frames.h"
@@ -46,7 +47,8 @@ AttitudeAngles yaw_with_roll(const AttitudeAngles& a) { return {a.roll_rad, a.pi
 
 std::string said(const Session& session) {
   std::string text;
-  for (const Finding& finding : attitude_findings(session)) text += "[" + finding.code + "] " + finding.explanation;
+  for (const Finding& finding : attitude_findings(session))
+    text += "[" + finding.code + "] " + english(finding.explanation);
   std::printf("%s\n", text.c_str());
   return text;
 }
@@ -215,7 +217,8 @@ TEST(attitude_columns, turns_alone_are_judged_as_they_are_registered) {
   EXPECT_FALSE(attitude_column_finding(sound, "drive"));
   const std::optional<Finding> finding = attitude_column_finding(mirrored, "drive");
   ASSERT_TRUE(finding);
-  EXPECT_NE(finding->explanation.find("the turns of the LiDAR"), std::string::npos) << finding->explanation;
+  EXPECT_NE(english(finding->explanation).find("the turns of the LiDAR"), std::string::npos)
+      << english(finding->explanation);
   EXPECT_FALSE(attitude_column_finding({}, "drive"));
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "algorithms/cloud/deskew.h"
+#include "algorithms/messages/render.h"
 #include "algorithms/registration/registration.h"
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
@@ -75,9 +76,9 @@ bool tells_of_leaving_out(const PipelineOutput& output) {
 void expect_result(const MethodOutcome& outcome, Status status) {
   ASSERT_EQ(outcome.error, "");
   const CalibrationResult& result = outcome.output.result;
-  std::printf("  %s: %s\n", std::string(to_string(result.status)).c_str(), result.message.c_str());
-  EXPECT_EQ(result.status, status) << result.message;
-  EXPECT_NE(result.message, "");
+  std::printf("  %s: %s\n", std::string(to_string(result.status)).c_str(), english(result.message).c_str());
+  EXPECT_EQ(result.status, status) << english(result.message);
+  EXPECT_NE(english(result.message), "");
   EXPECT_TRUE(result.ins_from_lidar.matrix().allFinite());
   EXPECT_TRUE(tells_of_leaving_out(outcome.output));
 }
@@ -136,7 +137,7 @@ TEST(impossible_motion, is_left_out_and_counted_before_a_drive_is_solved) {
     const auto told = std::find_if(output.findings.begin(), output.findings.end(),
                                    [](const Finding& finding) { return finding.code == "off-earth"; });
     ASSERT_NE(told, output.findings.end());
-    EXPECT_EQ(told->explanation.substr(0, 9), "1 sample ");
+    EXPECT_EQ(english(told->explanation).substr(0, 9), "1 sample ");
     EXPECT_TRUE(solve_again(input, output, progress));
     check_map(input, output, progress);
     EXPECT_GT(load_map_scans(input, output, 0, 1000, progress).points_recorded, 0u);
@@ -165,7 +166,7 @@ TEST(impossible_motion, of_other_sensors_is_left_out) {
   EXPECT_EQ(session.ins.size(), ins - 1);
   std::vector<std::string> told;
   for (const Finding& finding : session.findings)
-    if (finding.code == "off-earth") told.push_back(finding.where + ": " + finding.explanation);
+    if (finding.code == "off-earth") told.push_back(finding.where + ": " + english(finding.explanation));
   ASSERT_EQ(told.size(), 3u);
   EXPECT_TRUE(contains(told[0], "INS: 1 sample is beyond anything that a vehicle reaches (no latitude,")) << told[0];
   EXPECT_TRUE(contains(told[1], "IMU: 1 sample is beyond anything that a vehicle reaches (values")) << told[1];
@@ -190,7 +191,7 @@ TEST(impossible_motion, in_a_pair_rejects_the_pair) {
     pairs[9].lidar_b_from_lidar_a.translation().z() = -by_m;
     Progress progress;
     const CalibrationResult result = solve_motion_pairs(keyframes, pairs, {}, std::nullopt, progress);
-    EXPECT_TRUE(is_usable(result)) << result.message;
+    EXPECT_TRUE(is_usable(result)) << english(result.message);
     EXPECT_EQ(pairs[4].state, PairState::Rejected);
     EXPECT_EQ(pairs[9].state, PairState::Rejected);
     EXPECT_EQ(pairs[4].ins_b_from_ins_a.translation().x(), by_m) << "what was given is not changed";
@@ -239,7 +240,7 @@ TEST(impossible_motion, of_one_message_of_a_bag_is_left_out_and_named) {
     EXPECT_EQ(session.world_from_ins.size(), 59u);
     std::string told;
     for (const Finding& finding : session.findings)
-      if (finding.code == "bad-messages") told = finding.explanation;
+      if (finding.code == "bad-messages") told = english(finding.explanation);
     EXPECT_TRUE(contains(told, "1 message cannot be used and is left out")) << told;
     EXPECT_TRUE(contains(told, "message 31: the position is beyond 1e9 m")) << told;
   }

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "algorithms/messages/render.h"
 #include "model/attitude_check.h"
 #include "model/session_frames.h"
 #include "tests/support/motion_drive.h"
@@ -38,9 +39,9 @@ TEST(inverted_poses, are_named_for_each_sensor_and_right_ones_pass) {
     ASSERT_EQ(attitude_findings(ins).size(), 1U);
     EXPECT_EQ(attitude_findings(ins)[0].code, kPosesInverted);
     EXPECT_EQ(attitude_findings(ins)[0].severity, Severity::Problem);
-    EXPECT_TRUE(attitude_findings(ins)[0].explanation.starts_with("The poses of the INS seem"));
+    EXPECT_TRUE(english(attitude_findings(ins)[0].explanation).starts_with("The poses of the INS seem"));
     ASSERT_EQ(inverted_pose_findings(lidar).size(), 1U);
-    EXPECT_TRUE(inverted_pose_findings(lidar)[0].explanation.starts_with("The poses of the LiDAR seem"));
+    EXPECT_TRUE(english(inverted_pose_findings(lidar)[0].explanation).starts_with("The poses of the LiDAR seem"));
     EXPECT_EQ(inverted_pose_findings(both).size(), 2U);
   }
 }
@@ -74,7 +75,7 @@ TEST(inverted_poses, make_a_result_inconsistent) {
   blame_attitude(attitude_findings(session), result);
   EXPECT_EQ(result.status, Status::Inconsistent);
   ASSERT_FALSE(result.advice.empty());
-  EXPECT_TRUE(result.advice[0].starts_with("Before anything else invert the poses"));
+  EXPECT_TRUE(english(result.advice[0]).starts_with("Before anything else invert the poses"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 
 namespace remount {
 namespace {
@@ -33,14 +34,17 @@ TEST(nominal_check, a_sensor_that_looks_backwards_is_one) {
   const std::vector<Finding> findings = found(mounted(1.0, 180.0), solved_at(mounted(1.0, 0.0)));
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].code, "nominal-far");
-  EXPECT_NE(findings[0].explanation.find("180.0 deg and 0.00 m"), std::string::npos) << findings[0].explanation;
-  EXPECT_NE(findings[0].explanation.find("axes or signs"), std::string::npos) << findings[0].explanation;
+  EXPECT_NE(english(findings[0].explanation).find("180.0 deg and 0.00 m"), std::string::npos)
+      << english(findings[0].explanation);
+  EXPECT_NE(english(findings[0].explanation).find("axes or signs"), std::string::npos)
+      << english(findings[0].explanation);
 }
 
 TEST(nominal_check, the_inverse_is_named) {
   const std::vector<Finding> findings = found(mounted(1.5, 60.0).inverse(), solved_at(mounted(1.51, 61.0)));
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_NE(findings[0].explanation.find("lidar_from_ins"), std::string::npos) << findings[0].explanation;
+  EXPECT_NE(english(findings[0].explanation).find("lidar_from_ins"), std::string::npos)
+      << english(findings[0].explanation);
 }
 
 TEST(nominal_check, an_earlier_finding_goes_with_its_reason) {

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "algorithms/messages/render.h"
 #include "model/pose_north.h"
 #include "tests/model/north_drives.h"
 #include "tests/support/calibration_checks.h"
@@ -186,7 +187,7 @@ TEST(pose_north_grids, give_x_whose_yaw_is_within_its_sigma) {
     const double error_deg = yaw_error_deg(result, turned_from_lidar), sigma_deg = yaw_sigma_deg(result);
     std::printf("%s, %s: yaw off by %+.3f deg, sigma %.3f\n", one.grid ? one.grid->name : "UTM", one.place.name,
                 error_deg, sigma_deg);
-    EXPECT_TRUE(is_usable(result)) << one.place.name << result.message;
+    EXPECT_TRUE(is_usable(result)) << one.place.name << english(result.message);
     // What is uncertain by more than a degree counts as not observed.
     if (!result.observed[kYawOf]) {
       EXPECT_LT(std::abs(error_deg), 3.5 * radians_to_degrees(north_sigma_rad)) << one.place.name;

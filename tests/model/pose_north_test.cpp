@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/io/native_session_writer.h"
 #include "model/io/session_reader.h"
 #include "tests/model/io/bag/bag_maker.h"
@@ -76,7 +77,7 @@ TEST(pose_north, that_is_told_gives_x_within_its_sigma) {
     const CalibrationResult result = solved(session);
     std::printf("%s: yaw off by %+.4f deg, sigma %.4f\n", place.name, yaw_error_deg(result, drive.ins_from_lidar),
                 yaw_sigma_deg(result));
-    EXPECT_EQ(result.status, Status::Ok) << result.message;
+    EXPECT_EQ(result.status, Status::Ok) << english(result.message);
     expect_within_sigma(result, drive.ins_from_lidar, 3.5);
     EXPECT_LT(std::abs(yaw_error_deg(result, drive.ins_from_lidar)), 0.15);
   }

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/input_file.h"
 #include "model/settings_file.h"
 
@@ -77,7 +78,7 @@ TEST_F(project, reads_back_what_it_saved) {
   const Project back = load_project(path);
   EXPECT_EQ(back.sessions, (std::vector<std::filesystem::path>{folder_ / "drives" / "one", folder_ / "two"}));
   EXPECT_EQ(settings_text(back.settings), settings_text(example(folder_).settings));
-  EXPECT_EQ(back.verdicts.at(0).reason, "a lorry");
+  EXPECT_EQ(english(back.verdicts.at(0).reason), "a lorry");
   ASSERT_TRUE(back.output && back.nominal_ins_from_lidar);
   EXPECT_EQ(back.output->pairs.size(), 2U);
   EXPECT_EQ(back.output->pairs[1].registration.information, example(folder_).output->pairs[1].registration.information);

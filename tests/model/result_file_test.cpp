@@ -7,6 +7,7 @@
 #include <random>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
 #include "model/settings_file.h"
@@ -69,7 +70,7 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
   EXPECT_FALSE(back.result.sigma(2).has_value());
   EXPECT_DOUBLE_EQ(*back.result.sigma(3), *file.result.sigma(3));
   EXPECT_EQ(back.pairs.at(0).stamp_a_ns, 1317636475123456789LL);
-  EXPECT_EQ(back.pairs.at(0).reason, "by \"hand\": no");
+  EXPECT_EQ(english(back.pairs.at(0).reason), "by \"hand\": no");
   EXPECT_EQ(settings_text(back.settings), settings_text(file.settings));
   EXPECT_EQ(back.ins_axes, InsAxes::RightForwardUp);
   DocumentNode unknown = result_document(file), older = unknown;

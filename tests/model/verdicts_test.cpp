@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "algorithms/messages/render.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/registered_drive.h"
@@ -28,7 +29,7 @@ TEST(verdicts, find_their_pairs_by_the_stamps) {
     const Pair& pair = output.pairs[i];
     EXPECT_EQ(pair.decided_by, i == 2 ? DecidedBy::User : DecidedBy::Nobody) << i;
     EXPECT_EQ(pair.state, i == 2 ? PairState::Rejected : PairState::Proposed) << i;
-    EXPECT_EQ(pair.reason, i == 2 ? "a lorry" : "") << i;
+    EXPECT_EQ(english(pair.reason), i == 2 ? "a lorry" : "") << i;
   }
 }
 
@@ -48,10 +49,10 @@ TEST(verdicts, are_withdrawn_to_what_the_program_can_say) {
   withdraw_verdicts(output);
   EXPECT_EQ(output.pairs[0].state, PairState::Proposed);
   EXPECT_EQ(output.pairs[0].decided_by, DecidedBy::Nobody);
-  EXPECT_EQ(output.pairs[0].reason, "");
+  EXPECT_EQ(english(output.pairs[0].reason), "");
   EXPECT_EQ(output.pairs[1].state, PairState::Rejected);
   EXPECT_EQ(output.pairs[1].decided_by, DecidedBy::Program);
-  EXPECT_EQ(output.pairs[1].reason, "overlap 0.10 is below 0.30");
+  EXPECT_EQ(english(output.pairs[1].reason), "overlap 0.10 is below 0.30");
 }
 
 // A whole calibration obeys them before it solves: its last step, the joint alignment, is of the pairs that are left.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "algorithms/core/parallel.h"
+#include "algorithms/messages/render.h"
 #include "model/pipeline.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/chi_square.h"
@@ -96,12 +97,12 @@ inline void expect_solved_whatever_the_noise(PairMotion motion, int count, int s
   for (std::size_t i = 0; i < results.size(); ++i) {
     const CalibrationResult& result = results[i];
     EXPECT_TRUE(is_usable(result)) << name_of(motion) << ", " << count << " pairs, seed " << i + 1 << ": "
-                                   << to_string(result.status) << ", " << result.message;
+                                   << to_string(result.status) << ", " << english(result.message);
     const std::array<double, 6> errors = normalised_errors(result, truth);
     for (std::size_t k = 0; k < 6; ++k) {
       if (!result.observed[k]) {
-        EXPECT_NE(result.message.find(kParameterNames[k]), std::string::npos)
-            << kParameterNames[k] << " is not named: " << result.message;
+        EXPECT_NE(english(result.message).find(kParameterNames[k]), std::string::npos)
+            << kParameterNames[k] << " is not named: " << english(result.message);
         continue;
       }
       sum[k] += errors[k] * errors[k];

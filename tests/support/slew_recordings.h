@@ -1,6 +1,7 @@
 // Three recordings of a simulated excavator and the method on them.
 #pragma once
 
+#include "algorithms/messages/render.h"
 #include "model/methods/builtin.h"
 #include "model/simulator/drive_formats.h"
 #include "model/simulator/road.h"
@@ -77,7 +78,7 @@ inline std::array<double, 6> squares_over_recordings(FirstPlane first, int first
         std::printf("  %s +- %.5f", std::string(kParameterNames[i]).c_str(), output.result.sigma(i).value_or(NAN));
       std::printf(" (m, rad)\n");
     }
-    EXPECT_EQ(output.result.status, Status::Ok) << output.result.message;
+    EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
     const std::array<double, 6> errors = normalised_errors(output.result, yard.machine_from_lidar);
     for (std::size_t i = 0; i < 6; ++i) squares[i] += errors[i] * errors[i] / seeds;
   }

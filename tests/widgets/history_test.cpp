@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/edit_commands.h"
 #include "app/gui/method_controller.h"
 #include "tests/widgets/support/window_fixture.h"
@@ -65,7 +66,7 @@ TEST_F(history, another_method_is_taken_back_with_the_pairs_and_decisions_before
   const OutputPtr of_trajectory = workbench_.output();
   edits().undo();
   EXPECT_EQ(workbench_.output(), before);
-  EXPECT_EQ(pair(5).reason, "lorry");
+  EXPECT_EQ(english(pair(5).reason), "lorry");
   edits().undo();  // the method
   edits().undo();  // the decision
   ASSERT_TRUE(settle());
@@ -75,7 +76,7 @@ TEST_F(history, another_method_is_taken_back_with_the_pairs_and_decisions_before
   EXPECT_EQ(workbench_.output(), of_trajectory);
   edits().undo();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(pair(5).reason, "lorry");
+  EXPECT_EQ(english(pair(5).reason), "lorry");
 }
 
 TEST_F(history, decisions_outlive_a_result_without_pairs_also_in_the_project) {
@@ -93,7 +94,7 @@ TEST_F(history, decisions_outlive_a_result_without_pairs_also_in_the_project) {
   EXPECT_EQ(workbench_.decision_count(), 1);
   calibrate_by(MethodChoice::Pairwise);
   EXPECT_EQ(pair(5).decided_by, DecidedBy::User);
-  EXPECT_EQ(pair(5).reason, "lorry");
+  EXPECT_EQ(english(pair(5).reason), "lorry");
 }
 
 TEST_F(history, a_first_calibration_takes_the_place_of_nothing) {
@@ -186,7 +187,7 @@ TEST_F(history, a_session_of_which_no_pair_was_accepted_leaves_the_result) {
   ASSERT_TRUE(settle());
   ASSERT_TRUE(workbench_.output());
   EXPECT_EQ(x_m(), x_before_m);
-  EXPECT_EQ(pair(7).reason, "lorry");
+  EXPECT_EQ(english(pair(7).reason), "lorry");
   EXPECT_FALSE(workbench_.out_of_date()) << workbench_.changes_since_output().join("; ").toStdString();
   EXPECT_TRUE(log().contains("No pair of it was accepted")) << log().toStdString();
   EXPECT_EQ(workbench_.input_of_output().sessions, workbench_.sessions());
@@ -216,7 +217,7 @@ TEST_F(history, a_closed_session_says_that_its_result_went_and_comes_back_with_i
   edits().undo();
   EXPECT_EQ(workbench_.sessions(), sessions);
   EXPECT_EQ(workbench_.output(), before);
-  EXPECT_EQ(pair(7).reason, "lorry");
+  EXPECT_EQ(english(pair(7).reason), "lorry");
   EXPECT_FALSE(workbench_.out_of_date());
   edits().redo();
   EXPECT_FALSE(workbench_.output());

@@ -8,6 +8,7 @@
 #include <QTest>
 #include <random>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/language.h"
 #include "tests/widgets/support/restored.h"
 #include "tests/widgets/support/sample_world.h"
@@ -191,8 +192,8 @@ TEST(pair_filter, text_is_found_in_the_language_of_the_window) {
   output->pairs[31].reason = "overlap too small: 0.28";
   output->pairs[32].reason = quick_reasons().front();
   const testing::LanguageFor chinese("zh_CN");
-  const QString small = reason_words(output->pairs[30].reason).section(QStringLiteral("0.31"), 0, 0),
-                quick = reason_words(output->pairs[32].reason);
+  const QString small = reason_words(english(output->pairs[30].reason)).section(QStringLiteral("0.31"), 0, 0),
+                quick = reason_words(english(output->pairs[32].reason));
   PairTableModel model;
   model.show_output(output, {"drive1"});
   PairFilter filter;

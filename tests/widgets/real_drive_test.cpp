@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/main_window.h"
 #include "model/result_words.h"
 #include "model/simulator/simulator.h"
@@ -67,7 +68,7 @@ TEST_F(real_drive, is_calibrated_reviewed_saved_and_opened_again) {
     ASSERT_TRUE(settle(workbench)) << "not calibrated in " << timer.elapsed() << " ms";
     ASSERT_TRUE(workbench.output());
     const CalibrationResult& result = workbench.output()->result;
-    ASSERT_TRUE(has_mounting(result)) << result.message;
+    ASSERT_TRUE(has_mounting(result)) << english(result.message);
     found = result.ins_from_lidar;
     EXPECT_LT(rotation_angle_between_rad(found, drive_.ins_from_lidar), degrees_to_radians(0.2))
         << "found in " << timer.elapsed() << " ms";

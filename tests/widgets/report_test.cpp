@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/gui/language.h"
 #include "app/gui/report_maker.h"
 #include "app/gui/result_files.h"
@@ -51,7 +52,8 @@ TEST(report_paths, page_and_pdf_lie_beside_each_other_whatever_was_typed) {
   EXPECT_EQ(both("/a/drive.PDF"), "/a/drive.html /a/drive.pdf");
   EXPECT_EQ(both("/a/drive.HTML"), "/a/drive.HTML /a/drive.pdf");
   EXPECT_EQ(both("/a/drive.htm"), "/a/drive.htm /a/drive.pdf");
-  EXPECT_EQ(both("/a/drive.html.pdf"), "/a/drive.html /a/drive.pdf");  // the suggested name, and what was typed behind it
+  EXPECT_EQ(both("/a/drive.html.pdf"),
+            "/a/drive.html /a/drive.pdf");  // the suggested name, and what was typed behind it
   EXPECT_EQ(both("/a/drive.2024-05"), "/a/drive.2024-05.html /a/drive.2024-05.pdf");
   EXPECT_EQ(both("/a/drive.htmx"), "/a/drive.htmx.html /a/drive.htmx.pdf");
 }
@@ -294,7 +296,8 @@ TEST_F(chinese_report, says_that_a_font_is_missing_instead_of_drawing_boxes) {
     report_pdf(report_, report_style(), "报告");
     FAIL() << "boxes were drawn";
   } catch (const Error& error) {
-    EXPECT_NE(error.what_happened().find("fonts-noto-cjk"), std::string::npos) << error.what_happened();
+    EXPECT_NE(english(error.what_happened()).find("fonts-noto-cjk"), std::string::npos)
+        << english(error.what_happened());
   }
   speak("en", false);
   EXPECT_TRUE(report_pdf(report_, report_style(), "Report").startsWith("%PDF")) << "English needs no such font";

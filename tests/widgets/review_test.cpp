@@ -12,6 +12,7 @@
 #include <atomic>
 #include <thread>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/result_files.h"
 #include "app/gui/wording.h"
 #include "model/project.h"
@@ -34,24 +35,24 @@ TEST_F(review, one_key_rejects_with_a_reason_that_is_saved_and_exported) {
   workbench_.select_pair(5);
   trigger("2");
   EXPECT_EQ(pair(5).state, PairState::Rejected);
-  EXPECT_EQ(pair(5).reason, "aligned wrongly");
+  EXPECT_EQ(english(pair(5).reason), "aligned wrongly");
   EXPECT_EQ(workbench_.undo_stack().undoText(), "reject pair 5: aligned wrongly");
   ASSERT_TRUE(settle());
-  EXPECT_EQ(pair(5).reason, "aligned wrongly") << "a new solution keeps it";
+  EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "a new solution keeps it";
   EXPECT_TRUE(export_text(workbench_, "yaml").contains("aligned wrongly"));
   workbench_.calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(pair(5).reason, "aligned wrongly") << "a new calibration keeps it";
+  EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "a new calibration keeps it";
   QTemporaryDir folder;
   const QString path = folder.filePath("job.remount");
   workbench_.save_project(path);
   ASSERT_TRUE(QTest::qWaitFor([&] { return workbench_.project_path() == path; }, kPatience_ms));
   workbench_.open_project(path);
   ASSERT_TRUE(settle());
-  EXPECT_EQ(pair(5).reason, "aligned wrongly") << "a project keeps it";
+  EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "a project keeps it";
   workbench_.calibrate();
   ASSERT_TRUE(settle());
-  EXPECT_EQ(pair(5).reason, "aligned wrongly") << "and a calibration of the project";
+  EXPECT_EQ(english(pair(5).reason), "aligned wrongly") << "and a calibration of the project";
 }
 
 TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
@@ -63,7 +64,7 @@ TEST_F(review, saying_why_after_rejecting_is_one_edit_and_solves_only_once) {
   const double rejected_m = x_m();
   trigger("1");
   EXPECT_FALSE(workbench_.solving()) << "the pairs are the same";
-  EXPECT_EQ(pair(5).reason, "moving objects");
+  EXPECT_EQ(english(pair(5).reason), "moving objects");
   EXPECT_EQ(edits_since_calibration(), 1);
   EXPECT_EQ(x_m(), rejected_m);
   workbench_.undo_stack().undo();
@@ -81,7 +82,7 @@ TEST_F(review, a_reason_can_be_typed) {
   ASSERT_TRUE(dialog);
   dialog->setTextValue("  tram in front of us ");
   dialog->accept();
-  EXPECT_EQ(pair(8).reason, "tram in front of us");
+  EXPECT_EQ(english(pair(8).reason), "tram in front of us");
   EXPECT_EQ(pair(8).decided_by, DecidedBy::User);
   ASSERT_TRUE(settle());
 }
@@ -111,7 +112,7 @@ TEST_F(review, dragging_the_line_counts_live_and_rejects_on_release_as_one_edit)
   for (const int index : above) {
     EXPECT_EQ(pair(index).state, PairState::Rejected);
     EXPECT_EQ(pair(index).decided_by, DecidedBy::User);
-    EXPECT_TRUE(pair(index).reason.starts_with("residual translation above")) << pair(index).reason;
+    EXPECT_TRUE(english(pair(index).reason).starts_with("residual translation above")) << english(pair(index).reason);
   }
   ASSERT_TRUE(settle());
   workbench_.undo_stack().undo();

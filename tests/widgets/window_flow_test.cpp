@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "algorithms/messages/render.h"
 #include "app/gui/result_files.h"
 #include "model/io/parse_document.h"
 #include "tests/widgets/support/restored.h"
@@ -269,10 +270,10 @@ TEST_F(cancelled_calibration, keeps_the_pairs_that_were_aligned_but_no_part_inst
   calibrate_and_cancel();
   ASSERT_TRUE(workbench_.output());
   EXPECT_FALSE(workbench_.incomplete()) << "what was aligned is solved";
-  EXPECT_EQ(pair(2).reason, "");
+  EXPECT_EQ(english(pair(2).reason), "");
   EXPECT_EQ(pair(2).state, PairState::Proposed) << "the solver decides";
   EXPECT_EQ(pair(49).state, PairState::Rejected);
-  EXPECT_EQ(pair(49).reason, "not aligned: the calibration was cancelled");
+  EXPECT_EQ(english(pair(49).reason), "not aligned: the calibration was cancelled");
   const QString banner = child<MessageBanner>().findChild<QLabel*>()->text();
   EXPECT_TRUE(child<MessageBanner>().isVisible() && banner.contains("15 of 50 pairs")) << banner.toStdString();
   photograph(window_, "26-cancelled");

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "algorithms/messages/render.h"
 #include "widgets/itemmodels/reason_match.h"
 #include "widgets/itemmodels/text_ranks.h"
 #include "widgets/theme.h"
@@ -23,7 +24,7 @@ class TextMatch {
   }
   bool operator()(const PairTableModel& model, int index) {
     const Pair& pair = *model.pair(index);
-    if (index == number_ || reason_(pair.reason)) return true;
+    if (index == number_ || reason_(english(pair.reason))) return true;
     const int state = 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     return once(states_, state, [&] { return state_text(pair); }) ||
            once(sessions_, model.session_of(pair), [&] { return model.session_name(pair); });
@@ -203,10 +204,10 @@ void PairFilter::find_sort_keys() {
   reason_ranks_.clear();
   sort_numbers_.clear();
   if (sort_column_ == PairTableModel::Reason) {
-    std::vector<std::string_view> reasons;
+    std::vector<std::string> reasons;
     reasons.reserve(static_cast<std::size_t>(count));
-    for (int pair = 0; pair < count; ++pair) reasons.emplace_back(pairs_model()->pair(pair)->reason);
-    reason_ranks_ = text_ranks(reasons);
+    for (int pair = 0; pair < count; ++pair) reasons.push_back(english(pairs_model()->pair(pair)->reason));
+    reason_ranks_ = text_ranks({reasons.begin(), reasons.end()});
     for (std::size_t i = 0; i < reasons.size(); ++i)
       if (reasons[i].empty()) reason_ranks_[i] = -1;
   } else {

@@ -293,7 +293,7 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   const CalibrationResult& result = output.result;
   QString html = "<p>" + model_text(result.message).toHtmlEscaped() + "</p>";
   QStringList advice, blind, figures;
-  for (const std::string& sentence : result.advice) advice << model_text(sentence);
+  for (const Message& sentence : result.advice) advice << model_text(sentence);
   for (const ObservabilityDirection& direction : result.directions)
     if (!direction.observed && !direction.words.empty()) blind << model_text(direction.words);
   blind.removeDuplicates();  // two directions of the same parameters have the same words

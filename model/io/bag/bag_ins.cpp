@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/core/median.h"
+#include "algorithms/messages/render.h"
 #include "model/clock_hint.h"
 #include "model/count_words.h"
 #include "model/io/bag/correction_status.h"
@@ -305,7 +306,7 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
 std::string what_was_bad(const std::vector<Finding>& findings) {
   std::string why;
   for (const Finding& finding : findings)
-    if (finding.code == "bad-messages") why += "\n" + finding.where + ": " + finding.explanation;
+    if (finding.code == "bad-messages") why += "\n" + finding.where + ": " + english(finding.explanation);
   return why;
 }
 

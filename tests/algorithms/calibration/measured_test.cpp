@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
 namespace remount {
@@ -66,14 +67,14 @@ TEST(measured, height_from_a_tape_stands_where_a_flat_drive_does_not_show_it) {
   options.z_m = mounting().translation().z() + 0.004;
   options.z_sigma_m = 0.01;
   const CalibrationResult result = solve_flat(options, {});
-  ASSERT_TRUE(result.observed[2]) << result.message;
+  ASSERT_TRUE(result.observed[2]) << english(result.message);
   EXPECT_TRUE(result.measured[2]);
   EXPECT_FALSE(result.measured[0]);
   EXPECT_NEAR(result.ins_from_lidar.translation().z(), options.z_m, 2e-3);
   EXPECT_NEAR(*result.sigma(2), 0.01, 2e-3);
-  EXPECT_NE(result.message.find("measured"), std::string::npos) << result.message;
+  EXPECT_NE(english(result.message).find("measured"), std::string::npos) << english(result.message);
   EXPECT_TRUE(std::isnan(result.bootstrap_sigma[2])) << "resampling pairs says nothing of a tape";
-  for (const std::string& advice : result.advice)
+  for (const std::string& advice : english(result.advice))
     EXPECT_EQ(advice.find("measured z"), std::string::npos) << "a flat drive cannot contradict it: " << advice;
   for (const ObservabilityDirection& direction : result.directions)
     if (std::abs(direction.direction[2]) > 0.9) {
@@ -87,7 +88,7 @@ TEST(measured, ground_under_an_ins_of_known_height_gives_z) {
   const ObservedGround ground{mounting().linear().transpose() * Eigen::Vector3d::UnitZ(),
                               0.6 + mounting().translation().z(), 0.005, 0.001};
   const CalibrationResult result = solve_flat(options, ground);
-  ASSERT_TRUE(result.observed[2]) << result.message;
+  ASSERT_TRUE(result.observed[2]) << english(result.message);
   EXPECT_LT(std::abs(result.ins_from_lidar.translation().z() - mounting().translation().z()), 3.0 * *result.sigma(2));
   EXPECT_LT(*result.sigma(2), 0.05);
 }
@@ -98,7 +99,8 @@ TEST(measured, what_contradicts_the_drive_is_named) {
   options.x_sigma_m = 0.005;
   const CalibrationResult result = solve_flat(options, {});
   bool named = false;
-  for (const std::string& advice : result.advice) named = named || advice.find("measured x") != std::string::npos;
+  for (const std::string& advice : english(result.advice))
+    named = named || advice.find("measured x") != std::string::npos;
   EXPECT_TRUE(named);
   // Nobody knows whether the tape or the drive is wrong: neither makes sure of the other.
   EXPECT_FALSE(result.observed[0]);
@@ -114,7 +116,7 @@ TEST(measured, what_contradicts_the_drive_is_named) {
   EXPECT_GT(*rough.sigma(0), *solve_flat({}, {}).sigma(0)) << "what contradicts does not make sure";
   options.x_sigma_m = 0.005;
   options.x_m = mounting().translation().x();
-  for (const std::string& advice : solve_flat(options, {}).advice)
+  for (const std::string& advice : english(solve_flat(options, {}).advice))
     EXPECT_EQ(advice.find("measured x"), std::string::npos) << advice;
 }
 

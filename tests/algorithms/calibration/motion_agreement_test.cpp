@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
 namespace remount {
@@ -28,8 +29,8 @@ TEST(motion_agreement, of_a_sound_drive_nothing_is_said) {
   for (int seed = 1; seed <= 5; ++seed) {
     const SimulatedDrive drive = simulate(options, seed);
     const CalibrationResult result = solved_with(drive, options, pairs_of(drive));
-    EXPECT_EQ(result.status, Status::Ok) << result.message;
-    EXPECT_FALSE(advises(result, "times as far")) << result.advice.front();
+    EXPECT_EQ(result.status, Status::Ok) << english(result.message);
+    EXPECT_FALSE(advises(result, "times as far")) << english(result.advice.front());
   }
 }
 
@@ -42,8 +43,8 @@ TEST(motion_agreement, an_odometry_that_measures_distances_wrongly_is_named_and_
     const CalibrationResult result = solved_with(drive, options, pairs);
     const Eigen::Vector3d off_m = result.ins_from_lidar.translation() - drive.ins_from_lidar.translation();
     std::printf("  %.2f: off by %.3f %.3f %.3f m\n", scale, off_m.x(), off_m.y(), off_m.z());
-    EXPECT_TRUE(advises(result, "times as far")) << scale << " " << result.message;
-    ASSERT_TRUE(result.sigma(0)) << result.message;
+    EXPECT_TRUE(advises(result, "times as far")) << scale << " " << english(result.message);
+    ASSERT_TRUE(result.sigma(0)) << english(result.message);
     for (std::size_t i = 0; i < 3; ++i) {
       if (!result.sigma(i)) continue;
       EXPECT_LT(std::abs(off_m[static_cast<Eigen::Index>(i)]), 3.5 * *result.sigma(i)) << kParameterNames[i];
@@ -60,9 +61,9 @@ TEST(motion_agreement, poses_of_another_convention_give_no_result) {
   for (Pair& pair : turned) pair.lidar_b_from_lidar_a.linear() = mirror.linear() * pair.lidar_b_from_lidar_a.linear();
   for (const std::vector<Pair>& pairs : {inverse, turned}) {
     const CalibrationResult result = solved_with(drive, options, pairs);
-    std::printf("  %s\n", result.message.c_str());
+    std::printf("  %s\n", english(result.message).c_str());
     EXPECT_NE(result.status, Status::Ok);
-    EXPECT_EQ(parameter_names(result.observed, true), "") << result.message;
+    EXPECT_EQ(parameter_names(result.observed, true), "") << english(result.message);
   }
 }
 

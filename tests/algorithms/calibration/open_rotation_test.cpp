@@ -7,6 +7,7 @@
 
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/calibration/trajectory_alignment.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
@@ -43,7 +44,7 @@ TEST(open_rotation, yaw_and_pitch_are_no_better_known_than_the_roll_that_they_tu
         claimed += result.observed[i];
         if (result.observed[i]) most_sigma = std::max(most_sigma, std::abs(off_rad[i - 3]) / *result.sigma(i));
       }
-      EXPECT_FALSE(result.observed[5]) << "roll: " << result.message;
+      EXPECT_FALSE(result.observed[5]) << "roll: " << english(result.message);
     }
     std::printf("  %.3f rad askew: claimed %d of 16, off by up to %.2f sigma\n", askew_rad, claimed, most_sigma);
     EXPECT_LT(most_sigma, 2.5) << askew_rad;
@@ -117,7 +118,7 @@ TEST(open_rotation, trajectory_claims_no_yaw_and_pitch_that_turn_with_an_open_ro
     for (unsigned seed = 11; seed <= 18; ++seed) {
       const CalibrationResult result =
           solve_alignment(straight_road(seed, ground_seen), {}, {}, Progress{}).answer.result;
-      ASSERT_TRUE(is_usable(result) || !result.observed[3]) << result.message;
+      ASSERT_TRUE(is_usable(result) || !result.observed[3]) << english(result.message);
       const SixParameters is = six_from_rigid(result.ins_from_lidar);
       const double off_rad[] = {is.yaw_rad - truth.yaw_rad, is.pitch_rad - truth.pitch_rad,
                                 is.roll_rad - truth.roll_rad};

@@ -9,6 +9,7 @@
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/uncertainty.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
 namespace remount {
@@ -47,7 +48,7 @@ TEST(pairwise, is_exact_on_exact_data_with_and_without_a_nominal) {
   options.noise = no_noise();
   for (const bool with_nominal : {true, false}) {
     const CalibrationResult result = solve(options, 1, with_nominal).result;
-    EXPECT_EQ(result.status, Status::Ok) << result.message;
+    EXPECT_EQ(result.status, Status::Ok) << english(result.message);
     EXPECT_LT(error_m(result), 1e-6);
     EXPECT_LT(error_rad(result), 1e-7);
     EXPECT_EQ(result.pairs_rejected, 0);
@@ -63,7 +64,7 @@ TEST(pairwise, noisy_errors_are_within_the_sigmas_and_every_parameter_is_observe
   constexpr int kProblems = 8;
   for (int seed = 1; seed <= kProblems; ++seed) {
     const CalibrationResult result = solve(options, seed).result;
-    ASSERT_EQ(result.status, Status::Ok) << result.message;
+    ASSERT_EQ(result.status, Status::Ok) << english(result.message);
     const SixParameters found = six_from_rigid(result.ins_from_lidar), truth = six_from_rigid(mounting());
     const double errors[] = {found.x_m - truth.x_m,
                              found.y_m - truth.y_m,
@@ -110,10 +111,11 @@ TEST(pairwise, thirty_percent_outliers_are_rejected_each_with_a_reason) {
       }
       EXPECT_EQ(pair.state, PairState::Rejected) << i;
       EXPECT_EQ(pair.weight, 0.0) << i;
-      EXPECT_NE(pair.reason.find("contradicts the INS motion"), std::string::npos) << i << ": " << pair.reason;
+      EXPECT_NE(english(pair.reason).find("contradicts the INS motion"), std::string::npos)
+          << i << ": " << english(pair.reason);
     }
     EXPECT_LE(good_rejected, 3);
-    EXPECT_LT(error_m(solved.result), 0.05) << solved.result.message;
+    EXPECT_LT(error_m(solved.result), 0.05) << english(solved.result.message);
     EXPECT_LT(error_rad(solved.result), 2e-3);
     EXPECT_EQ(solved.result.pairs_accepted + solved.result.pairs_rejected, solved.result.pairs_proposed);
   }
@@ -131,7 +133,7 @@ TEST(pairwise, what_the_user_decided_stays) {
   pairs[7].lidar_b_from_lidar_a.translation().x() += 0.5;
   const Solved solved = solve(drive, options, pairs);
   EXPECT_EQ(solved.pairs[4].state, PairState::Rejected);
-  EXPECT_EQ(solved.pairs[4].reason, "rain");
+  EXPECT_EQ(english(solved.pairs[4].reason), "rain");
   EXPECT_EQ(solved.pairs[7].state, PairState::Accepted);
   EXPECT_EQ(solved.pairs[7].decided_by, DecidedBy::User);
   EXPECT_GT(solved.pairs[7].weight, 0.0);
@@ -157,9 +159,9 @@ TEST(pairwise, as_many_pairs_are_counted_as_are_used_whatever_was_accepted) {
       std::count_if(solved.pairs.begin(), solved.pairs.end(), [](const Pair& pair) { return pair.weight > 0.0; }));
   EXPECT_EQ(static_cast<std::size_t>(solved.result.pairs_accepted), used);
   EXPECT_EQ(solved.pairs[4].state, PairState::Rejected);
-  EXPECT_EQ(solved.pairs[4].reason, "only 12% of the points overlap");
+  EXPECT_EQ(english(solved.pairs[4].reason), "only 12% of the points overlap");
   EXPECT_EQ(solved.pairs[6].state, PairState::Rejected);
-  EXPECT_NE(solved.pairs[6].reason, "");
+  EXPECT_NE(english(solved.pairs[6].reason), "");
   EXPECT_LT(solved.result.translation_rms_m, 0.5) << "their motion is in the residuals";
 }
 
@@ -178,13 +180,13 @@ TEST(pairwise, takes_nothing_from_a_pair_where_its_scans_determine_nothing) {
   pairs[6].registration.information.setZero();
   const Solved solved = solve(drive, options, pairs);
   for (const std::size_t i : {2U, 5U}) {
-    EXPECT_EQ(solved.pairs[i].state, PairState::Accepted) << solved.pairs[i].reason;
-    EXPECT_EQ(solved.pairs[i].reason, "does not determine x (axes of the lidar)");
+    EXPECT_EQ(solved.pairs[i].state, PairState::Accepted) << english(solved.pairs[i].reason);
+    EXPECT_EQ(english(solved.pairs[i].reason), "does not determine x (axes of the lidar)");
   }
   EXPECT_EQ(solved.pairs[8].state, PairState::Rejected) << "so far off it was never there";
-  EXPECT_TRUE(solved.pairs[8].reason.starts_with("aligned ")) << solved.pairs[8].reason;
-  EXPECT_TRUE(solved.pairs[8].reason.ends_with("the INS was; does not determine x (axes of the lidar)"))
-      << solved.pairs[8].reason;
+  EXPECT_TRUE(english(solved.pairs[8].reason).starts_with("aligned ")) << english(solved.pairs[8].reason);
+  EXPECT_TRUE(english(solved.pairs[8].reason).ends_with("the INS was; does not determine x (axes of the lidar)"))
+      << english(solved.pairs[8].reason);
   EXPECT_NE(solved.pairs[6].state, PairState::Accepted);
   const Solved plain = solve(drive, options, pairs_of(drive));
   const Vector6d apart = difference(plain.result.ins_from_lidar, solved.result.ins_from_lidar);
@@ -201,16 +203,16 @@ TEST(pairwise, flat_driving_keeps_the_nominal_height_and_says_so) {
     else
       options.noise = NoiseModel{};
     const CalibrationResult result = solve(options, 4).result;
-    EXPECT_EQ(result.status, Status::Degenerate) << result.message;
+    EXPECT_EQ(result.status, Status::Degenerate) << english(result.message);
     EXPECT_FALSE(result.observed[2]);
     EXPECT_FALSE(result.sigma(2));
     EXPECT_TRUE(std::isnan(result.covariance(2, 2)) && std::isnan(result.bootstrap_sigma[2]));
     EXPECT_NEAR(result.ins_from_lidar.translation().z(), kNominal.translation().z(), 1e-9);
     EXPECT_TRUE(result.observed[0] && result.observed[1] && result.observed[3]);
     EXPECT_LT((result.ins_from_lidar.translation() - mounting().translation()).head<2>().norm(), 0.1);
-    EXPECT_NE(result.message.find(" z"), std::string::npos) << result.message;
+    EXPECT_NE(english(result.message).find(" z"), std::string::npos) << english(result.message);
     ASSERT_FALSE(result.advice.empty());
-    EXPECT_NE(result.advice.front().find("Height"), std::string::npos) << result.advice.front();
+    EXPECT_NE(english(result.advice.front()).find("Height"), std::string::npos) << english(result.advice.front());
     EXPECT_FALSE(result.directions.front().observed);
   }
 }
@@ -219,7 +221,7 @@ TEST(pairwise, straight_driving_shows_no_translation_and_no_roll) {
   DriveOptions options;
   options.tilt_rad = options.turn_rad = 0.0;
   const CalibrationResult result = solve(options, 5).result;
-  EXPECT_EQ(result.status, Status::Degenerate) << result.message;
+  EXPECT_EQ(result.status, Status::Degenerate) << english(result.message);
   for (const std::size_t i : {0, 1, 2, 5}) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
   EXPECT_LT((result.ins_from_lidar.translation() - kNominal.translation()).norm(), 1e-9) << "kept at the nominal";
   EXPECT_FALSE(result.advice.empty());
@@ -231,21 +233,23 @@ TEST(pairwise, a_bias_by_the_clock_joins_the_sigmas_and_what_it_covers_is_not_ob
   PairwiseInput input = input_of(drive, options);
   std::vector<Pair> pairs = pairs_of(drive);
   const CalibrationResult right = solve_pairwise(input, pairs, {});
-  ASSERT_EQ(right.status, Status::Ok) << right.message;
+  ASSERT_EQ(right.status, Status::Ok) << english(right.message);
   input.clock_bias = Vector6d::Unit(0) * 0.03;
   const CalibrationResult biased = solve_pairwise(input, pairs, {});
   EXPECT_NEAR(*biased.sigma(0), std::hypot(*right.sigma(0), 0.03), 1e-9);
   EXPECT_NEAR(*biased.sigma(1), *right.sigma(1), 1e-9);
   ASSERT_FALSE(biased.advice.empty());
-  EXPECT_NE(biased.advice.back().find("apply_time_offset"), std::string::npos) << biased.advice.back();
+  EXPECT_NE(english(biased.advice.back()).find("apply_time_offset"), std::string::npos)
+      << english(biased.advice.back());
   input.clock_bias = Vector6d::Unit(0) * 1.0;
   const CalibrationResult lost = solve_pairwise(input, pairs, {});
   EXPECT_EQ(lost.status, Status::Degenerate);
   EXPECT_FALSE(lost.observed[0]);
   EXPECT_TRUE(lost.observed[1]);
   EXPECT_FALSE(lost.directions.front().observed);
-  EXPECT_NE(lost.directions.front().words.find("clocks"), std::string::npos) << lost.directions.front().words;
-  for (const std::string& advice : lost.advice) EXPECT_EQ(advice.find("figure of eight"), std::string::npos) << advice;
+  EXPECT_NE(english(lost.directions.front().words).find("clocks"), std::string::npos) << lost.directions.front().words;
+  for (const std::string& advice : english(lost.advice))
+    EXPECT_EQ(advice.find("figure of eight"), std::string::npos) << advice;
 }
 
 TEST(pairwise, without_a_nominal_nothing_is_claimed_while_yaw_is_unknown) {
@@ -257,10 +261,10 @@ TEST(pairwise, without_a_nominal_nothing_is_claimed_while_yaw_is_unknown) {
   input.nominal_ins_from_lidar.reset();
   std::vector<Pair> pairs = pairs_of(drive);
   const CalibrationResult result = solve_pairwise(input, pairs, {});
-  ASSERT_FALSE(result.observed[3]) << result.message;
+  ASSERT_FALSE(result.observed[3]) << english(result.message);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_FALSE(result.observed[i]) << kParameterNames[i];
   for (const ObservabilityDirection& direction : result.directions)
-    EXPECT_FALSE(direction.observed || direction.words.ends_with("observed")) << direction.words;
+    EXPECT_FALSE(direction.observed || english(direction.words).ends_with("observed")) << direction.words;
 }
 
 TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nominal) {
@@ -271,10 +275,10 @@ TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nomi
     if (i % 25 != 0) pairs[i].registration.failure = "overlap too small";
   const CalibrationResult lost = solve(drive, options, pairs, false).result;
   EXPECT_EQ(lost.status, Status::Degenerate);
-  EXPECT_EQ(lost.message, "Nothing is known: hardly any pairs go together.");
+  EXPECT_EQ(english(lost.message), "Nothing is known: hardly any pairs go together.");
   EXPECT_EQ(parameter_names(lost.observed, true), "") << lost.pairs_accepted << " of " << pairs.size();
   const CalibrationResult guided = solve(drive, options, pairs, true).result;
-  EXPECT_NE(parameter_names(guided.observed, true), "") << guided.message;
+  EXPECT_NE(parameter_names(guided.observed, true), "") << english(guided.message);
   // Those that the user took out were not tried in vain.
   for (Pair& pair : pairs)
     if (!pair.registration.failure.empty()) {
@@ -299,7 +303,7 @@ TEST(pairwise, too_few_pairs_is_a_result_with_advice) {
   for (std::size_t i = 2; i < pairs.size(); ++i) pairs[i].registration.failure = "overlap too small: 0.1, limit 0.3";
   const Solved failed = solve(drive, options, pairs);
   EXPECT_EQ(failed.result.status, Status::TooFewPairs);
-  EXPECT_NE(failed.result.message.find("2 usable"), std::string::npos) << failed.result.message;
+  EXPECT_NE(english(failed.result.message).find("2 usable"), std::string::npos) << english(failed.result.message);
   EXPECT_FALSE(failed.result.advice.empty());
   EXPECT_EQ(solve(drive, options, {}).result.status, Status::TooFewPairs);
 }
@@ -312,7 +316,7 @@ TEST(pairwise, a_solution_outside_the_search_range_says_which_parameter) {
   std::vector<Pair> pairs = pairs_of(drive);
   const CalibrationResult result = solve_pairwise(input, pairs, {});
   EXPECT_EQ(result.status, Status::OutOfRange);
-  EXPECT_NE(result.message.find("z 1.6"), std::string::npos) << result.message;
+  EXPECT_NE(english(result.message).find("z 1.6"), std::string::npos) << english(result.message);
 }
 
 TEST(pairwise, cancelled_is_a_result) {

@@ -6,6 +6,7 @@
 
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/calibration/robust_start.h"
+#include "algorithms/messages/render.h"
 #include "algorithms/trajectory/screw.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
@@ -64,7 +65,7 @@ void expect_solved(double wrong_share, int first_seed, double most_deg, double m
       const CalibrationResult result = solve_pairwise(input, pairs, {});
       std::printf("  %zu pairs, %d rejected: %.4f deg, %.1f mm\n", pairs.size(), result.pairs_rejected,
                   error_deg(result.ins_from_lidar), 1e3 * error_m(result.ins_from_lidar));
-      ASSERT_TRUE(gives_an_answer(result)) << result.message;
+      ASSERT_TRUE(gives_an_answer(result)) << english(result.message);
       EXPECT_LE(error_deg(result.ins_from_lidar), most_deg) << "seed " << seed;
       EXPECT_LE(error_m(result.ins_from_lidar), most_m) << "seed " << seed;
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
 namespace remount {
@@ -46,7 +47,8 @@ TEST(session_agreement, sessions_that_contradict_each_other_enlarge_every_sigma_
   ASSERT_TRUE(together.sigma(3) && apart.sigma(3));
   EXPECT_GT(*apart.sigma(3), 2.5 * *together.sigma(3));
   bool reported = false;
-  for (const std::string& advice : apart.advice) reported = reported || advice.find("contradict") != std::string::npos;
+  for (const std::string& advice : english(apart.advice))
+    reported = reported || advice.find("contradict") != std::string::npos;
   EXPECT_TRUE(reported);
 }
 
@@ -58,11 +60,11 @@ TEST(session_agreement, a_session_that_all_others_contradict_is_left_out_with_th
   EXPECT_LT(rotation_angle_between_rad(result.ins_from_lidar, mounting()), 5e-4);
   EXPECT_LT(result.session_disagreement, 2.0);
   const auto of_second = static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), [](const Pair& pair) {
-    return pair.reason.find("its session contradicts") != std::string::npos;
+    return english(pair.reason).find("its session contradicts") != std::string::npos;
   }));
   EXPECT_EQ(of_second, pairs.size() / 3);
   bool reported = false;
-  for (const std::string& advice : result.advice)
+  for (const std::string& advice : english(result.advice))
     reported = reported || advice.find("Session 2 (tuesday)") != std::string::npos;
   EXPECT_TRUE(reported);
 }
@@ -71,13 +73,13 @@ TEST(session_agreement, two_mountings_are_no_result_and_a_third_session_decides)
   DriveOptions options;
   options.sessions = 2;
   const CalibrationResult two = solve(options, 4, 1.5);
-  EXPECT_EQ(two.status, Status::Inconsistent) << two.message;
+  EXPECT_EQ(two.status, Status::Inconsistent) << english(two.message);
   options.sessions = 3;
   const CalibrationResult three = solve(options, 4, 1.5);
-  EXPECT_EQ(three.status, Status::Ok) << three.message;
+  EXPECT_EQ(three.status, Status::Ok) << english(three.message);
   EXPECT_LT(rotation_angle_between_rad(three.ins_from_lidar, mounting()), 5e-4);
   bool reported = false;
-  for (const std::string& advice : three.advice)
+  for (const std::string& advice : english(three.advice))
     reported = reported || advice.find("Session 2 (tuesday)") != std::string::npos;
   EXPECT_TRUE(reported);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/slew_yard.h"
 
 namespace remount {
@@ -15,7 +16,7 @@ SlewResult solve(const YardTruth& yard, const SlewOptions& options = {}, int see
 
 void expect_refused(const SlewResult& result, Status status, const char* reason) {
   EXPECT_EQ(result.calibration.status, status) << to_string(result.calibration.status);
-  EXPECT_NE(result.calibration.message.find(reason), std::string::npos) << result.calibration.message;
+  EXPECT_NE(english(result.calibration.message).find(reason), std::string::npos) << english(result.calibration.message);
   EXPECT_FALSE(result.calibration.advice.empty());
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_FALSE(result.calibration.observed[i]);
@@ -33,7 +34,7 @@ TEST(slew, exact_recordings_give_the_exact_mounting) {
     options.first_plane = first;
     const YardTruth yard;
     const SlewResult result = solve(yard, options);
-    EXPECT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+    EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
     EXPECT_EQ(result.calibration.reference_frame, "machine");
     EXPECT_LT(distance_of(result.calibration.ins_from_lidar, yard.machine_from_lidar), 2e-3);
     EXPECT_FALSE(result.quantities.empty());
@@ -49,7 +50,7 @@ TEST(slew, noisy_recordings_find_rotation_and_slew_centre) {
     const SlewResult result = solve(yard, options, 3);
     const Eigen::Vector3d off = result.calibration.ins_from_lidar.translation() - yard.machine_from_lidar.translation();
     std::printf("  rotation %.4f deg, centre %.4f m\n", rotation_deg(result, yard), off.norm());
-    EXPECT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+    EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
     EXPECT_LT(rotation_deg(result, yard), 0.05);
     EXPECT_LT(off.norm(), 0.01);
   }
@@ -84,7 +85,7 @@ TEST(slew, errors_are_as_large_as_the_covariance_says) {
     constexpr int kSeeds = 60;
     for (int seed = 0; seed < kSeeds; ++seed) {
       const SlewResult result = solve(yard, options, 100 + seed);
-      ASSERT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+      ASSERT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
       const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar),
                           exact = six_from_rigid(yard.machine_from_lidar);
       Vector6d error;
@@ -123,7 +124,7 @@ TEST(slew, errors_with_the_origin_on_the_ground_and_an_error_of_the_first_scan_i
                     [&](const Eigen::Vector3d& point) { return (yard.machine_from_lidar * point).x() < 0.0; });
       Progress progress;
       const SlewResult result = solve_slew(data, std::nullopt, options, SolveOptions{}, progress);
-      ASSERT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+      ASSERT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
       const SixParameters found = six_from_rigid(result.calibration.ins_from_lidar), exact = six_from_rigid(truth);
       Vector6d error;
       error << found.x_m - exact.x_m, found.y_m - exact.y_m, found.z_m - exact.z_m, found.yaw_rad - exact.yaw_rad,

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/calibration/pairwise.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
 namespace remount {
@@ -38,7 +39,7 @@ Vector6d residual_under(const RigidTransform& x, const Pair& pair) {
 
 TEST(told_residuals, are_under_the_x_that_is_exported_where_z_is_not_observed) {
   const Told told = nearly_flat_drive();
-  ASSERT_EQ(told.result.status, Status::Degenerate) << told.result.message;
+  ASSERT_EQ(told.result.status, Status::Degenerate) << english(told.result.message);
   ASSERT_FALSE(told.result.observed[2]);
   double translation2 = 0.0, rotation2 = 0.0;
   for (const Pair& pair : told.pairs) {
@@ -65,7 +66,7 @@ TEST(told_residuals, reasons_of_rejection_give_the_numbers_of_their_pairs) {
     char numbers[80];
     std::snprintf(numbers, sizeof numbers, "%.3f m, %.3f deg", pair.residual_translation_m,
                   radians_to_degrees(pair.residual_rotation_rad));
-    EXPECT_NE(pair.reason.find(numbers), std::string::npos) << pair.reason << " but " << numbers;
+    EXPECT_NE(english(pair.reason).find(numbers), std::string::npos) << english(pair.reason) << " but " << numbers;
   }
   EXPECT_GT(rejected, 10);
 }

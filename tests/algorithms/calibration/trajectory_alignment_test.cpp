@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
 namespace remount {
@@ -50,7 +51,7 @@ TEST(trajectory_alignment, exact_data_give_x_without_a_nominal) {
   drive.ins_from_lidar = rigid_from_six({1.2, -0.4, 0.9, 1.5, -0.1, 0.2});
   const TrajectoryOutcome outcome = solve(problem_of({drive}));
   print("exact", outcome.answer.result, drive.ins_from_lidar);
-  EXPECT_EQ(outcome.answer.result.status, Status::Ok) << outcome.answer.result.message;
+  EXPECT_EQ(outcome.answer.result.status, Status::Ok) << english(outcome.answer.result.message);
   // Without a nominal the weak prior (2 m about the INS) draws z by less than a hundredth of its sigma.
   EXPECT_LT(error_of(outcome.answer.result, drive.ins_from_lidar).cwiseAbs().maxCoeff(), 1e-4);
 }
@@ -64,7 +65,7 @@ TEST(trajectory_alignment, noise_stays_within_the_stated_sigma) {
     drive.seed = static_cast<unsigned>(seed);
     const TrajectoryOutcome outcome = solve(problem_of({drive}));
     const CalibrationResult& result = outcome.answer.result;
-    ASSERT_EQ(result.status, Status::Ok) << result.message;
+    ASSERT_EQ(result.status, Status::Ok) << english(result.message);
     const Vector6d error = error_of(result, drive.ins_from_lidar);
     chi2 += error.dot(result.covariance.ldlt().solve(error)) / 6.0;
     squares += error.cwiseAbs2().cwiseQuotient(result.covariance.diagonal());
@@ -93,14 +94,14 @@ TEST(trajectory_alignment, positions_alone_give_the_lever_arm_and_say_so) {
     EXPECT_EQ(result.reference_frame, "antenna");
     EXPECT_EQ(result.status, Status::Degenerate);
     for (const std::size_t angle : {3, 4, 5}) EXPECT_FALSE(result.observed[angle]);
-    ASSERT_TRUE(result.observed[0] && result.observed[1] && result.observed[2]) << result.message;
+    ASSERT_TRUE(result.observed[0] && result.observed[1] && result.observed[2]) << english(result.message);
     const Eigen::Vector3d error = result.ins_from_lidar.translation() + drive.antenna_in_lidar;
     const Eigen::Matrix3d covariance = result.covariance.topLeftCorner<3, 3>();
     chi2 += error.dot(covariance.ldlt().solve(error)) / 3.0;
     ASSERT_EQ(outcome.answer.quantities.front().name, "lever arm x");
     EXPECT_NEAR(outcome.answer.quantities.front().value, drive.antenna_in_lidar.x(), 0.1);
     if (seed == 1) {
-      std::printf("  %s\n", result.message.c_str());
+      std::printf("  %s\n", english(result.message).c_str());
       for (const NamedQuantity& quantity : outcome.answer.quantities)
         std::printf("  %s %.4f +- %.4f %s\n", quantity.name.c_str(), quantity.value, quantity.sigma,
                     quantity.unit.c_str());
@@ -130,7 +131,7 @@ TEST(trajectory_alignment, errors_of_gnss_that_last_stay_within_the_stated_sigma
         if (positions_only) truth = make_rigid(Eigen::Matrix3d::Identity(), -drive.antenna_in_lidar);
         const Eigen::VectorXd error = error_of(result, truth).head(size);
         const Eigen::MatrixXd covariance = result.covariance.topLeftCorner(size, size);
-        ASSERT_TRUE(covariance.allFinite()) << result.message;
+        ASSERT_TRUE(covariance.allFinite()) << english(result.message);
         chi2 += error.dot(covariance.ldlt().solve(error)) / size;
         if (seed == 1) print(positions_only ? "positions" : "poses", result, truth);
       }
@@ -171,7 +172,7 @@ TEST(trajectory_alignment, flat_and_straight_drives_leave_open_what_they_do_not_
   straight.antenna = true;
   problem.sessions = {trajectory_session(straight)};
   const CalibrationResult antenna = solve(problem).answer.result;
-  EXPECT_FALSE(antenna.observed[0] || antenna.observed[1] || antenna.observed[2]) << antenna.message;
+  EXPECT_FALSE(antenna.observed[0] || antenna.observed[1] || antenna.observed[2]) << english(antenna.message);
 }
 
 TEST(trajectory_alignment, what_was_measured_by_hand_closes_what_the_drive_leaves_open) {
@@ -186,7 +187,7 @@ TEST(trajectory_alignment, what_was_measured_by_hand_closes_what_the_drive_leave
   const CalibrationResult result = solve(problem).answer.result;
   print("height by tape", result, flat.ins_from_lidar);
   EXPECT_TRUE(result.measured[2] && !result.measured[0]);
-  ASSERT_TRUE(result.observed[2]) << result.message;
+  ASSERT_TRUE(result.observed[2]) << english(result.message);
   EXPECT_NEAR(result.ins_from_lidar.translation().z(), tape.z_m, tape.z_sigma_m);
   EXPECT_NEAR(result.sigma(2).value(), 0.01, 0.002);
   for (std::size_t i = 0; i < 6; ++i)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/calibration/trajectory_alignment.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
 namespace remount {
@@ -28,11 +29,14 @@ TEST(trajectory_refusal, a_scale_that_is_far_from_one_is_refused_with_that_reaso
       for (unsigned seed = 31; seed <= 33; ++seed) {
         const CalibrationResult result =
             solve_alignment(of_scale(units_per_metre, seed, over_scans), {}, {}, Progress{}).answer.result;
-        EXPECT_EQ(result.status, Status::Inconsistent) << units_per_metre << ": " << result.message;
-        EXPECT_EQ(result.message.find(units_per_metre < 1.0 ? "The way of the INS is" : "The way of the LiDAR is"), 0u)
-            << result.message;
-        EXPECT_EQ(result.message.find("slipped") != std::string::npos, over_scans) << result.message;
-        EXPECT_EQ(result.message.find("another drive") == std::string::npos, over_scans) << result.message;
+        EXPECT_EQ(result.status, Status::Inconsistent) << units_per_metre << ": " << english(result.message);
+        EXPECT_EQ(
+            english(result.message).find(units_per_metre < 1.0 ? "The way of the INS is" : "The way of the LiDAR is"),
+            0u)
+            << english(result.message);
+        EXPECT_EQ(english(result.message).find("slipped") != std::string::npos, over_scans) << english(result.message);
+        EXPECT_EQ(english(result.message).find("another drive") == std::string::npos, over_scans)
+            << english(result.message);
         EXPECT_EQ(result.advice.size(), 1u);
       }
 }
@@ -41,12 +45,12 @@ TEST(trajectory_refusal, a_scale_that_the_settings_expect_is_none_to_refuse) {
   for (const double units_per_metre : {0.98, 1.02, 1.12}) {
     const CalibrationResult result =
         solve_alignment(of_scale(units_per_metre, 34, true), {}, {}, Progress{}).answer.result;
-    EXPECT_EQ(result.status, Status::Ok) << units_per_metre << ": " << result.message;
+    EXPECT_EQ(result.status, Status::Ok) << units_per_metre << ": " << english(result.message);
   }
   TrajectoryOptions options;
   options.odometry_scale_percent = 20.0;
   const CalibrationResult wide = solve_alignment(of_scale(1.3, 35, false), options, {}, Progress{}).answer.result;
-  EXPECT_EQ(wide.status, Status::Ok) << wide.message;
+  EXPECT_EQ(wide.status, Status::Ok) << english(wide.message);
 }
 
 TEST(trajectory_refusal, what_only_does_not_come_together_is_of_no_other_scale) {

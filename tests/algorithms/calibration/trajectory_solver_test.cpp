@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/calibration/trajectory_alignment.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/trajectory_drive.h"
 
 namespace remount {
@@ -24,7 +25,7 @@ TEST(trajectory_solver, an_odometry_of_another_drive_is_not_aligned) {
                   std::string(to_string(outcome.answer.result.status)).c_str());
       for (const double factor : outcome.solution.noise.factor) std::printf(" %.2f", factor);
       std::printf("\n");
-      EXPECT_EQ(outcome.answer.result.status, Status::NotConverged) << outcome.answer.result.message;
+      EXPECT_EQ(outcome.answer.result.status, Status::NotConverged) << english(outcome.answer.result.message);
     }
 }
 
@@ -84,7 +85,7 @@ TEST(trajectory_solver, flat_ground_and_noisy_attitudes_are_aligned_after_few_st
     std::printf("  seed %u: %s after %d steps\n", seed, outcome.solution.converged ? "converged" : "not converged",
                 outcome.solution.iterations);
     EXPECT_TRUE(outcome.solution.converged);
-    EXPECT_EQ(outcome.answer.result.status, Status::Degenerate) << outcome.answer.result.message;
+    EXPECT_EQ(outcome.answer.result.status, Status::Degenerate) << english(outcome.answer.result.message);
     EXPECT_LT(outcome.solution.iterations, 100);
   }
 }

@@ -6,6 +6,7 @@
 
 #include "algorithms/calibration/vehicle_frame_equations.h"
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/wheel_drive.h"
 
 namespace remount {
@@ -50,7 +51,7 @@ TEST(vehicle_frame, exact_signals_give_the_exact_mounting) {
   drive.gyro_bias_radps = {0.01, -0.02, 0.005};
   const VehicleFrameResult result = solve(drive, 1);
   const Errors errors = errors_of(result, drive);
-  EXPECT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+  EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
   EXPECT_EQ(result.calibration.reference_frame, "vehicle");
   EXPECT_LT(errors.rotation_deg, 0.005);
   EXPECT_LT(errors.lever_m.norm(), 0.002);
@@ -62,7 +63,7 @@ TEST(vehicle_frame, hills_determine_rotation_position_and_height) {
   const WheelDriveOptions drive = noisy_drive();
   const VehicleFrameResult result = solve(drive, 2);
   const Errors errors = errors_of(result, drive);
-  EXPECT_EQ(result.calibration.status, Status::Ok) << result.calibration.message;
+  EXPECT_EQ(result.calibration.status, Status::Ok) << english(result.calibration.message);
   EXPECT_LT(errors.rotation_deg, 0.1);
   EXPECT_LT(std::abs(errors.lever_m.x()), 0.02);
   EXPECT_LT(std::abs(errors.lever_m.y()), 0.02);
@@ -117,7 +118,7 @@ TEST(vehicle_frame, an_imu_mounted_in_any_way_is_found) {
   drive.reference = false;
   const VehicleFrameResult alone = solve(drive, 4, options);
   const double alone_deg = errors_of(alone, drive).rotation_deg;
-  ASSERT_TRUE(alone.calibration.sigma(5)) << alone.calibration.message;
+  ASSERT_TRUE(alone.calibration.sigma(5)) << english(alone.calibration.message);
   EXPECT_LT(alone_deg, std::max(0.1, 4.0 * radians_to_degrees(*alone.calibration.sigma(5))));
 }
 
@@ -140,7 +141,8 @@ TEST(vehicle_frame, flat_ground_leaves_the_height_unobserved_at_its_nominal) {
     EXPECT_LT(std::abs(errors.lever_m.x()), 0.02);
     EXPECT_LT(std::abs(errors.lever_m.y()), 0.02);
     std::string words;
-    for (const ObservabilityDirection& direction : result.calibration.directions) words += direction.words + "\n";
+    for (const ObservabilityDirection& direction : result.calibration.directions)
+      words += english(direction.words) + "\n";
     EXPECT_NE(words.find("z (height): not observable, flat driving"), std::string::npos) << words;
     EXPECT_FALSE(result.calibration.advice.empty());
   }
@@ -173,7 +175,7 @@ TEST(vehicle_frame, straight_driving_claims_neither_position_nor_roll) {
   const RigidTransform nominal = drive.vehicle_from_sensor;
   const VehicleFrameResult result = solve(drive, 7, {}, nominal);
   errors_of(result, drive);
-  EXPECT_EQ(result.calibration.status, Status::Degenerate) << result.calibration.message;
+  EXPECT_EQ(result.calibration.status, Status::Degenerate) << english(result.calibration.message);
   for (const int i : {0, 1, 2, 5}) EXPECT_FALSE(result.calibration.observed[static_cast<std::size_t>(i)]) << i;
   EXPECT_TRUE(result.calibration.observed[3]);
   EXPECT_TRUE(result.calibration.observed[4]);
@@ -291,7 +293,7 @@ TEST(vehicle_frame, too_little_data_is_said_so) {
   drive.duration_s = 2.0;
   const VehicleFrameResult result = solve(drive, 10);
   EXPECT_EQ(result.calibration.status, Status::TooFewPairs);
-  EXPECT_FALSE(result.calibration.message.empty());
+  EXPECT_FALSE(english(result.calibration.message).empty());
   EXPECT_FALSE(result.calibration.advice.empty());
 }
 

@@ -7,6 +7,7 @@
 #include "algorithms/calibration/search_range.h"
 #include "algorithms/calibration/solve_options.h"
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "algorithms/registration/registration_options.h"
 #include "algorithms/trajectory/keyframes.h"
 #include "algorithms/trajectory/pairing.h"
@@ -40,7 +41,7 @@ TEST(error, tells_where_before_what_and_keeps_both) {
   const Error error(ErrorCode::Format, "scan.pcd:7", "expected a number");
   EXPECT_STREQ(error.what(), "scan.pcd:7: expected a number");
   EXPECT_EQ(error.where(), "scan.pcd:7");
-  EXPECT_EQ(error.what_happened(), "expected a number");
+  EXPECT_EQ(english(error.what_happened()), "expected a number");
   EXPECT_EQ(error.code(), ErrorCode::Format);
   EXPECT_STREQ(Error(ErrorCode::Io, "", "disk full").what(), "disk full");
 }

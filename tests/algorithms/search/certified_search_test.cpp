@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <ctime>
 
+#include "algorithms/messages/render.h"
 #include "algorithms/search/boxed_form.h"
 #include "algorithms/search/candidates.h"
 #include "tests/algorithms/support/random_motion.h"
@@ -103,8 +104,8 @@ double exhaustive(const QuadraticForm& form, const SearchRange& range, std::mt19
 
 void expect_certified(const QuadraticForm& form, const SearchRange& range, const Timed& timed) {
   const SearchResult& result = timed.result;
-  EXPECT_EQ(result.outcome, SearchOutcome::Certified) << result.message;
-  EXPECT_LE(result.gap(), result.allowed_gap) << result.message;
+  EXPECT_EQ(result.outcome, SearchOutcome::Certified) << english(result.message);
+  EXPECT_LE(result.gap(), result.allowed_gap) << english(result.message);
   const double scale = form.matrix().topLeftCorner<9, 9>().trace() + form.matrix()(12, 12);
   EXPECT_LE(result.allowed_gap, std::max(1e-6 * result.value, 1e-12 * scale));
   EXPECT_EQ(outside_range(result.ins_from_lidar, range), "");
@@ -131,7 +132,7 @@ void expect_bound_holds(const QuadraticForm& form, const SearchRange& range, con
     least = std::min(least, form.value(boxed.best_at(at(six).linear())));
   }
   const double rounding = 1e-14 * (form.matrix().topLeftCorner<9, 9>().trace() + form.matrix()(12, 12));
-  EXPECT_GE(least, result.lower_bound - rounding) << result.message;
+  EXPECT_GE(least, result.lower_bound - rounding) << english(result.message);
 }
 
 TEST(certified_search, finds_the_truth_anywhere_in_the_default_range) {
@@ -145,7 +146,7 @@ TEST(certified_search, finds_the_truth_anywhere_in_the_default_range) {
       const Timed timed = search(form, range);
       expect_certified(form, range, timed);
       EXPECT_LT(rotation_angle_between_rad(timed.result.ins_from_lidar, truth), noise > 0.0 ? 5e-3 : 1e-6);
-      EXPECT_TRUE(timed.result.unique) << timed.result.message;
+      EXPECT_TRUE(timed.result.unique) << english(timed.result.message);
       slowest = std::max(slowest, timed.seconds);
     }
   std::printf("  slowest %.1f ms\n", 1e3 * slowest);
@@ -187,8 +188,8 @@ TEST(certified_search, the_bound_holds_and_an_exhaustive_grid_finds_nothing_bett
     expect_certified(form, range, timed);
     expect_bound_holds(form, range, timed.result, random);
     const double best = exhaustive(form, range, random);
-    EXPECT_GE(best, timed.result.value - timed.result.allowed_gap) << trial << ": " << timed.result.message;
-    EXPECT_LE(timed.result.value, best + timed.result.allowed_gap) << trial << ": " << timed.result.message;
+    EXPECT_GE(best, timed.result.value - timed.result.allowed_gap) << trial << ": " << english(timed.result.message);
+    EXPECT_LE(timed.result.value, best + timed.result.allowed_gap) << trial << ": " << english(timed.result.message);
     slowest = std::max(slowest, timed.seconds);
     regions = std::max(regions, timed.result.regions);
   }
@@ -249,7 +250,8 @@ TEST(certified_search, planar_and_straight_driving_are_certified_and_said_not_to
       const Timed timed = search(form, range, make_rigid(Eigen::Matrix3d::Identity(), {0.0, 0.0, 1.25}));
       expect_certified(form, range, timed);
       EXPECT_FALSE(timed.result.unique);
-      EXPECT_NE(timed.result.message.find("others score the same"), std::string::npos) << timed.result.message;
+      EXPECT_NE(english(timed.result.message).find("others score the same"), std::string::npos)
+          << english(timed.result.message);
       if (noise == 0.0) {
         EXPECT_NEAR(timed.result.ins_from_lidar.translation().z(), 1.25, 1e-6) << "nothing moves the height";
       }
@@ -268,7 +270,7 @@ TEST(certified_search, limits_of_no_width_are_kept) {
   range.roll_min_rad = range.roll_max_rad = 0.1;
   const SearchResult held_roll = search(form, range).result;
   EXPECT_NEAR(six_from_rigid(held_roll.ins_from_lidar).roll_rad, 0.1, 1e-9);
-  EXPECT_LT(held_roll.gap(), 1e-4 * held_roll.value) << held_roll.message;
+  EXPECT_LT(held_roll.gap(), 1e-4 * held_roll.value) << english(held_roll.message);
 }
 
 TEST(certified_search, time_does_not_depend_on_the_number_of_pairs) {
@@ -307,7 +309,7 @@ TEST(certified_search, says_why_not) {
   const SearchResult open = certified_search(form, {}, RigidTransform::Identity(), none, {});
   EXPECT_EQ(open.outcome, SearchOutcome::GapOpen);
   EXPECT_EQ(open.lower_bound, 0.0);
-  EXPECT_FALSE(open.message.empty());
+  EXPECT_FALSE(english(open.message).empty());
 }
 
 TEST(certified_search, nothing_to_go_by_is_not_unique) {

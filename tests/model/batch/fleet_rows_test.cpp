@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "algorithms/messages/render.h"
 #include "model/batch/failed_job.h"
 #include "model/batch/fleet_table.h"
 #include "model/io/csv_table.h"
@@ -76,8 +77,8 @@ TEST_F(fleet_rows_of, a_result_of_other_topics_is_out_of_date) {
   const auto message = [&](std::size_t job, const TopicChoice& topics) {
     fleet_.vehicles[0].topics = topics;
     const FleetRow row = fleet_rows(fleet_)[job];
-    EXPECT_EQ(row.state == JobState::Done, row.message.empty()) << row.message;
-    return row.message;
+    EXPECT_EQ(row.state == JobState::Done, english(row.message).empty()) << english(row.message);
+    return english(row.message);
   };
   EXPECT_EQ(message(0, {}), "") << "suggested ones are known to the bag alone";
   EXPECT_EQ(message(0, {{"lidar", "/front/points"}, {"gnss", "none"}}), "");
@@ -100,9 +101,9 @@ TEST_F(fleet_rows_of, what_is_not_usable_or_not_observed_is_passed_over) {
   make(2, flat);
   std::ofstream(folder_.path() / "before.yaml") << "format: something else\n";
   const std::vector<FleetRow> rows = fleet_rows(fleet_);
-  EXPECT_NE(rows[0].last.words.find("before.yaml:1"), std::string::npos) << rows[0].last.words;
+  EXPECT_NE(english(rows[0].last.words).find("before.yaml:1"), std::string::npos) << rows[0].last.words;
   EXPECT_EQ(rows[1].state, JobState::Done);
-  EXPECT_EQ(rows[1].message, "It went in circles.");
+  EXPECT_EQ(english(rows[1].message), "It went in circles.");
   EXPECT_EQ(rows[1].last.drift, "");
   EXPECT_EQ(rows[2].last.since, "mon") << "the one in between has nothing to use";
   EXPECT_NEAR(rows[2].last.change.difference[0], 0.001, 1e-12);
@@ -122,14 +123,15 @@ TEST_F(fleet_rows_of, failures_damaged_results_and_other_settings_are_told_apart
   make(3, old);
   const std::vector<FleetRow> rows = fleet_rows(fleet_);
   EXPECT_EQ(rows[0].state, JobState::Failed);
-  EXPECT_EQ(rows[0].message, "tue/ins.csv: does not exist");
+  EXPECT_EQ(english(rows[0].message), "tue/ins.csv: does not exist");
   EXPECT_FALSE(rows[0].result) << "it is of what is no longer there";
   EXPECT_EQ(rows[1].state, JobState::Failed);
-  EXPECT_NE(rows[1].message.find(fleet_.jobs[1].result.string()), std::string::npos) << rows[1].message;
+  EXPECT_NE(english(rows[1].message).find(fleet_.jobs[1].result.string()), std::string::npos)
+      << english(rows[1].message);
   EXPECT_EQ(rows[2].state, JobState::OutOfDate);
-  EXPECT_NE(rows[2].message.find("pairing.max_gap_s 7, now"), std::string::npos) << rows[2].message;
+  EXPECT_NE(english(rows[2].message).find("pairing.max_gap_s 7, now"), std::string::npos) << english(rows[2].message);
   EXPECT_EQ(rows[3].state, JobState::OutOfDate);
-  EXPECT_NE(rows[3].message.find("0.0.1"), std::string::npos) << rows[3].message;
+  EXPECT_NE(english(rows[3].message).find("0.0.1"), std::string::npos) << english(rows[3].message);
   EXPECT_EQ(fleet_counts(rows), "4 jobs: 0 solved, 2 failed, 2 out of date; no drift");
 }
 
@@ -143,13 +145,14 @@ TEST_F(fleet_rows_of, a_failure_from_before_a_change_counts_no_more) {
   ASSERT_TRUE(is_file(job.failure));
   const auto row = [&] { return fleet_rows(fleet_)[3]; };
   EXPECT_EQ(row().state, JobState::Failed);
-  EXPECT_EQ(row().message, "/a: cannot serve as lidar\nsecond line") << "what it was asked for is not part of it";
-  EXPECT_EQ(failure_message(job), row().message);
+  EXPECT_EQ(english(row().message), "/a: cannot serve as lidar\nsecond line")
+      << "what it was asked for is not part of it";
+  EXPECT_EQ(failure_message(job), english(row().message));
 
   const auto expect_waits = [&](const std::string& why) {
     EXPECT_EQ(row().state, JobState::Waiting);
-    EXPECT_EQ(row().message.find(why), 0U) << row().message;
-    EXPECT_NE(row().message.find("before that it failed: /a: cannot serve as lidar"), std::string::npos);
+    EXPECT_EQ(english(row().message).find(why), 0U) << english(row().message);
+    EXPECT_NE(english(row().message).find("before that it failed: /a: cannot serve as lidar"), std::string::npos);
     EXPECT_NE(fleet_text(fleet_, {row()}).find("waiting, " + why), std::string::npos) << fleet_text(fleet_, {row()});
   };
   vehicle.topics["lidar"] = "/b";
@@ -183,8 +186,8 @@ TEST_F(fleet_rows_of, a_failure_is_old_where_a_session_was_written_since) {
   std::ofstream(job.sessions[0] / "ins.csv") << "time\n";
   const FleetRow row = fleet_rows(fleet_)[3];
   EXPECT_EQ(row.state, JobState::Waiting);
-  EXPECT_NE(row.message.find("mon has changed; before that it failed: mon: does not exist"), std::string::npos)
-      << row.message;
+  EXPECT_NE(english(row.message).find("mon has changed; before that it failed: mon: does not exist"), std::string::npos)
+      << english(row.message);
 }
 
 TEST_F(fleet_rows_of, the_table_names_result_files_that_are_there) {
@@ -225,7 +228,7 @@ TEST_F(fleet_rows_of, a_slow_creep_is_drift_from_the_oldest_calibration) {
   EXPECT_FALSE(rows[1].has_reference_of_its_own) << "the last one is the reference";
   EXPECT_EQ(rows[2].reference.since, "mon");
   EXPECT_EQ(rows[2].drift(), "") << "16 mm";
-  std::printf("creep: %s\n", rows[2].reference.words.c_str());
+  std::printf("creep: %s\n", english(rows[2].reference.words).c_str());
 }
 
 TEST_F(fleet_rows_of, a_reference_that_is_named_stands_before_the_oldest) {
@@ -242,7 +245,7 @@ TEST_F(fleet_rows_of, a_reference_that_is_named_stands_before_the_oldest) {
   // One that cannot be read is said, and no other is taken in its place.
   std::filesystem::remove(folder_.path() / "refitted.yaml");
   rows = fleet_rows(fleet_);
-  EXPECT_NE(rows[1].reference.words.find("refitted.yaml"), std::string::npos) << rows[1].reference.words;
+  EXPECT_NE(english(rows[1].reference.words).find("refitted.yaml"), std::string::npos) << rows[1].reference.words;
   EXPECT_EQ(rows[1].reference.since, "");
 }
 
@@ -271,7 +274,7 @@ TEST_F(fleet_rows_of, what_has_changed_beside_the_result_is_asked_and_named) {
   });
   EXPECT_EQ(rows[0].state, JobState::Done);
   EXPECT_EQ(rows[1].state, JobState::OutOfDate);
-  EXPECT_EQ(rows[1].message, "tue/ins.csv has changed");
+  EXPECT_EQ(english(rows[1].message), "tue/ins.csv has changed");
   EXPECT_TRUE(rows[1].result) << "it is shown, as what it is";
 }
 

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/document.h"
 #include "tests/model/io/random_values.h"
 #include "tests/model/io/temporary_folder.h"
@@ -26,7 +27,7 @@ class fleet_file : public ::testing::Test {
       EXPECT_EQ(error.code(), ErrorCode::Format) << error.what();
       EXPECT_NE(std::string(error.what()).find("fleet.yaml" + where), std::string::npos) << error.what() << "\nof\n"
                                                                                          << text;
-      EXPECT_NE(error.what_happened().find(expectation), std::string::npos) << error.what();
+      EXPECT_NE(english(error.what_happened()).find(expectation), std::string::npos) << error.what();
     }
   }
 

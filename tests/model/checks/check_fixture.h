@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 
 namespace remount {
@@ -39,14 +40,15 @@ inline std::vector<Finding> found_by(const DataCheck& check, const Session& sess
 
 /// The same, and printed.
 inline std::vector<Finding> printed(std::vector<Finding> findings) {
-  for (const Finding& finding : findings) std::printf("[%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
+  for (const Finding& finding : findings)
+    std::printf("[%s] %s\n", finding.code.c_str(), english(finding.explanation).c_str());
   return findings;
 }
 
 /// The explanation of the first finding of that code; "" where there is none.
 inline std::string said_of(const std::vector<Finding>& findings, const std::string& code) {
   for (const Finding& finding : findings)
-    if (finding.code == code) return finding.explanation;
+    if (finding.code == code) return english(finding.explanation);
   return "";
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "algorithms/messages/render.h"
 #include "model/io/session_reader.h"
 #include "model/report/drawing.h"
 #include "model/report/report.h"
@@ -121,8 +122,9 @@ TEST(data_checks, recorded_drives_raise_no_problem) {
     if (session.format.empty()) continue;
     ++opened;
     for (const Finding& finding : session.findings) {
-      std::printf("%s: %s [%s]\n", entry.path().filename().c_str(), finding.explanation.c_str(), finding.code.c_str());
-      EXPECT_NE(finding.severity, Severity::Problem) << entry.path() << ": " << finding.explanation;
+      std::printf("%s: %s [%s]\n", entry.path().filename().c_str(), english(finding.explanation).c_str(),
+                  finding.code.c_str());
+      EXPECT_NE(finding.severity, Severity::Problem) << entry.path() << ": " << english(finding.explanation);
     }
   }
   EXPECT_GT(opened, 0U);

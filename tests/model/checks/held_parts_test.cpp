@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/builtin.h"
 #include "model/io/session_reader.h"
 #include "model/session_frames.h"
@@ -48,7 +49,7 @@ TEST(held_part_check, attitudes_that_are_held_are_named_with_the_step) {
   const std::vector<Finding> findings = found_held(held(simulated(), 20, Part::Attitude));
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].code, "ins-attitude-held");
-  EXPECT_NE(findings[0].explanation.find("for 0.200 s at a time (20 samples)"), std::string::npos);
+  EXPECT_NE(english(findings[0].explanation).find("for 0.200 s at a time (20 samples)"), std::string::npos);
   EXPECT_TRUE(has_code(found_held(held(simulated(), 5, Part::Attitude)), "ins-attitude-held"));
   EXPECT_TRUE(
       has_code(found_held(held(simulated(ScenarioKind::FigureEight), 10, Part::Attitude)), "ins-attitude-held"));
@@ -58,7 +59,7 @@ TEST(held_part_check, positions_that_are_held_are_named_with_the_step) {
   const std::vector<Finding> findings = found_held(held(simulated(), 20, Part::Position));
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].code, "ins-position-held");
-  EXPECT_NE(findings[0].explanation.find("for 0.200 s at a time (20 samples)"), std::string::npos);
+  EXPECT_NE(english(findings[0].explanation).find("for 0.200 s at a time (20 samples)"), std::string::npos);
   EXPECT_EQ(found_held(held(held(simulated(), 10, Part::Position), 10, Part::Attitude)).size(), 2U) << "both";
 }
 
@@ -68,12 +69,14 @@ TEST(held_part_check, one_number_that_is_held_is_named) {
         found_held(held(simulated(ScenarioKind::FigureEight), samples, Part::Heading));
     ASSERT_EQ(headings.size(), 1U) << samples;
     EXPECT_EQ(headings[0].code, "ins-attitude-held");
-    EXPECT_EQ(headings[0].explanation.find("The heading alone stands still"), 0U) << headings[0].explanation;
+    EXPECT_EQ(english(headings[0].explanation).find("The heading alone stands still"), 0U)
+        << english(headings[0].explanation);
   }
   const std::vector<Finding> latitudes = found_held(held(simulated(), 10, Part::Latitude));
   ASSERT_EQ(latitudes.size(), 1U);
   EXPECT_EQ(latitudes[0].code, "ins-position-held");
-  EXPECT_EQ(latitudes[0].explanation.find("One number of the position, latitude, stands still for 0.100 s"), 0U);
+  EXPECT_EQ(english(latitudes[0].explanation).find("One number of the position, latitude, stands still for 0.100 s"),
+            0U);
   Session poses;
   poses.world_from_ins = metric_poses(simulated());
   for (std::size_t i = 0; i < poses.world_from_ins.size(); ++i)

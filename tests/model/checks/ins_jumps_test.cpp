@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/builtin.h"
 #include "model/session_report.h"
 #include "model/simulator/simulator.h"
@@ -53,8 +54,8 @@ TEST(ins_jump_check, one_bad_position_is_one_jump_at_every_rate) {
     spike.ins[250].height_m -= 50.0;
     const std::vector<Finding> findings = found_by(ins_jump_check(), spike);
     ASSERT_EQ(findings.size(), 1U) << rate_hz;
-    EXPECT_EQ(findings[0].explanation.find("The position jumps once, by 50.0"), 0U)
-        << rate_hz << ": " << findings[0].explanation;
+    EXPECT_EQ(english(findings[0].explanation).find("The position jumps once, by 50.0"), 0U)
+        << rate_hz << ": " << english(findings[0].explanation);
   }
 }
 

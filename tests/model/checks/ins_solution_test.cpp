@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/builtin.h"
 #include "tests/model/checks/check_fixture.h"
 
@@ -8,7 +9,7 @@ namespace {
 
 TEST(ins_solution_check, nothing_is_wrong_with_a_good_drive) {
   EXPECT_TRUE(data_findings(good_drive(), LookAt::StreamsAndScans, Progress()).empty())
-      << data_findings(good_drive(), LookAt::Streams, Progress())[0].explanation;
+      << english(data_findings(good_drive(), LookAt::Streams, Progress())[0].explanation);
   EXPECT_TRUE(data_findings(Session{}, LookAt::StreamsAndScans, Progress()).empty());
 }
 

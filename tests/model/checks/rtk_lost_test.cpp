@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/builtin.h"
 #include "tests/model/checks/check_fixture.h"
 
@@ -26,7 +27,8 @@ TEST(rtk_check, fixes_of_a_receiver_are_judged_alike) {
   const std::vector<Finding> findings = found_by(rtk_check(), session);
   ASSERT_TRUE(has_code(findings, "rtk-lost"));
   EXPECT_EQ(findings[0].where, "GNSS");
-  EXPECT_NE(findings[0].explanation.find("in 2 stretches, 20 %"), std::string::npos) << findings[0].explanation;
+  EXPECT_NE(english(findings[0].explanation).find("in 2 stretches, 20 %"), std::string::npos)
+      << english(findings[0].explanation);
 }
 
 TEST(rtk_check, errors_that_stay_the_same_or_are_not_stated_say_nothing) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/checks/builtin.h"
 #include "tests/model/checks/check_fixture.h"
 
@@ -45,7 +46,7 @@ TEST(scan_check, few_points_are_named) {
   const std::vector<Finding> torn = found({{20000, 0}, {20000, 0}, {20000, 0}, {1500, 0}, {20000, 0}});
   ASSERT_TRUE(has_code(torn, "scan-few-points")) << "a tenth of the others";
   EXPECT_EQ(torn[0].where, "scan 3");
-  EXPECT_EQ(torn[0].explanation, "The scan has 1500 points only; the usual one has 20000.");
+  EXPECT_EQ(english(torn[0].explanation), "The scan has 1500 points only; the usual one has 20000.");
 }
 
 TEST(scan_check, points_that_are_none_are_counted_and_many_of_them_warned_of) {
@@ -53,7 +54,7 @@ TEST(scan_check, points_that_are_none_are_counted_and_many_of_them_warned_of) {
   ASSERT_EQ(usual.size(), 1U);
   EXPECT_EQ(usual[0].code, "scan-nan");
   EXPECT_EQ(usual[0].severity, Severity::Note);
-  EXPECT_NE(usual[0].explanation.find("25.0 %"), std::string::npos) << usual[0].explanation;
+  EXPECT_NE(english(usual[0].explanation).find("25.0 %"), std::string::npos) << english(usual[0].explanation);
   EXPECT_EQ(found({{3000, 17000}, {3000, 17000}}).at(0).severity, Severity::Warning);
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/builtin.h"
 #include "model/simulator/simulator.h"
 #include "tests/model/checks/check_fixture.h"
@@ -19,7 +20,7 @@ Session drive_with_imu() {
 TEST(unit_check, right_units_pass) {
   const Session session = drive_with_imu();
   ASSERT_GT(session.imu.size(), 100U);
-  EXPECT_TRUE(found_by(unit_check(), session).empty()) << found_by(unit_check(), session)[0].explanation;
+  EXPECT_TRUE(found_by(unit_check(), session).empty()) << english(found_by(unit_check(), session)[0].explanation);
   EXPECT_TRUE(found_by(unit_check(), good_drive()).empty());
 }
 
@@ -32,7 +33,8 @@ TEST(unit_check, radians_that_are_taken_for_degrees_lie_in_the_sea) {
   const std::vector<Finding> findings = found_by(unit_check(), session);
   ASSERT_TRUE(has_code(findings, "position-unit"));
   EXPECT_EQ(findings[0].severity, Severity::Problem);
-  EXPECT_NE(findings[0].explanation.find("latitude 0.8500"), std::string::npos) << findings[0].explanation;
+  EXPECT_NE(english(findings[0].explanation).find("latitude 0.8500"), std::string::npos)
+      << english(findings[0].explanation);
 }
 
 TEST(unit_check, rates_in_degrees_and_forces_in_g_are_named) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "tests/model/io/temporary_folder.h"
 
 namespace remount {
@@ -50,8 +51,8 @@ TEST(angle_unit, right_units_pass_without_a_word) {
       Log degrees(heading, 1.0, 0.5, mounted_deg), radians(heading, kDegree, 0.5, mounted_deg);
       degrees.check(kDegree);
       radians.check(kRadian);
-      EXPECT_TRUE(degrees.findings.empty()) << mounted_deg << ": " << degrees.findings[0].explanation;
-      EXPECT_TRUE(radians.findings.empty()) << mounted_deg << ": " << radians.findings[0].explanation;
+      EXPECT_TRUE(degrees.findings.empty()) << mounted_deg << ": " << english(degrees.findings[0].explanation);
+      EXPECT_TRUE(radians.findings.empty()) << mounted_deg << ": " << english(radians.findings[0].explanation);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "algorithms/messages/render.h"
 #include "model/io/attitude_convention.h"
 #include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
@@ -52,7 +53,7 @@ TEST_F(inspva_log, lines_are_found_behind_prompts_and_times) {
     std::string text;
     for (int i = 0; i < 10; ++i) text += before + inspvaxa(2183, 100.0 + 0.1 * i, 90.0 + i);
     EXPECT_EQ(read(text).size(), 10U) << before;
-    EXPECT_TRUE(findings_.empty()) << before << findings_.front().explanation;
+    EXPECT_TRUE(findings_.empty()) << before << english(findings_.front().explanation);
   }
   // The terminal lost the end of a line: two logs stand in one.
   std::string text;
@@ -137,8 +138,9 @@ TEST_F(inspva_log, a_status_from_the_table_of_positions_is_read_as_it_was_meant)
   for (const InsSample& sample : read(text)) EXPECT_EQ(sample.quality, InsQuality::Good);
   ASSERT_EQ(findings_.size(), 1U);
   EXPECT_EQ(findings_[0].code, "ins-status-misnamed");
-  EXPECT_TRUE(contains(findings_[0].explanation, "10 statuses of the INS")) << findings_[0].explanation;
-  EXPECT_TRUE(contains(findings_[0].explanation, "novatel_gps_driver")) << findings_[0].explanation;
+  EXPECT_TRUE(contains(english(findings_[0].explanation), "10 statuses of the INS"))
+      << english(findings_[0].explanation);
+  EXPECT_TRUE(contains(english(findings_[0].explanation), "novatel_gps_driver")) << english(findings_[0].explanation);
   EXPECT_EQ(inspvax_quality("NO_CONVERGENCE"), InsQuality::Degraded) << "INS_HIGH_VARIANCE";
   EXPECT_EQ(inspvax_quality("INSUFFICIENT_OBS"), InsQuality::Invalid) << "INS_ALIGNING";
   EXPECT_EQ(inspvax_quality("INS_ALIGNING"), InsQuality::Invalid);

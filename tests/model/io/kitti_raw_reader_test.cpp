@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/messages/render.h"
 #include "model/io/session_reader.h"
 #include "tests/model/io/kitti_fixture.h"
 #include "tests/model/io/reader_fixtures.h"
@@ -56,7 +57,7 @@ TEST(kitti_raw_reader, bad_files_become_findings_and_the_rest_opens) {
   const Session session = open(folder.path() / "a_sync");
   EXPECT_EQ(session.ins.size(), 2u);
   ASSERT_NE(find(session, "bad-ins"), nullptr);
-  EXPECT_TRUE(contains(find(session, "bad-ins")->explanation, "0000000001.txt:1: has 3 numbers, expected 30"));
+  EXPECT_TRUE(contains(english(find(session, "bad-ins")->explanation), "0000000001.txt:1: has 3 numbers, expected 30"));
   ASSERT_NE(find(session, "missing-scans"), nullptr);
   ASSERT_EQ(session.scans->size(), 3u);
   EXPECT_EQ(session.scans->load(0).size(), 2u);
@@ -104,7 +105,8 @@ TEST(kitti_raw_reader, sync_goes_by_stamps_where_numbers_do_not_belong_together)
   const Finding* finding = find(fewer, "stamps-not-by-number");
   ASSERT_NE(finding, nullptr);
   EXPECT_EQ(finding->severity, Severity::Warning);
-  EXPECT_TRUE(contains(finding->explanation, "4 stamps of scans and 3 of the INS")) << finding->explanation;
+  EXPECT_TRUE(contains(english(finding->explanation), "4 stamps of scans and 3 of the INS"))
+      << english(finding->explanation);
   ASSERT_EQ(fewer.ins.size(), 3U);
   ASSERT_EQ(fewer.scans->size(), 4U);
   EXPECT_EQ(fewer.scans->stamp_ns(1), fewer.ins[0].stamp_ns);
@@ -125,7 +127,7 @@ TEST(kitti_raw_reader, real_drives) {
     EXPECT_EQ(session.ins.size(), 10u);
     ASSERT_EQ(session.scans->size(), 10u);
     EXPECT_GT(session.scans->load(9).size(), 100'000u);
-    EXPECT_TRUE(session.findings.empty()) << session.findings[0].explanation;
+    EXPECT_TRUE(session.findings.empty()) << english(session.findings[0].explanation);
   }
   EXPECT_ERROR(open(shared_data() / "kitti"), "holds 4 drives");
 }

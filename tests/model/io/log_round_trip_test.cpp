@@ -2,6 +2,7 @@
 // across the date line, over midnight and the end of a GPS week, at any rate), with as many digits as devices print.
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/io/gpx_track.h"
 #include "model/io/inspvax_log.h"
 #include "model/io/nmea_log.h"
@@ -68,7 +69,7 @@ TEST(log_round_trip, inspvax_logs) {
     for (const InsLine& line : written) text += inspvaxa(line, digits);
     std::vector<Finding> findings;
     const InspvaxLog log = read_inspvax(folder.write("log.txt", text), InspvaxFormat::AsciiLog, findings);
-    EXPECT_TRUE(findings.empty()) << findings.front().explanation;
+    EXPECT_TRUE(findings.empty()) << english(findings.front().explanation);
     compare(log.ins, written, digits, lost(digits.place), place, attitude, height);
   }
 }
@@ -174,7 +175,7 @@ TEST(log_round_trip, nmea_logs_over_midnight_with_sentences_in_any_order) {
     const std::string text = nmea_text(random, written, digits, time_decimals);
     std::vector<Finding> findings;
     NmeaLog log = read_nmea(folder.write("log.nmea", text), findings);
-    EXPECT_TRUE(findings.empty()) << findings.front().explanation << "\n" << text;
+    EXPECT_TRUE(findings.empty()) << english(findings.front().explanation) << "\n" << text;
     ASSERT_EQ(log.fixes.size(), written.size());
     for (std::size_t i = 0; i < written.size(); ++i) {
       ASSERT_EQ(log.fixes[i].stamp_ns, written[i].stamp_ns) << i << " of\n" << text;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/native_session_reader.h"
 #include "tests/model/io/temporary_folder.h"
@@ -120,8 +121,9 @@ TEST_F(native_manifest, bad_ins_lines_become_findings) {
   const Session session = open(kManifestHead + kManifestScans + kIns);
   EXPECT_EQ(session.ins.size(), 2u);
   ASSERT_EQ(session.findings.size(), 1u);
-  EXPECT_TRUE(contains(session.findings[0].explanation, "3 lines cannot be used")) << session.findings[0].explanation;
-  EXPECT_TRUE(contains(session.findings[0].explanation, "ins.csv:3"));
+  EXPECT_TRUE(contains(english(session.findings[0].explanation), "3 lines cannot be used"))
+      << english(session.findings[0].explanation);
+  EXPECT_TRUE(contains(english(session.findings[0].explanation), "ins.csv:3"));
   folder_.write("ins.csv", "t,lat,lon,h,hdg,p,r\n1,2\n");
   EXPECT_REFUSED(kManifestHead + kManifestScans + kIns, "holds no usable INS sample");
 }

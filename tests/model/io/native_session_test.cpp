@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/messages/render.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/cloud_file.h"
 #include "model/io/kitti_raw_reader.h"
@@ -87,7 +88,7 @@ TEST(native_session, reads_back_what_was_written) {
   EXPECT_EQ(reader.probe(folder.path() / "drive"), 100);
   const Session read = reader.open(folder.path() / "drive", progress);
   EXPECT_EQ(read.name, written.name);
-  EXPECT_TRUE(read.findings.empty()) << read.findings[0].explanation;
+  EXPECT_TRUE(read.findings.empty()) << english(read.findings[0].explanation);
   expect_same_ins(read, written);
   EXPECT_EQ(read.ins[3].quality, InsQuality::Good);
   EXPECT_LT((read.ins[3].sigma.position_enu_m - written.ins[3].sigma.position_enu_m).norm(), 1e-15);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "algorithms/messages/render.h"
 #include "model/io/gnss_log_reader.h"
 #include "model/io/gpx_track.h"
 #include "model/io/time_stamp.h"
@@ -64,7 +65,7 @@ TEST_F(nmea_log, positions_over_midnight_with_their_stated_errors) {
   EXPECT_NEAR(log.fixes[0].covariance_enu_m2(0, 0), 0.012 * 0.012, 1e-12) << "east";
   EXPECT_NEAR(log.fixes[0].covariance_enu_m2(1, 1), 0.011 * 0.011, 1e-12) << "north";
   EXPECT_TRUE(log.ins.empty());
-  EXPECT_TRUE(findings_.empty()) << findings_[0].explanation;
+  EXPECT_TRUE(findings_.empty()) << english(findings_[0].explanation);
 }
 
 TEST_F(nmea_log, pashr_gives_the_attitude_and_hdt_a_heading_with_a_warning) {
@@ -161,9 +162,10 @@ TEST_F(nmea_log, attitudes_too_far_apart_say_why_no_ins_comes_out) {
   ASSERT_TRUE(told("attitude-sparse"));
   for (const Finding& finding : findings_)
     if (finding.code == "attitude-sparse") {
-      EXPECT_TRUE(contains(finding.explanation, "50 of 50 positions have no attitude near them"))
-          << finding.explanation;
-      EXPECT_TRUE(contains(finding.explanation, "5 attitudes, up to 1.00 s apart")) << finding.explanation;
+      EXPECT_TRUE(contains(english(finding.explanation), "50 of 50 positions have no attitude near them"))
+          << english(finding.explanation);
+      EXPECT_TRUE(contains(english(finding.explanation), "5 attitudes, up to 1.00 s apart"))
+          << english(finding.explanation);
     }
 }
 
@@ -172,8 +174,9 @@ TEST_F(nmea_log, damage_is_named_and_the_rest_is_read) {
   text[text.find("4846.1005") + 5] = '7';
   EXPECT_EQ(read(text).fixes.size(), 19U);
   ASSERT_TRUE(told("bad-nmea"));
-  EXPECT_TRUE(contains(findings_[0].explanation, "log.nmea:")) << findings_[0].explanation;
-  EXPECT_TRUE(contains(findings_[0].explanation, "the checksum is wrong")) << findings_[0].explanation;
+  EXPECT_TRUE(contains(english(findings_[0].explanation), "log.nmea:")) << english(findings_[0].explanation);
+  EXPECT_TRUE(contains(english(findings_[0].explanation), "the checksum is wrong"))
+      << english(findings_[0].explanation);
   std::string undated = log_of(20, 100.0, true, false);
   undated.erase(0, undated.find('\n') + 1);
   EXPECT_ERROR(read(undated), "holds no date: GGA tells the time of day alone");
@@ -269,7 +272,7 @@ TEST_F(nmea_log, gpx_tracks_are_fixes_with_an_assumed_error) {
   EXPECT_DOUBLE_EQ(fixes[0].height_m, 310.5);
   EXPECT_EQ(fixes[1].stamp_ns - fixes[0].stamp_ns, 500'000'000) << "an hour east of Greenwich";
   for (const char* code : {"bad-gpx", "height-missing", "gnss-sigma-assumed"}) EXPECT_TRUE(told(code)) << code;
-  EXPECT_TRUE(contains(findings_[0].explanation, "drive.gpx:6")) << findings_[0].explanation;
+  EXPECT_TRUE(contains(english(findings_[0].explanation), "drive.gpx:6")) << english(findings_[0].explanation);
   EXPECT_ERROR(read_gpx(folder_.write("none.gpx", head), findings_), "holds no track point with a time");
   EXPECT_ERROR(read_gpx(folder_.write("cut.gpx", head + "<trkpt lat=\"1\""), findings_), "does not end");
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "algorithms/messages/render.h"
 #include "model/io/sensor_tables.h"
 #include "model/io/stream_tools.h"
 #include "tests/model/io/reader_fixtures.h"
@@ -16,7 +17,7 @@ constexpr const char* kNotKnown[] = {"-2e10", "-20000000000", "2e10",    "-34906
 
 std::string said_of(const std::vector<Finding>& findings, const std::string& code) {
   for (const Finding& finding : findings)
-    if (finding.code == code) return finding.explanation;
+    if (finding.code == code) return english(finding.explanation);
   return "";
 }
 

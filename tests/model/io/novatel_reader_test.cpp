@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "model/io/attitude_convention.h"
 #include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
@@ -55,7 +56,7 @@ TEST(inspvax_log, the_hosts_clock_is_compared_with_gps_time_and_not_used) {
   EXPECT_EQ(log.ins[0].stamp_ns, kGps_ns) << "by GPS";
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].code, "host-clock");
-  EXPECT_TRUE(contains(findings[0].explanation, "2.300 s off UTC by GPS")) << findings[0].explanation;
+  EXPECT_TRUE(contains(english(findings[0].explanation), "2.300 s off UTC by GPS")) << english(findings[0].explanation);
 }
 
 TEST(inspvax_log, bad_lines_are_counted_and_skipped) {
@@ -69,8 +70,8 @@ TEST(inspvax_log, bad_lines_are_counted_and_skipped) {
   std::vector<Finding> findings;
   EXPECT_EQ(read_inspvax(file, InspvaxFormat::AsciiLog, findings).ins.size(), 3u);
   ASSERT_EQ(findings.size(), 3u);
-  EXPECT_TRUE(contains(findings[0].explanation, "3 lines cannot be used")) << findings[0].explanation;
-  EXPECT_TRUE(contains(findings[0].explanation, "a.log:2: the checksum does not agree"));
+  EXPECT_TRUE(contains(english(findings[0].explanation), "3 lines cannot be used")) << english(findings[0].explanation);
+  EXPECT_TRUE(contains(english(findings[0].explanation), "a.log:2: the checksum does not agree"));
   EXPECT_EQ(findings[1].code, "ins-duplicate-stamps");
   EXPECT_EQ(findings[2].code, "ins-reversed-stamps");
   EXPECT_ERROR(read_inspvax(folder.write("b.log", flipped), InspvaxFormat::AsciiLog, findings),
@@ -130,7 +131,7 @@ TEST(novatel_reader, spreadsheet_stamps_do_not_matter_and_the_intact_file_is_pre
   SKIP_WITHOUT(bag4);
   const Session both = open(bag4);
   ASSERT_NE(find(both, "ins-file-chosen"), nullptr);
-  EXPECT_TRUE(contains(find(both, "ins-file-chosen")->explanation, "rounded-stamps"));
+  EXPECT_TRUE(contains(english(find(both, "ins-file-chosen")->explanation), "rounded-stamps"));
   const TemporaryFolder folder;
   std::filesystem::copy_file(bag4 / "bag4-novatel_data-inspvax-rounded-stamps.csv", folder.path() / "rounded.csv");
   std::filesystem::copy_file(bag4 / "bag4-aft_mapped_to_init.csv", folder.path() / "aft_mapped.csv");

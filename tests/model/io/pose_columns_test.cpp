@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/io/pose_file.h"
 #include "tests/model/io/temporary_folder.h"
 
@@ -57,7 +58,7 @@ void expect_poses(const std::string& text, std::int64_t first_ns, std::size_t fi
   std::vector<Finding> findings;
   const std::vector<StampedPose> poses = read_pose_file(path, *format, findings);
   ASSERT_EQ(poses.size(), 40u);
-  EXPECT_EQ(findings.size(), findings_expected) << (findings.empty() ? "" : findings[0].explanation);
+  EXPECT_EQ(findings.size(), findings_expected) << (findings.empty() ? "" : english(findings[0].explanation));
   for (const int i : {0, 7, 39}) {
     const StampedPose& pose = poses[static_cast<std::size_t>(i)];
     EXPECT_EQ(pose.stamp_ns, first_ns + i * 100'000'000LL);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/io/session_reader.h"
 #include "tests/model/io/temporary_folder.h"
 
@@ -48,7 +49,8 @@ TEST(pose_file, apollo_positions_that_are_not_fixed_and_damaged_lines_are_named)
   EXPECT_EQ(read_pose_file(path, PoseFormat::ApolloCsv, findings).size(), 10U);
   ASSERT_FALSE(findings.empty());
   EXPECT_EQ(findings[0].code, "bad-poses");
-  EXPECT_TRUE(contains(findings[0].explanation, "odometry.csv:11: 'x' is no position type")) << findings[0].explanation;
+  EXPECT_TRUE(contains(english(findings[0].explanation), "odometry.csv:11: 'x' is no position type"))
+      << english(findings[0].explanation);
   findings.clear();
   read_pose_file(folder.write("float.csv", apollo_lines(10, "34")), PoseFormat::ApolloCsv, findings);
   bool told = false;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "algorithms/messages/render.h"
 #include "model/io/bag/cloud_message.h"
 #include "model/io/cloud_file.h"
 #include "model/io/lzf.h"
@@ -182,7 +183,7 @@ TEST(round_trip, bags_of_every_kind_and_compression) {
       make(folder.path() / "bag.db3", messages);
       const auto bag = bags::open_quietly(folder.path() / "bag.db3");
       EXPECT_EQ(bags::count_and_check(*bag, messages), messages.size());
-      EXPECT_TRUE(bag->findings().empty()) << bag->findings()[0].explanation;
+      EXPECT_TRUE(bag->findings().empty()) << english(bag->findings()[0].explanation);
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "model/io/native_session_reader.h"
 #include "model/io/native_session_writer.h"
 #include "model/io/session_reader.h"
@@ -48,7 +49,7 @@ TEST(sensor_tables, read_back_what_was_written) {
   Progress progress;
   write_native_session(written, folder.path() / "drive", 1, progress);
   const Session read = open_session(folder.path() / "drive", progress);
-  EXPECT_TRUE(read.findings.empty()) << read.findings[0].explanation;
+  EXPECT_TRUE(read.findings.empty()) << english(read.findings[0].explanation);
   EXPECT_EQ(read.files.size(), 5u);
   ASSERT_EQ(read.imu.size(), 50u);
   ASSERT_EQ(read.gnss.size(), 50u);
@@ -106,7 +107,7 @@ TEST(sensor_tables, damaged_lines_are_named_and_left_out) {
   EXPECT_EQ(samples[1].rear_right_mps, 4.0);
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[0].code, "bad-wheels");
-  EXPECT_TRUE(contains(findings[0].explanation, "wheels.csv:3")) << findings[0].explanation;
+  EXPECT_TRUE(contains(english(findings[0].explanation), "wheels.csv:3")) << english(findings[0].explanation);
   EXPECT_EQ(findings[1].code, "wheels-duplicate-stamps");
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "model/io/number_text.h"
 #include "model/io/pose_file.h"
 #include "model/io/pose_pairing.h"
@@ -84,8 +85,8 @@ TEST(open_calib_reader, rotations_that_are_none_are_left_out) {
       "ins.txt", pose_lines(3) + "2021-10-26-16-22-00-000 2 0 0 0 0 2 0 0 0 0 2 0\n2021-10-26-16-22-01-000 1 2 3\n");
   EXPECT_EQ(read_pose_file(file, PoseFormat::PoseLines, findings).size(), 3u);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_TRUE(contains(findings[0].explanation, "2 lines cannot be used")) << findings[0].explanation;
-  EXPECT_TRUE(contains(findings[0].explanation, "ins.txt:4: the nine numbers are no rotation"));
+  EXPECT_TRUE(contains(english(findings[0].explanation), "2 lines cannot be used")) << english(findings[0].explanation);
+  EXPECT_TRUE(contains(english(findings[0].explanation), "ins.txt:4: the nine numbers are no rotation"));
   const auto skewed = folder.write("skewed.txt", pose_lines(3, 1.01));
   EXPECT_EQ(read_pose_file(skewed, PoseFormat::PoseLines, findings).size(), 3u);
   EXPECT_EQ(findings.back().code, "rotation-not-orthonormal");
@@ -141,11 +142,11 @@ TEST(pose_session_reader, clocks_that_are_declared_unsynchronised_and_agree_are_
   Session session = open(folder.path());
   const std::int64_t first_ns = session.odometry_from_lidar[0].stamp_ns;
   align_lidar_clock(session, ClockUse::Unsynchronised);
-  EXPECT_EQ(session.findings.back().code, "clock-offset") << session.findings.back().explanation;
+  EXPECT_EQ(session.findings.back().code, "clock-offset") << english(session.findings.back().explanation);
   EXPECT_EQ(session.odometry_from_lidar[0].stamp_ns, first_ns);
   for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += 50'000'000;
   align_lidar_clock(session, ClockUse::Unsynchronised);
-  EXPECT_EQ(session.findings.back().code, "clock-aligned") << session.findings.back().explanation;
+  EXPECT_EQ(session.findings.back().code, "clock-aligned") << english(session.findings.back().explanation);
   EXPECT_NEAR(static_cast<double>(session.odometry_from_lidar[0].stamp_ns - first_ns), 0.0, 3e6);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "algorithms/messages/render.h"
 #include "model/io/native_session_reader.h"
 #include "model/io/native_session_writer.h"
 #include "model/project.h"
@@ -253,7 +254,7 @@ TEST(session_round_trip, projects) {
       EXPECT_EQ(fs::absolute(read.sessions[i]).lexically_normal(), written.sessions[i].lexically_normal());
     ASSERT_EQ(read.verdicts.size(), written.verdicts.size());
     for (std::size_t i = 0; i < read.verdicts.size(); ++i)
-      EXPECT_EQ(read.verdicts[i].reason, written.verdicts[i].reason);
+      EXPECT_EQ(english(read.verdicts[i].reason), english(written.verdicts[i].reason));
     EXPECT_EQ(settings_text(read.settings), settings_text(written.settings));
     save_project(read, folder.path() / "two.remount");
     EXPECT_EQ(bytes_of(folder.path() / "one.remount"), bytes_of(folder.path() / "two.remount"));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "model/session_report.h"
 #include "tests/model/io/temporary_folder.h"
 
@@ -60,7 +61,8 @@ TEST(smartloc, the_truth_may_be_missing_and_damaged_lines_are_named) {
   EXPECT_TRUE(session.gnss.empty());
   EXPECT_EQ(session.wheels.size(), 2u);
   EXPECT_EQ(session.findings[0].code, "bad-odometry");
-  EXPECT_TRUE(contains(session.findings[0].explanation, "City_Input.txt:4")) << session.findings[0].explanation;
+  EXPECT_TRUE(contains(english(session.findings[0].explanation), "City_Input.txt:4"))
+      << english(session.findings[0].explanation);
   EXPECT_ERROR(open(folder.write("None_Input.txt", "pseudorange3 0 2e7 1 1 2 3 4 1 45 40\n")), "no usable odom3 line");
   folder.write("City_GT.txt", "point3 0 1 2 3 0 0 0 0 0 0 0 0 0\n");
   EXPECT_ERROR(open(folder.path() / "City_Input.txt"), "not near the Earth's surface");

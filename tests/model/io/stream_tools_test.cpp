@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "tests/model/io/temporary_folder.h"
 
 namespace remount {
@@ -32,7 +33,7 @@ TEST(stream_tools, samples_far_from_the_drive_are_left_out_and_counted) {
     EXPECT_EQ(ins.size(), 18U);
     ASSERT_EQ(findings.size(), 1U);
     EXPECT_EQ(findings[0].code, "ins-far-away");
-    EXPECT_TRUE(contains(findings[0].explanation, "2 samples")) << findings[0].explanation;
+    EXPECT_TRUE(contains(english(findings[0].explanation), "2 samples")) << english(findings[0].explanation);
   }
 }
 
@@ -104,10 +105,10 @@ TEST(stream_tools, one_bad_item_is_spoken_of_in_the_singular) {
   BadItems bad;
   bad.add(std::string("a.bin: is missing"));
   bad.report(findings, "missing-scans", "data", "scans");
-  EXPECT_EQ(findings.back().explanation, "1 scan cannot be used and is left out. First: a.bin: is missing");
+  EXPECT_EQ(english(findings.back().explanation), "1 scan cannot be used and is left out. First: a.bin: is missing");
   bad.add(std::string("b.bin: is missing"));
   bad.report(findings, "missing-scans", "data", "scans");
-  EXPECT_EQ(findings.back().explanation, "2 scans cannot be used and are left out. First: a.bin: is missing");
+  EXPECT_EQ(english(findings.back().explanation), "2 scans cannot be used and are left out. First: a.bin: is missing");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/methods/calibration_method.h"
 #include "model/simulator/simulator.h"
 
@@ -68,7 +69,7 @@ TEST(calibration_methods, say_that_a_value_without_a_sigma_is_not_used) {
   Progress progress;
   std::string said;
   for (const Finding& finding : calibrate(input, progress).findings)
-    if (finding.code == "measured-unused") said += finding.explanation;
+    if (finding.code == "measured-unused") said += english(finding.explanation);
   EXPECT_EQ(said, "z was given as measured, 0.8 m, without a sigma and is not used: give its sigma, too.");
 }
 
@@ -85,7 +86,7 @@ TEST(calibration_methods, ask_for_no_sigma_of_a_height_that_they_do_not_take) {
     Progress progress;
     std::string said;
     for (const Finding& finding : calibrate(input, progress).findings)
-      if (finding.code == "measured-unused") said += finding.explanation;
+      if (finding.code == "measured-unused") said += english(finding.explanation);
     EXPECT_EQ(said,
               method == MethodChoice::Pairwise
                   ? "INS height was given as measured, 0.6 m, without a sigma and is not used: give its sigma, too."
@@ -120,18 +121,18 @@ TEST(calibration_methods, give_no_result_outside_the_search_range) {
     input.settings.run.method = method;
     Progress progress;
     const CalibrationResult free = calibrate(input, progress).result;
-    ASSERT_TRUE(is_usable(free)) << free.message;
+    ASSERT_TRUE(is_usable(free)) << english(free.message);
     EXPECT_NEAR(free.ins_from_lidar.translation().x(), x_m, 0.05);
     ASSERT_FALSE(free.observed[2]);
     input.settings.range.x_min_m = 2.0;
     const CalibrationResult outside = calibrate(input, progress).result;
-    EXPECT_EQ(outside.status, Status::OutOfRange) << outside.message;
-    EXPECT_NE(outside.message.find("below 2.00 m"), std::string::npos) << outside.message;
+    EXPECT_EQ(outside.status, Status::OutOfRange) << english(outside.message);
+    EXPECT_NE(english(outside.message).find("below 2.00 m"), std::string::npos) << english(outside.message);
     // What nobody knows lies in the range: that says nothing against the drive.
     input.settings.range.x_min_m = 0.0;
     input.settings.range.z_min_m = 1.5;
     const CalibrationResult high = calibrate(input, progress).result;
-    EXPECT_TRUE(is_usable(high)) << high.message;
+    EXPECT_TRUE(is_usable(high)) << english(high.message);
     EXPECT_NEAR(high.ins_from_lidar.translation().z(), 1.5, 1e-9);
     EXPECT_NEAR(high.ins_from_lidar.translation().x(), x_m, 0.05);
   }

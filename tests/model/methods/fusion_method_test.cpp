@@ -5,6 +5,7 @@
 #include <functional>
 #include <iostream>
 
+#include "algorithms/messages/render.h"
 #include "model/deciding_notes.h"
 #include "model/methods/calibration_method.h"
 #include "model/project.h"
@@ -69,8 +70,8 @@ bool has_code(const std::vector<Finding>& findings, const std::string& code) {
 }
 
 std::string all_words(const CalibrationResult& result) {
-  std::string words = result.message;
-  for (const std::string& advice : result.advice) words += " " + advice;
+  std::string words = english(result.message);
+  for (const std::string& advice : english(result.advice)) words += " " + advice;
   return words;
 }
 
@@ -81,7 +82,7 @@ void print(const CalibrationResult& result, const RigidTransform& truth) {
     if (const auto sigma = result.sigma(i))
       std::cout << "    " << kParameterNames[i] << ": sigma " << (i < 3 ? *sigma : radians_to_degrees(*sigma)) << ", "
                 << normalised[i] << " of them off\n";
-  std::cout << "    " << result.message << "\n";
+  std::cout << "    " << english(result.message) << "\n";
 }
 
 TEST(fusion_method, a_tunnel_gives_what_its_walls_show_and_no_more) {
@@ -90,7 +91,7 @@ TEST(fusion_method, a_tunnel_gives_what_its_walls_show_and_no_more) {
     tunnel.input.nominal_ins_from_lidar = off_by(tunnel.truth);
     const PipelineOutput output = run_fusion(tunnel.input);
     print(output.result, tunnel.truth);
-    ASSERT_TRUE(is_usable(output.result)) << output.result.message;
+    ASSERT_TRUE(is_usable(output.result)) << english(output.result.message);
     EXPECT_TRUE(output.result.observed[3] && output.result.observed[4]) << "the walls show yaw and pitch";
     EXPECT_FALSE(output.result.observed[1]) << "it shows in how much farther the LiDAR travels in bends";
     expect_within_sigma(output.result, tunnel.truth, 3.5);
@@ -113,7 +114,8 @@ TEST(fusion_method, without_sensors_or_nominal_a_tunnel_is_refused_with_the_real
   const auto refused = [&](const PipelineInput& input) {
     const CalibrationResult result = run_fusion(input).result;
     EXPECT_EQ(result.status, Status::TooFewPairs);
-    EXPECT_NE(result.message.find("do not tell of every direction"), std::string::npos) << result.message;
+    EXPECT_NE(english(result.message).find("do not tell of every direction"), std::string::npos)
+        << english(result.message);
     EXPECT_EQ(all_words(result).find("pairing"), std::string::npos) << all_words(result);
     EXPECT_NE(all_words(result).find("wheel speeds"), std::string::npos) << all_words(result);
   };
@@ -138,7 +140,7 @@ TEST(fusion_method, a_vehicle_that_is_described_wrongly_does_not_bend_the_mounti
   fusion.ins_x_m += 0.5;
   const PipelineOutput output = run_fusion(tunnel.input);
   print(output.result, tunnel.truth);
-  ASSERT_TRUE(is_usable(output.result)) << output.result.message;
+  ASSERT_TRUE(is_usable(output.result)) << english(output.result.message);
   expect_within_sigma(output.result, tunnel.truth, 3.5);
 }
 

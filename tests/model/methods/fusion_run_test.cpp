@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/pose_file.h"
 #include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
@@ -96,7 +97,7 @@ TEST(fusion_method, calibrates_from_its_poses_and_tells_of_them) {
   const PipelineOutput output = calibration_method("fusion-odometry").run(input, progress);
   EXPECT_EQ(output.method, "fusion-odometry");
   ASSERT_TRUE(output.result.status == Status::Ok || output.result.status == Status::Degenerate)
-      << output.result.message;
+      << english(output.result.message);
   const CalibrationError error = error_of(output.result, *input.nominal_ins_from_lidar);
   EXPECT_LT(error.rotation_deg, 0.3);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.15);
@@ -117,7 +118,7 @@ TEST(fusion_method, a_wrong_nominal_is_not_confirmed) {
   Progress progress;
   const PipelineOutput output = calibration_method("fusion-odometry").run(input, progress);
   ASSERT_TRUE(output.result.status == Status::Ok || output.result.status == Status::Degenerate)
-      << output.result.message;
+      << english(output.result.message);
   EXPECT_LT(error_of(output.result, truth).rotation_deg, 0.3);
   expect_within_sigma(output.result, truth, 3.5);
 }
@@ -192,7 +193,7 @@ TEST(fusion_method, without_an_ins_it_says_so_and_keeps_its_plots) {
   Progress progress;
   const PipelineOutput output = calibration_method("fusion-odometry").run(input, progress);
   EXPECT_EQ(output.result.status, Status::TooFewPairs);
-  EXPECT_NE(output.result.message.find("no session has an INS"), std::string::npos);
+  EXPECT_NE(english(output.result.message).find("no session has an INS"), std::string::npos);
   EXPECT_EQ(output.plots.size(), 4u);
   EXPECT_TRUE(told(output.findings, "odometry-without-ins"));
 }

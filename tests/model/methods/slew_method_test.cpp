@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/deciding_notes.h"
 #include "model/project.h"
 #include "tests/support/slew_recordings.h"
@@ -15,8 +16,8 @@ void expect_right(const Yard& yard, FirstPlane first) {
   const PipelineOutput output = run(yard, settings_with(first));
   const CalibrationError error = error_of(output.result, yard.machine_from_lidar);
   for (const Finding& finding : output.findings)
-    std::printf("  %s: %s\n", finding.where.c_str(), finding.explanation.c_str());
-  EXPECT_EQ(output.result.status, Status::Ok) << output.result.message;
+    std::printf("  %s: %s\n", finding.where.c_str(), english(finding.explanation).c_str());
+  EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
   EXPECT_EQ(output.result.reference_frame, "machine");
   EXPECT_LT(error.rotation_deg, 0.05);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.01);
@@ -56,7 +57,7 @@ TEST(slew_method, a_quarter_turn_is_refused_with_the_reason) {
   SlewYardOptions options;
   options.arc_deg = 90.0;
   const PipelineOutput output = run(yard_of(options, true), settings_with(FirstPlane::Ground));
-  EXPECT_NE(output.result.message.find("arc"), std::string::npos) << output.result.message;
+  EXPECT_NE(english(output.result.message).find("arc"), std::string::npos) << english(output.result.message);
   for (const bool observed : output.result.observed) EXPECT_FALSE(observed);
 }
 
@@ -64,11 +65,12 @@ TEST(slew_method, a_missing_arm_and_a_tilted_ground_are_refused_with_the_reason)
   SlewYardOptions options;
   options.arm = false;
   PipelineOutput output = run(yard_of(options, true), settings_with(FirstPlane::Ground));
-  EXPECT_NE(output.result.message.find("plane of the arm is missing"), std::string::npos) << output.result.message;
+  EXPECT_NE(english(output.result.message).find("plane of the arm is missing"), std::string::npos)
+      << english(output.result.message);
   options = {};
   options.uneven_deg = 2.0;
   output = run(yard_of(options, true), settings_with(FirstPlane::Ground));
-  EXPECT_NE(output.result.message.find("tilted"), std::string::npos) << output.result.message;
+  EXPECT_NE(english(output.result.message).find("tilted"), std::string::npos) << english(output.result.message);
 }
 
 TEST(slew_method, recordings_are_known_by_whole_words_of_their_names) {
@@ -100,7 +102,7 @@ TEST(slew_method, recordings_are_known_by_their_folders_where_all_have_one_name)
   input.sessions = yard.sessions;
   std::string notes;
   for (const Finding& finding : make_result_file(input, output, {}).findings)
-    if (finding.code == kRecording) notes += finding.where + ": " + finding.explanation + "\n";
+    if (finding.code == kRecording) notes += finding.where + ": " + english(finding.explanation) + "\n";
   EXPECT_EQ(notes,
             "excavator (slew_ground): Taken for the recording: ground.\n"
             "excavator (slew_arm-sweep): Taken for the recording: arm.\n"

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <thread>
 
+#include "algorithms/messages/render.h"
 #include "model/io/native_session_writer.h"
 #include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
@@ -85,7 +86,7 @@ TEST(trajectory_follow, a_growing_session_is_answered_on_the_way_and_ends_as_the
   Progress progress;
   input.sessions.push_back(std::make_shared<Session>(open_session(whole, progress)));
   const PipelineOutput batch = calibration_method("trajectory").run(input, progress);
-  EXPECT_EQ(followed.output.result.status, batch.result.status) << followed.output.result.message;
+  EXPECT_EQ(followed.output.result.status, batch.result.status) << english(followed.output.result.message);
   EXPECT_EQ(followed.output.result.ins_from_lidar.matrix(), batch.result.ins_from_lidar.matrix());
   std::printf("  %zu answers on the way\n", told.size());
   EXPECT_GE(told.size(), 35u);
@@ -139,7 +140,7 @@ TEST(trajectory_follow, ends_at_once_when_it_is_stopped_and_still_solves) {
     if (snapshot.known) stop.request_stop();
   };
   const FollowedSession followed = follow_trajectory(folder.path() / "whole", {}, options, tell, following, finishing);
-  EXPECT_TRUE(followed.output.result.observed[0]) << followed.output.result.message;
+  EXPECT_TRUE(followed.output.result.observed[0]) << english(followed.output.result.message);
 }
 
 /// Scans of a session that was written anew: at other times, and none can be read.

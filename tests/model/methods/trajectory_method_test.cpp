@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/session_reader.h"
 #include "model/methods/calibration_method.h"
 #include "model/simulator/simulator.h"
@@ -87,7 +88,7 @@ TEST(trajectory_method, a_simulated_street_is_solved_from_its_scans_within_sigma
   const PipelineOutput output = run({drive.session});
   EXPECT_EQ(output.method, "trajectory");
   EXPECT_TRUE(output.result.status == Status::Ok || output.result.status == Status::Degenerate)
-      << output.result.message;
+      << english(output.result.message);
   EXPECT_EQ(output.result.reference_frame, "ins");
   const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
   for (const std::size_t i : {0, 1, 3, 4, 5}) EXPECT_TRUE(output.result.observed[i]) << kParameterNames[i];
@@ -102,7 +103,7 @@ TEST(trajectory_method, positions_alone_give_the_lever_arm_of_the_antenna) {
   const PipelineOutput output = run_by_fixes(drive, 0.0);
   EXPECT_EQ(output.result.reference_frame, "antenna");
   EXPECT_EQ(output.result.status, Status::Degenerate);
-  EXPECT_NE(output.result.message.find("lever arm"), std::string::npos) << output.result.message;
+  EXPECT_NE(english(output.result.message).find("lever arm"), std::string::npos) << english(output.result.message);
   error_of(output.result, antenna_from_lidar(drive));
   EXPECT_TRUE(output.result.observed[0] && output.result.observed[1]);
   EXPECT_FALSE(output.result.observed[3] || output.result.observed[4] || output.result.observed[5]);
@@ -114,7 +115,7 @@ TEST(trajectory_method, one_percent_of_drift_and_a_fifth_of_wrong_fixes_are_surv
   const SimulatedDrive drive = drive_with_fixes(120.0, 0.2);
   const PipelineOutput output = run_by_fixes(drive, 0.01);
   error_of(output.result, antenna_from_lidar(drive));
-  ASSERT_TRUE(output.result.observed[0] && output.result.observed[1]) << output.result.message;
+  ASSERT_TRUE(output.result.observed[0] && output.result.observed[1]) << english(output.result.message);
   expect_within_sigma(output.result, antenna_from_lidar(drive), 3.5);
   bool told = false;
   for (const Finding& finding : output.findings) told = told || finding.code == "trajectory-outliers";
@@ -123,9 +124,9 @@ TEST(trajectory_method, one_percent_of_drift_and_a_fifth_of_wrong_fixes_are_surv
 
 TEST(trajectory_method, poses_of_another_scale_are_named) {
   const CalibrationResult result = run({with_poses(simulate_drive(street(30.0)), 1.5)}).result;
-  EXPECT_EQ(result.status, Status::Inconsistent) << result.message;
+  EXPECT_EQ(result.status, Status::Inconsistent) << english(result.message);
   // Beside the INS the LiDAR goes a little farther in turns.
-  EXPECT_NE(result.message.find("The way of the LiDAR is 2.5"), std::string::npos) << result.message;
+  EXPECT_NE(english(result.message).find("The way of the LiDAR is 2.5"), std::string::npos) << english(result.message);
 }
 
 TEST(trajectory_method, what_cannot_be_aligned_is_refused_or_said) {
@@ -141,7 +142,7 @@ TEST(trajectory_method, what_cannot_be_aligned_is_refused_or_said) {
   apart.gnss.clear();
   for (InsSample& sample : apart.ins) sample.stamp_ns += 3'600'000'000'000;
   const PipelineOutput output = run({apart});
-  EXPECT_EQ(output.result.status, Status::TooFewPairs) << output.result.message;
+  EXPECT_EQ(output.result.status, Status::TooFewPairs) << english(output.result.message);
   bool told = false;
   for (const Finding& finding : output.findings) told = told || finding.code == "trajectory-not-covered";
   EXPECT_TRUE(told);
@@ -159,7 +160,7 @@ TEST(trajectory_method, a_session_without_scans_may_have_an_empty_list_of_them) 
   Session poses = with_poses(drive, 0.0), listed = poses;
   listed.scans = std::make_shared<NoScans>();
   const PipelineOutput without = run({poses}), with = run({listed});
-  EXPECT_TRUE(with.result.observed[0]) << with.result.message;
+  EXPECT_TRUE(with.result.observed[0]) << english(with.result.message);
   EXPECT_EQ(with.result.ins_from_lidar.matrix(), without.result.ins_from_lidar.matrix());
 }
 
@@ -193,9 +194,10 @@ TEST(trajectory_method, no_result_stands_on_an_attitude_that_contradicts_itself)
   EXPECT_TRUE(is_usable(run({session}).result));
   session.findings.push_back({Severity::Problem, "attitude-columns", session.name, "Pitch and roll are exchanged."});
   const CalibrationResult result = run({session}).result;
-  EXPECT_EQ(result.status, Status::Inconsistent) << result.message;
+  EXPECT_EQ(result.status, Status::Inconsistent) << english(result.message);
   ASSERT_FALSE(result.advice.empty());
-  EXPECT_NE(result.advice[0].find("correct columns, signs and units"), std::string::npos) << result.advice[0];
+  EXPECT_NE(english(result.advice[0]).find("correct columns, signs and units"), std::string::npos)
+      << english(result.advice[0]);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/methods/builtin.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
@@ -57,7 +58,7 @@ TEST(vehicle_frame_method, a_hilly_drive_determines_all_six_parameters) {
   const PipelineOutput output = run(drive);
   const CalibrationError error = error_of(output.result, drive.vehicle_from_lidar);
   expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
-  EXPECT_EQ(output.result.status, Status::Ok) << output.result.message;
+  EXPECT_EQ(output.result.status, Status::Ok) << english(output.result.message);
   EXPECT_EQ(output.method, "vehicle-frame");
   EXPECT_EQ(output.result.reference_frame, "vehicle");
   EXPECT_LT(error.rotation_deg, 0.1);
@@ -98,12 +99,13 @@ TEST(vehicle_frame_method, poses_without_scale_get_one) {
 TEST(vehicle_frame_method, poses_of_another_scale_are_named_where_the_scale_is_said_to_be_known) {
   for (const double scale : {2.5, 0.4}) {
     const CalibrationResult result = run(simulated(ScenarioKind::Hill, scale)).result;
-    EXPECT_EQ(result.status, Status::Inconsistent) << result.message;
-    EXPECT_NE(result.message.find("2.50 times as long"), std::string::npos) << result.message;
-    EXPECT_EQ(result.message.find(scale > 1.0 ? "The way of the wheels is" : "The way by the sensor's poses is"), 0u)
-        << result.message;
+    EXPECT_EQ(result.status, Status::Inconsistent) << english(result.message);
+    EXPECT_NE(english(result.message).find("2.50 times as long"), std::string::npos) << english(result.message);
+    EXPECT_EQ(
+        english(result.message).find(scale > 1.0 ? "The way of the wheels is" : "The way by the sensor's poses is"), 0u)
+        << english(result.message);
     ASSERT_EQ(result.advice.size(), 1u);
-    EXPECT_NE(result.advice[0].find("estimated"), std::string::npos) << result.advice[0];
+    EXPECT_NE(english(result.advice[0]).find("estimated"), std::string::npos) << english(result.advice[0]);
   }
 }
 
@@ -112,8 +114,8 @@ TEST(vehicle_frame_method, wheels_that_measure_wrongly_by_more_than_tyres_are_na
     const PipelineOutput output = run(simulated(ScenarioKind::Hill, scale));
     bool told = false;
     for (const Finding& finding : output.findings) told = told || finding.code == "wheel-scale";
-    EXPECT_EQ(told, scale > 1.0) << output.result.message;
-    EXPECT_TRUE(is_usable(output.result)) << output.result.message;
+    EXPECT_EQ(told, scale > 1.0) << english(output.result.message);
+    EXPECT_TRUE(is_usable(output.result)) << english(output.result.message);
   }
 }
 
@@ -131,7 +133,7 @@ TEST(vehicle_frame_method, scans_become_poses_by_the_lidars_own_odometry) {
   const PipelineOutput output = run(drive);
   const CalibrationError error = error_of(output.result, drive.vehicle_from_lidar);
   ASSERT_TRUE(output.result.status == Status::Ok || output.result.status == Status::Degenerate)
-      << output.result.message;
+      << english(output.result.message);
   expect_within_sigma(output.result, drive.vehicle_from_lidar, 4.0);
   for (const std::size_t i : {0u, 1u, 3u, 4u}) EXPECT_TRUE(output.result.observed[i]) << kParameterNames[i];
   EXPECT_LT(error.rotation_deg, 0.3);

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "algorithms/calibration/robust_start.h"
+#include "algorithms/messages/render.h"
 #include "algorithms/registration/registration.h"
 #include "algorithms/search/certified_search.h"
 #include "algorithms/trajectory/keyframes.h"
@@ -171,7 +172,7 @@ TEST(cancelling, many_pairs_on_two_workers) {
     std::vector<KeyframeObjects> objects = find_keyframe_objects(context, scans, mine, progress);
     register_pairs(context, scans, objects, mine, progress);
     return std::any_of(mine.begin(), mine.end(), [](const Pair& pair) {
-      return pair.registration.failure == "cancelled" || (!pair.registration.attempted && pair.reason.empty());
+      return pair.registration.failure == "cancelled" || (!pair.registration.attempted && english(pair.reason).empty());
     });
   });
 }
@@ -191,7 +192,8 @@ TEST(cancelling, the_robust_start_and_the_certified_search) {
     SearchResult last;
     for (int i = 0; i < 20 && last.outcome != SearchOutcome::Cancelled; ++i)
       last = certified_search(form, SearchRange{}, RigidTransform::Identity(), {}, progress);
-    EXPECT_TRUE(last.outcome == SearchOutcome::Certified || last.outcome == SearchOutcome::Cancelled) << last.message;
+    EXPECT_TRUE(last.outcome == SearchOutcome::Certified || last.outcome == SearchOutcome::Cancelled)
+        << english(last.message);
     return last.outcome == SearchOutcome::Cancelled;
   });
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "algorithms/messages/render.h"
 #include "model/io/samples_between_fixes.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
@@ -48,7 +49,7 @@ TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_
   ClockRun run = calibrate_clocks({simulate_drive(eight(0.03))});
   const CalibrationResult whole = run.output.result;
   const CalibrationError error = error_of(whole, run.truth);
-  EXPECT_EQ(whole.status, Status::Ok) << whole.message;
+  EXPECT_EQ(whole.status, Status::Ok) << english(whole.message);
   EXPECT_LT(std::abs(error.x_m), 0.01);
   EXPECT_LT(std::abs(error.y_m), 0.01);
   EXPECT_TRUE(whole.observed[2]);
@@ -60,7 +61,8 @@ TEST(clock_offset, of_30_ms_is_taken_out_without_being_asked_for_and_left_in_by_
   const std::vector<Finding> said = clock_findings(run.output);
   ASSERT_EQ(said.size(), 1U);
   EXPECT_EQ(said[0].severity, Severity::Note);
-  EXPECT_TRUE(said[0].explanation.ends_with("X is solved with that taken out.")) << said[0].explanation;
+  EXPECT_TRUE(english(said[0].explanation).ends_with("X is solved with that taken out."))
+      << english(said[0].explanation);
 
   // In the window, from the pairs that are there.
   Progress progress;
@@ -91,9 +93,9 @@ TEST(clock_offset, is_that_of_each_session) {
   EXPECT_NEAR(result.session_time_offset_s[1], 0.0, 1e-3);
   const std::vector<Finding> said = clock_findings(run.output);
   ASSERT_EQ(said.size(), 1U) << "the clocks of the second agree";
-  EXPECT_TRUE(said[0].explanation.find("late by 30.") != std::string::npos ||
-              said[0].explanation.find("late by 29.") != std::string::npos)
-      << said[0].explanation;
+  EXPECT_TRUE(english(said[0].explanation).find("late by 30.") != std::string::npos ||
+              english(said[0].explanation).find("late by 29.") != std::string::npos)
+      << english(said[0].explanation);
 }
 
 /// Too small to be spoken of, and ten times as large as X could bear without a word.
@@ -121,7 +123,7 @@ TEST(clock_offset, is_taken_out_also_where_x_then_lies_outside_the_search_range)
   input.settings.range.x_min_m = x_m + 0.02;  // where X lies by the clocks as they are
   Progress progress;
   const CalibrationResult result = run_pipeline(input, progress).result;
-  EXPECT_EQ(result.status, Status::OutOfRange) << result.message;
+  EXPECT_EQ(result.status, Status::OutOfRange) << english(result.message);
   EXPECT_NEAR(result.ins_from_lidar.translation().x(), x_m, 0.01);
   EXPECT_NEAR(result.time_offset.offset_s, 0.02, 1e-3);
 }

@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "algorithms/messages/render.h"
 #include "model/result_file.h"
 #include "tests/support/no_scans.h"
 
@@ -178,7 +179,7 @@ TEST(hold_out, a_session_without_pairs_has_no_numbers_and_says_why) {
   const HoldOut found = world.check();
   ASSERT_EQ(found.sessions.size(), 2U);
   EXPECT_FALSE(is_usable(found.sessions[1].result));
-  EXPECT_FALSE(found.sessions[1].result.message.empty());
+  EXPECT_FALSE(english(found.sessions[1].result.message).empty());
   EXPECT_EQ(found.sessions[1].pairs, 0);
   for (const HeldOutScore& score : found.scores) EXPECT_TRUE(std::isnan(score.residual.translation_m));
   EXPECT_FALSE(largest_difference(found.differences[0]));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/io/session_reader.h"
 #include "model/pipeline.h"
 #include "model/simulator/simulator.h"
@@ -129,7 +130,7 @@ TEST(input_checks, one_session_at_rest_does_not_make_a_drive_one_at_rest) {
   keyframes[2].session = keyframes[3].session = 1;
   const CalibrationResult driven = result_without_pairs(motion, keyframes, settings);
   ASSERT_EQ(driven.advice.size(), 1U);
-  EXPECT_EQ(driven.advice[0].find("stands still"), std::string::npos) << driven.advice[0];
+  EXPECT_EQ(english(driven.advice[0]).find("stands still"), std::string::npos) << english(driven.advice[0]);
   keyframes[1].travelled_m = 0.0;
   EXPECT_NE(result_without_pairs(motion, keyframes, settings).advice.at(0).find("stands still"), std::string::npos);
 }
@@ -159,10 +160,11 @@ TEST(input_checks, clocks_that_are_apart_are_named_with_the_difference) {
   for (InsSample& sample : session->ins) sample.stamp_ns += 18'000'000'000;
   const CalibrationResult result = run({session}).result;
   EXPECT_EQ(result.status, Status::TooFewPairs);
-  EXPECT_NE(result.message.find("No scan lies within the INS data"), std::string::npos) << result.message;
-  EXPECT_NE(result.message.find("leap seconds"), std::string::npos) << result.message;
+  EXPECT_NE(english(result.message).find("No scan lies within the INS data"), std::string::npos)
+      << english(result.message);
+  EXPECT_NE(english(result.message).find("leap seconds"), std::string::npos) << english(result.message);
   ASSERT_EQ(result.advice.size(), 1U);
-  EXPECT_EQ(result.advice[0].find("rive turns"), std::string::npos) << result.advice[0];
+  EXPECT_EQ(english(result.advice[0]).find("rive turns"), std::string::npos) << english(result.advice[0]);
 }
 
 TEST(input_checks, settings_that_leave_no_pair_are_named_with_their_values) {
@@ -172,7 +174,8 @@ TEST(input_checks, settings_that_leave_no_pair_are_named_with_their_values) {
   settings.pairing.min_rotation_deg = 90.0;
   const CalibrationResult result = run({tiny_session()}, settings).result;
   EXPECT_EQ(result.status, Status::TooFewPairs);
-  EXPECT_NE(result.message.find("pairing.min_distance_m = 90 m"), std::string::npos) << result.message;
+  EXPECT_NE(english(result.message).find("pairing.min_distance_m = 90 m"), std::string::npos)
+      << english(result.message);
 }
 
 /// Scans none of which can be read.
@@ -200,10 +203,10 @@ TEST(input_checks, scans_that_cannot_be_read_at_all_are_said_so) {
     Progress progress;
     const CalibrationResult result = run_pipeline(input, progress).result;
     EXPECT_EQ(result.status, Status::TooFewPairs);
-    EXPECT_NE(result.message.find("scans that are needed can be read. First: 0000"), std::string::npos)
-        << result.message;
+    EXPECT_NE(english(result.message).find("scans that are needed can be read. First: 0000"), std::string::npos)
+        << english(result.message);
     ASSERT_FALSE(result.advice.empty());
-    EXPECT_EQ(result.advice[0].find("rive turns"), std::string::npos) << result.advice[0];
+    EXPECT_EQ(english(result.advice[0]).find("rive turns"), std::string::npos) << english(result.advice[0]);
   }
 }
 
@@ -219,7 +222,7 @@ TEST(input_checks, a_spacing_that_was_set_larger_is_not_given_up_without_a_word)
   const auto said = [&](const KeyframeOptions& options, std::size_t asked_for, std::size_t chosen) {
     std::vector<Finding> findings;
     report_closer_keyframes(session, options, asked_for, chosen, findings);
-    return findings.empty() ? std::string() : findings.front().explanation;
+    return findings.empty() ? std::string() : english(findings.front().explanation);
   };
   KeyframeOptions options;
   EXPECT_EQ(said(options, 12, 48), "") << "the default is nobody's wish";

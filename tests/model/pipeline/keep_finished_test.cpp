@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "algorithms/messages/render.h"
 #include "model/exporters/exporter.h"
 #include "model/preliminary.h"
 #include "model/result_file.h"
@@ -39,8 +40,8 @@ Cancelled cancelled_at(double share) {
 }
 
 std::size_t with_reason(const PipelineOutput& output, const std::string& reason) {
-  return static_cast<std::size_t>(
-      std::count_if(output.pairs.begin(), output.pairs.end(), [&](const Pair& pair) { return pair.reason == reason; }));
+  return static_cast<std::size_t>(std::count_if(output.pairs.begin(), output.pairs.end(),
+                                                [&](const Pair& pair) { return english(pair.reason) == reason; }));
 }
 
 TEST(keep_finished, what_was_aligned_is_solved_and_the_rest_says_why_it_is_not) {
@@ -53,9 +54,9 @@ TEST(keep_finished, what_was_aligned_is_solved_and_the_rest_says_why_it_is_not) 
   EXPECT_EQ(run.output.findings.back().code, "cancelled");
   Progress progress;
   solve_again(run.input, run.output, progress);
-  EXPECT_TRUE(is_preliminary(run.output.result)) << run.output.result.message;
+  EXPECT_TRUE(is_preliminary(run.output.result)) << english(run.output.result.message);
   EXPECT_EQ(run.output.result.status, Status::Degenerate) << "whoever looks at the status alone is to look again";
-  EXPECT_EQ(export_warnings(run.output.result).at(0), run.output.result.message);
+  EXPECT_EQ(export_warnings(run.output.result).at(0), english(run.output.result.message));
   const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
   std::printf("  %zu of %zu pairs: %.4f deg, %.1f %.1f %.1f mm\n", kept, pairs, error.rotation_deg, 1e3 * error.x_m,
               1e3 * error.y_m, 1e3 * error.z_m);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/pipeline.h"
 
 namespace remount {
@@ -55,7 +56,7 @@ TEST_F(keyframe_scan, that_cannot_be_read_is_named) {
     load_keyframe_scan(input_, output_, 2, progress_);
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.what_happened(), "is damaged");
+    EXPECT_EQ(english(error.what_happened()), "is damaged");
   }
 }
 

@@ -1,6 +1,7 @@
 // What is known beside the pairs, and the map check, in whole calibrations of simulated drives.
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
@@ -35,7 +36,7 @@ TEST(measured_drive, ground_below_an_ins_of_known_height_gives_z_on_a_flat_road)
   std::printf("  lidar %.3f m above the ground, sigma %.4f m\n", output.ground->lidar_height_m,
               output.ground->height_sigma_m);
   const CalibrationError error = error_of(output.result, drive.ins_from_lidar);
-  ASSERT_TRUE(output.result.observed[2]) << output.result.message;
+  ASSERT_TRUE(output.result.observed[2]) << english(output.result.message);
   EXPECT_LE(std::abs(error.z_m), 0.03);
   EXPECT_LE(*output.result.sigma(2), 0.03);
   expect_within_sigma(output.result, drive.ins_from_lidar, 3.5);
@@ -63,7 +64,8 @@ TEST(measured_drive, map_is_sharper_under_the_result_than_under_a_wrong_nominal)
               nominal.mean_map_entropy, result.points);
   EXPECT_LT(result.plane_thickness_m, 0.8 * nominal.plane_thickness_m);
   EXPECT_LT(result.mean_map_entropy, nominal.mean_map_entropy - 0.1);
-  for (const Finding& finding : output.findings) EXPECT_NE(finding.code, "map-less-sharp") << finding.explanation;
+  for (const Finding& finding : output.findings)
+    EXPECT_NE(finding.code, "map-less-sharp") << english(finding.explanation);
 }
 
 }  // namespace

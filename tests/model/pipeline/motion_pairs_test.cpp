@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/motion_pairs_file.h"
 #include "tests/support/calibration_checks.h"
 
@@ -31,7 +32,7 @@ TEST(motion_pairs_solution, exact_pairs_give_x_to_the_digits_of_the_file) {
   const CalibrationResult result = solve(read_motion_pairs(kPairs / "opencalib_PQ_exact.csv"));
   EXPECT_LE(rotation_angle_between_rad(result.ins_from_lidar, truth), 1e-6);
   EXPECT_LE((result.ins_from_lidar.translation() - truth.translation()).norm(), 1e-5);
-  EXPECT_EQ(result.status, Status::Ok) << result.message;
+  EXPECT_EQ(result.status, Status::Ok) << english(result.message);
   expect_within_sigma(result, truth, 3.5);
 }
 
@@ -111,7 +112,7 @@ TEST(motion_pairs_solution, pairs_keep_their_keyframes_whether_these_name_poses_
     const std::vector<Pair> before = motions.pairs;
     Progress progress;
     const CalibrationResult result = solve_motion_pairs(motions.keyframes, motions.pairs, {}, {}, progress);
-    EXPECT_EQ(result.status, Status::Ok) << result.message;
+    EXPECT_EQ(result.status, Status::Ok) << english(result.message);
     EXPECT_LT((result.ins_from_lidar.translation() - truth.translation()).norm(), 1e-6);
     for (std::size_t i = 0; i < before.size(); ++i) {
       EXPECT_EQ(motions.pairs[i].keyframe_a, before[i].keyframe_a);

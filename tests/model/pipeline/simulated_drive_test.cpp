@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/result_file.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
@@ -39,7 +40,7 @@ SimulationOptions small(ScenarioKind scenario) {
 TEST(simulated_street, reaches_the_stated_accuracy_with_64_beams_and_no_nominal) {
   const Calibrated run = calibrate_simulated({});
   const CalibrationError error = error_of(run.output.result, run.drive.ins_from_lidar);
-  EXPECT_EQ(run.output.result.status, Status::Ok) << run.output.result.message;
+  EXPECT_EQ(run.output.result.status, Status::Ok) << english(run.output.result.message);
   EXPECT_LE(error.rotation_deg, 0.02);
   EXPECT_LE(std::abs(error.x_m), 0.005);
   EXPECT_LE(std::abs(error.y_m), 0.005);
@@ -178,7 +179,7 @@ TEST(a_bad_scan, is_reported_and_skipped) {
   const PipelineOutput output = run_pipeline(input, progress);
   EXPECT_GT(output.result.pairs_accepted, 50);
   EXPECT_TRUE(std::any_of(output.findings.begin(), output.findings.end(), [](const Finding& finding) {
-    return finding.code == "scan-unreadable" && finding.explanation.find("WIDTH") != std::string::npos;
+    return finding.code == "scan-unreadable" && english(finding.explanation).find("WIDTH") != std::string::npos;
   }));
 }
 
@@ -301,7 +302,7 @@ TEST(the_pipeline, gives_the_same_numbers_for_any_number_of_threads) {
   const PipelineOutput three = run_pipeline(input, progress);
   EXPECT_EQ(one.result.ins_from_lidar.matrix(), three.result.ins_from_lidar.matrix());
   EXPECT_EQ(one.pairs.size(), three.pairs.size());
-  ASSERT_TRUE(is_usable(one.result)) << one.result.message;
+  ASSERT_TRUE(is_usable(one.result)) << english(one.result.message);
   EXPECT_EQ(one.result.candidates.size(), 7U) << "as many as the option allows";
   EXPECT_EQ(std::count_if(one.result.candidates.begin(), one.result.candidates.end(),
                           [](const Candidate& candidate) { return candidate.source == "joint clouds"; }),
@@ -333,7 +334,7 @@ TEST(the_pipeline, refuses_a_nominal_outside_the_search_range) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::Contract);
-    EXPECT_NE(error.what_happened().find("pitch 20.00 deg above 5.73 deg"), std::string::npos) << error.what();
+    EXPECT_NE(english(error.what_happened()).find("pitch 20.00 deg above 5.73 deg"), std::string::npos) << error.what();
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/pair_equation.h"
+#include "algorithms/messages/render.h"
 #include "model/pipeline.h"
 #include "model/pipeline/first_answer.h"
 #include "tests/support/registered_drive.h"
@@ -29,7 +30,7 @@ TEST(solve_again, is_answered_at_once_nearly_as_it_is_in_the_end) {
   PipelineOutput output = registered(input, 50);
   Progress progress;
   const double whole_ms = taken_ms([&] { solve_again(input, output, progress); });
-  ASSERT_EQ(output.result.status, Status::Ok) << output.result.message;
+  ASSERT_EQ(output.result.status, Status::Ok) << english(output.result.message);
   EXPECT_LT((output.result.ins_from_lidar.translation() - rigid_from_six(kTruth).translation()).norm(), 0.06);
   const RigidTransform before = output.result.ins_from_lidar;
   reject(output, 30, 25);

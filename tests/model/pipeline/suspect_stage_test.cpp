@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "algorithms/messages/render.h"
 #include "model/result_file.h"
 #include "model/simulator/simulator.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 std::string said(const std::vector<Finding>& findings, const std::string& code) {
   for (const Finding& finding : findings)
-    if (finding.code == code) return finding.explanation;
+    if (finding.code == code) return english(finding.explanation);
   return "";
 }
 
@@ -33,7 +34,8 @@ std::vector<Finding> clocks_of(ScenarioKind scenario, double offset_s) {
          (drive.enu_from_ins.front().pose * drive.ins_from_lidar).inverse() * pose.pose * drive.ins_from_lidar});
   std::vector<Finding> findings;
   if (const auto far = find_far_clock(motion, 0, poses)) findings.push_back(far->finding);
-  for (const Finding& finding : findings) std::printf("[%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
+  for (const Finding& finding : findings)
+    std::printf("[%s] %s\n", finding.code.c_str(), english(finding.explanation).c_str());
   return findings;
 }
 
@@ -158,7 +160,7 @@ TEST(suspect_stage, positions_of_an_antenna_are_advice_of_the_result) {
   blame_recording({{Severity::Warning, "antenna-position", "drive", ""}}, result);
   EXPECT_EQ(result.status, Status::Ok);
   ASSERT_EQ(result.advice.size(), 1U);
-  EXPECT_NE(result.advice[0].find("antenna"), std::string::npos);
+  EXPECT_NE(english(result.advice[0]).find("antenna"), std::string::npos);
 }
 
 TEST(suspect_stage, without_a_result_the_clock_is_the_only_advice) {
@@ -167,7 +169,7 @@ TEST(suspect_stage, without_a_result_the_clock_is_the_only_advice) {
   failed.advice = {"Drive turns."};
   blame_recording({{Severity::Problem, "clock-far", "drive", ""}}, failed);
   ASSERT_EQ(failed.advice.size(), 1U);
-  EXPECT_NE(failed.advice[0].find("bring the clocks of LiDAR and INS together"), std::string::npos);
+  EXPECT_NE(english(failed.advice[0]).find("bring the clocks of LiDAR and INS together"), std::string::npos);
   CalibrationResult other = failed;
   other.advice = {"Drive turns."};
   blame_recording({}, other);
@@ -197,10 +199,10 @@ PipelineOutput calibrated(const SimulatedDrive& drive, bool nominal) {
   if (nominal) input.nominal_ins_from_lidar = drive.ins_from_lidar;
   Progress progress;
   PipelineOutput output = run_pipeline(input, progress);
-  std::printf("%s\n", output.result.message.c_str());
-  for (const std::string& advice : output.result.advice) std::printf("  %s\n", advice.c_str());
+  std::printf("%s\n", english(output.result.message).c_str());
+  for (const std::string& advice : english(output.result.advice)) std::printf("  %s\n", advice.c_str());
   for (const Finding& finding : output.findings)
-    std::printf("  [%s] %s\n", finding.code.c_str(), finding.explanation.c_str());
+    std::printf("  [%s] %s\n", finding.code.c_str(), english(finding.explanation).c_str());
   return output;
 }
 
@@ -218,7 +220,8 @@ TEST(suspect_stage, a_calibration_without_nominal_names_the_clock_that_is_off) {
   const PipelineOutput output = calibrated(simulate_drive(options), false);
   EXPECT_NE(said(output.findings, "clock-far"), "");
   ASSERT_FALSE(output.result.advice.empty());
-  EXPECT_NE(output.result.advice[0].find("bring the clocks"), std::string::npos) << output.result.advice[0];
+  EXPECT_NE(english(output.result.advice[0]).find("bring the clocks"), std::string::npos)
+      << english(output.result.advice[0]);
   options.lidar_clock_offset_s = 0.0;
   EXPECT_EQ(said(calibrated(simulate_drive(options), false).findings, "clock-far"), "");
 }

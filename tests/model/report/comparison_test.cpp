@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
+
 namespace remount {
 namespace {
 
@@ -18,22 +20,22 @@ TEST(compare_results, warns_where_two_differ_by_more_than_they_claim_and_only_th
   const auto near = compare_results({result("a", 0.010, 0.001), result("b", 0.012, 0.001)});
   ASSERT_EQ(near.size(), 1U);
   EXPECT_FALSE(near[0].contradict) << near[0].words;
-  EXPECT_NE(near[0].words.find("yaw differs by 0.1146 deg, 1.4 times"), std::string::npos) << near[0].words;
+  EXPECT_NE(english(near[0].words).find("yaw differs by 0.1146 deg, 1.4 times"), std::string::npos) << near[0].words;
   const auto far = compare_results({result("a", 0.010, 0.001), result("b", 0.020, 0.001)});
   EXPECT_TRUE(far[0].contradict) << far[0].words;
-  EXPECT_NE(far[0].words.find("a and b contradict each other: yaw"), std::string::npos) << far[0].words;
+  EXPECT_NE(english(far[0].words).find("a and b contradict each other: yaw"), std::string::npos) << far[0].words;
 }
 
 TEST(compare_results, a_lidar_can_have_been_moved_between_two_recordings_and_not_within_one) {
   NamedResult a = result("a", 0.010, 0.001), b = result("b", 0.020, 0.001);
   a.file.inputs = {{"drive", "scan.pcd", 12, "aa"}, {"drive", "ins.csv", 30, "bb"}};
   b.file.inputs = a.file.inputs;
-  EXPECT_EQ(compare_results({a, b})[0].words.find("moved in between"), std::string::npos);
+  EXPECT_EQ(english(compare_results({a, b})[0].words).find("moved in between"), std::string::npos);
   b.file.inputs[1].sha256 = "cc";
-  EXPECT_NE(compare_results({a, b})[0].words.find("moved in between"), std::string::npos);
+  EXPECT_NE(english(compare_results({a, b})[0].words).find("moved in between"), std::string::npos);
   a.file.inputs.clear();
   b.file.inputs.clear();
-  EXPECT_NE(compare_results({a, b})[0].words.find("moved in between"), std::string::npos) << "not known";
+  EXPECT_NE(english(compare_results({a, b})[0].words).find("moved in between"), std::string::npos) << "not known";
 }
 
 TEST(compare_results, angles_on_either_side_of_half_a_turn_are_near) {
@@ -61,10 +63,11 @@ TEST(compare_results, other_frames_and_unusable_results_are_not_compared_and_say
   const auto compared = compare_results({result("a", 0.0, 0.001), vehicle, failed});
   for (const ComparedResults& pair : compared) {
     EXPECT_FALSE(pair.contradict);
-    EXPECT_EQ(pair.words.rfind("Not compared: ", 0), 0U) << pair.words;
+    EXPECT_EQ(english(pair.words).rfind("Not compared: ", 0), 0U) << pair.words;
     EXPECT_TRUE(std::isnan(pair.difference.difference[0]));
   }
-  EXPECT_NE(compared[0].words.find("\"ins\" and wheels in \"vehicle\""), std::string::npos) << compared[0].words;
+  EXPECT_NE(english(compared[0].words).find("\"ins\" and wheels in \"vehicle\""), std::string::npos)
+      << compared[0].words;
 }
 
 }  // namespace

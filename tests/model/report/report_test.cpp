@@ -155,7 +155,7 @@ TEST(report, pictures_the_worst_accepted_pairs_first) {
 TEST(report, every_word_can_be_in_another_language) {
   ReportStyle style;
   style.phrase = [](const char*, const char*) { return std::string("W"); };
-  style.sentence = [](const std::string&) { return std::string("S"); };
+  style.sentence = [](const Message&) { return std::string("S"); };
   const std::string html = report_html(example_report(), style);
   for (const char* english : {"Residual", "Pairs", "Correlation", "overlap", "nominal", "observable"})
     EXPECT_EQ(html.substr(0, html.find("<pre>")).find(english), std::string::npos) << english;

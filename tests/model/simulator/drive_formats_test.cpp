@@ -7,6 +7,7 @@
 
 #include "algorithms/geometry/geodesy.h"
 #include "algorithms/geometry/local_level.h"
+#include "algorithms/messages/render.h"
 #include "model/io/pose_file.h"
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
@@ -85,7 +86,7 @@ TEST(drive_formats, every_format_is_opened_by_the_reader_that_the_list_names) {
       EXPECT_EQ(session.ins_axes.value_or(format.ins_axes), format.ins_axes) << format.id;
     }
     for (const Finding& finding : session.findings)
-      EXPECT_NE(finding.severity, Severity::Problem) << format.id << ": " << finding.explanation;
+      EXPECT_NE(finding.severity, Severity::Problem) << format.id << ": " << english(finding.explanation);
   }
 }
 
@@ -136,7 +137,7 @@ TEST(drive_formats, nmea_drives_give_the_mounting_that_stands_beside_them) {
   SimulationOptions options = parking_ramp();
   options.ins_rate_hz = 10.0;  // each sample is a fix as well
   const auto [result, truth, error] = solved(options, "nmea");
-  EXPECT_TRUE(is_usable(result)) << result.message;
+  EXPECT_TRUE(is_usable(result)) << english(result.message);
   EXPECT_LT(error.rotation_deg, 0.05);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.02);
 }
@@ -150,7 +151,7 @@ TEST(drive_formats, nmea_drives_that_show_little_are_solved_all_the_same) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
     options.seed = seed;
     const auto [result, truth, error] = solved(options, "nmea");
-    EXPECT_TRUE(result.status == Status::Ok || result.status == Status::Degenerate) << result.message;
+    EXPECT_TRUE(result.status == Status::Ok || result.status == Status::Degenerate) << english(result.message);
     ASSERT_TRUE(result.sigma(4)) << "pitch is told";
     EXPECT_LT(*result.sigma(4), degrees_to_radians(2.0)) << "it says something";
     expect_within_sigma(result, truth, 3.5);
@@ -206,7 +207,7 @@ TEST(drive_formats, apollo_drives_in_the_middle_of_a_zone_give_the_mounting_in_t
   SimulationOptions options = parking_ramp();
   options.longitude_deg = 9.0;  // grid north is true north
   const auto [result, truth, error] = solved(options, "apollo-csv");
-  EXPECT_LT(error.rotation_deg, 0.05) << result.message;
+  EXPECT_LT(error.rotation_deg, 0.05) << english(result.message);
   EXPECT_LT(std::hypot(error.x_m, error.y_m), 0.02);
 }
 

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "algorithms/geometry/local_level.h"
+#include "algorithms/messages/render.h"
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
 #include "model/simulator/scene.h"
@@ -127,9 +128,9 @@ TEST(peer_formats, smartloc_drives_show_where_the_antenna_is) {
   const CalibrationResult result = calibration_method("vehicle-frame").run(input, progress).result;
   const Eigen::Vector3d truth = drive.sensors.vehicle_from_ins * drive.sensors.antenna_in_ins_m;
   const Eigen::Vector3d off = result.ins_from_lidar.translation() - truth;
-  std::cout << "    antenna off by " << off.x() << ", " << off.y() << " m; " << result.message << "\n";
+  std::cout << "    antenna off by " << off.x() << ", " << off.y() << " m; " << english(result.message) << "\n";
   for (const std::size_t i : {0u, 1u}) {
-    ASSERT_TRUE(result.observed[i]) << result.message;
+    ASSERT_TRUE(result.observed[i]) << english(result.message);
     EXPECT_LT(std::abs(off[static_cast<Eigen::Index>(i)]), std::max(0.02, 3.5 * result.sigma(i).value())) << i;
   }
 }

@@ -8,6 +8,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/messages/render.h"
 #include "model/simulator/lidar_model.h"
 
 namespace remount {
@@ -256,8 +257,8 @@ TEST(simulator, every_option_out_of_range_is_named) {
     FAIL() << "accepted";
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ErrorCode::Contract);
-    EXPECT_NE(error.what_happened().find("beams"), std::string::npos);
-    EXPECT_NE(error.what_happened().find("dropout"), std::string::npos);
+    EXPECT_NE(english(error.what_happened()).find("beams"), std::string::npos);
+    EXPECT_NE(english(error.what_happened()).find("dropout"), std::string::npos);
   }
 }
 

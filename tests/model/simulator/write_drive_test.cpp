@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/parse_document.h"
 #include "model/io/session_reader.h"
 #include "model/io/transform_document.h"
@@ -109,7 +110,7 @@ TEST_F(written_drive, as_kitti_raw_gives_its_truth_when_it_is_calibrated) {
   EXPECT_TRUE(input.sessions[0]->sweep.certain);
   const CalibrationResult result = run_pipeline(input, progress).result;
   const CalibrationError error = error_of(result, drive.ins_from_lidar);
-  EXPECT_TRUE(is_usable(result)) << result.message;
+  EXPECT_TRUE(is_usable(result)) << english(result.message);
   EXPECT_LE(error.rotation_deg, 0.05);
   EXPECT_LE(std::abs(error.x_m), 0.02);
   EXPECT_LE(std::abs(error.y_m), 0.02);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "tests/model/io/bag/bag_fixtures.h"
 #include "tests/support/temporary_files_in.h"
 
@@ -116,7 +117,7 @@ TEST(bag_file, of_which_a_part_cannot_be_read_gives_the_others_and_names_it) {
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::Warning);
   EXPECT_TRUE(contains(finding->where, "drive_1.mcap"));
-  EXPECT_TRUE(contains(finding->explanation, "is no bag that is known")) << finding->explanation;
+  EXPECT_TRUE(contains(english(finding->explanation), "is no bag that is known")) << english(finding->explanation);
   folder.write("drive/drive_0.mcap", "nor is this");
   EXPECT_ERROR(open_quietly(bag_folder), "drive_0.mcap");
 }

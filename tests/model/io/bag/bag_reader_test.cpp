@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
 #include "model/session_report.h"
 #include "tests/model/io/bag/bag_maker.h"
 
@@ -84,8 +85,8 @@ TEST_F(bag_reader, says_which_of_several_lidars_it_takes_and_takes_another_when_
   EXPECT_EQ(topic(session, "/top").used_as, std::vector<std::string>{"lidar"});
   const Finding* finding = find(session, "topic-chosen");
   ASSERT_TRUE(finding);
-  EXPECT_TRUE(contains(finding->explanation, "/front")) << finding->explanation;
-  EXPECT_TRUE(contains(finding->explanation, "--topic lidar="));
+  EXPECT_TRUE(contains(english(finding->explanation), "/front")) << english(finding->explanation);
+  EXPECT_TRUE(contains(english(finding->explanation), "--topic lidar="));
   const Session other = open_with({{"lidar", "/front"}});
   EXPECT_EQ(topic(other, "/front").used_as, std::vector<std::string>{"lidar"});
   EXPECT_EQ(topic(other, "/top").used_as, std::vector<std::string>{});
@@ -162,7 +163,7 @@ TEST_F(bag_reader, moves_an_ins_by_its_clock_and_not_by_the_sweep) {
     const Finding* finding = find(session, "clock-moved");
     EXPECT_TRUE(finding) << lidar_clock_ns;
     if (finding && *cause != 0) {
-      EXPECT_TRUE(contains(finding->explanation, cause)) << finding->explanation;
+      EXPECT_TRUE(contains(english(finding->explanation), cause)) << english(finding->explanation);
     }
     return static_cast<double>(session.ins[0].stamp_ns - kStart_ns) * 1e-9;
   };
@@ -194,8 +195,8 @@ TEST_F(bag_reader, leaves_an_ins_alone_whose_lidar_is_late_by_the_duration_of_it
     bag.add_scans("/points", 10, 30, timed, 0, 1'000'000'000, timed ? 920'000'000 : 1'020'000'000);
     bag.finish();
     const Session session = open(path());
-    EXPECT_FALSE(find(session, "clock-moved")) << find(session, "clock-moved")->explanation;
-    EXPECT_FALSE(find(session, "host-clock")) << find(session, "host-clock")->explanation;
+    EXPECT_FALSE(find(session, "clock-moved")) << english(find(session, "clock-moved")->explanation);
+    EXPECT_FALSE(find(session, "host-clock")) << english(find(session, "host-clock")->explanation);
     EXPECT_EQ(session.ins[0].stamp_ns, kStart_ns);
   }
 }
@@ -213,9 +214,9 @@ TEST_F(bag_reader, names_a_clock_that_is_off_by_less_than_what_is_moved) {
     ASSERT_TRUE(finding);
     EXPECT_EQ(finding->severity, Severity::Warning);
     EXPECT_TRUE(contains(finding->where, "/ins/imu")) << finding->where;
-    EXPECT_TRUE(contains(finding->explanation, clock_ns < 0 ? " 0.300 s apart" : "-0.300 s apart"))
-        << finding->explanation;
-    std::cout << finding->explanation << "\n";
+    EXPECT_TRUE(contains(english(finding->explanation), clock_ns < 0 ? " 0.300 s apart" : "-0.300 s apart"))
+        << english(finding->explanation);
+    std::cout << english(finding->explanation) << "\n";
   }
 }
 
@@ -244,7 +245,7 @@ TEST_F(bag_reader, says_that_points_have_no_times) {
   const Finding* finding = find(session, "no-point-times");
   ASSERT_TRUE(finding);
   EXPECT_EQ(finding->severity, Severity::Warning);
-  EXPECT_TRUE(contains(finding->explanation, "columns: x y z")) << finding->explanation;
+  EXPECT_TRUE(contains(english(finding->explanation), "columns: x y z")) << english(finding->explanation);
 }
 
 TEST_F(bag_reader, takes_times_that_are_all_zero_for_none) {
@@ -303,7 +304,7 @@ TEST_F(bag_reader, leaves_out_damaged_messages_and_counts_them) {
   EXPECT_EQ(session.ins.size(), 41u);
   const Finding* finding = find(session, "bad-messages");
   ASSERT_TRUE(finding);
-  EXPECT_TRUE(contains(finding->explanation, "1 message cannot be used")) << finding->explanation;
+  EXPECT_TRUE(contains(english(finding->explanation), "1 message cannot be used")) << english(finding->explanation);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "tests/model/io/bag/bag_maker.h"
 
@@ -17,9 +18,9 @@ class bag_streams : public ::testing::Test {
   static std::string said(const Session& session, const std::string& code, Severity severity) {
     const Finding* finding = find(session, code);
     if (!finding) return "";
-    std::printf("%s: [%s] %s\n", finding->where.c_str(), code.c_str(), finding->explanation.c_str());
+    std::printf("%s: [%s] %s\n", finding->where.c_str(), code.c_str(), english(finding->explanation).c_str());
     EXPECT_EQ(finding->severity, severity);
-    return finding->explanation;
+    return english(finding->explanation);
   }
   TemporaryFolder folder_;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "tests/model/io/bag/bag_maker.h"
 
 namespace remount {
@@ -12,8 +13,8 @@ using namespace bags;
 std::string said_of(const Session& session, const std::string& topic) {
   for (const Finding& finding : session.findings)
     if (finding.code == "rtk-lost" && finding.where.ends_with(topic)) {
-      std::printf("%s: %s\n", topic.c_str(), finding.explanation.c_str());
-      return finding.explanation;
+      std::printf("%s: %s\n", topic.c_str(), english(finding.explanation).c_str());
+      return english(finding.explanation);
     }
   return "";
 }
@@ -80,12 +81,12 @@ TEST(correction_status, what_comes_before_rtk_and_what_has_no_position_is_no_los
   report_lost_corrections(positions, "/inspvax", findings);
   positions.insert(positions.begin() + 50, 10, {0, "NONE"});
   report_lost_corrections(positions, "/inspvax", findings);
-  EXPECT_TRUE(findings.empty()) << findings.front().explanation;
+  EXPECT_TRUE(findings.empty()) << english(findings.front().explanation);
   positions.insert(positions.begin() + 70, 5, {2, "INS_RTKFLOAT"});
   report_lost_corrections(positions, "/inspvax", findings);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_TRUE(contains(findings.front().explanation, "from INS_RTKFIXED to INS_RTKFLOAT in 1 stretch"))
-      << findings.front().explanation;
+  EXPECT_TRUE(contains(english(findings.front().explanation), "from INS_RTKFIXED to INS_RTKFLOAT in 1 stretch"))
+      << english(findings.front().explanation);
 }
 
 TEST(correction_status, of_inspvax_is_read_by_number_and_by_name) {

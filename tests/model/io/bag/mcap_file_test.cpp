@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/io/crc32.h"
 #include "tests/model/io/bag/bag_fixtures.h"
 
@@ -87,7 +88,7 @@ TEST(mcap_file, is_read_as_its_format_is_described) {
   for (const std::string& bytes : {unchunked(), chunked(), chunked(0, 0, false)}) {
     const auto bag = open_quietly(folder.write("a.mcap", bytes));
     expect_hello(*bag);
-    EXPECT_TRUE(bag->findings().empty()) << bag->findings()[0].explanation;
+    EXPECT_TRUE(bag->findings().empty()) << english(bag->findings()[0].explanation);
   }
 }
 
@@ -115,13 +116,15 @@ TEST(mcap_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
         EXPECT_GE(count, most) << "cut at byte " << length;
         most = std::max(most, count);
         if (const Finding* finding = find(*bag, "bag-unindexed")) {
-          EXPECT_TRUE(contains(finding->explanation, std::to_string(count) + " messages")) << finding->explanation;
-          nothing_lost += contains(finding->explanation, "; 0 bytes at the end");
+          EXPECT_TRUE(contains(english(finding->explanation), std::to_string(count) + " messages"))
+              << english(finding->explanation);
+          nothing_lost += contains(english(finding->explanation), "; 0 bytes at the end");
           ++warned;
         } else {
           const Finding* end = find(*bag, "bag-cut-end");
           ASSERT_NE(end, nullptr) << "cut at byte " << length << " without a word";
-          EXPECT_TRUE(contains(end->explanation, "reading them: " + std::to_string(count) + ".")) << end->explanation;
+          EXPECT_TRUE(contains(english(end->explanation), "reading them: " + std::to_string(count) + "."))
+              << english(end->explanation);
           EXPECT_EQ(count, messages.size()) << "cut at byte " << length;
         }
       } catch (const Error& error) {
@@ -167,7 +170,7 @@ TEST(mcap_file, whose_summary_does_not_repeat_the_channels_is_read_without_a_wor
   bytes.erase(at, repeated.size());
   const auto bag = open_quietly(folder.write("a.mcap", bytes));
   expect_hello(*bag);
-  EXPECT_TRUE(bag->findings().empty()) << bag->findings()[0].explanation;
+  EXPECT_TRUE(bag->findings().empty()) << english(bag->findings()[0].explanation);
 }
 
 TEST(mcap_file, of_lies_is_refused_or_read_from_its_beginning) {
@@ -278,8 +281,9 @@ TEST(mcap_file, whose_chunk_has_a_wrong_checksum_gives_the_other_chunks) {
     EXPECT_EQ(readable(*scanned), left);
     const Finding* finding = find(*scanned, "bag-unindexed");
     ASSERT_NE(finding, nullptr);
-    EXPECT_TRUE(contains(finding->explanation, "checksum of the chunk")) << finding->explanation;
-    EXPECT_TRUE(contains(finding->explanation, std::to_string(left) + " messages")) << finding->explanation;
+    EXPECT_TRUE(contains(english(finding->explanation), "checksum of the chunk")) << english(finding->explanation);
+    EXPECT_TRUE(contains(english(finding->explanation), std::to_string(left) + " messages"))
+        << english(finding->explanation);
   }
 }
 
@@ -309,7 +313,8 @@ TEST(mcap_file, whose_data_or_attachment_has_a_wrong_checksum_is_read_with_a_war
     expect_hello(*bag);
     const Finding* finding = find(*bag, "bag-damaged");
     ASSERT_NE(finding, nullptr);
-    EXPECT_TRUE(contains(finding->explanation, data ? "data" : "Attachments")) << finding->explanation;
+    EXPECT_TRUE(contains(english(finding->explanation), data ? "data" : "Attachments"))
+        << english(finding->explanation);
   }
 }
 
@@ -334,8 +339,8 @@ TEST(mcap_file, whose_index_is_damaged_between_whole_chunks_does_not_claim_that_
   EXPECT_EQ(count_and_check(*bag, messages), messages.size());
   EXPECT_EQ(find(*bag, "bag-cut-end"), nullptr);
   ASSERT_NE(find(*bag, "bag-unindexed"), nullptr);
-  EXPECT_TRUE(contains(find(*bag, "bag-unindexed")->explanation, "30 messages were found; 0 bytes"))
-      << find(*bag, "bag-unindexed")->explanation;
+  EXPECT_TRUE(contains(english(find(*bag, "bag-unindexed")->explanation), "30 messages were found; 0 bytes"))
+      << english(find(*bag, "bag-unindexed")->explanation);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "tests/model/io/bag/bag_fixtures.h"
 
 namespace remount {
@@ -84,7 +85,7 @@ TEST(rosbag1_file, with_zeros_between_its_parts_has_its_index) {
     const auto bag = open_quietly(folder.write("a.bag", hand_made(0, 1, 0, std::string(zeros, '\0')).bytes));
     ASSERT_EQ(bag->topics().size(), 1u) << zeros;
     EXPECT_EQ(bag->message(bag->topics()[0].entries[0]), "hello") << zeros;
-    EXPECT_TRUE(bag->findings().empty()) << bag->findings().front().explanation;
+    EXPECT_TRUE(bag->findings().empty()) << english(bag->findings().front().explanation);
   }
   // A file system that lost the end of a file that was not closed left zeros there.
   std::string bytes = hand_made().bytes;
@@ -92,7 +93,7 @@ TEST(rosbag1_file, with_zeros_between_its_parts_has_its_index) {
   bytes.replace(value, 8, std::string(8, '\0'));
   const auto bag = open_quietly(folder.write("a.bag", bytes + std::string(10'000, '\0')));
   EXPECT_EQ(message_count(*bag), 1u);
-  EXPECT_TRUE(contains(find(*bag, "bag-unindexed")->explanation, "It is readable to its end."));
+  EXPECT_TRUE(contains(english(find(*bag, "bag-unindexed")->explanation), "It is readable to its end."));
 }
 
 TEST(rosbag1_file, is_written_and_read_in_every_compression) {
@@ -119,7 +120,7 @@ TEST(rosbag1_file, that_was_not_closed_is_read_from_its_beginning) {
     const Finding* finding = find(*bag, "bag-unindexed");
     ASSERT_TRUE(finding);
     EXPECT_EQ(finding->severity, Severity::Warning);
-    EXPECT_TRUE(contains(finding->explanation, "60 messages")) << finding->explanation;
+    EXPECT_TRUE(contains(english(finding->explanation), "60 messages")) << english(finding->explanation);
   }
 }
 
@@ -138,7 +139,8 @@ TEST(rosbag1_file, that_was_cut_anywhere_gives_its_beginning_with_a_count) {
         most = std::max(most, count);
         const Finding* finding = find(*bag, "bag-unindexed");
         ASSERT_TRUE(finding) << "cut at byte " << length;
-        EXPECT_TRUE(contains(finding->explanation, std::to_string(count) + " messages")) << finding->explanation;
+        EXPECT_TRUE(contains(english(finding->explanation), std::to_string(count) + " messages"))
+            << english(finding->explanation);
         ++warned;
       } catch (const Error& error) {
         EXPECT_EQ(most, 0u) << "cut at byte " << length << ": " << error.what();

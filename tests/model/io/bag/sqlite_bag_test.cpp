@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "algorithms/messages/render.h"
 #include "tests/model/io/bag/sqlite_fixture.h"
 #include "tests/support/temporary_files_in.h"
 
@@ -51,7 +52,7 @@ TEST(sqlite_bag, in_a_folder_with_metadata_is_read_with_all_its_parts) {
   const auto half = open_quietly(bag_folder);
   EXPECT_EQ(count_and_check(*half, messages), 25u);
   ASSERT_TRUE(find(*half, "bag-part-missing"));
-  EXPECT_TRUE(contains(find(*half, "bag-part-missing")->explanation, "bag_1.db3"));
+  EXPECT_TRUE(contains(english(find(*half, "bag-part-missing")->explanation), "bag_1.db3"));
   write_sqlite_metadata(bag_folder, {"bag_0.db3.zstd"});  // unpacked by hand
   EXPECT_EQ(count_and_check(*open_quietly(bag_folder), messages), 25u);
   fs::remove(bag_folder / "bag_0.db3");

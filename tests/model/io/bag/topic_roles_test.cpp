@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "model/io/bag/ros_messages.h"
 #include "tests/model/io/bag/bag_maker.h"
 
@@ -32,8 +33,8 @@ class topic_roles : public ::testing::Test {
   }
   static std::string said(const Session& session, const std::string& code) {
     const Finding* finding = find(session, code);
-    if (finding) std::printf("[%s] %s\n", code.c_str(), finding->explanation.c_str());
-    return finding ? finding->explanation : "";
+    if (finding) std::printf("[%s] %s\n", code.c_str(), english(finding->explanation).c_str());
+    return finding ? english(finding->explanation) : "";
   }
   /// A constant turn of an IMU that has seen the orientation `yaw`.
   static BagMaker::ImuContent turning(double yaw, double orientation_variance, double rate_variance) {
