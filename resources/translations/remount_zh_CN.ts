@@ -8119,6 +8119,10 @@ Save under another name, or close it there first.</source>
         <translation>应为有限的数，实际为：%1</translation>
     </message>
     <message>
+        <source>expected a number from %1 to %2, found %3</source>
+        <translation>应为 %1 至 %2 之间的数，实为 %3</translation>
+    </message>
+    <message>
         <source>expected a list of %1 numbers, found %2</source>
         <translation>应为含 %1 个数的列表，实际为：%2</translation>
     </message>
@@ -8291,8 +8295,8 @@ Save under another name, or close it there first.</source>
         <translation>不是设置的分组；已知的有 %1</translation>
     </message>
     <message>
-        <source>expected section.key=value</source>
-        <translation>应为 section.key=value</translation>
+        <source>expected section.key=value; &quot;remount-cli settings&quot; prints all of them with what they take</source>
+        <translation>应为“节.键=值”；“remount-cli settings”会列出全部设置及其取值</translation>
     </message>
     <message>
         <source>expected three entries: x, y, z</source>
