@@ -2379,8 +2379,8 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>此步骤约剩 %1 秒</translation>
     </message>
     <message>
-        <source>about %1 min left in this step</source>
-        <translation>此步骤约剩 %1 分钟</translation>
+        <source>about %1 min %2 s left in this step</source>
+        <translation>此步骤约剩 %1 分 %2 秒</translation>
     </message>
     <message>
         <source>%1 s</source>
