@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/core/stamps.h"
 #include "model/checks/data_check.h"
 #include "model/session_frames.h"
 
@@ -18,7 +19,7 @@ std::vector<TimeGap> gaps_of(const std::vector<std::int64_t>& stamps_ns, const S
   std::vector<TimeGap> gaps;
   if (report.gaps == 0 || !(report.rate_hz > 0.0)) return gaps;
   for (std::size_t i = 1; i < stamps_ns.size(); ++i)
-    if (1e-9 * static_cast<double>(stamps_ns[i] - stamps_ns[i - 1]) > kGapSteps / report.rate_hz)
+    if (seconds(stamps_ns[i] - stamps_ns[i - 1]) > kGapSteps / report.rate_hz)
       gaps.push_back({drive.time_s(stamps_ns[i - 1]), drive.time_s(stamps_ns[i])});
   return gaps;
 }
@@ -63,7 +64,7 @@ double speed_m_s(const std::vector<StampedPose>& poses, std::size_t i) {
   std::size_t first = i, last = i;
   while (first > 0 && poses[i].stamp_ns - poses[first].stamp_ns < kReach_ns) --first;
   while (last + 1 < poses.size() && poses[last].stamp_ns - poses[i].stamp_ns < kReach_ns) ++last;
-  const double taken_s = 1e-9 * static_cast<double>(poses[last].stamp_ns - poses[first].stamp_ns);
+  const double taken_s = seconds(poses[last].stamp_ns - poses[first].stamp_ns);
   return taken_s > 0.0 ? (poses[last].pose.translation() - poses[first].pose.translation()).norm() / taken_s : 0.0;
 }
 
@@ -75,7 +76,7 @@ void describe_track(const Session& session, const std::vector<StampedPose>& pose
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (i > 0) {
       drive.travelled_m += (poses[i].pose.translation() - poses[i - 1].pose.translation()).norm();
-      broken |= 1e-9 * static_cast<double>(poses[i].stamp_ns - poses[i - 1].stamp_ns) > longest_s;
+      broken |= seconds(poses[i].stamp_ns - poses[i - 1].stamp_ns) > longest_s;
     }
     if (i % every == 0) {
       drive.stretches.push_back({drive.time_s(poses[i].stamp_ns), InsQuality::Unknown, kNone, kNone, 0.0});

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "algorithms/core/stamps.h"
 #include "model/session_report.h"
 
 namespace remount {
@@ -35,7 +36,7 @@ struct DriveOverview {
   std::vector<Finding> findings;  ///< of the checks that look at the drive as a whole
   MotionOutlook outlook;          ///< for pairs of keyframes, with the settings of the program
 
-  double time_s(std::int64_t stamp_ns) const { return 1e-9 * static_cast<double>(stamp_ns - start_ns); }
+  double time_s(std::int64_t stamp_ns) const { return seconds(stamp_ns - start_ns); }
 };
 
 /// Reads no scan. @param most how many places of the track and stretches of time at most

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "algorithms/geometry/earth_radius.h"
 #include "model/travel_direction.h"
 
 namespace remount {
@@ -30,11 +31,11 @@ double likelihood_of_utm(const Eigen::Vector3d& at, std::optional<bool> northern
   constexpr double kOften = 0.9, kRarely = 0.3;
   constexpr double kLeastEasting_m = 1e5, kMostEasting_m = 9e5, kMiddle_m = 5e5, kNationalNorthing_m = 1.25e6,
                    kOfEquator_m = 1e7;
-  constexpr double kEarth_m = 6.371e6, kHalfZone_rad = 3.5 * kPi / 180.0;
+  constexpr double kHalfZone_rad = 3.5 * kPi / 180.0;
   if (at.x() < kLeastEasting_m || at.x() > kMostEasting_m || at.y() < 0.0) return 0.0;
   const auto in_zone = [&](bool half) {
-    const double latitude_rad = (half ? at.y() : kOfEquator_m - at.y()) / kEarth_m;
-    return std::abs(at.x() - kMiddle_m) < kHalfZone_rad * kEarth_m * std::cos(latitude_rad);
+    const double latitude_rad = (half ? at.y() : kOfEquator_m - at.y()) / kEarthRadius_m;
+    return std::abs(at.x() - kMiddle_m) < kHalfZone_rad * kEarthRadius_m * std::cos(latitude_rad);
   };
   const bool usual = at.y() > kNationalNorthing_m && (northern ? in_zone(*northern) : in_zone(true) || in_zone(false));
   return usual ? kOften : kRarely;

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "algorithms/core/median.h"
 #include "algorithms/messages/render.h"
 #include "model/session_frames.h"
 
@@ -150,11 +151,10 @@ std::string line_of(const CountedKind& kind, const char* state) {
   std::string text = std::to_string(kind.count) + " " + state + (kind.differ ? ", for instance: " : ": ") + kind.words;
   std::vector<double> residuals_m = kind.residuals_m;
   if (residuals_m.empty()) return text;
-  const auto middle = residuals_m.begin() + std::ssize(residuals_m) / 2;
-  std::nth_element(residuals_m.begin(), middle, residuals_m.end());
+  const double middle_m = median_of(std::move(residuals_m));
   char by[48];
-  std::snprintf(by, sizeof by, kind.count > 1 ? ", half of them by more than %.2g m" : ", by %.2g m", *middle);
-  return std::isfinite(*middle) ? text + by : text;
+  std::snprintf(by, sizeof by, kind.count > 1 ? ", half of them by more than %.2g m" : ", by %.2g m", middle_m);
+  return std::isfinite(middle_m) ? text + by : text;
 }
 
 }  // namespace

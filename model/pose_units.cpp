@@ -7,13 +7,14 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
+#include "algorithms/geometry/earth_radius.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/session.h"
 
 namespace remount {
 namespace {
 
-constexpr double kMetresPerRadian = 6.37e6;
 constexpr double kSlowestDrive_mps = 0.3, kFastestDrive_mps = 100.0;  // of a drive in degrees or radians
 
 /// How poses move from second to second, as their numbers say.
@@ -31,7 +32,7 @@ Pace pace_of(const std::vector<StampedPose>& poses) {
   std::size_t from = 0;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     if (poses[i].stamp_ns - poses[from].stamp_ns < kSecond_ns) continue;
-    const double time_s = static_cast<double>(poses[i].stamp_ns - poses[from].stamp_ns) * 1e-9;
+    const double time_s = seconds(poses[i].stamp_ns - poses[from].stamp_ns);
     const Eigen::Vector3d step = poses[i].pose.translation() - poses[from].pose.translation();
     const double way = step.head<2>().norm();
     if (way > 0.0) speeds.push_back(way / time_s);
@@ -61,7 +62,7 @@ bool something_moved(const Pace& pace, const Session& session) {
 /// @param radians in one unit of the numbers
 bool are_angles(const Session& session, const Pace& pace, double radians) {
   constexpr double kWay_m = 5.0;
-  const double metres = kMetresPerRadian * radians, quarter = 0.5 * kPi / radians, half = kPi / radians;
+  const double metres = kEarthRadius_m * radians, quarter = 0.5 * kPi / radians, half = kPi / radians;
   const auto& poses = session.world_from_ins;
   if (!all_within(poses, quarter, half) && !all_within(poses, half, quarter)) return false;
   // As metres, the whole drive would fit on a table; as angles it is one.

@@ -7,6 +7,7 @@
 #include "model/checks/data_check.h"
 #include "model/deciding_notes.h"
 #include "model/io/atomic_save.h"
+#include "model/io/finding_document.h"
 #include "model/io/pair_document.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
@@ -63,18 +64,6 @@ std::vector<PairVerdict> verdicts_from(const DocumentView& view) {
     verdicts.push_back(verdict);
   }
   return verdicts;
-}
-
-DocumentNode stored_findings(const std::vector<Finding>& findings) {
-  DocumentNode list = DocumentNode::sequence();
-  for (const Finding& finding : findings) {
-    DocumentNode& node = list.add(DocumentNode::map());
-    node.add("severity", DocumentNode::integer(static_cast<int>(finding.severity)));
-    node.add("code", DocumentNode::string(finding.code));
-    node.add("where", DocumentNode::string(finding.where));
-    node.add("explanation", DocumentNode::string(english(finding.explanation)));
-  }
-  return list;
 }
 
 DocumentNode ground_document(const ObservedGround& ground) {
@@ -148,7 +137,7 @@ DocumentNode calibration_document(const Project& project) {
   if (output.farthest_clock_s > 0.0) node.add("farthest_clock_s", DocumentNode::number(output.farthest_clock_s));
   DocumentNode& doubts = node.add("sweep_doubts", DocumentNode::sequence());
   for (const Vector6d& doubt : output.sweep_doubts) doubts.add(DocumentNode::numbers({doubt.begin(), doubt.end()}));
-  node.add("findings", stored_findings(output.findings));
+  node.add("findings", findings_document(output.findings));
   DocumentNode& keyframes = node.add("keyframes", DocumentNode::sequence());
   for (const Keyframe& keyframe : output.keyframes) keyframes.add(keyframe_document(keyframe));
   DocumentNode& pairs = node.add("pairs", DocumentNode::sequence());
@@ -197,9 +186,7 @@ void read_calibration(const DocumentView& view, Project& project) {
   if (view.has("sweep_doubts"))
     for (const DocumentView& item : view.at("sweep_doubts").items())
       output.sweep_doubts.emplace_back(Eigen::Map<const Vector6d>(item.numbers(6).data()));
-  for (const DocumentView& item : view.at("findings").items())
-    output.findings.push_back({static_cast<Severity>(item.at("severity").integer(0, 2)), item.at("code").string(),
-                               item.at("where").string(), item.at("explanation").string()});
+  output.findings = findings_from_document(view.at("findings"));
   for (const DocumentView& item : view.at("keyframes").items())
     output.keyframes.push_back(keyframe_from_document(item, project.basis.session_count));
   for (const DocumentView& item : view.at("pairs").items())

@@ -11,6 +11,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/messages/render.h"
 #include "model/io/atomic_save.h"
+#include "model/io/finding_document.h"
 #include "model/io/method_document.h"
 #include "model/io/sha256.h"
 #include "model/io/transform_document.h"
@@ -166,18 +167,6 @@ DocumentNode provenance_document(const ResultFile& file) {
 DocumentNode strings_document(const std::vector<std::string>& strings) {
   DocumentNode list = DocumentNode::sequence();
   for (const std::string& text : strings) list.add(DocumentNode::string(text));
-  return list;
-}
-
-DocumentNode findings_document(const std::vector<Finding>& findings) {
-  DocumentNode list = DocumentNode::sequence();
-  for (const Finding& finding : findings) {
-    DocumentNode& node = list.add(DocumentNode::map());
-    node.add("code", DocumentNode::string(finding.code));
-    node.add("severity", DocumentNode::string(to_string(finding.severity)));
-    node.add("where", DocumentNode::string(finding.where));
-    node.add("explanation", DocumentNode::string(english(finding.explanation)));
-  }
   return list;
 }
 

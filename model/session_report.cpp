@@ -10,6 +10,8 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
+#include "algorithms/geometry/earth_radius.h"
 #include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "model/clock_hint.h"
@@ -18,8 +20,6 @@
 
 namespace remount {
 namespace {
-
-constexpr double kEarthRadiusM = 6371000.0;
 
 std::string number(double value, int digits) {
   char text[64];
@@ -58,8 +58,8 @@ void measure_motion(const Session& session, SessionReport& report) {
   };
   for (std::size_t i = 1; i < session.ins.size(); ++i) {
     const InsSample &a = session.ins[i - 1], &b = session.ins[i];
-    const double north = (b.latitude_rad - a.latitude_rad) * kEarthRadiusM;
-    const double east = wrap_angle_rad(b.longitude_rad - a.longitude_rad) * kEarthRadiusM * std::cos(a.latitude_rad);
+    const double north = (b.latitude_rad - a.latitude_rad) * kEarthRadius_m;
+    const double east = wrap_angle_rad(b.longitude_rad - a.longitude_rad) * kEarthRadius_m * std::cos(a.latitude_rad);
     report.travelled_m += Eigen::Vector3d(east, north, b.height_m - a.height_m).norm();
     turned(session.ins.front().enu_from_ins.toRotationMatrix(), b.enu_from_ins.toRotationMatrix());
   }
@@ -268,7 +268,7 @@ StreamReport report_stream(const std::vector<std::int64_t>& stamps_ns) {
   if (median > 0) report.rate_hz = 1e9 / static_cast<double>(median);
   for (const std::int64_t step : steps) {
     if (median > 0 && static_cast<double>(step) > 3.0 * static_cast<double>(median)) ++report.gaps;
-    report.longest_gap_s = std::max(report.longest_gap_s, static_cast<double>(step) * 1e-9);
+    report.longest_gap_s = std::max(report.longest_gap_s, seconds(step));
   }
   return report;
 }
@@ -288,7 +288,7 @@ SessionReport report_session(const Session& session, Progress& progress) {
     const auto after = std::lower_bound(ins.begin(), ins.end(), stamp);
     if (after == ins.end() || (after == ins.begin() && *after != stamp)) continue;
     const std::int64_t before = *after == stamp ? stamp : *(after - 1);
-    if (static_cast<double>(*after - before) * 1e-9 <= longest_step_s) ++report.lidar_covered;
+    if (seconds(*after - before) <= longest_step_s) ++report.lidar_covered;
   }
   measure_motion(session, report);
   sample_scans(session, report, progress);

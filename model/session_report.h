@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "algorithms/core/stamps.h"
 #include "model/method_needs.h"
 #include "model/motion_outlook.h"
 #include "model/session.h"
@@ -20,7 +21,7 @@ struct StreamReport {
   double rate_hz = 0.0;        ///< from the median step; 0 where there are fewer than two
   std::size_t gaps = 0;        ///< steps longer than three median steps
   double longest_gap_s = 0.0;  ///< the longest step
-  double span_s() const { return static_cast<double>(last_ns - first_ns) * 1e-9; }
+  double span_s() const { return seconds(last_ns - first_ns); }
 };
 /// Of scans, and of the poses of an odometry.
 std::vector<std::int64_t> lidar_stamps_ns(const Session& session);

@@ -51,6 +51,21 @@ struct OptionWriter {
   }
 };
 
+/// "-100 to 100 m".
+std::string bounds_of(const OptionInfo& info) {
+  return shortest(info.minimum) + " to " + shortest(info.maximum) +
+         (info.unit.empty() ? "" : " " + std::string(info.unit));
+}
+
+/// Throws Error(Format) that says what would have been a number here.
+double number_of(const DocumentView& view, const OptionInfo& info) {
+  try {
+    return view.number();
+  } catch (const Error&) {
+    view.fail("expected a number from " + bounds_of(info) + ", found " + view.described());
+  }
+}
+
 /// Half a turn is typed as 3.1416 or 3.15 rad, which is beyond it by less than half a degree: the bound is meant.
 double snapped_to_bounds(const OptionInfo& info, double value) {
   constexpr double kSlack_rad = 0.5 / 57.295779513082323;
@@ -87,7 +102,7 @@ struct OptionReader {
         value = static_cast<T>(
             view.integer(static_cast<std::int64_t>(info.minimum), static_cast<std::int64_t>(info.maximum)));
       } else if constexpr (std::is_floating_point_v<T>) {
-        const double number = snapped_to_bounds(info, view.number());
+        const double number = snapped_to_bounds(info, number_of(view, info));
         if (number < info.minimum || number > info.maximum) view.fail(outside_bounds(info, number));
         value = number;
       } else {
@@ -208,19 +223,35 @@ std::string settings_text(const Settings& settings, bool comments) {
   return to_yaml(document);
 }
 
+namespace {
+
+/// What was typed behind the equals sign, read as files are, so that both accept the same. No setting is a list or a
+/// map: what is no YAML, or nothing, is a text that the setting refuses, saying what it takes.
+DocumentNode typed_value(std::string_view text, const std::string& where) {
+  DocumentNode value = DocumentNode::string(std::string(text));
+  try {
+    if (!text.empty()) value = parse_yaml(text, where);
+  } catch (const Error&) {
+  }
+  value.line = 0;
+  return value;
+}
+
+}  // namespace
+
 void apply_setting(Settings& settings, std::string_view assignment) {
+  const std::string where = "--set " + std::string(assignment);
   const std::size_t equals = assignment.find('=');
   const std::size_t dot = assignment.substr(0, equals).find('.');
   if (equals == std::string_view::npos || dot == std::string_view::npos)
-    throw Error(ErrorCode::Contract, std::string(assignment), "expected section.key=value");
-  // The value passes through the reader of files, so that both accept the same.
-  DocumentNode value = parse_yaml(assignment.substr(equals + 1), std::string(assignment));
-  value.line = 0;
+    throw Error(ErrorCode::Contract, where,
+                "expected section.key=value; \"remount-cli settings\" prints all of them with what they take");
   DocumentNode document = DocumentNode::map();
   document.add(std::string(assignment.substr(0, dot)), DocumentNode::map())
-      .add(std::string(assignment.substr(dot + 1, equals - dot - 1)), std::move(value));
+      .add(std::string(assignment.substr(dot + 1, equals - dot - 1)),
+           typed_value(assignment.substr(equals + 1), where));
   try {
-    settings = read_values(DocumentView(document, assignment), settings);
+    settings = read_values(DocumentView(document, where), settings);
   } catch (const Error& error) {
     throw Error(ErrorCode::Contract, error.where(), error.what_happened());
   }

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "algorithms/core/stamps.h"
 #include "algorithms/geometry/rotation.h"
 
 namespace remount {
@@ -30,7 +31,7 @@ std::vector<Block> blocks_of(const Poses& poses) {
     number = here;
     Block& block = blocks.back();
     block.position += pose.pose.translation();
-    block.time_s += static_cast<double>(since_ns) * 1e-9;
+    block.time_s += seconds(since_ns);
     block.last = i;
   }
   for (Block& block : blocks) {
@@ -51,7 +52,7 @@ std::optional<TravelStep> step_between(const Block& from, const Block& to, std::
   const StampedPose first = poses[from.first], last = poses[to.last];
   const double turned_rad = so3_log(first.pose.linear().transpose() * last.pose.linear()).z();
   return TravelStep{step.normalized(), speed_mps, poses[middle].pose.linear(),
-                    turned_rad / (static_cast<double>(last.stamp_ns - first.stamp_ns) * 1e-9)};
+                    turned_rad / seconds(last.stamp_ns - first.stamp_ns)};
 }
 
 /// At a walking pace a whole second, whose halves lead the same way: a receiver that stands wanders to and fro.

@@ -68,8 +68,7 @@ Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where) {
   return make_finding(Severity::Warning, kWeekRollover, where,
                       "The stamps are " + std::to_string(weeks) + " weeks " + (moved_ns > 0 ? "before" : "after") +
                           " those they belong to: the week number of GPS begins anew every 1024 weeks, and a receiver "
-                          "with old firmware "
-                          "takes one turn for another. They were moved by that.");
+                          "with old firmware takes one turn for another. They were moved by that.");
 }
 
 void mend_week_rollover(Session& session) {

@@ -5,10 +5,11 @@ export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 
 say() { printf '== %d:%02d %s\n' "$((SECONDS / 60))" "$((SECONDS % 60))" "$*"; }
 
-# Reads ninja's lines: "[7 of 60] …" becomes a line of progress every 15 seconds, with the time that is left if the rest
-# takes as long as what is done; whatever else it prints (warnings, errors) is passed on.
+# Reads ninja's lines: "[7 of 60] …" becomes a line of progress every 15 seconds, with the minutes that are left if the
+# rest takes as long as what is done. They are said only where they have become fewer since they were said last: the
+# largest files may come at the end. Whatever else it prints (warnings, errors) is passed on.
 show_progress() {
-  local line begun=$SECONDS shown=$((SECONDS - 15)) pattern='^\[([0-9]+) of ([0-9]+)\]' done_steps=0 steps=0
+  local line begun=$SECONDS shown=$((SECONDS - 15)) pattern='^\[([0-9]+) of ([0-9]+)\]' done_steps=0 steps=0 said_min=1000000
   while IFS= read -r line; do
     if ! [[ $line =~ $pattern ]]; then
       printf '%s\n' "$line"
@@ -18,11 +19,12 @@ show_progress() {
     local elapsed=$((SECONDS - begun))
     if [ "$done_steps" -gt 0 ] && [ "$done_steps" -lt "$steps" ] && [ "$((SECONDS - shown))" -ge 15 ]; then
       shown=$SECONDS
-      if [ "$elapsed" -lt 20 ] || [ "$done_steps" -lt 3 ]; then
+      local left_min=$(((elapsed * (steps - done_steps) / done_steps + 59) / 60))
+      if [ "$elapsed" -lt 20 ] || [ "$done_steps" -lt 3 ] || [ "$left_min" -ge "$said_min" ]; then
         say "   step $done_steps of $steps"
       else
-        local left=$((elapsed * (steps - done_steps) / done_steps))
-        say "   step $done_steps of $steps, about $(((left + 59) / 60)) min left"
+        said_min=$left_min
+        say "   step $done_steps of $steps, about $left_min min left"
       fi
     fi
   done

@@ -167,8 +167,6 @@ const std::vector<const char*>& calibration_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "the shift along [%1], the shift along [%2], %3"),
       QT_TRANSLATE_NOOP("remount::model", "%1, the turn about [%2]"),
       QT_TRANSLATE_NOOP("remount::model", "%1, the turn about [%2], the turn about [%3]"),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "A height measured by tape goes into measured.z_m, its sigma into measured.z_sigma_m."),
       QT_TRANSLATE_NOOP("remount::model", "The poses contradict the travel of the vehicle: their inverses follow it."),
       QT_TRANSLATE_NOOP("remount::model", "the poses are inverted"),
       QT_TRANSLATE_NOOP("remount::model",

@@ -142,13 +142,11 @@ const std::vector<const char*>& file_phrases() {
       QT_TRANSLATE_NOOP(
           "remount::model",
           "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %1 s apart, beside what "
-          "a "
-          "scan lasts. They are moved by that; what is left, the delays of the recording, shows as time offset."),
+          "a scan lasts. They are moved by that; what is left, the delays of the recording, shows as time offset."),
       QT_TRANSLATE_NOOP(
           "remount::model",
           "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %1 s apart, beside what "
-          "a "
-          "scan lasts. They are moved by that; what is left, the delays of the recording, shows as time offset. %2"),
+          "a scan lasts. They are moved by that; what is left, the delays of the recording, shows as time offset. %2"),
       QT_TRANSLATE_NOOP("remount::model", "The LiDAR's clock counts from when it was switched on, not from 1970."),
       QT_TRANSLATE_NOOP("remount::model", "That clock counts from when it was switched on, not from 1970."),
       QT_TRANSLATE_NOOP("remount::model",

@@ -42,7 +42,8 @@ const std::vector<const char*>& meaning_phrases() {
                         "Only turns tell where the LiDAR sits: straight driving tells how it is turned, no more."),
       QT_TRANSLATE_NOOP("remount::model", "Only tilting tells the height: on level ground it keeps the nominal value."),
       QT_TRANSLATE_NOOP("remount::model",
-                        "Drive over a ramp or a kerb, or measure the height and give it with --measured."),
+                        "Drive over a ramp, a kerb with one wheel or a bumpy road while turning; where it matters, "
+                        "measure it by tape and give it with --measured."),
       QT_TRANSLATE_NOOP("remount::model", "No mounting turns a mirrored cloud into the world: no result can be right."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Give x forward, y left, z up or any other right-handed axes: turn the sign of y where the "

@@ -106,8 +106,8 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model", "x and y need more rotation: drive tighter turns, in both directions."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while "
-                        "turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape "
-                        "where it matters."),
+                        "turning. Until then files hold the nominal z, or 0 where none was given; where it matters, "
+                        "measure it by tape and give it with --measured."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Yaw and pitch need travel: drive at least a few tens of metres with good INS quality."),
       QT_TRANSLATE_NOOP("remount::model",
@@ -116,10 +116,11 @@ const std::vector<const char*>& model_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "%1 needs travel: drive at least a few tens of metres with good INS quality."),
       QT_TRANSLATE_NOOP("remount::model", "Roll needs turns or slopes: a straight drive does not show it."),
-      QT_TRANSLATE_NOOP("remount::model",
-                        "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, "
-                        "pitch and roll of the mounting hardly follow from it, if at all. Log roll and pitch as well, "
-                        "or give what you measured: z, pitch and roll, or the height of the INS above the ground."),
+      QT_TRANSLATE_NOOP(
+          "remount::model",
+          "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, "
+          "pitch and roll of the mounting hardly follow from it, if at all. Log roll and pitch as well, "
+          "or give what you measured with --measured: z, pitch and roll, or the height of the INS above the ground."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Without a nominal mounting nothing can be said while yaw is not observed (where roll is open, "
                         "yaw turns with it): give one (some 10 degrees are enough), or drive longer, with turns to "
@@ -319,8 +320,7 @@ const std::vector<const char*>& model_phrases() {
                         "What lies wholly within the outline is the vehicle itself, not an obstacle."),
       QT_TRANSLATE_NOOP("remount::model",
                         "How two scans are aligned: own plane-to-plane engine, or PCL's. With pcl-icp and pcl-ndt "
-                        "errors may be several "
-                        "times the sigma that is stated: for comparison only."),
+                        "errors may be several times the sigma that is stated: for comparison only."),
       QT_TRANSLATE_NOOP("remount::model", "Edge of the voxels that thin a scan before alignment."),
       QT_TRANSLATE_NOOP("remount::model", "Points farther than this from the sensor are left out."),
       QT_TRANSLATE_NOOP("remount::model", "Points nearer than this to the sensor (the vehicle itself) are left out."),

@@ -74,8 +74,7 @@ void judge_motions(const JointProblem& problem, const std::vector<Pair>& pairs, 
     claim_nothing("the motions of LiDAR and INS contradict each other", result);
     result.advice = {
         "Look at clock and attitude of the INS. Where the LiDAR gave poses instead of scans, look whether they are "
-        "what "
-        "they are taken for: of this drive, in metres, and from the LiDAR to the world."};
+        "what they are taken for: of this drive, in metres, and from the LiDAR to the world."};
     return;
   }
   const double scale_error = std::abs(motions.lidar_per_ins - 1.0);

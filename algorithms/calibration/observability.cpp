@@ -70,12 +70,13 @@ void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion
   if (tilt_vague)
     result.advice.emplace_back(
         "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of "
-        "the mounting hardly follow from it, if at all. Log roll and pitch as well, or give what you measured: z, "
-        "pitch and roll, or the height of the INS above the ground.");
+        "the mounting hardly follow from it, if at all. Log roll and pitch as well, or give what you measured with "
+        "--measured: z, pitch and roll, or the height of the INS above the ground.");
   if (!observed[2] && !tilt_vague)
     result.advice.push_back(
         "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
-        "then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.");
+        "then files hold the nominal z, or 0 where none was given; where it matters, measure it by tape and give it "
+        "with --measured.");
   // Of an INS that is taken to be level no travel shows pitch.
   const bool pitch_missing = !observed[4] && !tilt_vague;
   if (!observed[3] || pitch_missing)

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/core/decompositions.h"
+#include "algorithms/core/median.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
@@ -33,12 +34,6 @@ Matrix4d right_product(const Vector4d& q) {
   Matrix4d m;
   m << q[0], -q[1], -q[2], -q[3], q[1], q[0], q[3], -q[2], q[2], -q[3], q[0], q[1], q[3], q[2], -q[1], q[0];
   return m;
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::string axis_words(const Vector3d& axis) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "algorithms/core/median.h"
+
 namespace remount {
 namespace {
 
@@ -217,9 +219,7 @@ TrajectoryNoise at_least_as_stated(const TrajectoryProblem& problem, const Traje
   for (std::size_t kind = 0; kind < kTermKinds; ++kind) {
     auto& values = squares[kind];
     if (values.empty()) continue;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    noise.factor[kind] = std::clamp(std::sqrt(*middle), 1.0, kMost);
+    noise.factor[kind] = std::clamp(std::sqrt(median_of(std::move(values))), 1.0, kMost);
   }
   return noise;
 }

@@ -4,22 +4,17 @@
 #include <cmath>
 
 #include "algorithms/calibration/robust_start.h"
+#include "algorithms/core/median.h"
 
 namespace remount {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Eigen::Vector3d median(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d out;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
     for (const Eigen::Vector3d& point : points) values.push_back(point[axis]);
-    out[axis] = median(std::move(values));
+    out[axis] = median_of(std::move(values));
   }
   return out;
 }
@@ -141,7 +136,7 @@ RigidTransform laid_through(const std::vector<Eigen::Vector3d>& in_odometry, con
     std::vector<double> squares;
     for (std::size_t k = 0; k < in_enu.size(); ++k)
       squares.push_back((in_enu[k] - to - out.linear() * (in_odometry[k] - from)).squaredNorm());
-    const double scale2 = std::max(1e-6, 4.0 * median(squares));
+    const double scale2 = std::max(1e-6, 4.0 * median_of(squares));
     double sum = 0.0;
     from.setZero();
     to.setZero();

@@ -231,8 +231,6 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
 void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const PairwiseDetails& details,
                 CalibrationResult& result) {
   Matrix6d covariance = believed;
-  if (!result.observed[2] && !result.measured[2])
-    result.advice.emplace_back("A height measured by tape goes into measured.z_m, its sigma into measured.z_sigma_m.");
   // A tape that is right does not contradict pairs that are known to be biased.
   if (input.clock_bias) covariance += *input.clock_bias * input.clock_bias->transpose();
   const Vector6d by_north = turned_by_north(details.joint.ins_from_lidar, north_sigma_of(input.sessions));

@@ -8,6 +8,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/vehicle_frame_start.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/motion_track.h"
 
 namespace remount {
@@ -56,7 +57,7 @@ void append_intervals(const VehicleDrive& drive, int index, const VehicleFrameOp
     const RigidTransform motion = poses[begin].pose.inverse() * poses[i].pose;
     const double turn_rad = so3_log(motion.linear()).norm();
     const bool far = way_m >= options.interval_m || turn_rad >= degrees_to_radians(options.interval_turn_deg);
-    const bool stands = static_cast<double>(poses[i].stamp_ns - open.begin_ns) * 1e-9 > kLongest_s;
+    const bool stands = seconds(poses[i].stamp_ns - open.begin_ns) > kLongest_s;
     if (!far && !stands) continue;
     if (far) {
       open.end_ns = poses[i].stamp_ns;

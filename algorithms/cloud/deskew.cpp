@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kKnotSpacing_s = 0.002;
 constexpr double kLongestSweep_s = 10.0;
-constexpr float kFarthest_m = 1000.0f;  // no sensor moves so far while it measures a scan
+constexpr float kFarthestMove_m = 1000.0f;  // no sensor moves so far while it measures a scan
 
 using Affine = Eigen::Matrix<float, 3, 4>;
 
@@ -49,7 +49,7 @@ Knots sample_motion(std::span<const float> times_s, const LidarMotion& motion) {
 
 bool is_possible(const Knots& knots) {
   return std::all_of(knots.motion.begin(), knots.motion.end(),
-                     [](const Affine& motion) { return motion.col(3).norm() < kFarthest_m; });
+                     [](const Affine& motion) { return motion.col(3).norm() < kFarthestMove_m; });
 }
 
 void check(const PointCloud& cloud, std::span<const float> times_s) {

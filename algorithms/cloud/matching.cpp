@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "algorithms/cloud/objects.h"
+#include "algorithms/core/median.h"
 
 namespace remount {
 
@@ -95,9 +96,7 @@ Vector3f common_displacement(const std::vector<Association>& associations, const
     std::vector<float>& values =
         compact[0].size() >= 5 ? compact[static_cast<std::size_t>(axis)] : all[static_cast<std::size_t>(axis)];
     if (values.empty()) continue;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    median[axis] = *middle;
+    median[axis] = median_of(values);  // a copy: the others are judged by how many these are
   }
   return median;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "algorithms/core/decompositions.h"
+#include "algorithms/core/median.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/lasting_errors.h"
 
@@ -15,12 +16,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 struct Plane {
   Vector3d centre = Vector3d::Zero();

@@ -4,14 +4,9 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/geometry/earth_radius.h"
 
 namespace remount {
-namespace {
-
-constexpr double kEarthRadius_m =
-    6371000.0;  // mean radius: height correction of lengths, 1e-3 of 1.6e-4 per km of height
-
-}  // namespace
 
 UtmGrid::UtmGrid(double latitude_rad, double longitude_rad) {
   double easting_m = 0.0, northing_m = 0.0;

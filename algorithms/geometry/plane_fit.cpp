@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "algorithms/core/median.h"
+
 namespace remount {
 namespace {
 
@@ -125,9 +127,7 @@ double limit_of(const TrialPlane& plane, const std::vector<Vector3d>& points, do
     if (distance < inlier_m) off.push_back(distance);
   }
   if (off.empty()) return inlier_m;
-  const auto middle = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-  std::nth_element(off.begin(), middle, off.end());
-  return std::clamp(3.5 * 1.4826 * *middle, 0.2 * inlier_m, inlier_m);
+  return std::clamp(3.5 * 1.4826 * median_of(std::move(off)), 0.2 * inlier_m, inlier_m);
 }
 
 }  // namespace

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
+#include "algorithms/geometry/earth_radius.h"
 #include "algorithms/registration/undetermined.h"
 
 namespace remount {
 namespace {
 
 constexpr double kGravity_mps2 = 9.81;
-constexpr double kEarth_m = 6371000.0;
 constexpr std::size_t kLeastMatches = 40;
 
 template <class Sample>
@@ -153,12 +154,12 @@ LevelMeasurement level_of(const GravityMeasurement& gravity, const RigidTransfor
 double window_overlap(double duration_s) { return std::max(1.0, 2.0 * seconds(kLevelReach_ns) / duration_s); }
 
 double drop_of_level_m(const Eigen::Vector3d& place_in_odometry) {
-  return place_in_odometry.head<2>().squaredNorm() / (2.0 * kEarth_m);
+  return place_in_odometry.head<2>().squaredNorm() / (2.0 * kEarthRadius_m);
 }
 
 Eigen::Vector3d up_at_start(const Eigen::Vector3d& up_in_vehicle, const RigidTransform& odometry_from_vehicle) {
-  const Eigen::Vector3d lean(odometry_from_vehicle.translation().x() / kEarth_m,
-                             odometry_from_vehicle.translation().y() / kEarth_m, 0.0);
+  const Eigen::Vector3d lean(odometry_from_vehicle.translation().x() / kEarthRadius_m,
+                             odometry_from_vehicle.translation().y() / kEarthRadius_m, 0.0);
   return up_in_vehicle - up_in_vehicle.norm() * (odometry_from_vehicle.linear().transpose() * lean);
 }
 
@@ -187,9 +188,7 @@ double median_distance_m(const FeatureMatches& matches) {
   for (const auto* list : {&matches.lines, &matches.planes})
     for (const FeatureMatch& match : *list) distances.push_back(match.distance_m);
   if (distances.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return median_of(std::move(distances));
 }
 
 HeardFeatures heard_features(const FeatureMatches& matches, const RigidTransform& odometry_from_vehicle,

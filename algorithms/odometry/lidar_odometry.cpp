@@ -5,6 +5,7 @@
 
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/core/symmetric_eigen.h"
 
 namespace remount {
@@ -70,8 +71,7 @@ RegistrationOptions for_refinement(RegistrationOptions registration) {
 }
 
 TimedMotion seen_from(const OdometryPose& here, const OdometryPose& other) {
-  return {static_cast<double>(other.stamp_ns - here.stamp_ns) * 1e-9,
-          here.odometry_from_lidar.inverse() * other.odometry_from_lidar};
+  return {seconds(other.stamp_ns - here.stamp_ns), here.odometry_from_lidar.inverse() * other.odometry_from_lidar};
 }
 
 }  // namespace
@@ -218,7 +218,7 @@ std::vector<OdometryPose> LidarOdometry::push(const PointCloud& cloud_in_lidar, 
   const OdometryPose before = waiting_ ? waiting_->pose : final_.back();
   if (stamp_ns <= before.stamp_ns)
     throw Error(ErrorCode::Contract, "LiDAR odometry", "the stamps of scans must ascend");
-  const double step_s = static_cast<double>(stamp_ns - before.stamp_ns) * 1e-9;
+  const double step_s = seconds(stamp_ns - before.stamp_ns);
   OdometryPose pose;
   pose.stamp_ns = stamp_ns;
   if (predicted_step) velocity_ = SweepMotion::through(std::array{TimedMotion{step_s, *predicted_step}}).velocity;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "algorithms/core/median.h"
 #include "algorithms/registration/matcher.h"
 
 namespace remount {
@@ -93,9 +94,7 @@ std::vector<float> SurfaceDistance::of(const std::vector<Eigen::Vector3f>& point
 float median_distance_m(std::vector<float> distances_m) {
   std::erase_if(distances_m, [](float distance) { return std::isnan(distance); });
   if (distances_m.empty()) return kNothing;
-  const auto middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
-  std::nth_element(distances_m.begin(), middle, distances_m.end());
-  return *middle;
+  return median_of(std::move(distances_m));
 }
 
 }  // namespace remount

@@ -29,8 +29,7 @@ struct RegistrationOptions {
   static void visit(Self& self, Visitor&& visitor) {
     visitor.choice({"algorithm", "",
                     "How two scans are aligned: own plane-to-plane engine, or PCL's. With pcl-icp and pcl-ndt errors "
-                    "may be several "
-                    "times the sigma that is stated: for comparison only."},
+                    "may be several times the sigma that is stated: for comparison only."},
                    self.algorithm, {"plane-to-plane", "pcl-icp", "pcl-gicp", "pcl-ndt"});
     visitor({"voxel_m", "m", "Edge of the voxels that thin a scan before alignment.", 0.02, 5.0}, self.voxel_m);
     visitor({"max_range_m", "m", "Points farther than this from the sensor are left out.", 1.0, 1000.0},

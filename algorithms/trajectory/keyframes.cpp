@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/stamps.h"
+
 namespace remount {
 
 namespace {
@@ -20,7 +22,7 @@ std::vector<Keyframe> select_spaced(int session, const std::vector<std::int64_t>
     bool take = chosen.empty();
     if (!take && options.mode == KeyframeMode::Time) {
       // Half a millisecond of tolerance: stamps of a steady sensor jitter around the interval.
-      take = static_cast<double>(scan_stamps_ns[scan] - chosen.back().stamp_ns) * 1e-9 >= options.interval_s - 5e-4;
+      take = seconds(scan_stamps_ns[scan] - chosen.back().stamp_ns) >= options.interval_s - 5e-4;
     } else if (!take) {
       take = travelled_m - chosen.back().travelled_m >= options.distance_m ||
              rotation_angle_between_rad(*last_chosen, *pose) >= degrees_to_radians(options.rotation_deg);

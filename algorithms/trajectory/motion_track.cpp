@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/cubic_between.h"
 
@@ -16,9 +17,7 @@ double default_gap_s(const std::vector<StampedPose>& samples) {
   std::vector<double> steps_s;
   for (std::size_t i = 1; i < samples.size(); ++i) steps_s.push_back(seconds_between(samples[i - 1], samples[i]));
   if (steps_s.empty()) return 0.25;
-  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
-  std::nth_element(steps_s.begin(), middle, steps_s.end());
-  return std::max(0.25, 5.0 * *middle);
+  return std::max(0.25, 5.0 * median_of(std::move(steps_s)));
 }
 
 constexpr double kHalfWindow_s = 0.1;  // twice the time from the stamp of a 10 Hz sweep to its ends
@@ -45,12 +44,6 @@ Eigen::Vector4d third_difference_weights(const double* times_s) {
     for (int j = 0; j < 4; ++j)
       if (j != k) weights[k] *= 0.01 / (times_s[k] - times_s[j]);  // 0.01 s keeps the numbers near one
   return weights;
-}
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 std::vector<StampedPose> samples_at(const std::vector<StampedPose>& samples,
@@ -171,7 +164,7 @@ void MotionTrack::choose_smoothing() {
   if (noise2[0].size() < kFewest) return;
   Smoothing* kinds[2] = {&position_, &attitude_};
   for (int kind = 0; kind < 2; ++kind) {
-    const double noise = median(noise2[kind]), residual = median(residual2[kind]);
+    const double noise = median_of(noise2[kind]), residual = median_of(residual2[kind]);
     if (!(noise > kRounding2[kind]) || residual > kMostRatio2 * noise || residual * kMostRatio2 < noise) continue;
     kinds[kind]->on = true;
     kinds[kind]->noise_factor = std::sqrt(weights2 / static_cast<double>(noise2[kind].size()));

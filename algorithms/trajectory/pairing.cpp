@@ -1,5 +1,7 @@
 #include "algorithms/trajectory/pairing.h"
 
+#include "algorithms/core/stamps.h"
+
 namespace remount {
 namespace {
 
@@ -28,7 +30,7 @@ std::vector<Pair> propose_pairs(const std::vector<Keyframe>& keyframes, const st
       Pair pair;
       pair.keyframe_a = static_cast<int>(a);
       pair.keyframe_b = static_cast<int>(b);
-      pair.gap_s = static_cast<double>(keyframes[b].stamp_ns - keyframes[a].stamp_ns) * 1e-9;
+      pair.gap_s = seconds(keyframes[b].stamp_ns - keyframes[a].stamp_ns);
       pair.ins_b_from_ins_a = ins_poses[b].inverse() * ins_poses[a];
       pair.baseline_m = (ins_poses[b].translation() - ins_poses[a].translation()).norm();
       pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();

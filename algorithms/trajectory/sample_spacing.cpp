@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/cubic_between.h"
 
 namespace remount {
@@ -11,7 +13,7 @@ namespace {
 
 const Eigen::Vector3d kUnknownMiss = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 
-double time_between_s(std::int64_t from_ns, std::int64_t to_ns) { return 1e-9 * static_cast<double>(to_ns - from_ns); }
+double time_between_s(std::int64_t from_ns, std::int64_t to_ns) { return seconds(to_ns - from_ns); }
 
 // The value at sample `k` by the cubic through those `step` and three times `step` away on either side, and how far it
 // is from the sample.
@@ -45,9 +47,7 @@ SampleSpacing spacing_of(const std::vector<StampedPose>& samples, MissOf&& miss_
   for (std::size_t k = 1; k < samples.size(); ++k)
     steps_s.push_back(time_between_s(samples[k - 1].stamp_ns, samples[k].stamp_ns));
   if (steps_s.size() < 2) return {};
-  const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
-  std::nth_element(steps_s.begin(), middle, steps_s.end());
-  if (*middle < kSlowSamples_s) return {};
+  if (median_of(std::move(steps_s)) < kSlowSamples_s) return {};
   std::vector<std::int64_t> stamps_ns;
   std::vector<Eigen::Vector3d> misses;
   double near2 = 0.0, far2 = 0.0;

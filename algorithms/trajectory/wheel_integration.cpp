@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 
 namespace remount {
@@ -23,9 +24,7 @@ std::int64_t longest_step_ns(const std::vector<Sample>& samples) {
   std::vector<std::int64_t> steps;
   for (std::size_t i = 1; i < samples.size(); ++i) steps.push_back(samples[i].stamp_ns - samples[i - 1].stamp_ns);
   if (steps.empty()) return kAtLeast_ns;
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return std::max(kAtLeast_ns, 5 * *middle);
+  return std::max(kAtLeast_ns, 5 * median_of(std::move(steps)));
 }
 
 // The first sample at or after a time.

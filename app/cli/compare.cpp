@@ -25,7 +25,9 @@ std::string value_of(const CalibrationResult& result, std::size_t i) {
   const auto sigma = result.sigma(i);
   if (!is_usable(result) || !sigma) return padded("not observed");
   char text[64];
-  std::snprintf(text, sizeof(text), "%.4f +- %.4f", six_on_screen(result.ins_from_lidar)[i], on_screen(i, *sigma));
+  const double shown = on_screen(i, *sigma);
+  const int decimals = justified_decimals(shown);
+  std::snprintf(text, sizeof(text), "%.*f +- %.*f", decimals, six_on_screen(result.ins_from_lidar)[i], decimals, shown);
   return padded(text);
 }
 

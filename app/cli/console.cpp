@@ -23,12 +23,14 @@ using Clock = std::chrono::steady_clock;
 
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
+/// Fine enough to be seen to count down.
 std::string duration_text(double duration_s) {
   char text[64];
+  const int tens = static_cast<int>(duration_s / 10.0);
   if (duration_s < 90.0)
     std::snprintf(text, sizeof(text), "%.0f s", duration_s);
   else
-    std::snprintf(text, sizeof(text), "%.0f min", duration_s / 60.0);
+    std::snprintf(text, sizeof(text), "%d min %d s", tens / 6, 10 * (tens % 6));
   return text;
 }
 
@@ -135,6 +137,7 @@ void Console::show(const ProgressUpdate& update) {
   if (new_stage) {
     stage_ = update.stage;
     stage_started_ = now;
+    remaining_ = {};
     log(stage_);
   }
   if (!terminal_ || options_.quiet) return;
@@ -143,12 +146,9 @@ void Console::show(const ProgressUpdate& update) {
   std::string line = printable(stage_, LineBreaks::Escaped);
   if (update.total > 0) {
     line.append(" ").append(std::to_string(update.done)).append("/").append(std::to_string(update.total));
-    const double spent_s = seconds(now - stage_started_);
-    if (update.done > 0 && update.done < update.total && spent_s > 1.0)
-      line +=
-          ", about " +
-          duration_text(spent_s / static_cast<double>(update.done) * static_cast<double>(update.total - update.done)) +
-          " left";
+    const auto left_s = remaining_.left_s(seconds(now - stage_started_), static_cast<double>(update.done),
+                                          static_cast<double>(update.total));
+    if (left_s) line += ", about " + duration_text(*left_s) + " left";
   }
   clear_line();
   std::fputs(line.c_str(), stderr);

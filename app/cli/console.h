@@ -13,6 +13,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/progress.h"
+#include "algorithms/core/remaining_time.h"
 #include "model/session.h"
 
 namespace remount {
@@ -80,6 +81,7 @@ class Console {
   bool output_lost_ = false, log_lost_ = false;
   std::string stage_;
   std::size_t last_done_ = 0;
+  RemainingTime remaining_;  // of the stage
   std::chrono::steady_clock::time_point started_, stage_started_, shown_;
   std::mutex mutex_;
   Progress progress_;

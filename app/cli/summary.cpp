@@ -22,7 +22,18 @@ std::string format(const char* pattern, auto... values) {
 }
 
 std::string sigma_text(double sigma) {
-  return format(sigma < 1e-6 ? "1-sigma %.1e" : sigma < 1e-3 ? "1-sigma %.6f" : "1-sigma %.4f", sigma);
+  return sigma < 1e-6 ? format("1-sigma %.1e", sigma) : format("1-sigma %.*f", justified_decimals(sigma), sigma);
+}
+
+/// Decimal points stand below each other, whatever the digits behind them.
+std::string aligned(double value, int decimals, const char* unit) {
+  constexpr std::size_t kBefore = 7, kWidth = 19;
+  std::string text = format("%.*f", decimals, value);
+  const std::size_t point = std::min(text.find('.'), text.size());
+  text.insert(0, kBefore - std::min(kBefore, point), ' ');
+  text += std::string(" ") + unit;
+  text.resize(std::max(text.size(), kWidth), ' ');
+  return text;
 }
 
 /// What the six numbers are. Positions of an antenna give a lever arm and no attitude: no pose of anything.
@@ -39,9 +50,11 @@ std::string parameters(const CalibrationResult& result) {
   std::string text = result.reference_frame + "_from_" + result.calibrated + " (" + meaning(result) + ")\n";
   for (std::size_t i = 0; i < 6; ++i) {
     const bool angle = is_angle(i);
-    const char* unit = angle ? "deg" : "m  ";
-    text += format("  %-5s  %10.4f %s  ", std::string(kParameterNames[i]).c_str(), values[i], unit);
     const auto sigma = result.sigma(i);
+    constexpr int kUnknown = 4;  // what is not observed holds what was given
+    const int decimals = sigma ? justified_decimals(on_screen(i, *sigma)) : kUnknown;
+    text +=
+        format("  %-5s", std::string(kParameterNames[i]).c_str()) + aligned(values[i], decimals, angle ? "deg" : "m");
     if (!sigma)
       text += "not observed: do not rely on this value\n";
     else

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <string>
 
+#include "algorithms/core/stamps.h"
+
 namespace remount {
 
 /// As printf writes it; up to 500 bytes.
@@ -15,8 +17,6 @@ std::string check_text(const char* pattern, Values... values) {
   return text;
 }
 
-inline double seconds_between(std::int64_t from_ns, std::int64_t to_ns) {
-  return static_cast<double>(to_ns - from_ns) * 1e-9;
-}
+inline double seconds_between(std::int64_t from_ns, std::int64_t to_ns) { return seconds(to_ns - from_ns); }
 
 }  // namespace remount

@@ -86,7 +86,8 @@ DataCheck drive_variety_check() {
                      "Turn fully to each side at least once: in a figure of eight with a vehicle, on the spot with a "
                      "machine that slews."},
                     {"flat-driving", "Only tilting tells the height: on level ground it keeps the nominal value.",
-                     "Drive over a ramp or a kerb, or measure the height and give it with --measured."}},
+                     "Drive over a ramp, a kerb with one wheel or a bumpy road while turning; where it matters, "
+                     "measure it by tape and give it with --measured."}},
           .look = look_at_variety,
           .of_the_drive = true};
 }

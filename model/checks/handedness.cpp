@@ -17,7 +17,7 @@ namespace remount {
 namespace {
 
 constexpr double kLeastScanTurn_rad = 6.0 * kPi / 180.0, kMostTurn_rad = 20.0 * kPi / 180.0;
-constexpr double kFarthest_m = 8.0;
+constexpr double kFarthestPair_m = 8.0;
 constexpr double kAlike = 0.4;  ///< how far the two turns may differ in size, as a share
 constexpr std::size_t kMostPairs = 6, kEnoughUpright = 2, kEnoughMirrored = 3;
 
@@ -37,7 +37,8 @@ std::vector<TurningPair> turning_pairs(const CheckedSession& checked) {
     for (std::size_t b = a + 1; at[a] && b < std::min(a + 60, scans.size()); ++b) {
       if (!at[b]) continue;
       const double turn = (at[a]->linear() * so3_log(at[a]->linear().transpose() * at[b]->linear())).z();
-      if ((at[b]->translation() - at[a]->translation()).norm() > kFarthest_m || std::abs(turn) > kMostTurn_rad) break;
+      if ((at[b]->translation() - at[a]->translation()).norm() > kFarthestPair_m || std::abs(turn) > kMostTurn_rad)
+        break;
       if (std::abs(turn) < kLeastScanTurn_rad) continue;
       pairs.push_back({a, b, turn});
       a = b;

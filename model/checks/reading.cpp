@@ -64,8 +64,7 @@ DataCheck reading_check() {
            "Record a drive, and see whether the folder holds all of its scans."},
           {"no-motion", "Only motion tells where the LiDAR sits.",
            "Turn fully to each side at least once: in a figure of eight with a vehicle, on the spot with a machine "
-           "that "
-           "slews."},
+           "that slews."},
           {"bad-*", "Lines that are damaged are left out.", "Export the log again where they are many."}}};
 }
 

@@ -6,12 +6,12 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "algorithms/geometry/earth_radius.h"
 #include "algorithms/geometry/rotation.h"
 
 namespace remount {
 namespace {
 
-constexpr double kEarthRadius_m = 6371000.0;
 constexpr double kStep_m = 2.0;        ///< apart enough that noise of positions does not turn the direction
 constexpr double kFollows = 0.98;      ///< concentration of a heading that is right
 constexpr double kFarBetter = 0.1;     ///< of what is left of the disagreement

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "algorithms/cloud/point_cloud.h"
 #include "algorithms/core/error.h"
 
 namespace remount {
@@ -134,9 +135,8 @@ CloudBuilder::CloudBuilder(const CloudColumns& columns, const TimeColumn& time, 
 }
 
 void CloudBuilder::add(const RawPoint& point) {
-  constexpr float kFarthest_m = 1e5f;  // beyond it nothing is a return; its square would not fit a float either
   const Eigen::Vector3f p(static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z));
-  const bool beyond = p.allFinite() && p.cwiseAbs().maxCoeff() > kFarthest_m;
+  const bool beyond = p.allFinite() && p.cwiseAbs().maxCoeff() > kFarthestReturn_m;
   if (p.allFinite()) farthest_m_ = std::max(farthest_m_, static_cast<double>(p.cwiseAbs().maxCoeff()));
   if (!p.allFinite() || p.isZero(0.0f) || beyond) {
     beyond_ += beyond ? 1 : 0;
@@ -175,9 +175,9 @@ void CloudBuilder::cut_to(std::size_t points) {
 
 void CloudBuilder::refuse_map_coordinates(const std::string& where) const {
   constexpr double kNearest_m = 1000.0;
-  constexpr std::size_t kFewest = 10;  // of fewer points anything may be true
-  constexpr double kFarthest_m = 1e8;  // no map has more, in whatever projection: such numbers are no coordinates
-  if (farthest_m_ > kFarthest_m) return;
+  constexpr std::size_t kFewest = 10;       // of fewer points anything may be true
+  constexpr double kFarthestOfMap_m = 1e8;  // no map has more, in whatever projection: such numbers are no coordinates
+  if (farthest_m_ > kFarthestOfMap_m) return;
   const bool all_beyond = cloud_.points.empty() && beyond_ > 0;
   if (!all_beyond && (cloud_.points.size() < kFewest || nearest_m_ < kNearest_m)) return;
   throw Error(ErrorCode::Unsupported, where,

@@ -84,11 +84,11 @@ class DocumentView {
   void allow_only(std::initializer_list<std::string_view> allowed) const;
 
   [[noreturn]] void fail(const std::string& what_happened) const;
+  std::string described() const;  ///< what stands there, for messages: "a map", or the text in quotes
 
  private:
   DocumentView(const DocumentNode& node, std::string_view file, std::string key_path)
       : node_(&node), file_(file), key_path_(std::move(key_path)) {}
-  std::string described() const;
 
   const DocumentNode* node_;
   std::string file_;

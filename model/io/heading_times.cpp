@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "algorithms/core/median.h"
+
 namespace remount {
 
 void HeadingPlaces::add_time(std::int64_t time_ns) {
@@ -32,9 +34,7 @@ HeadingOrder HeadingPlaces::order_by_period() const {
     if (places_[i - 1].before_ns != kNone_ns && places_[i].before_ns > places_[i - 1].before_ns)
       steps_ns.push_back(places_[i].before_ns - places_[i - 1].before_ns);
   if (steps_ns.empty()) return HeadingOrder::Unknown;
-  const auto middle = steps_ns.begin() + static_cast<std::ptrdiff_t>(steps_ns.size() / 2);
-  std::nth_element(steps_ns.begin(), middle, steps_ns.end());
-  const std::int64_t period_ns = *middle;
+  const std::int64_t period_ns = median_of(std::move(steps_ns));
   const auto on_period = [&](std::int64_t time_ns) {
     constexpr std::int64_t kRounding_ns = 1'000'000;
     const std::int64_t rest = time_ns % period_ns;

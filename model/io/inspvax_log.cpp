@@ -215,7 +215,7 @@ std::int64_t time_unit_ns(std::string_view text, std::size_t column) {
 }
 
 /// What the host's clock is off against GPS time, for the engineer; nothing is computed from it.
-void report_host_clock(std::vector<double>& offsets_s, double distinct, const fs::path& path,
+void report_host_clock(const std::vector<double>& offsets_s, double distinct, const fs::path& path,
                        std::vector<Finding>& findings) {
   if (offsets_s.empty()) return;
   if (distinct < 0.5) {
@@ -224,12 +224,10 @@ void report_host_clock(std::vector<double>& offsets_s, double distinct, const fs
                      "The column 'time' was rounded, as a spreadsheet does; GPS time is used, nothing is lost."));
     return;
   }
-  const auto middle = offsets_s.begin() + static_cast<std::ptrdiff_t>(offsets_s.size() / 2);
-  std::nth_element(offsets_s.begin(), middle, offsets_s.end());
   char text[160];
   std::snprintf(text, sizeof text,
                 "The column 'time' (clock of the host, or of a replay) is %.3f s off UTC by GPS; GPS time is used.",
-                *middle);
+                median_of(offsets_s));
   findings.push_back(make_finding(Severity::Note, "host-clock", path.string(), text));
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/input_file.h"
 #include "model/io/several_sessions.h"
@@ -171,7 +172,7 @@ bool numbers_agree(const std::vector<std::optional<std::int64_t>>& oxts,
   for (std::size_t i = 0; i < oxts.size(); ++i) {
     if (!oxts[i] || !velodyne[i]) continue;
     ++both;
-    apart += std::abs(static_cast<double>(*velodyne[i] - *oxts[i]) * 1e-9) > kHalfAScan_s ? 1 : 0;
+    apart += std::abs(seconds(*velodyne[i] - *oxts[i])) > kHalfAScan_s ? 1 : 0;
   }
   if (apart == 0) return true;
   why = "The stamps of " + std::to_string(apart) + " of " + std::to_string(both) +
@@ -195,7 +196,7 @@ std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std:
   std::vector<double> differences_s;
   for (std::size_t i = 0; i < stamps.size(); ++i) {
     if (!oxts[i]) continue;
-    if (velodyne[i]) differences_s.push_back(static_cast<double>(*velodyne[i] - *oxts[i]) * 1e-9);
+    if (velodyne[i]) differences_s.push_back(seconds(*velodyne[i] - *oxts[i]));
     stamps[i] = oxts[i];
   }
   if (differences_s.empty()) return stamps;
@@ -215,14 +216,10 @@ double turn_period_s(const fs::path& drive, const std::vector<ScanFile>& scans, 
   if (is_file(start) && is_file(end)) {
     const auto starts = read_stamps(start, findings), ends = read_stamps(end, findings);
     for (std::size_t i = 0; i < std::min(starts.size(), ends.size()); ++i)
-      if (starts[i] && ends[i] && *ends[i] > *starts[i])
-        periods.push_back(static_cast<double>(*ends[i] - *starts[i]) * 1e-9);
+      if (starts[i] && ends[i] && *ends[i] > *starts[i]) periods.push_back(seconds(*ends[i] - *starts[i]));
   }
   double period = median_period_s(scans);
-  if (!periods.empty()) {
-    std::nth_element(periods.begin(), periods.begin() + static_cast<std::ptrdiff_t>(periods.size() / 2), periods.end());
-    period = periods[periods.size() / 2];
-  }
+  if (!periods.empty()) period = median_of(std::move(periods));
   // The sensor turns 5 to 20 times a second; anything else is a gap or a broken file.
   return period > 0.04 && period < 0.25 ? period : 0.1;
 }

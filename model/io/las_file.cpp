@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/time_stamp.h"
 
@@ -94,12 +95,12 @@ class PointClock {
     constexpr std::int64_t kWeek_ns = 604'800'000'000'000, kGpsEpoch_ns = 315'964'800'000'000'000;
     const std::int64_t week = (stamp_ns - kGpsEpoch_ns) / kWeek_ns;
     for (std::int64_t near = std::max<std::int64_t>(0, week - 1); near <= week + 1; ++near)
-      starts_s_.push_back(1e-9 * static_cast<double>(unix_ns_from_gps_ns(near * kWeek_ns)));
-    stamp_s_ = 1e-9 * static_cast<double>(stamp_ns);
+      starts_s_.push_back(seconds(unix_ns_from_gps_ns(near * kWeek_ns)));
+    stamp_s_ = seconds(stamp_ns);
   }
 
   double unix_s(double time) const {
-    if (whole_) return 1e-9 * static_cast<double>(unix_ns_from_gps_ns(std::llround((time + 1e9) * 1e9)));
+    if (whole_) return seconds(unix_ns_from_gps_ns(std::llround((time + 1e9) * 1e9)));
     double best = time;
     for (const double start : starts_s_)
       if (std::abs(start + time - stamp_s_) < std::abs(best - stamp_s_)) best = start + time;

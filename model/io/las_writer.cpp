@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "model/io/cloud_file.h"
 #include "model/io/output_file.h"
 #include "model/io/time_stamp.h"
@@ -28,7 +29,7 @@ void put(std::string& bytes, std::size_t at, T value) {
 /// Seconds of GPS time less 1e9, as LAS calls its standard time.
 double las_time_s(std::int64_t stamp_ns, float from_stamp_s) {
   const std::int64_t since_ns = gps_ns_from_unix_ns(stamp_ns) - std::int64_t{1'000'000'000} * 1'000'000'000;
-  return 1e-9 * static_cast<double>(since_ns) + static_cast<double>(from_stamp_s);
+  return seconds(since_ns) + static_cast<double>(from_stamp_s);
 }
 
 std::string header_of(const PointCloud& cloud, std::uint8_t format, std::uint16_t record_bytes) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "algorithms/core/stamps.h"
 #include "model/assumed_tilt.h"
 #include "model/count_words.h"
 #include "model/io/input_file.h"
@@ -236,7 +237,7 @@ class NmeaAssembly {
     for (std::size_t i = 1; i < attitudes_.size(); ++i)
       longest_ns = std::max(longest_ns, attitudes_.time_ns(i) - attitudes_.time_ns(i - 1));
     char longest_s[32];
-    std::snprintf(longest_s, sizeof longest_s, "%.2f", 1e-9 * static_cast<double>(longest_ns));
+    std::snprintf(longest_s, sizeof longest_s, "%.2f", seconds(longest_ns));
     findings_.push_back(
         make_finding(Severity::Warning, "attitude-sparse", path_.string(),
                      std::to_string(missing) + " of " + std::to_string(records_.fixes.size()) +

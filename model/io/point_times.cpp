@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/stamps.h"
+
 namespace remount {
 namespace {
 
@@ -50,8 +52,7 @@ Sweep main_sweep(std::vector<double> values) {
 /// The stamp in a unit, in two parts: a nanosecond stamp does not fit a double.
 double in_units(std::int64_t stamp_ns, double unit_s) {
   const double scale = 1.0 / unit_s;
-  return std::floor(static_cast<double>(stamp_ns / 1'000'000'000)) * scale +
-         static_cast<double>(stamp_ns % 1'000'000'000) * 1e-9 * scale;
+  return std::floor(static_cast<double>(stamp_ns / 1'000'000'000)) * scale + seconds(stamp_ns % 1'000'000'000) * scale;
 }
 
 bool is_date(double time_s) { return time_s >= kDates_s[0] && time_s <= kDates_s[1]; }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "model/io/input_file.h"
 
 namespace remount {
@@ -188,7 +189,7 @@ std::optional<std::int64_t> unit_of_stamps_ns(const std::vector<double>& stamps)
   const double step = one_time ? 0.0 : median_of(std::move(steps));
   // Nanoseconds since power-on soon have the size of seconds since 1970; their steps have not.
   for (const std::int64_t unit_ns : kUnits_ns) {
-    const double in_s = static_cast<double>(unit_ns) * 1e-9, time_s = stamps.front() * in_s;
+    const double in_s = seconds(unit_ns), time_s = stamps.front() * in_s;
     if (time_s > kEarliest_s && time_s < kLatest_s && step * in_s <= kLongestStep_s) return unit_ns;
   }
   if (one_time) return kUnits_ns[0];

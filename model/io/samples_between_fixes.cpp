@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/cubic_between.h"
 #include "algorithms/trajectory/sample_spacing.h"
 #include "model/io/stream_tools.h"
@@ -12,9 +13,7 @@ namespace {
 
 constexpr double kMoreOften = 2.0, kGap = 5.0, kLeastGap_s = 0.25;
 
-double apart_s(const InsSample& from, const InsSample& to) {
-  return 1e-9 * static_cast<double>(to.stamp_ns - from.stamp_ns);
-}
+double apart_s(const InsSample& from, const InsSample& to) { return seconds(to.stamp_ns - from.stamp_ns); }
 
 // That nothing is known of one says more against it than that the other is good.
 InsQuality worse_of(InsQuality a, InsQuality b) {
@@ -40,7 +39,7 @@ InsSample between(const std::vector<InsSample>& fixes, std::size_t before, const
     around.times_s[i] = apart_s(from, fixes[before + i - 1]);
     around.values[i] = from_origin(fixes[before + i - 1], from);
   }
-  const Eigen::Vector3d step = cubic_between(around, 1e-9 * static_cast<double>(attitude.stamp_ns - from.stamp_ns));
+  const Eigen::Vector3d step = cubic_between(around, seconds(attitude.stamp_ns - from.stamp_ns));
   InsSample sample = from;
   sample.stamp_ns = attitude.stamp_ns;
   sample.latitude_rad += step.x();

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <set>
 
+#include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/geometry/rotation.h"
 #include "model/count_words.h"
 #include "model/io/cloud_fields.h"
@@ -23,12 +25,6 @@ constexpr std::int64_t kLatestStamp_ns = 4'000'000'000'000'000'000;
 
 /// Far beyond any drive, well within one UTM zone and its neighbours.
 constexpr double kFarthest_rad = 2.0 * kPi / 180.0;
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// How much a line of a table holds, as far as it shows whether the line is whole.
 struct LineEnd {
@@ -248,8 +244,7 @@ double scan_interval_s(const TimedScanSource& scans) {
   for (std::size_t i = 1; i < std::min(scans.size(), kMost); ++i)
     steps.push_back(scans.stamp_ns(i) - scans.stamp_ns(i - 1));
   if (steps.empty()) return 0.0;
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  return static_cast<double>(steps[steps.size() / 2]) * 1e-9;
+  return seconds(median_of(std::move(steps)));
 }
 
 std::string no_times_words(const ReadCloud& read) {

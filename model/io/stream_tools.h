@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "model/io/cloud_file.h"
 #include "model/session.h"
 
@@ -145,8 +147,7 @@ double median_period_s(const std::vector<Item>& items) {
   std::vector<std::int64_t> steps;
   for (std::size_t i = 1; i < items.size(); ++i) steps.push_back(items[i].stamp_ns - items[i - 1].stamp_ns);
   if (steps.empty()) return 0.0;
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  return static_cast<double>(steps[steps.size() / 2]) * 1e-9;
+  return seconds(median_of(std::move(steps)));
 }
 
 /// Rotation from a log that may be slightly off: projects to the nearest rotation. `defect` is how far each entry was

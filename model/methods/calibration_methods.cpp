@@ -7,6 +7,7 @@
 #include "model/methods/builtin.h"
 #include "model/methods/settled_sweeps.h"
 #include "model/pipeline/input_checks.h"
+#include "model/pipeline/watched_scans.h"
 
 namespace remount {
 namespace {
@@ -153,9 +154,14 @@ PipelineOutput calibrate(const PipelineInput& input, Progress& progress) {
   const CalibrationMethod& method = chosen_method(input.settings);
   require_valid(input.settings);
   check_nominal(input);
-  const SettledSweeps settled = settle_sweeps(input, progress);
+  const WatchedScans watched(input.sessions);
+  PipelineInput seen = input;
+  seen.sessions = watched.sessions();
+  const SettledSweeps settled = settle_sweeps(seen, progress);
   PipelineOutput output = method.run(settled.input, progress);
   add_sweep_doubts(settled, method.run, output, progress);
+  // The other methods go through all scans and say themselves what they left out.
+  if (method.id == kPairwise) watched.report(output.findings);
   complete_output(input, output);
   if (!progress.cancelled()) refuse_vanished(input.sessions);
   return output;

@@ -6,6 +6,7 @@
 
 #include "algorithms/calibration/plot_curves.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/odometry/fused_poses.h"
 #include "model/deciding_notes.h"
 #include "model/io/native_session_writer.h"
@@ -214,7 +215,7 @@ std::vector<Plot> fusion_plots(const Session& session, const FusionRun& run) {
         roll = line_curve("roll"), residual = line_curve("residual");
   const std::vector<FusedScan>& scans = run.odometry.scans;
   for (const FusedScan& scan : scans) {
-    const double t = static_cast<double>(scan.stamp_ns - scans.front().stamp_ns) * 1e-9;
+    const double t = seconds(scan.stamp_ns - scans.front().stamp_ns);
     const Eigen::Vector3d at = scan.odometry_from_vehicle.translation();
     const YawPitchRoll angles = yaw_pitch_roll_from_rotation(scan.odometry_from_vehicle.linear());
     path.x.push_back(at.x());

@@ -3,6 +3,8 @@
 
 #include "algorithms/calibration/noise_prior.h"
 #include "algorithms/calibration/uncertainty.h"
+#include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/geometry/local_level.h"
 #include "algorithms/trajectory/motion_track.h"
 #include "model/assumed_tilt.h"
@@ -133,9 +135,8 @@ std::int64_t independent_after_ns(const Session& session, const MotionTrack& tra
   std::vector<std::int64_t> apart_ns;
   for (std::size_t i = 1; i < stamps_ns.size(); ++i) apart_ns.push_back(stamps_ns[i] - stamps_ns[i - 1]);
   if (apart_ns.empty()) return 0;
-  const auto middle = apart_ns.begin() + static_cast<std::ptrdiff_t>(apart_ns.size() / 2);
-  std::nth_element(apart_ns.begin(), middle, apart_ns.end());
-  return smoothed ? std::max(*middle, kSmoothed_ns) : *middle;
+  const std::int64_t usual_ns = median_of(std::move(apart_ns));
+  return smoothed ? std::max(usual_ns, kSmoothed_ns) : usual_ns;
 }
 
 // What lies between two epochs and neither pose tells: maps that began at an uncertain pose, and stretches whose
@@ -166,7 +167,7 @@ double poses_apart_s(const std::vector<OdometryPose>& poses, std::int64_t stamp_
   const auto after =
       std::lower_bound(poses.begin() + 1, poses.end() - 1, stamp_ns,
                        [](const OdometryPose& pose, std::int64_t stamp) { return pose.stamp_ns < stamp; });
-  return static_cast<double>(after->stamp_ns - (after - 1)->stamp_ns) * 1e-9;
+  return seconds(after->stamp_ns - (after - 1)->stamp_ns);
 }
 
 // Of the motion between two epochs: the errors of both poses and of what was lost between them, what grows with the
@@ -242,7 +243,7 @@ class EpochMaker {
     if (!lidar) return std::nullopt;
     const std::int64_t on_ins_clock_ns = stamp.stamp_ns + static_cast<std::int64_t>(std::llround(clock_s_ * 1e9));
     TrajectoryEpoch epoch;
-    epoch.time_s = static_cast<double>(stamp.stamp_ns - poses_.front().stamp_ns) * 1e-9;
+    epoch.time_s = seconds(stamp.stamp_ns - poses_.front().stamp_ns);
     epoch.odometry_from_lidar = *lidar;
     epoch.lidar_velocity = track_.body_velocity(stamp.stamp_ns).value_or(Vector6d::Zero());
     if (stamp.fix) epoch.antenna = positions_.fixes[*stamp.fix];

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "model/attitude_check.h"
 #include "model/method_needs.h"
 #include "model/methods/builtin.h"
@@ -111,10 +112,9 @@ PipelineOutput run_trajectory_method(const PipelineInput& given, Progress& progr
   for (const auto& session : input.sessions) {
     feed.begin(*session);
     const double length_s =
-        1e-9 * static_cast<double>(
-                   has_scans(*session)
-                       ? session->scans->stamp_ns(session->scans->size() - 1) - session->scans->stamp_ns(0)
-                       : session->odometry_from_lidar.back().stamp_ns - session->odometry_from_lidar.front().stamp_ns);
+        seconds(has_scans(*session)
+                    ? session->scans->stamp_ns(session->scans->size() - 1) - session->scans->stamp_ns(0)
+                    : session->odometry_from_lidar.back().stamp_ns - session->odometry_from_lidar.front().stamp_ns);
     feed.offer(*session, true, static_cast<double>(input.sessions.size()) * length_s / kPoints, {}, progress);
     if (progress.cancelled()) break;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/clock_alignment.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/result_file.h"
@@ -19,7 +20,7 @@ std::vector<StampedPose> integrated_turns(const std::vector<ImuSample>& imu) {
   RigidTransform start_from_imu = RigidTransform::Identity();
   for (std::size_t i = 0; i < imu.size(); ++i) {
     if (i > 0) {
-      const double step_s = static_cast<double>(imu[i].stamp_ns - imu[i - 1].stamp_ns) * 1e-9;
+      const double step_s = seconds(imu[i].stamp_ns - imu[i - 1].stamp_ns);
       start_from_imu.linear() *= so3_exp(0.5 * step_s * (imu[i - 1].angular_rate_radps + imu[i].angular_rate_radps));
     }
     poses.push_back({imu[i].stamp_ns, start_from_imu});

@@ -7,6 +7,7 @@
 #include "algorithms/calibration/plot_curves.h"
 #include "algorithms/calibration/vehicle_frame.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/odometry/lidar_odometry.h"
 #include "algorithms/trajectory/motion_track.h"
 #include "model/attitude_check.h"
@@ -32,8 +33,8 @@ std::vector<ImuSample> rates_of(const std::vector<StampedPose>& world_from_vehic
     if (after.stamp_ns <= before.stamp_ns) continue;
     ImuSample sample;
     sample.stamp_ns = before.stamp_ns + (after.stamp_ns - before.stamp_ns) / 2;
-    sample.angular_rate_radps = so3_log(before.pose.linear().transpose() * after.pose.linear()) /
-                                (static_cast<double>(after.stamp_ns - before.stamp_ns) * 1e-9);
+    sample.angular_rate_radps =
+        so3_log(before.pose.linear().transpose() * after.pose.linear()) / seconds(after.stamp_ns - before.stamp_ns);
     sample.specific_force_mps2.setConstant(std::numeric_limits<double>::quiet_NaN());
     samples.push_back(sample);
   }

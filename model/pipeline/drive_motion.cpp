@@ -6,6 +6,7 @@
 #include <map>
 
 #include "algorithms/core/error.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/geometry/geodesy.h"
 #include "model/assumed_tilt.h"
 #include "model/impossible_motion.h"
@@ -48,7 +49,7 @@ std::vector<JointNode> DriveMotion::nodes(const std::vector<Keyframe>& keyframes
   for (const Keyframe& keyframe : keyframes) {
     JointNode node;
     node.session = keyframe.session;
-    node.time_s = static_cast<double>(keyframe.stamp_ns - track(keyframe.session).samples().front().stamp_ns) * 1e-9;
+    node.time_s = seconds(keyframe.stamp_ns - track(keyframe.session).samples().front().stamp_ns);
     const auto shift_ns = static_cast<std::int64_t>(std::llround(offset_s(keyframe.session) * 1e9));
     if (const auto shifted = track(keyframe.session).around(keyframe.stamp_ns + shift_ns))
       node.local_from_ins = shifted->pose();

@@ -5,6 +5,7 @@
 
 #include "algorithms/cloud/ground_fit.h"
 #include "algorithms/core/error.h"
+#include "algorithms/core/median.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/geometry/shortest_rotation.h"
 
@@ -14,18 +15,12 @@ namespace {
 constexpr std::size_t kMostGroundScans = 60, kFewestScans = 5;
 constexpr double kRadius_m = 12.0;  // sparse sensors see no ground nearer than some seven metres
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // Sigma of a median from the scatter about it.
 double sigma_of_median(const std::vector<double>& values, double middle) {
   std::vector<double> distances;
   for (const double value : values) distances.push_back(std::abs(value - middle));
   constexpr double kToSigma = 1.4826, kOfMedian = 1.2533;
-  return kOfMedian * kToSigma * median(distances) / std::sqrt(static_cast<double>(values.size()));
+  return kOfMedian * kToSigma * median_of(distances) / std::sqrt(static_cast<double>(values.size()));
 }
 
 std::vector<std::size_t> spread_keyframes(const StageContext& context) {
@@ -65,9 +60,9 @@ std::optional<ObservedGround> observe_ground(const StageContext& context, const 
   // Below a vehicle the road is no plane to the millimetre (crown, ruts), and beams hit it at a shallow angle.
   constexpr double kLeastHeight_m = 0.005, kLeastTilt_rad = 1e-3;
   ObservedGround plane;
-  const double x = median(first), y = median(second);
+  const double x = median_of(first), y = median_of(second);
   plane.up_in_lidar = level.transpose() * Eigen::Vector3d(x, y, std::sqrt(std::max(0.0, 1.0 - x * x - y * y)));
-  plane.lidar_height_m = median(heights);
+  plane.lidar_height_m = median_of(heights);
   plane.height_sigma_m = std::hypot(kLeastHeight_m, sigma_of_median(heights, plane.lidar_height_m));
   plane.up_sigma_rad = std::hypot(kLeastTilt_rad, std::max(sigma_of_median(first, x), sigma_of_median(second, y)));
   return plane;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "algorithms/core/error.h"
+#include "algorithms/geometry/earth_radius.h"
 #include "algorithms/messages/render.h"
 #include "model/clock_hint.h"
 #include "model/deciding_notes.h"
@@ -69,7 +70,6 @@ bool moved(const StampedPose& a, const StampedPose& b) {
   return apart((a.pose.translation() - b.pose.translation()).norm(), rotation_angle_between_rad(a.pose, b.pose));
 }
 bool moved(const InsSample& a, const InsSample& b) {
-  constexpr double kEarthRadius_m = 6.37e6;
   const double north_m = kEarthRadius_m * (a.latitude_rad - b.latitude_rad),
                east_m = kEarthRadius_m * std::cos(a.latitude_rad) * (a.longitude_rad - b.longitude_rad);
   return apart(std::hypot(north_m, east_m, a.height_m - b.height_m), a.enu_from_ins.angularDistance(b.enu_from_ins));

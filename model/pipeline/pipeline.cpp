@@ -19,6 +19,7 @@
 #include "model/pipeline/solve_stage.h"
 #include "model/pipeline/stages.h"
 #include "model/pipeline/suspect_stage.h"
+#include "model/pipeline/watched_scans.h"
 #include "model/result_file.h"
 #include "model/scan_times.h"
 
@@ -82,8 +83,7 @@ void report_bad_scans(const std::vector<Keyframe>& keyframes, const std::vector<
                       const DriveMotion& motion, std::vector<Finding>& findings) {
   for (std::size_t k = 0; k < objects.size(); ++k)
     if (!objects[k].failure.empty())
-      findings.push_back({Severity::Warning, "scan-unreadable", motion.session(keyframes[k].session).name,
-                          sentence(objects[k].failure) + " The scan is skipped."});
+      findings.push_back(skipped_scan(motion.session(keyframes[k].session), objects[k].failure));
 }
 
 bool solved(const CalibrationResult& result) {

@@ -6,6 +6,7 @@
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/clock_alignment.h"
 #include "model/attitude_check.h"
 #include "model/attitude_columns.h"
@@ -71,7 +72,7 @@ std::optional<double> offset_of_time_scales(const DriveMotion& motion, const Pip
   const std::vector<std::int64_t> scans_ns = motion.lidar_stamps_ns(session);
   const std::vector<StampedPose>& ins = motion.track(session).samples();
   if (scans_ns.empty() || ins.empty()) return std::nullopt;
-  const double begins_s = 1e-9 * static_cast<double>(ins.front().stamp_ns - scans_ns.front());
+  const double begins_s = seconds(ins.front().stamp_ns - scans_ns.front());
   std::optional<double> best_s;
   double least = kClearlyBetter;
   for (const double size_s : kTimeScales_s) {

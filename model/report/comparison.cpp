@@ -36,9 +36,9 @@ std::string in_words(const NamedResult& a, const NamedResult& b, const ResultDif
                      const LargestDifference& largest) {
   const std::size_t i = largest.parameter;
   char text[160];
-  std::snprintf(text, sizeof(text), "%s differs by %.4f %s, %.1f times the sigma of both together",
-                std::string(kParameterNames[i]).c_str(), std::abs(on_screen(i, difference.difference[i])),
-                is_angle(i) ? "deg" : "m", largest.sigmas);
+  std::snprintf(text, sizeof(text), "%s differs by %.*f %s, %.1f times the sigma of both together",
+                std::string(kParameterNames[i]).c_str(), justified_decimals(on_screen(i, difference.sigma[i])),
+                std::abs(on_screen(i, difference.difference[i])), is_angle(i) ? "deg" : "m", largest.sigmas);
   if (largest.sigmas > kDiffer_sigma)
     return a.name + " and " + b.name + " contradict each other: " + text +
            (of_one_recording(a.file, b.file)

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "algorithms/calibration/observability.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "model/display_units.h"
@@ -294,9 +295,9 @@ void Page::write_pairs() {
   for (std::size_t i = 0; i < file_.pairs.size(); ++i) {
     const PairRecord& pair = file_.pairs[i];
     row({std::to_string(i), std::to_string(pair.session + 1), html_escaped(utc_text(pair.stamp_a_ns).substr(11, 12)),
-         number("%.1f s", 1e-9 * static_cast<double>(pair.stamp_b_ns - pair.stamp_a_ns)),
-         number("%.2f m", pair.baseline_m), number("%.1f °", radians_to_degrees(pair.rotation_rad)),
-         number("%.1f cm", 100.0 * pair.rmse_m), number("%.2f", pair.overlap), number("%.1f σ", pair.screw_score),
+         number("%.1f s", seconds(pair.stamp_b_ns - pair.stamp_a_ns)), number("%.2f m", pair.baseline_m),
+         number("%.1f °", radians_to_degrees(pair.rotation_rad)), number("%.1f cm", 100.0 * pair.rmse_m),
+         number("%.2f", pair.overlap), number("%.1f σ", pair.screw_score),
          number("%.1f cm", 100.0 * pair.residual_translation_m) + " " +
              number("%.2f °", radians_to_degrees(pair.residual_rotation_rad)),
          phrase("report", std::string(to_string(pair.state)).c_str()), sentence(pair.reason)});

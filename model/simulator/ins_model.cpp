@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "algorithms/core/stamps.h"
 #include "model/simulator/local_earth.h"
 #include "model/simulator/random_stream.h"
 
@@ -46,7 +47,7 @@ class Trouble {
     return std::hypot(options_.ins_position_noise_m, degraded_for_s(time_s) * options_.ins_trouble.degraded_drift_mps);
   }
   bool silent(std::int64_t stamp_ns) const {
-    const double since_s = static_cast<double>(stamp_ns - kDriveStart_ns) * 1e-9 - options_.ins_trouble.gap_start_s;
+    const double since_s = seconds(stamp_ns - kDriveStart_ns) - options_.ins_trouble.gap_start_s;
     return since_s >= 0.0 && since_s < options_.ins_trouble.gap_s;
   }
 

@@ -7,6 +7,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "algorithms/core/stamps.h"
 #include "model/io/cloud_file.h"
 #include "model/io/inspvax_log.h"
 #include "model/io/native_session_writer.h"
@@ -39,7 +40,7 @@ std::string name_from_stamp(std::int64_t stamp_ns) {
 std::string inspvaxa(const Session& session, const std::vector<StampedPose>& enu_from_ins, std::size_t i) {
   const InsSample& sample = session.ins[i];
   const std::size_t before = i > 0 ? i - 1 : i, after = std::min(i + 1, enu_from_ins.size() - 1);
-  const double step_s = static_cast<double>(enu_from_ins[after].stamp_ns - enu_from_ins[before].stamp_ns) * 1e-9;
+  const double step_s = seconds(enu_from_ins[after].stamp_ns - enu_from_ins[before].stamp_ns);
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   if (step_s > 0.0)
     velocity = (enu_from_ins[after].pose.translation() - enu_from_ins[before].pose.translation()) / step_s;
@@ -158,7 +159,7 @@ void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder, i
     input += smartloc_line(
         "odom3", wheels.stamp_ns - first_ns,
         {speed_mps, 0.0, 0.0, rate.x(), rate.y(), rate.z(), speed2, kSideways2, kSideways2, rate2, rate2, rate2});
-    const double time_s = static_cast<double>(wheels.stamp_ns - kDriveStart_ns) * 1e-9;
+    const double time_s = seconds(wheels.stamp_ns - kDriveStart_ns);
     const Eigen::Vector3d antenna = earth_from(earth.at(scene->enu_from_ins(time_s) * drive.sensors.antenna_in_ins_m));
     truth += smartloc_line("point3", wheels.stamp_ns - first_ns,
                            {antenna.x(), antenna.y(), antenna.z(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});

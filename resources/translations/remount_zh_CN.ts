@@ -2379,8 +2379,8 @@ In the chart: Up and Down move it, Return rejects, Escape puts it back.</source>
         <translation>此步骤约剩 %1 秒</translation>
     </message>
     <message>
-        <source>about %1 min left in this step</source>
-        <translation>此步骤约剩 %1 分钟</translation>
+        <source>about %1 min %2 s left in this step</source>
+        <translation>此步骤约剩 %1 分 %2 秒</translation>
     </message>
     <message>
         <source>%1 s</source>
@@ -6723,8 +6723,8 @@ Save under another name, or close it there first.</source>
         <translation>只有倾斜才能说明高度：在平地上高度保持标称值。</translation>
     </message>
     <message>
-        <source>Drive over a ramp or a kerb, or measure the height and give it with --measured.</source>
-        <translation>请驶过坡道或路缘，或者测量高度并用 --measured 给出。</translation>
+        <source>Drive over a ramp, a kerb with one wheel or a bumpy road while turning; where it matters, measure it by tape and give it with --measured.</source>
+        <translation>请在转弯时驶过坡道、单轮压上路沿或颠簸路面；若高度重要，请用卷尺测量并用 --measured 给出。</translation>
     </message>
     <message>
         <source>No mounting turns a mirrored cloud into the world: no result can be right.</source>
@@ -8119,6 +8119,10 @@ Save under another name, or close it there first.</source>
         <translation>应为有限的数，实际为：%1</translation>
     </message>
     <message>
+        <source>expected a number from %1 to %2, found %3</source>
+        <translation>应为 %1 至 %2 之间的数，实为 %3</translation>
+    </message>
+    <message>
         <source>expected a list of %1 numbers, found %2</source>
         <translation>应为含 %1 个数的列表，实际为：%2</translation>
     </message>
@@ -8291,8 +8295,8 @@ Save under another name, or close it there first.</source>
         <translation>不是设置的分组；已知的有 %1</translation>
     </message>
     <message>
-        <source>expected section.key=value</source>
-        <translation>应为 section.key=value</translation>
+        <source>expected section.key=value; &quot;remount-cli settings&quot; prints all of them with what they take</source>
+        <translation>应为“节.键=值”；“remount-cli settings”会列出全部设置及其取值</translation>
     </message>
     <message>
         <source>expected three entries: x, y, z</source>
@@ -9415,12 +9419,8 @@ Save under another name, or close it there first.</source>
         <translation>含有 %1 段行程；请指明其文件夹，同一辆车的几段可以一起给出：%2</translation>
     </message>
     <message>
-        <source>A height measured by tape goes into measured.z_m, its sigma into measured.z_sigma_m.</source>
-        <translation>用卷尺测得的高度填入 measured.z_m，其 sigma 填入 measured.z_sigma_m。</translation>
-    </message>
-    <message>
-        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then files hold the nominal z, or 0 where none was given; measure it by tape where it matters.</source>
-        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前文件中的 z 为名义值，未给出名义值时为 0；重要时请用卷尺测量。</translation>
+        <source>Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until then files hold the nominal z, or 0 where none was given; where it matters, measure it by tape and give it with --measured.</source>
+        <translation>高度 z 需要俯仰或横滚：转弯时驶过坡道、单轮压上路沿或颠簸路面。在此之前文件中的 z 为名义值，未给出名义值时为 0；若高度重要，请用卷尺测量并用 --measured 给出。</translation>
     </message>
     <message>
         <source>The result does not contain the value that was measured by hand.</source>
@@ -10111,8 +10111,8 @@ Save under another name, or close it there first.</source>
         <translation>INS 的横滚角和俯仰角是假定的，未经测量</translation>
     </message>
     <message>
-        <source>The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of the mounting hardly follow from it, if at all. Log roll and pitch as well, or give what you measured: z, pitch and roll, or the height of the INS above the ground.</source>
-        <translation>日志有航向，但没有横滚和俯仰：INS 的倾斜是假定的，由此几乎或完全无法得知安装的高度、俯仰角和横滚角。请同时记录横滚和俯仰，或给出测量值：z、俯仰角和横滚角，或 INS 的离地高度。</translation>
+        <source>The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of the mounting hardly follow from it, if at all. Log roll and pitch as well, or give what you measured with --measured: z, pitch and roll, or the height of the INS above the ground.</source>
+        <translation>日志有航向，但没有横滚和俯仰：INS 的倾斜是假定的，由此几乎或完全无法得知安装的高度、俯仰角和横滚角。请同时记录横滚和俯仰，或用 --measured 给出测量值：z、俯仰角和横滚角，或 INS 的离地高度。</translation>
     </message>
     <message>
         <source>the checksum of a %1 is missing, which the others have</source>

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 #include <random>
 
@@ -11,15 +10,10 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/chi_square.h"
+#include "tests/support/drive_count.h"
 
 namespace remount {
 namespace {
-
-std::size_t drive_count() {
-  const char* text = std::getenv("REMOUNT_DRIVES");
-  const int count = text != nullptr ? std::atoi(text) : 100;
-  return count > 0 ? static_cast<std::size_t>(count) : 100U;
-}
 
 SimulationOptions drive_options(ScenarioKind scenario, int seed) {
   SimulationOptions options;
@@ -65,7 +59,7 @@ CalibrationResult calibrate(const Drives& drives) {
 
 /// @param observed which parameters every drive must show, which none may (order of kParameterNames)
 void expect_honest(const std::function<Drives(int drive)>& drives_of, const std::array<bool, 6>& observed) {
-  const std::size_t drives = drive_count();
+  const std::size_t drives = drive_count(100);
   std::vector<std::array<double, 6>> normalised(drives), sigmas(drives);
   parallel_for(drives, 0, [&](std::size_t i) {
     const Drives one = drives_of(static_cast<int>(i));

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 
 #include "algorithms/core/parallel.h"
 #include "model/methods/builtin.h"
@@ -14,6 +13,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 #include "tests/support/chi_square.h"
+#include "tests/support/drive_count.h"
 
 namespace remount {
 namespace {
@@ -24,12 +24,6 @@ struct KindOfDrive {
   int scan_rate_hz;
   bool clockwise;
 };
-
-std::size_t odometry_drives() {
-  const char* text = std::getenv("REMOUNT_DRIVES");
-  const int count = text != nullptr ? std::atoi(text) : 40;
-  return count > 0 ? static_cast<std::size_t>(count) : 40U;
-}
 
 /// Errors over sigma of both methods, in order of kParameterNames; not a number where not observed.
 struct ErrorsOfDrive {
@@ -97,7 +91,7 @@ class odometry_methods_sigma : public ::testing::TestWithParam<KindOfDrive> {};
 
 TEST_P(odometry_methods_sigma, is_as_large_as_the_errors) {
   const KindOfDrive& kind = GetParam();
-  std::vector<ErrorsOfDrive> drives(odometry_drives());
+  std::vector<ErrorsOfDrive> drives(drive_count(40));
   parallel_for(drives.size(), 0,
                [&](std::size_t i) { drives[i] = errors_of_drive(odometry_drive(kind, 26000 + static_cast<int>(i))); });
   expect_as_stated("trajectory", drives, &ErrorsOfDrive::trajectory);

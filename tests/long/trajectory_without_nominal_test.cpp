@@ -2,22 +2,15 @@
 // of an hour; REMOUNT_DRIVES sets another number of drives.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "algorithms/core/parallel.h"
 #include "algorithms/messages/render.h"
 #include "model/methods/builtin.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/drive_count.h"
 
 namespace remount {
 namespace {
-
-std::size_t cold_drives() {
-  const char* text = std::getenv("REMOUNT_DRIVES");
-  const int count = text != nullptr ? std::atoi(text) : 100;
-  return count > 0 ? static_cast<std::size_t>(count) : 100U;
-}
 
 SimulationOptions cold_drive(int seed) {
   SimulationOptions options;
@@ -33,7 +26,7 @@ SimulationOptions cold_drive(int seed) {
 }
 
 TEST(trajectory_without_nominal, fails_on_none_of_a_hundred_drives) {
-  std::vector<CalibrationResult> results(cold_drives());
+  std::vector<CalibrationResult> results(drive_count(100));
   parallel_for(results.size(), 0, [&](std::size_t i) {
     PipelineInput input;
     input.sessions = {std::make_shared<Session>(simulate_drive(cold_drive(static_cast<int>(i) + 1)).session)};

@@ -9,6 +9,7 @@
 #include "model/simulator/simulator.h"
 #include "tests/model/io/temporary_folder.h"
 #include "tests/support/fault_law.h"
+#include "tests/support/findings.h"
 
 namespace remount {
 namespace {
@@ -68,10 +69,7 @@ class load_faults : public ::testing::TestWithParam<const char*> {
     }
   }
 
-  bool was_found(const std::string& code) const {
-    const auto& findings = before_.session.findings;
-    return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
-  }
+  bool was_found(const std::string& code) const { return has_code(before_.session.findings, code); }
 
   testing::QuickFolder folder_;
   std::filesystem::path drive_ = folder_.path() / "drive";

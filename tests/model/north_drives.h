@@ -14,6 +14,7 @@
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
 #include "model/simulator/drive_formats.h"
+#include "tests/support/findings.h"
 
 namespace remount::north {
 
@@ -115,9 +116,6 @@ inline double yaw_sigma_deg(const CalibrationResult& result) {
   return radians_to_degrees(result.sigma(kYawOf).value_or(std::nan("")));
 }
 
-inline bool tells(const Session& session, const std::string& code) {
-  return std::any_of(session.findings.begin(), session.findings.end(),
-                     [&](const Finding& finding) { return finding.code == code; });
-}
+inline bool tells(const Session& session, const std::string& code) { return has_code(session.findings, code); }
 
 }  // namespace remount::north

@@ -8,6 +8,7 @@
 #include "algorithms/calibration/calibration_result.h"
 #include "model/io/session_reader.h"
 #include "tests/model/io/temporary_folder.h"
+#include "tests/support/findings.h"
 
 namespace remount {
 namespace {
@@ -35,10 +36,7 @@ Session example(std::int64_t lidar_late_ns = 0, RoadKind road = RoadKind::Straig
   return session;
 }
 
-bool has(const SessionReport& report, const std::string& code) {
-  return std::any_of(report.findings.begin(), report.findings.end(),
-                     [&](const Finding& finding) { return finding.code == code; });
-}
+bool has(const SessionReport& report, const std::string& code) { return has_code(report.findings, code); }
 
 TEST(session_report, counts_rates_and_gaps) {
   std::vector<std::int64_t> stamps;

@@ -132,5 +132,29 @@ TEST(settings_file, one_setting_from_an_assignment) {
     EXPECT_THROW(apply_setting(settings, wrong), Error) << wrong;
 }
 
+TEST(settings_file, a_malformed_assignment_is_wrong_usage_and_is_told_what_the_setting_takes) {
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"solve.joint_clouds=", R"(solve.joint_clouds: expected true or false, found "")"},
+      {"solve.joint_clouds={", R"(solve.joint_clouds: expected true or false, found "{")"},
+      {"keyframes.minimum=", R"(keyframes.minimum: expected a whole number from 2 to 10000, found "")"},
+      {"keyframes.minimum=a: b: c", "keyframes.minimum: expected a whole number from 2 to 10000"},
+      {"pairing.max_gap_s=", R"(pairing.max_gap_s: expected a number from 0.01 to 3600 s, found "")"},
+      {"pairing.limit=", R"(pairing.limit: expected one of time, distance, either; found "")"},
+      {"pairing.limit=&a", R"(pairing.limit: expected one of time, distance, either; found "&a")"},
+      {"solve.x=", "solve.x: is not a setting; known here are"},
+      {"solve=", "expected section.key=value"}};
+  for (const auto& [assignment, said] : cases) {
+    Settings settings;
+    try {
+      apply_setting(settings, assignment);
+      ADD_FAILURE() << assignment;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ErrorCode::Contract) << assignment;
+      EXPECT_TRUE(std::string(error.what()).starts_with("--set " + assignment + ": ")) << error.what();
+      EXPECT_NE(std::string(error.what()).find(said), std::string::npos) << error.what();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace remount

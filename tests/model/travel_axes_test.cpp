@@ -10,6 +10,7 @@
 #include "model/simulator/simulator.h"
 #include "model/travel_direction.h"
 #include "tests/model/io/temporary_folder.h"
+#include "tests/support/findings.h"
 
 namespace remount {
 namespace {
@@ -37,10 +38,7 @@ Session logged_in(const SimulatedDrive& drive, InsAxes axes) {
   return session;
 }
 
-bool told_by_travel(const Session& session) {
-  return std::any_of(session.findings.begin(), session.findings.end(),
-                     [](const Finding& finding) { return finding.code == "ins-axes-by-travel"; });
-}
+bool told_by_travel(const Session& session) { return has_code(session.findings, "ins-axes-by-travel"); }
 
 TEST(travel_axes, are_told_of_every_box_whatever_the_format_calls_them) {
   const SimulatedDrive drive = driven(9.0);

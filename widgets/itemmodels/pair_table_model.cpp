@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/pair.h"
 #include "widgets/itemmodels/pair_measure.h"
 #include "widgets/model_text.h"
@@ -115,7 +116,7 @@ int PairTableModel::columnCount(const QModelIndex& parent) const { return parent
 
 double PairTableModel::time_in_session_s(int keyframe) const {
   const Keyframe& chosen = output_->keyframes.at(static_cast<std::size_t>(keyframe));
-  return 1e-9 * static_cast<double>(chosen.stamp_ns - session_start_ns_.at(static_cast<std::size_t>(chosen.session)));
+  return seconds(chosen.stamp_ns - session_start_ns_.at(static_cast<std::size_t>(chosen.session)));
 }
 
 int PairTableModel::session_of(const Pair& pair) const {

@@ -3,6 +3,7 @@
 #include <QBrush>
 #include <algorithm>
 
+#include "algorithms/core/stamps.h"
 #include "model/checks/data_check.h"
 #include "widgets/model_text.h"
 #include "widgets/theme.h"
@@ -14,9 +15,9 @@ constexpr quintptr kTop = 0;  // internalId of a session; a finding carries its 
 
 double duration_s(const Session& session) {
   if (session.scans && session.scans->size() > 1)
-    return 1e-9 * static_cast<double>(session.scans->stamp_ns(session.scans->size() - 1) - session.scans->stamp_ns(0));
+    return seconds(session.scans->stamp_ns(session.scans->size() - 1) - session.scans->stamp_ns(0));
   const auto& poses = session.odometry_from_lidar;
-  return poses.size() > 1 ? 1e-9 * static_cast<double>(poses.back().stamp_ns - poses.front().stamp_ns) : 0.0;
+  return poses.size() > 1 ? seconds(poses.back().stamp_ns - poses.front().stamp_ns) : 0.0;
 }
 
 Severity worst(const std::vector<Finding>& findings) {

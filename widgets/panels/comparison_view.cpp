@@ -18,7 +18,7 @@ using Rows = std::vector<std::vector<TableCell>>;
 TableCell value_cell(const CalibrationResult& result, std::size_t i) {
   const auto sigma = result.sigma(i);
   if (!is_usable(result) || !sigma) return unknown_cell(ComparisonView::tr("not observed"));
-  const int decimals = is_angle(i) ? 3 : 4;
+  const int decimals = justified_decimals(on_screen(i, *sigma));
   return {QStringLiteral("%1 ± %2")
               .arg(six_on_screen(result.ins_from_lidar)[i], 0, 'f', decimals)
               .arg(on_screen(i, *sigma), 0, 'f', decimals),

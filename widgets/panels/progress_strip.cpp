@@ -14,12 +14,11 @@ namespace {
 constexpr int kBarSteps = 1000;  // of the bar
 }  // namespace
 
-QString remaining_text(qint64 elapsed_ms, double done, double total) {
-  if (elapsed_ms < 1500 || done < 1.0 || done >= total) return {};
-  const double left_s = 1e-3 * static_cast<double>(elapsed_ms) * (total - done) / done;
-  if (left_s < 60.0)
+QString remaining_text(double left_s) {
+  if (left_s < 90.0)
     return ProgressStrip::tr("about %1 s left in this step").arg(std::max(1, static_cast<int>(left_s + 0.5)));
-  return ProgressStrip::tr("about %1 min left in this step").arg(static_cast<int>(left_s / 60.0 + 0.5));
+  const int tens = static_cast<int>(left_s / 10.0);
+  return ProgressStrip::tr("about %1 min %2 s left in this step").arg(tens / 6).arg(10 * (tens % 6));
 }
 
 QString elapsed_text(qint64 elapsed_ms) {
@@ -105,6 +104,7 @@ void ProgressStrip::show_progress(const QString& stage, qulonglong done, qulongl
   if (stage != stage_) {
     stage_ = stage;
     since_stage_.start();
+    remaining_ = {};
     done_at_start_ = done;
   }
   done_ = done;
@@ -119,8 +119,9 @@ void ProgressStrip::say() {
   const auto covered = [this](qulonglong count) {
     return static_cast<double>(count) - static_cast<double>(done_at_start_);
   };
-  const QString left = remaining_text(since_stage_.elapsed(), covered(done_), covered(total_));
-  if (!left.isEmpty()) text += QStringLiteral(", ") + left;
+  const auto left_s =
+      remaining_.left_s(1e-3 * static_cast<double>(since_stage_.elapsed()), covered(done_), covered(total_));
+  if (left_s) text += QStringLiteral(", ") + remaining_text(*left_s);
   text_->setText(text);
 }
 

@@ -4,6 +4,8 @@
 #include <QElapsedTimer>
 #include <QWidget>
 
+#include "algorithms/core/remaining_time.h"
+
 class QLabel;
 class QTimer;
 class QToolButton;
@@ -34,7 +36,8 @@ class ProgressStrip : public QWidget {
   BusyBar* bar_;
   QToolButton* cancel_;
   QElapsedTimer since_stage_, since_shown_;
-  QTimer* second_;  ///< so that a long step is not "about 1 s left" until it ends
+  QTimer* second_;  ///< so that what is left counts down where nothing is reported for a while
+  RemainingTime remaining_;
   QString stage_;
   qulonglong done_at_start_ = 0, done_ = 0, total_ = 0;
 };
@@ -42,7 +45,7 @@ class ProgressStrip : public QWidget {
 /// "12 s", "2 min 5 s".
 QString elapsed_text(qint64 elapsed_ms);
 
-/// "about 2 min left in this step" from how long `done` of `total` took; empty where it is too early to say.
-QString remaining_text(qint64 elapsed_ms, double done, double total);
+/// "about 2 min 30 s left in this step": fine enough to be seen to count down.
+QString remaining_text(double left_s);
 
 }  // namespace remount

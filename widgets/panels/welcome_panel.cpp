@@ -19,8 +19,7 @@ WelcomePanel::WelcomePanel(QWidget* parent)
   text_->setText(
       tr("<h2>Where does the LiDAR sit now?</h2>"
          "<p>Drop the folder or the file of a recorded drive here, or open one. A drive holds LiDAR scans (or LiDAR "
-         "poses) and the "
-         "log of the GNSS/INS. Several drives of one vehicle are calibrated together.</p>"
+         "poses) and the log of the GNSS/INS. Several drives of one vehicle are calibrated together.</p>"
          "<ol><li>Open the sessions.</li><li>Say roughly where the LiDAR sits, or leave it unknown.</li>"
          "<li>Calibrate (F5).</li><li>Look at the pairs; accept or reject the doubtful ones.</li>"
          "<li>Export the result.</li></ol>"));

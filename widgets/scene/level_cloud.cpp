@@ -4,6 +4,7 @@
 #include <bit>
 #include <numeric>
 
+#include "algorithms/cloud/point_cloud.h"
 #include "widgets/scene/framing.h"
 
 namespace remount {
@@ -13,7 +14,7 @@ constexpr int kMostLevels = 20;
 constexpr std::size_t kDrawnPerCheck = 1U << 20U;
 
 bool is_measured(const Eigen::Vector3f& point) {
-  return point.allFinite() && point.cwiseAbs().maxCoeff() <= LevelCloud::kFarthest_m;
+  return point.allFinite() && point.cwiseAbs().maxCoeff() <= kFarthestReturn_m;
 }
 
 /// A cube that is halved `levels` times along each axis. What lies outside belongs to the voxels at its faces.

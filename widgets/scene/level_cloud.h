@@ -13,9 +13,7 @@ namespace remount {
 /// none yet, and so on. The first n points are therefore an even thinning of the cloud, for any n: what is drawn while
 /// the camera moves is a beginning, what is drawn afterwards the whole.
 struct LevelCloud {
-  static constexpr float kFarthest_m = 1e5F;  ///< what is farther from the origin was not measured
-
-  std::vector<Eigen::Vector3f> points;  ///< m; none that is not finite or beyond kFarthest_m
+  std::vector<Eigen::Vector3f> points;  ///< m; none that is not finite or beyond kFarthestReturn_m
   std::vector<std::uint32_t> original;  ///< index of each in the cloud that it comes from
   std::vector<std::size_t> level_end;   ///< how many points the voxels of each level have together with those before
   std::vector<float> level_edge_m;      ///< edge of the voxels of each level, halving; 0 for the rest at the end

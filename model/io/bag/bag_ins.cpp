@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "algorithms/messages/render.h"
 #include "model/clock_hint.h"
 #include "model/count_words.h"
@@ -53,16 +54,16 @@ void report_shift(std::int64_t by_ns, const StreamClock& stream, const StreamClo
                 "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %.3f s apart, "
                 "beside what a scan lasts. They are moved by that; what is left, the delays of the recording, shows as "
                 "time offset.",
-                static_cast<double>(by_ns) * 1e-9);
-  const std::string cause = cause_of_apart_clocks(lidar.readings.front().stamp_ns, stream.readings.front().stamp_ns,
-                                                  static_cast<double>(by_ns) * 1e-9);
+                seconds(by_ns));
+  const std::string cause =
+      cause_of_apart_clocks(lidar.readings.front().stamp_ns, stream.readings.front().stamp_ns, seconds(by_ns));
   findings.push_back(make_finding(Severity::Warning, "clock-moved", where, text + (cause.empty() ? "" : " " + cause)));
 }
 
 double period_s(const StreamClock& stream) {
   std::vector<double> steps_s;
   for (std::size_t i = 1; i < stream.readings.size(); ++i)
-    steps_s.push_back(static_cast<double>(stream.readings[i].log_time_ns - stream.readings[i - 1].log_time_ns) * 1e-9);
+    steps_s.push_back(seconds(stream.readings[i].log_time_ns - stream.readings[i - 1].log_time_ns));
   return steps_s.empty() ? 0.0 : median_of(std::move(steps_s));
 }
 
@@ -277,7 +278,7 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
     const bool exact = after != attitudes.end() && after->stamp_ns == stamp_ns;
     const auto before = exact || after == attitudes.begin() ? after : after - 1;
     if (after == attitudes.end() || (!exact && after == attitudes.begin()) ||
-        static_cast<double>(after->stamp_ns - before->stamp_ns) * 1e-9 > longest_gap_s) {
+        seconds(after->stamp_ns - before->stamp_ns) > longest_gap_s) {
       ++alone;
       continue;
     }

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "algorithms/core/median.h"
+#include "algorithms/core/stamps.h"
 #include "model/io/bag/cloud_message.h"
 #include "model/io/stream_tools.h"
 
@@ -217,8 +218,7 @@ std::optional<std::size_t> inspvax_beside(const BagFile& bag, const TopicRoles& 
 double StreamClock::behind_s() const {
   if (readings.empty()) return 0.0;
   std::vector<double> apart_s;
-  for (const ClockReading& reading : readings)
-    apart_s.push_back(static_cast<double>(reading.log_time_ns - reading.stamp_ns) * 1e-9);
+  for (const ClockReading& reading : readings) apart_s.push_back(seconds(reading.log_time_ns - reading.stamp_ns));
   return median_of(std::move(apart_s));
 }
 

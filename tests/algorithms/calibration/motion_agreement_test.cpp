@@ -21,7 +21,7 @@ CalibrationResult solved_with(const SimulatedDrive& drive, const DriveOptions& o
 
 bool advises(const CalibrationResult& result, const std::string& words) {
   return std::any_of(result.advice.begin(), result.advice.end(),
-                     [&](const std::string& advice) { return advice.find(words) != std::string::npos; });
+                     [&](const Message& advice) { return english(advice).find(words) != std::string::npos; });
 }
 
 TEST(motion_agreement, of_a_sound_drive_nothing_is_said) {

@@ -199,7 +199,7 @@ TEST(trajectory_alignment, what_was_measured_by_hand_closes_what_the_drive_leave
   problem.measured = Measured(tape, std::nullopt);
   const CalibrationResult wrong = solve(problem).answer.result;
   print("with a wrong yaw", wrong, flat.ins_from_lidar);
-  const auto named = [](const std::string& text) { return text.find("yaw contradicts") != std::string::npos; };
+  const auto named = [](const Message& text) { return english(text).find("yaw contradicts") != std::string::npos; };
   EXPECT_TRUE(std::any_of(wrong.advice.begin(), wrong.advice.end(), named));
   EXPECT_FALSE(wrong.observed[3] && std::abs(error_of(wrong, flat.ins_from_lidar)[3]) > 3.5 * wrong.sigma(3).value());
 }

@@ -96,6 +96,10 @@ TEST_F(cli_faults, wrong_usage_is_said_with_one_prefix_and_is_exit_code_1) {
   expect("calibrate " + drive + " --set keyframes.minimum=500 --set keyframes.maximum=50", 1, both);
   expect("calibrate " + drive + " --config " + path("contradiction.yaml"), 1, both);
   expect("settings --config " + path("contradiction.yaml"), 1, both);
+  expect("calibrate " + drive + " --set solve.x=", 1, "--set solve.x=: solve.x: is not a setting; known here are");
+  expect("calibrate " + drive + " --set solve.joint_clouds=", 1, R"(expected true or false, found "")");
+  expect("calibrate " + drive + " --set pairing.max_gap_s={", 1, "expected a number from 0.01 to 3600 s");
+  expect("odometry " + drive + " -o " + path("poses.txt") + " --set run.threads", 1, "expected section.key=value");
   expect("calibrate " + drive + " --set pairing.min_distance_m=50", 1, "exceeds pairing.max_distance_m = 10");
   expect("simulate street " + path("x") + " --format kitti-raw --motion-distortion false", 1, "distorted by motion");
   expect("calibrate " + drive + " " + drive, 1, "same recording");

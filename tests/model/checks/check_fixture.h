@@ -8,6 +8,7 @@
 
 #include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
+#include "tests/support/findings.h"
 
 namespace remount {
 
@@ -43,17 +44,6 @@ inline std::vector<Finding> printed(std::vector<Finding> findings) {
   for (const Finding& finding : findings)
     std::printf("[%s] %s\n", finding.code.c_str(), english(finding.explanation).c_str());
   return findings;
-}
-
-/// The explanation of the first finding of that code; "" where there is none.
-inline std::string said_of(const std::vector<Finding>& findings, const std::string& code) {
-  for (const Finding& finding : findings)
-    if (finding.code == code) return english(finding.explanation);
-  return "";
-}
-
-inline bool has_code(const std::vector<Finding>& findings, const std::string& code) {
-  return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
 }
 
 }  // namespace remount

@@ -123,9 +123,11 @@ TEST_F(inspva_log, with_other_ends_of_lines_is_one_line_and_costs_no_more) {
   const double none_s = seconds_of([&] { EXPECT_FALSE(recognise_inspvax(none)); });
   std::printf("%.1f MB in one line: %.3f s; of marks alone %.3f s, not recognised in %.3f s\n",
               1e-6 * static_cast<double>(text.size()), taken_s, marks_s, none_s);
-  EXPECT_LT(taken_s, 1.0 * kSanitizerSlowdown);
-  EXPECT_LT(marks_s, 1.0 * kSanitizerSlowdown);
-  EXPECT_LT(none_s, 1.0 * kSanitizerSlowdown);
+  // Looked through again from every mark, they would take minutes; a busy machine takes seconds.
+  constexpr double kLongest_s = 10.0;
+  EXPECT_LT(taken_s, kLongest_s * kSanitizerSlowdown);
+  EXPECT_LT(marks_s, kLongest_s * kSanitizerSlowdown);
+  EXPECT_LT(none_s, kLongest_s * kSanitizerSlowdown);
 }
 
 TEST_F(inspva_log, a_text_that_mentions_a_log_is_none) {

@@ -49,7 +49,7 @@ class mutated_input : public ::testing::TestWithParam<std::size_t> {
   void cut() {
     const std::size_t cuts = std::max<std::size_t>(1, static_cast<std::size_t>(mutations()) / 5 / files_.size());
     for (PackedFile& file : files_) {
-      const Bytes good = file.bytes;
+      const MutatedBytes good = file.bytes;
       for (std::size_t i = 0; i < std::min(cuts, good.size()) && !HasFatalFailure(); ++i) {
         file.bytes.resize(good.size() * i / std::min(cuts, good.size()));
         attempt(file.name);
@@ -62,7 +62,7 @@ class mutated_input : public ::testing::TestWithParam<std::size_t> {
     Mutator mutator(seed_of(sample_.reader + sample_.name));
     while (attempts_ < mutations() && !HasFatalFailure()) {
       PackedFile& file = files_[mutator.below(files_.size())];
-      const Bytes good = file.bytes;
+      const MutatedBytes good = file.bytes;
       file.bytes = mutator.damaged(good);
       attempt(file.name);
       file.bytes = good;
@@ -70,7 +70,7 @@ class mutated_input : public ::testing::TestWithParam<std::size_t> {
   }
 
   void attempt(const std::string& target) {
-    const Bytes damaged = pack_ ? pack_files(files_) : files_[0].bytes;
+    const MutatedBytes damaged = pack_ ? pack_files(files_) : files_[0].bytes;
     const fs::path input = write_input(*reader_, damaged, folder_.path());
     const int number = attempts_++;
     const auto started = std::chrono::steady_clock::now();
@@ -91,7 +91,7 @@ class mutated_input : public ::testing::TestWithParam<std::size_t> {
   }
 
   /// For the one who mends it: a seed for the reader's folder in tests/fuzz/corpus.
-  static void keep(const Bytes& bytes) {
+  static void keep(const MutatedBytes& bytes) {
     std::ofstream(fs::temp_directory_path() / "remount-mutation", std::ios::binary) << bytes;
   }
 

@@ -11,22 +11,22 @@
 
 namespace remount {
 
-using Bytes = std::string;
+using MutatedBytes = std::string;
 
 /// Cuts, flips, inserts, repeats and swaps bytes, lines, numbers and columns.
 class Mutator {
  public:
   explicit Mutator(unsigned seed) : random_(seed) {}
 
-  Bytes damaged(const Bytes& good) {
-    Bytes bytes = good;
+  MutatedBytes damaged(const MutatedBytes& good) {
+    MutatedBytes bytes = good;
     for (unsigned i = 0; i <= below(3); ++i) damage(bytes);
     return bytes;
   }
   std::size_t below(std::size_t count) { return count == 0 ? 0 : random_() % count; }
 
  private:
-  void damage(Bytes& bytes) {
+  void damage(MutatedBytes& bytes) {
     switch (below(11)) {
       case 0:
         bytes.resize(below(bytes.size() + 1));
@@ -64,8 +64,8 @@ class Mutator {
   }
 
   /// In what counts, sizes, stamps and values are written as text.
-  void replace_number(Bytes& bytes) {
-    static const std::vector<Bytes> kHostile{"nan",
+  void replace_number(MutatedBytes& bytes) {
+    static const std::vector<MutatedBytes> kHostile{"nan",
                                              "inf",
                                              "-inf",
                                              "1e400",
@@ -84,8 +84,8 @@ class Mutator {
                                              "65536",
                                              "0x10",
                                              "1e999999",
-                                             Bytes(400, '9'),
-                                             "0." + Bytes(500, '3'),
+                                             MutatedBytes(400, '9'),
+                                             "0." + MutatedBytes(500, '3'),
                                              "1.5",
                                              "",
                                              "--1",
@@ -96,13 +96,13 @@ class Mutator {
                                              "1e18",
                                              "9200000000"};
     const std::size_t begin = bytes.find_first_of("0123456789", below(bytes.size()));
-    if (begin == Bytes::npos) return;
+    if (begin == MutatedBytes::npos) return;
     const std::size_t end = bytes.find_first_not_of("0123456789.eE+-", begin);
-    bytes.replace(begin, (end == Bytes::npos ? bytes.size() : end) - begin, kHostile[below(kHostile.size())]);
+    bytes.replace(begin, (end == MutatedBytes::npos ? bytes.size() : end) - begin, kHostile[below(kHostile.size())]);
   }
   /// Removes a column, or makes it something else.
-  void replace_token(Bytes& bytes) {
-    static const std::vector<Bytes> kTokens{"",
+  void replace_token(MutatedBytes& bytes) {
+    static const std::vector<MutatedBytes> kTokens{"",
                                             "x",
                                             "\"",
                                             "{",
@@ -125,32 +125,32 @@ class Mutator {
                                             "~",
                                             "\xff\xfe",
                                             "\xc3\x28",
-                                            Bytes(3000, 'a'),
-                                            Bytes(200, '['),
-                                            Bytes(200, '{'),
-                                            Bytes("\0\0\0\0", 4)};
+                                            MutatedBytes(3000, 'a'),
+                                            MutatedBytes(200, '['),
+                                            MutatedBytes(200, '{'),
+                                            MutatedBytes("\0\0\0\0", 4)};
     const std::size_t begin = bytes.find_first_of(" ,\n:", below(bytes.size()));
-    if (begin == Bytes::npos) return;
+    if (begin == MutatedBytes::npos) return;
     const std::size_t end = bytes.find_first_of(" ,\n:", begin + 1);
-    bytes.replace(begin + 1, (end == Bytes::npos ? bytes.size() : end) - begin - 1, kTokens[below(kTokens.size())]);
+    bytes.replace(begin + 1, (end == MutatedBytes::npos ? bytes.size() : end) - begin - 1, kTokens[below(kTokens.size())]);
   }
-  std::pair<std::size_t, std::size_t> line(const Bytes& bytes) {
+  std::pair<std::size_t, std::size_t> line(const MutatedBytes& bytes) {
     const std::size_t at = below(bytes.size());
-    const std::size_t before = at == 0 ? Bytes::npos : bytes.rfind('\n', at - 1);
-    const std::size_t begin = before == Bytes::npos ? 0 : before + 1, end = bytes.find('\n', begin);
-    return {begin, (end == Bytes::npos ? bytes.size() : end + 1) - begin};
+    const std::size_t before = at == 0 ? MutatedBytes::npos : bytes.rfind('\n', at - 1);
+    const std::size_t begin = before == MutatedBytes::npos ? 0 : before + 1, end = bytes.find('\n', begin);
+    return {begin, (end == MutatedBytes::npos ? bytes.size() : end + 1) - begin};
   }
-  void repeat_line(Bytes& bytes) {
+  void repeat_line(MutatedBytes& bytes) {
     const auto [begin, length] = line(bytes);
-    const Bytes copy = bytes.substr(begin, length);
+    const MutatedBytes copy = bytes.substr(begin, length);
     for (std::size_t times = 1 + below(3), i = 0; i < times; ++i) bytes.insert(begin, copy);
   }
-  void drop_line(Bytes& bytes) {
+  void drop_line(MutatedBytes& bytes) {
     const auto [begin, length] = line(bytes);
     bytes.erase(begin, length);
   }
   /// In what counts and values are written as binary: of 2, 4 or 8 bytes.
-  void overwrite_scalar(Bytes& bytes) {
+  void overwrite_scalar(MutatedBytes& bytes) {
     static constexpr std::array<std::uint64_t, 8> kValues{~std::uint64_t{0},     0,
                                                           0x7fffffff7fffffffULL, 0x8000000080000000ULL,
                                                           0x7ff8000000000000ULL, 0x7fc000007fc00000ULL,
@@ -160,7 +160,7 @@ class Mutator {
     const std::uint64_t value = kValues[below(kValues.size())];
     std::memcpy(bytes.data() + below(bytes.size() - size + 1), &value, size);
   }
-  void swap_pieces(Bytes& bytes) {
+  void swap_pieces(MutatedBytes& bytes) {
     if (bytes.size() < 8) return;
     const std::size_t length = 1 + below(bytes.size() / 4), from = below(bytes.size() - length + 1);
     bytes.insert(below(bytes.size() + 1), bytes.substr(from, length));

@@ -12,6 +12,7 @@
 #include "model/io/time_stamp.h"
 #include "tests/model/io/nmea_text.h"
 #include "tests/model/io/temporary_folder.h"
+#include "tests/support/findings.h"
 
 namespace remount {
 namespace {
@@ -45,11 +46,7 @@ class nmea_log : public ::testing::Test {
     findings_.clear();
     return read_nmea(folder_.write("log.nmea", text), findings_);
   }
-  bool told(const std::string& code) const {
-    for (const Finding& finding : findings_)
-      if (finding.code == code) return true;
-    return false;
-  }
+  bool told(const std::string& code) const { return has_code(findings_, code); }
   TemporaryFolder folder_;
   std::vector<Finding> findings_;
 };

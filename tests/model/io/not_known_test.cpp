@@ -8,18 +8,13 @@
 #include "model/io/stream_tools.h"
 #include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
+#include "tests/support/findings.h"
 
 namespace remount {
 namespace {
 
 constexpr const char* kNotKnown[] = {"-2e10", "-20000000000", "2e10",    "-349065850.4", "-1145915590261.6",
                                      "1e300", "-9999",        "-99999.0"};
-
-std::string said_of(const std::vector<Finding>& findings, const std::string& code) {
-  for (const Finding& finding : findings)
-    if (finding.code == code) return english(finding.explanation);
-  return "";
-}
 
 /// A session of 30 samples, of which `broken` replaces one field of every tenth.
 Session table_with(const TemporaryFolder& folder, std::size_t column, const std::string& broken) {

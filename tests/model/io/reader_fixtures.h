@@ -6,14 +6,13 @@
 
 #include "model/io/inspvax_log.h"
 #include "model/io/session_reader.h"
+#include "tests/support/findings.h"
 
 namespace remount {
 
 /// The first finding with this code, or null.
 inline const Finding* find(const Session& session, const std::string& code) {
-  for (const Finding& finding : session.findings)
-    if (finding.code == code) return &finding;
-  return nullptr;
+  return finding_of(session.findings, code);
 }
 
 inline Session open(const std::filesystem::path& path) {

@@ -10,6 +10,7 @@
 #include "model/methods/calibration_method.h"
 #include "model/project.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/findings.h"
 #include "tests/support/tunnel_drive.h"
 
 namespace remount {
@@ -63,10 +64,6 @@ RigidTransform off_by(const RigidTransform& truth) {
 PipelineOutput run_fusion(const PipelineInput& input) {
   Progress progress;
   return calibration_method("fusion-odometry").run(input, progress);
-}
-
-bool has_code(const std::vector<Finding>& findings, const std::string& code) {
-  return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
 }
 
 std::string all_words(const CalibrationResult& result) {

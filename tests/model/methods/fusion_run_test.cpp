@@ -12,6 +12,7 @@
 #include "model/methods/calibration_method.h"
 #include "model/session_frames.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/findings.h"
 #include "tests/support/tunnel_drive.h"
 
 namespace remount {
@@ -32,12 +33,8 @@ TEST(fusion_run, goes_through_a_tunnel_where_scans_alone_slip) {
   std::cout << "    end off by " << fused_m << " m, scans alone " << alone_m << " m\n";
   EXPECT_LT(fused_m, 0.005 * kLength_m);
   EXPECT_GT(alone_m, 4.0 * 0.005 * kLength_m);
-  const auto told = [](const FusionRun& run, const std::string& code) {
-    return std::any_of(run.findings.begin(), run.findings.end(),
-                       [&](const Finding& finding) { return finding.code == code; });
-  };
-  EXPECT_TRUE(told(fused, "odometry-by-wheels"));
-  EXPECT_TRUE(told(alone, "odometry-guessed"));
+  EXPECT_TRUE(has_code(fused.findings, "odometry-by-wheels"));
+  EXPECT_TRUE(has_code(alone.findings, "odometry-guessed"));
 }
 
 struct Error10 {
@@ -123,10 +120,6 @@ TEST(fusion_method, a_wrong_nominal_is_not_confirmed) {
   expect_within_sigma(output.result, truth, 3.5);
 }
 
-bool told(const std::vector<Finding>& findings, const std::string& code) {
-  return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) { return finding.code == code; });
-}
-
 TEST(fusion_method, no_pair_rests_on_scans_that_do_not_tell_the_motion) {
   const SimulatedDrive drive = simulate_drive(tunnel_options(200.0));
   PipelineInput input;
@@ -138,7 +131,7 @@ TEST(fusion_method, no_pair_rests_on_scans_that_do_not_tell_the_motion) {
   input.nominal_ins_from_lidar = drive.ins_from_lidar;
   Progress progress;
   const PipelineOutput output = calibration_method("fusion-odometry").run(input, progress);
-  EXPECT_TRUE(told(output.findings, "odometry-breaks"));
+  EXPECT_TRUE(has_code(output.findings, "odometry-breaks"));
   EXPECT_FALSE(output.result.status == Status::Ok);
 }
 
@@ -168,7 +161,7 @@ TEST(fusion_run, a_scan_with_senseless_point_times_does_not_end_the_odometry) {
     Progress progress;
     const FusionRun run = run_fusion_odometry(session, input.nominal_ins_from_lidar, input.settings, 0, progress);
     EXPECT_EQ(run.odometry.scans.size(), session.scans->size());
-    EXPECT_TRUE(told(run.findings, "odometry-point-times")) << time_s;
+    EXPECT_TRUE(has_code(run.findings, "odometry-point-times")) << time_s;
   }
 }
 
@@ -177,12 +170,12 @@ TEST(fusion_run, tells_of_streams_that_never_took_part_and_of_a_mounting_that_is
   Session session = *input.sessions[0];
   Progress progress;
   FusionRun run = run_fusion_odometry(session, input.nominal_ins_from_lidar, input.settings, 0, progress);
-  EXPECT_FALSE(told(run.findings, "odometry-unused"));
-  EXPECT_FALSE(told(run.findings, "odometry-mounting-unset"));
+  EXPECT_FALSE(has_code(run.findings, "odometry-unused"));
+  EXPECT_FALSE(has_code(run.findings, "odometry-mounting-unset"));
   for (BarometerSample& sample : session.barometer) sample.stamp_ns += 3600000000000;  // another clock
   run = run_fusion_odometry(session, input.nominal_ins_from_lidar, {}, 0, progress);
-  EXPECT_TRUE(told(run.findings, "odometry-unused"));
-  EXPECT_TRUE(told(run.findings, "odometry-mounting-unset"));
+  EXPECT_TRUE(has_code(run.findings, "odometry-unused"));
+  EXPECT_TRUE(has_code(run.findings, "odometry-mounting-unset"));
 }
 
 TEST(fusion_method, without_an_ins_it_says_so_and_keeps_its_plots) {
@@ -195,7 +188,7 @@ TEST(fusion_method, without_an_ins_it_says_so_and_keeps_its_plots) {
   EXPECT_EQ(output.result.status, Status::TooFewPairs);
   EXPECT_NE(english(output.result.message).find("no session has an INS"), std::string::npos);
   EXPECT_EQ(output.plots.size(), 4u);
-  EXPECT_TRUE(told(output.findings, "odometry-without-ins"));
+  EXPECT_TRUE(has_code(output.findings, "odometry-without-ins"));
 }
 
 TEST(fusion_method, refuses_a_session_without_scans_and_can_be_cancelled) {

@@ -9,6 +9,7 @@
 #include "model/methods/calibration_method.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
+#include "tests/support/findings.h"
 #include "tests/support/sanitized.h"
 
 namespace remount {
@@ -177,9 +178,7 @@ TEST(sweep_trial, of_a_vehicle_that_stands_nothing_is_proved) {
 }
 
 const Finding* found(const PipelineOutput& output, const std::string& code) {
-  for (const Finding& finding : output.findings)
-    if (finding.code == code) return &finding;
-  return nullptr;
+  return finding_of(output.findings, code);
 }
 
 PipelineOutput calibrated(Session session) {

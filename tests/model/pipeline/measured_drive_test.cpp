@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/messages/render.h"
+#include "model/session_report.h"
 #include "model/simulator/simulator.h"
 #include "tests/support/calibration_checks.h"
 
@@ -42,11 +43,26 @@ TEST(measured_drive, ground_below_an_ins_of_known_height_gives_z_on_a_flat_road)
   expect_within_sigma(output.result, drive.ins_from_lidar, 3.5);
   const auto words_of_z = [](const CalibrationResult& result) {
     for (const ObservabilityDirection& direction : result.directions)
-      if (direction.words.starts_with("z (height)")) return direction.words;
+      if (english(direction.words).starts_with("z (height)")) return english(direction.words);
     return std::string("nothing");
   };
   EXPECT_EQ(words_of_z(output.result), "z (height): known by what was measured") << "the drive does not tell it";
   EXPECT_EQ(words_of_z(calibrate(drive, {}, {}).result), "z (height): not observable, flat driving");
+}
+
+TEST(measured_drive, inspection_and_calibration_advise_the_same_where_the_height_is_not_told) {
+  const SimulatedDrive drive = simulate_drive(flat());
+  Progress progress;
+  const std::string inspected = describe(drive.session, report_session(drive.session, progress));
+  std::string advised;
+  for (const std::string& advice : english(calibrate(drive, {}, {}).result.advice)) advised += advice + "\n";
+  constexpr const char* kDrive = "a ramp, a kerb with one wheel or a bumpy road while turning";
+  constexpr const char* kMeasure = "where it matters, measure it by tape and give it with --measured.";
+  for (const std::string& text : {inspected, advised}) {
+    EXPECT_NE(text.find(kDrive), std::string::npos) << text;
+    EXPECT_NE(text.find(kMeasure), std::string::npos) << text;
+    EXPECT_EQ(text.find("measured.z"), std::string::npos) << text;
+  }
 }
 
 TEST(measured_drive, map_is_sharper_under_the_result_than_under_a_wrong_nominal) {

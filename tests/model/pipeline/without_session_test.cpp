@@ -1,3 +1,4 @@
+#include "algorithms/messages/render.h"
 #include "model/pipeline/without_session.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +61,7 @@ TEST(without_session, what_the_result_does_not_rest_on_goes_and_x_stays) {
   EXPECT_EQ(result.session_time_offset_s, (std::vector{0.010, 0.030}));
   EXPECT_NEAR(result.time_offset.offset_s, 0.020, 1e-12) << "the mean of those that are left";
   EXPECT_EQ(left->session_uses_sweep, (std::vector{true, true}));
-  EXPECT_EQ(result.advice, (std::vector<std::string>{"Session 2 (friday) is short.", "Drive a ramp."}));
+  EXPECT_EQ(english(result.advice), (std::vector<std::string>{"Session 2 (friday) is short.", "Drive a ramp."}));
 }
 
 TEST(without_session, pairs_keyframes_and_sessions_are_numbered_anew) {

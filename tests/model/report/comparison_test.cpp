@@ -20,7 +20,7 @@ TEST(compare_results, warns_where_two_differ_by_more_than_they_claim_and_only_th
   const auto near = compare_results({result("a", 0.010, 0.001), result("b", 0.012, 0.001)});
   ASSERT_EQ(near.size(), 1U);
   EXPECT_FALSE(near[0].contradict) << near[0].words;
-  EXPECT_NE(english(near[0].words).find("yaw differs by 0.1146 deg, 1.4 times"), std::string::npos) << near[0].words;
+  EXPECT_NE(english(near[0].words).find("yaw differs by 0.115 deg, 1.4 times"), std::string::npos) << near[0].words;
   const auto far = compare_results({result("a", 0.010, 0.001), result("b", 0.020, 0.001)});
   EXPECT_TRUE(far[0].contradict) << far[0].words;
   EXPECT_NE(english(far[0].words).find("a and b contradict each other: yaw"), std::string::npos) << far[0].words;

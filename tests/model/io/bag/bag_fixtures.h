@@ -8,6 +8,7 @@
 #include "model/io/bag/bag_writer.h"
 #include "tests/model/io/reader_fixtures.h"
 #include "tests/model/io/temporary_folder.h"
+#include "tests/support/findings.h"
 
 namespace remount::bags {
 
@@ -46,11 +47,7 @@ inline std::shared_ptr<const BagFile> open_quietly(const fs::path& path) {
 
 inline std::string packed(const std::string& bytes) { return pack_chunk(ChunkCompression::Zstd, bytes); }
 
-inline const Finding* find(const BagFile& bag, const std::string& code) {
-  for (const Finding& finding : bag.findings())
-    if (finding.code == code) return &finding;
-  return nullptr;
-}
+inline const Finding* find(const BagFile& bag, const std::string& code) { return finding_of(bag.findings(), code); }
 
 /// How many of the messages the bag has; each must be the one that was written, none may be made up.
 inline std::size_t count_and_check(const BagFile& bag, const std::vector<TestMessage>& messages) {

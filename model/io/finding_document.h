@@ -1,0 +1,16 @@
+// Findings as they stand in results and projects.
+#pragma once
+
+#include <vector>
+
+#include "model/io/document.h"
+#include "model/session.h"
+
+namespace remount {
+
+DocumentNode findings_document(const std::vector<Finding>& findings);
+
+/// Throws Error(Format). Severities are names; projects of earlier versions hold their numbers.
+std::vector<Finding> findings_from_document(const DocumentView& list);
+
+}  // namespace remount

@@ -1,0 +1,69 @@
+#include "model/pipeline/watched_scans.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "algorithms/core/error.h"
+#include "model/pipeline/input_checks.h"
+
+namespace remount {
+
+class WatchedSource : public ScanSource {
+ public:
+  explicit WatchedSource(std::shared_ptr<const ScanSource> scans) : scans_(std::move(scans)) {}
+
+  std::size_t size() const override { return scans_->size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return scans_->stamp_ns(scan); }
+  std::string name(std::size_t scan) const override { return scans_->name(scan); }
+  PointCloud load(std::size_t scan) const override {
+    try {
+      return scans_->load(scan);
+    } catch (const Error& error) {
+      const std::scoped_lock lock(mutex_);
+      failures_.try_emplace(scan, error.what());
+      throw;
+    }
+  }
+
+  /// By the number of the scan, so that they come in the same order for any number of threads.
+  std::map<std::size_t, std::string> failures() const {
+    const std::scoped_lock lock(mutex_);
+    return failures_;
+  }
+
+ private:
+  std::shared_ptr<const ScanSource> scans_;
+  mutable std::mutex mutex_;
+  mutable std::map<std::size_t, std::string> failures_;
+};
+
+Finding skipped_scan(const Session& session, const std::string& failure) {
+  return {Severity::Warning, "scan-unreadable", session.name, sentence(failure) + " The scan is skipped."};
+}
+
+WatchedScans::WatchedScans(const std::vector<std::shared_ptr<const Session>>& sessions) : sessions_(sessions) {
+  for (auto& session : sessions_) {
+    sources_.push_back(session->scans ? std::make_shared<const WatchedSource>(session->scans) : nullptr);
+    if (!session->scans) continue;
+    auto watched = std::make_shared<Session>(*session);
+    watched->scans = sources_.back();
+    session = std::move(watched);
+  }
+}
+
+void WatchedScans::report(std::vector<Finding>& findings) const {
+  for (std::size_t s = 0; s < sessions_.size(); ++s) {
+    if (!sources_[s]) continue;
+    for (const auto& [scan, failure] : sources_[s]->failures()) {
+      Finding skipped = skipped_scan(*sessions_[s], failure);
+      const bool named = std::ranges::any_of(findings, [&](const Finding& finding) {
+        return finding.where == skipped.where && finding.explanation == skipped.explanation;
+      });
+      if (!named) findings.push_back(std::move(skipped));
+    }
+  }
+}
+
+}  // namespace remount

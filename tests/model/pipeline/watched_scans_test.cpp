@@ -1,0 +1,107 @@
+#include "model/pipeline/watched_scans.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <mutex>
+#include <set>
+
+#include "algorithms/core/error.h"
+#include "model/methods/calibration_method.h"
+#include "model/simulator/simulator.h"
+
+namespace remount {
+namespace {
+
+/// Every tenth scan cannot be read. Which of them somebody tried to is known.
+class HalfRotten final : public ScanSource {
+ public:
+  explicit HalfRotten(std::shared_ptr<const ScanSource> source) : source_(std::move(source)) {}
+  std::size_t size() const override { return source_->size(); }
+  std::int64_t stamp_ns(std::size_t scan) const override { return source_->stamp_ns(scan); }
+  std::string name(std::size_t scan) const override { return source_->name(scan); }
+  PointCloud load(std::size_t scan) const override {
+    if (scan % 10 != 3) return source_->load(scan);
+    const std::scoped_lock lock(mutex_);
+    tried_.insert(scan);
+    throw Error(ErrorCode::Format, place_of(scan), "is no point cloud");
+  }
+  static std::string place_of(std::size_t scan) { return "scan-" + std::to_string(scan) + ".pcd"; }
+  const std::set<std::size_t>& tried() const { return tried_; }
+
+ private:
+  std::shared_ptr<const ScanSource> source_;
+  mutable std::mutex mutex_;
+  mutable std::set<std::size_t> tried_;
+};
+
+struct RottenDrive {
+  PipelineInput input;
+  std::shared_ptr<HalfRotten> scans;
+  RigidTransform ins_from_lidar;
+
+  RottenDrive() {
+    SimulationOptions options;
+    options.duration_s = 5.0;
+    options.beams = 16;
+    options.azimuth_steps = 400;
+    const SimulatedDrive drive = simulate_drive(options);
+    ins_from_lidar = drive.ins_from_lidar;
+    scans = std::make_shared<HalfRotten>(drive.session.scans);
+    auto session = std::make_shared<Session>(drive.session);
+    session->scans = scans;
+    input.sessions = {session};
+    input.settings.keyframes.distance_m = 3.0;
+    input.settings.keyframes.minimum = 2;
+  }
+  PipelineOutput calibrated() const {
+    Progress progress;
+    return calibrate(input, progress);
+  }
+};
+
+std::size_t times_named(const PipelineOutput& output, std::size_t scan) {
+  return static_cast<std::size_t>(std::ranges::count_if(output.findings, [&](const Finding& finding) {
+    return finding.code == "scan-unreadable" &&
+           finding.explanation == HalfRotten::place_of(scan) + ": is no point cloud. The scan is skipped.";
+  }));
+}
+
+TEST(watched_scans, each_that_a_calibration_opened_and_could_not_read_is_named_once_with_the_reason) {
+  const RottenDrive drive;
+  const PipelineOutput output = drive.calibrated();
+  std::set<int> keyframes;
+  for (const Keyframe& keyframe : output.keyframes) keyframes.insert(keyframe.scan);
+  ASSERT_FALSE(drive.scans->tried().empty());
+  EXPECT_TRUE(std::ranges::any_of(drive.scans->tried(), [&](std::size_t scan) {
+    return !keyframes.contains(static_cast<int>(scan));
+  })) << "one that is no keyframe is tried for the first estimate of the mounting";
+  for (const std::size_t scan : drive.scans->tried()) EXPECT_EQ(times_named(output, scan), 1U) << scan;
+  std::cout << drive.scans->tried().size() << " scans of " << drive.scans->size() << " named, " << keyframes.size()
+            << " keyframes\n";
+}
+
+TEST(watched_scans, of_those_that_were_never_opened_nothing_is_said) {
+  RottenDrive drive;
+  drive.input.nominal_ins_from_lidar = drive.ins_from_lidar;
+  const PipelineOutput output = drive.calibrated();
+  std::size_t unopened = 0;
+  for (std::size_t scan = 3; scan < drive.scans->size(); scan += 10) {
+    const bool tried = drive.scans->tried().contains(scan);
+    EXPECT_EQ(times_named(output, scan), tried ? 1U : 0U) << scan;
+    unopened += tried ? 0 : 1;
+  }
+  EXPECT_GT(unopened, 0U);
+}
+
+TEST(watched_scans, sessions_without_scans_are_as_they_were) {
+  const auto poses = std::make_shared<const Session>();
+  const WatchedScans watched({poses});
+  std::vector<Finding> findings;
+  watched.report(findings);
+  EXPECT_EQ(watched.sessions().front(), poses);
+  EXPECT_TRUE(findings.empty());
+}
+
+}  // namespace
+}  // namespace remount
