@@ -69,7 +69,7 @@ TEST(motion_agreement, poses_of_another_convention_give_no_result) {
 TEST(motion_agreement, a_unit_that_is_not_the_metre_is_named_with_the_factor) {
   const DriveOptions options;
   const SimulatedDrive drive = simulate(options, 6);
-  for (const double scale : {100.0, 1000.0, 3.28084, 0.3048, 0.01, 0.001}) {
+  for (const double scale : {100.0, 3.28084, 0.001}) {
     std::vector<Pair> by_lidar = pairs_of(drive), by_ins = by_lidar;
     for (Pair& pair : by_lidar) pair.lidar_b_from_lidar_a.translation() *= scale;
     for (Pair& pair : by_ins) pair.ins_b_from_ins_a.translation() /= scale;
@@ -94,7 +94,7 @@ TEST(motion_agreement, an_arm_that_turns_is_no_other_unit) {
   const RigidTransform arm = make_rigid(Eigen::Matrix3d::Identity(), {4.0, 0.0, 1.0});
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     pairs[i].registration.converged = true;
-    pairs[i].ins_b_from_ins_a = make_rigid(so3_exp({0.0, 0.0, 0.1 + 0.01 * static_cast<double>(i)}), {0.1, 0.0, 0.0});
+    pairs[i].ins_b_from_ins_a = make_rigid(so3_exp({0.0, 0.0, 0.1 + 0.001 * static_cast<double>(i)}), {0.1, 0.0, 0.0});
     pairs[i].lidar_b_from_lidar_a = arm.inverse() * pairs[i].ins_b_from_ins_a * arm;
   }
   EXPECT_EQ(lidar_per_ins_way(pairs), 1.0);
