@@ -85,8 +85,8 @@ struct Session {
   std::filesystem::path path;  ///< what was opened
   std::string format;          ///< id of the reader, "kitti-raw"
   std::vector<InsSample> ins;  ///< ascending stamps; empty where world_from_ins is given
-  /// Stamps of the samples of `ins` whose positions were measured: where an orientation comes more often than the fixes
-  /// that go with it, positions between these are interpolated. Empty: all were measured.
+  /// Stamps of the samples of `ins` or `world_from_ins` whose positions were measured: where an orientation comes more
+  /// often than the fixes that go with it, positions between these are interpolated. Empty: all were measured.
   std::vector<std::int64_t> ins_fix_stamps_ns;
   std::vector<StampedPose> world_from_ins;
   std::vector<StampedPose> odometry_from_lidar;

@@ -32,6 +32,20 @@ const std::vector<const char*>& calibration_phrases() {
           "LiDAR and INS contradict each other under every mounting: their motions differ by %1 m on ways "
           "of %2 m."),
       QT_TRANSLATE_NOOP("remount::model", "the motions of LiDAR and INS contradict each other"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The motions of the LiDAR are %1 times as long as those of the INS: one of the two is not in "
+                        "metres."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "The motions of the INS are %1 times as long as those of the LiDAR: one of the two is not in "
+                        "metres."),
+      QT_TRANSLATE_NOOP("remount::model", "LiDAR and INS are of different scales"),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Look at the units of the LiDAR's poses, or of the points of its scans, and of the INS's "
+                        "positions: centimetres for metres are 100 times as long, millimetres 1000 times, feet 3.28 "
+                        "times."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "%1 pairs hardly show how large their own errors are: sigma is %2 times as large for that. "
+                        "More pairs make it smaller."),
       QT_TRANSLATE_NOOP("remount::model", "the distances of LiDAR and INS differ"),
       QT_TRANSLATE_NOOP("remount::model",
                         "The LiDAR moves %1 times as far as the INS: one of them measures distances wrongly, which "

@@ -78,6 +78,13 @@ const std::vector<const char*>& check_phrases() {
                         "The position stands still for %1 s at a time (%2 samples) and then jumps, by %3 m where the "
                         "vehicle drives: it is logged more often than it is computed."),
       QT_TRANSLATE_NOOP("remount::model",
+                        "The position stands still for %1 s at a time (%2 samples) and then jumps, by %3 m where the "
+                        "vehicle drives. Only the first of each is used; positions between these are interpolated."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Position and attitude stand still for %1 s at a time (%2 samples) and then jump, by %3 m "
+                        "where the vehicle drives. Only the first sample of each is used; the motion between these is "
+                        "interpolated."),
+      QT_TRANSLATE_NOOP("remount::model",
                         "The heading alone stands still for %1 s at a time (%2 samples) and then jumps, by %3 degrees "
                         "where the vehicle turns: it is logged more often than it is computed."),
       QT_TRANSLATE_NOOP("remount::model",
@@ -141,6 +148,12 @@ const std::vector<const char*>& check_phrases() {
       QT_TRANSLATE_NOOP("remount::model",
                         "Log the position as it is computed, with all digits; or keep only the first sample of each "
                         "that repeats: between those the motion is interpolated."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Repeats of a position are no measurements. Between those that were measured the way is "
+                        "interpolated, which is right where each is logged as soon as it is computed."),
+      QT_TRANSLATE_NOOP("remount::model",
+                        "Log the position as it is computed, with all digits. Where each comes later than its stamp "
+                        "says, take the delay out of the stamps."),
       QT_TRANSLATE_NOOP("remount::model",
                         "Relative motions of the INS turn about the wrong axes; no result stands on them."),
       QT_TRANSLATE_NOOP("remount::model",

@@ -169,6 +169,26 @@ double median_norm(const std::vector<Vector2d>& residuals) {
   return median_of(std::move(norms));
 }
 
+// Beyond which a residual pulls as if it were no larger (Huber).
+double clipped_beyond_m(const std::vector<Vector2d>& residuals) { return std::max(1e-9, 2.0 * median_norm(residuals)); }
+
+// What the covariance for errors of unit size is to be multiplied by. Positions that are far off pull by no more than
+// others: the variance is that of the pulls, over the square of how they change with the error.
+// docs/maths/vehicle-frame.md (V15)
+double variance_of_pulls(const std::vector<Vector2d>& residuals, double unknowns) {
+  const double limit_m = clipped_beyond_m(residuals), count = static_cast<double>(residuals.size());
+  std::vector<Vector2d> pulls;
+  double sum = 0.0, weights = 0.0, slopes = 0.0;
+  for (const Vector2d& r : residuals) {
+    const double weight = std::min(1.0, limit_m / std::max(1e-300, r.norm()));
+    pulls.push_back(weight * r);
+    sum += pulls.back().squaredNorm();
+    weights += weight / count;
+    slopes += (weight < 1.0 ? 0.5 * weight : 1.0) / count;  // along the residual a pull that is clipped does not change
+  }
+  return lasting(pulls) * sum / std::max(1.0, 2.0 * count - unknowns) * weights / (slopes * slopes);
+}
+
 using CommonMatrix = Eigen::Matrix<double, kCommon, kCommon>;
 using CommonVector = Eigen::Matrix<double, kCommon, 1>;
 
@@ -196,7 +216,7 @@ double improve(const std::vector<Point>& points, FitState& state, CommonMatrix& 
   Row jacobian = Row::Zero();
   residuals.clear();
   for (const Point& point : points) residuals.push_back(residual_of(point, state, jacobian));
-  const double median_m = median_norm(residuals), limit = std::max(1e-9, 2.0 * median_m);
+  const double median_m = median_norm(residuals), limit = clipped_beyond_m(residuals);
   for (std::size_t i = 0; i < points.size(); ++i) {
     residual_of(points[i], state, jacobian);
     const double weight = std::min(1.0, limit / std::max(1e-300, residuals[i].norm()));
@@ -328,8 +348,7 @@ void describe(const Running& running, const VehicleTilt& tilt, AntennaFit& fit) 
   for (const Vector2d& r : running.residuals) sum += r.squaredNorm();
   const double count = static_cast<double>(running.residuals.size());
   const double unknowns = kCommon + kOfWindow * static_cast<double>(running.state.windows.size());
-  const double variance = sum / std::max(1.0, 2.0 * count - unknowns);
-  const CommonMatrix covariance = variance * lasting(running.residuals) * running.covariance;
+  const CommonMatrix covariance = variance_of_pulls(running.residuals, unknowns) * running.covariance;
   fit.found = covariance.allFinite();
   fit.antenna_in_vehicle_m = running.state.lever_m;
   // A lean that is wrong alike all along the drive shifts the antenna by its height, and leaves no residual.

@@ -1,5 +1,6 @@
 #include "algorithms/calibration/motion_agreement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -34,7 +35,62 @@ Rescaled rescaled(const JointProblem& problem, std::vector<Pair> pairs, const Pa
   return out;
 }
 
+void refuse_apart(const MotionAgreement& motions, CalibrationResult& result) {
+  char text[280];
+  std::snprintf(text, sizeof text,
+                "LiDAR and INS contradict each other under every mounting: their motions differ by %.2f m on ways of "
+                "%.2f m.",
+                motions.apart_m, motions.travel_m);
+  result.status = Status::Inconsistent;
+  result.message = text;
+  claim_nothing("the motions of LiDAR and INS contradict each other", result);
+  result.advice = {
+      "Look at clock and attitude of the INS. Where the LiDAR gave poses instead of scans, look whether they are what "
+      "they are taken for: of this drive, in metres, and from the LiDAR to the world."};
+}
+
 }  // namespace
+
+double lidar_per_ins_way(const std::vector<Pair>& pairs) {
+  constexpr std::size_t kFewest = 8;
+  constexpr double kAlike = 0.25, kOtherUnit = 1.25;    // of the middle half, as a share; as in trajectory alignment
+  constexpr double kLongestArm_m = 5.0, kByArm = 0.25;  // what a turn adds to a way, as a share of it
+  constexpr double kShort = 0.3;                        // of the longest motion: shorter ones may be noise
+  double longest_m = 0.0;
+  for (const Pair& pair : pairs) longest_m = std::max(longest_m, pair.ins_b_from_ins_a.translation().norm());
+  std::vector<double> ratios;
+  for (const Pair& pair : pairs) {
+    if (!pair.registration.converged || !pair.registration.undetermined.empty()) continue;
+    const double by_ins_m = pair.ins_b_from_ins_a.translation().norm(),
+                 by_lidar_m = pair.lidar_b_from_lidar_a.translation().norm(),
+                 by_arm_m = kLongestArm_m * so3_log(pair.ins_b_from_ins_a.linear()).norm();
+    if (by_ins_m > kShort * longest_m && by_arm_m < kByArm * std::max(by_ins_m, by_lidar_m))
+      ratios.push_back(by_lidar_m / by_ins_m);
+  }
+  if (ratios.size() < kFewest) return 1.0;
+  std::sort(ratios.begin(), ratios.end());
+  const double middle = ratios[ratios.size() / 2];
+  const bool alike = ratios[3 * ratios.size() / 4] - ratios[ratios.size() / 4] < kAlike * middle;
+  return alike && std::abs(std::log(middle)) > std::log(kOtherUnit) ? middle : 1.0;
+}
+
+bool refuse_other_unit(const std::vector<Pair>& pairs, CalibrationResult& result) {
+  const double lidar_per_ins = lidar_per_ins_way(pairs);
+  if (lidar_per_ins == 1.0 || result.status == Status::Cancelled) return false;
+  const bool lidar_longer = lidar_per_ins > 1.0;
+  char text[280];
+  std::snprintf(text, sizeof text,
+                "The motions of the %s are %.4g times as long as those of the %s: one of the two is not in metres.",
+                lidar_longer ? "LiDAR" : "INS", lidar_longer ? lidar_per_ins : 1.0 / lidar_per_ins,
+                lidar_longer ? "INS" : "LiDAR");
+  result.status = Status::Inconsistent;
+  result.message = text;
+  claim_nothing("LiDAR and INS are of different scales", result);
+  result.advice = {
+      "Look at the units of the LiDAR's poses, or of the points of its scans, and of the INS's positions: centimetres "
+      "for metres are 100 times as long, millimetres 1000 times, feet 3.28 times."};
+  return true;
+}
 
 MotionAgreement motion_agreement(const std::vector<Pair>& pairs, const RigidTransform& ins_from_lidar) {
   double count = 0.0, travelled2 = 0.0, along = 0.0, moved2 = 0.0;
@@ -62,26 +118,17 @@ void judge_motions(const JointProblem& problem, const std::vector<Pair>& pairs, 
                    const SolveOptions& options, const Progress& progress, CalibrationResult& result) {
   constexpr double kApart_m = 0.3, kApartShare = 0.15, kScale = 0.002, kSigmas = 5.0;
   const MotionAgreement motions = motion_agreement(pairs, details.joint.ins_from_lidar);
-  char text[280];
-  if (motions.apart_m > std::max(kApart_m, kApartShare * motions.travel_m)) {
-    if (!is_solved_result(result)) return;
-    result.status = Status::Inconsistent;
-    std::snprintf(text, sizeof text,
-                  "LiDAR and INS contradict each other under every mounting: their motions differ by %.2f m on ways of "
-                  "%.2f m.",
-                  motions.apart_m, motions.travel_m);
-    result.message = text;
-    claim_nothing("the motions of LiDAR and INS contradict each other", result);
-    result.advice = {
-        "Look at clock and attitude of the INS. Where the LiDAR gave poses instead of scans, look whether they are "
-        "what they are taken for: of this drive, in metres, and from the LiDAR to the world."};
+  const bool apart = motions.apart_m > std::max(kApart_m, kApartShare * motions.travel_m);
+  if (apart || !is_solved_result(result)) {
+    if (!refuse_other_unit(pairs, result) && is_solved_result(result)) refuse_apart(motions, result);
     return;
   }
   const double scale_error = std::abs(motions.lidar_per_ins - 1.0);
-  if (!is_solved_result(result) || !(scale_error > std::max(kScale, kSigmas * motions.lidar_per_ins_sigma))) return;
+  if (!(scale_error > std::max(kScale, kSigmas * motions.lidar_per_ins_sigma))) return;
   const Rescaled fitting = rescaled(problem, pairs, details, motions.lidar_per_ins, progress);
   add_doubt(difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), "the distances of LiDAR and INS differ",
             options, result);
+  char text[280];
   std::snprintf(text, sizeof text,
                 "The LiDAR moves %.4f times as far as the INS: one of them measures distances wrongly, which biases X; "
                 "the sigmas include it. Correct the scale, or use the method trajectory, which estimates it.",

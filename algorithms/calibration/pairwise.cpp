@@ -165,6 +165,7 @@ CalibrationResult too_few(std::vector<Pair>& pairs, std::size_t usable) {
                    std::to_string(kFewestPairs) + " are needed.";
   result.advice.push_back(
       "Drive longer, take keyframes closer together, or relax the limits of pairing and registration.");
+  refuse_other_unit(pairs, result);
   return result;
 }
 

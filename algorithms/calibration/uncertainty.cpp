@@ -7,6 +7,7 @@
 #include <set>
 
 #include "algorithms/calibration/bootstrap.h"
+#include "algorithms/calibration/few_pairs.h"
 #include "algorithms/calibration/noise_prior.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/open_rotation.h"
@@ -145,6 +146,18 @@ void add_disagreement_advice(CalibrationResult& result) {
   result.advice.push_back(text);
 }
 
+void add_advice_on_few(double by_few, int pairs, CalibrationResult& result) {
+  constexpr double kWorthAWord = 1.2;
+  if (!(by_few > kWorthAWord)) return;
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "%d pairs hardly show how large their own errors are: sigma is %.1f times as large for that. More pairs "
+      "make it smaller.",
+      pairs, by_few);
+  result.advice.push_back(text);
+}
+
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
 
 }  // namespace
@@ -197,7 +210,9 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
                                           spurious_information(input, pairs, x, details.noise), motion, input.options);
   const SessionScatter scatter = session_scatter(answers, input.options);
   result.session_disagreement = scatter.ratio;
-  const double wider = widening(scatter, noise_prior(input).log_spread.front());
+  const double log_spread = noise_prior(input).log_spread.front();
+  const double by_few = widening_of_few(independent_motions(problem), log_spread);
+  const double wider = by_few * widening(scatter, log_spread);
   const Matrix6d by_pairs = trusted_information(result.directions, input.options) / (wider * wider);
   const Matrix6d prior = weak_prior(input.nominal_ins_from_lidar.has_value());
   const Matrix6d beside_pairs = prior + input.measured.information(x);
@@ -215,6 +230,7 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
         turned_by_open_rotation(x, by_turns + input.measured.information(x) + level_information(input.up_in_lidar, x)),
         input.options, result);
   add_disagreement_advice(result);
+  add_advice_on_few(by_few, static_cast<int>(problem.terms.size()), result);
   // Resampling pairs says nothing of what only a measurement tells.
   const Matrix6d pairs_alone = parameter_covariance(x, inverse(by_pairs + prior));
   const Matrix6d parameters = parameter_covariance(x, bootstrap);

@@ -126,9 +126,8 @@ void judge(const std::vector<VehicleInterval>& intervals, const VehicleFrameProb
   const MotionSummary motion = motion_of(intervals, solution.state);
   result.ins_from_lidar = solution.state.vehicle_from_sensor;
   result.directions = observed_directions(information, solution.excitation, motion, solve);
-  Matrix6d trusted = trusted_information(result.directions, solve);
-  trusted.diagonal() += prior_information;
-  judge_parameters(trusted.inverse(), motion, solve, result);
+  const Matrix6d widened = solution.covariance.topLeftCorner<6, 6>();
+  judge_parameters(stated_covariance(widened, prior_information, result.directions, solve), motion, solve, result);
 }
 
 // What is not observed stays at the nominal, or at zero, and the rest is solved again with it.

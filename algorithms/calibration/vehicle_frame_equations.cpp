@@ -327,4 +327,13 @@ VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const Veh
   return solution;
 }
 
+Matrix6d stated_covariance(const Matrix6d& widened, const Vector6d& prior_information,
+                           const std::vector<ObservabilityDirection>& directions, const SolveOptions& solve) {
+  Matrix6d information = trusted_information(directions, solve);
+  information.diagonal() += prior_information;
+  const Matrix6d covariance = information.ldlt().solve(Matrix6d::Identity());
+  const Vector6d factors = widened.diagonal().cwiseQuotient(covariance.diagonal()).cwiseMax(1.0).cwiseSqrt();
+  return factors.asDiagonal() * covariance * factors.asDiagonal();
+}
+
 }  // namespace remount

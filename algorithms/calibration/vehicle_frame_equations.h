@@ -75,4 +75,11 @@ struct VehicleFrameSolution {
 VehicleFrameSolution solve_problem(const VehicleFrameProblem& problem, const VehicleFrameState& start,
                                    const Progress& progress);
 
+/// Covariance of X by the information that is trusted along `directions` and the prior; of no unknown less than
+/// `widened` says. Widening leaves directions less information than the prior alone; these are dropped, and what leans
+/// on them would be stated as if nothing had been widened.
+/// @param widened of X, as in VehicleFrameSolution
+Matrix6d stated_covariance(const Matrix6d& widened, const Vector6d& prior_information,
+                           const std::vector<ObservabilityDirection>& directions, const SolveOptions& solve);
+
 }  // namespace remount

@@ -44,9 +44,11 @@ namespace {
 /// What was measured of the INS: a jump that is interpolated is none any more.
 Session without_interpolated(Session session) {
   const std::vector<std::int64_t>& fixes_ns = session.ins_fix_stamps_ns;
-  std::erase_if(session.ins, [&](const InsSample& sample) {
+  const auto interpolated = [&](const auto& sample) {
     return !std::binary_search(fixes_ns.begin(), fixes_ns.end(), sample.stamp_ns);
-  });
+  };
+  std::erase_if(session.ins, interpolated);
+  std::erase_if(session.world_from_ins, interpolated);
   session.ins_fix_stamps_ns.clear();
   return session;
 }

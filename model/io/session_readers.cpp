@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "model/held_positions.h"
 #include "model/impossible_motion.h"
 #include "model/io/bag/bag_reader.h"
 #include "model/io/gnss_log_reader.h"
@@ -135,6 +136,7 @@ void settle(Session& session) {
   mend_week_rollover(session);
   leave_out_impossible(session);
   refuse_foreign_units(session);
+  interpolate_held_positions(session);
   settle_north(session);
   settle_axes(session);
 }

@@ -66,16 +66,18 @@ void state_clocks(const std::vector<ClockAlignment>& clocks, bool applied, Calib
   result.time_offset = {sum_s / weights, 1.0 / std::sqrt(weights), applied};
 }
 
-// How far X moves where the clock of one session is off by more.
-Vector6d moved_by(double offset_s, std::size_t session, const PipelineInput& input, const VehicleFrameResult& result,
-                  std::vector<VehicleDrive> drives, Progress& progress) {
-  shift_sensor(offset_s, drives[session]);
-  const CalibrationResult other = solve_drives(input, drives, progress).calibration;
-  if (!is_usable(other)) return Vector6d::Zero();
-  return difference(result.calibration.ins_from_lidar, other.ins_from_lidar);
-}
-
 }  // namespace
+
+Vector6d moved_by_clock(double offset_s, const RigidTransform& vehicle_from_sensor, const SolveOptions& options,
+                        const std::function<CalibrationResult(double)>& solved_with) {
+  constexpr double kBeyondLimits = 100.0;
+  for (const double share : {1.0, -1.0, 0.5, -0.5, 0.25, -0.25}) {
+    const CalibrationResult other = solved_with(share * offset_s);
+    if (other.status == Status::Cancelled) return Vector6d::Zero();
+    if (is_usable(other)) return difference(vehicle_from_sensor, other.ins_from_lidar) / share;
+  }
+  return kBeyondLimits * observation_limits(options);
+}
 
 VehicleFrameResult solve_vehicle_frame_with_clocks(const PipelineInput& input, std::vector<VehicleDrive>& drives,
                                                    Progress& progress) {
@@ -94,8 +96,13 @@ VehicleFrameResult solve_vehicle_frame_with_clocks(const PipelineInput& input, s
   for (std::size_t s = 0; s < drives.size() && !progress.cancelled(); ++s) {
     if (!clocks[s].found) continue;
     const double left_s = apply ? clocks[s].sigma_s : std::hypot(clocks[s].offset_s, clocks[s].sigma_s);
-    add_doubt(moved_by(left_s, s, input, result, drives, progress), "the clocks are apart", input.settings.solve,
-              calibration);
+    const auto solved_with = [&](double offset_s) {
+      std::vector<VehicleDrive> moved = drives;
+      shift_sensor(offset_s, moved[s]);
+      return solve_drives(input, moved, progress).calibration;
+    };
+    add_doubt(moved_by_clock(left_s, calibration.ins_from_lidar, input.settings.solve, solved_with),
+              "the clocks are apart", input.settings.solve, calibration);
   }
   state_vehicle_frame(result.intervals, calibration);
   calibration.time_offset = found.time_offset;

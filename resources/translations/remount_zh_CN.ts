@@ -11302,6 +11302,42 @@ Save under another name, or close it there first.</source>
         <source>not applied</source>
         <translation>未应用</translation>
     </message>
+    <message>
+        <source>The motions of the LiDAR are %1 times as long as those of the INS: one of the two is not in metres.</source>
+        <translation>LiDAR 的运动长度是 INS 的 %1 倍：两者之一的单位不是米。</translation>
+    </message>
+    <message>
+        <source>The motions of the INS are %1 times as long as those of the LiDAR: one of the two is not in metres.</source>
+        <translation>INS 的运动长度是 LiDAR 的 %1 倍：两者之一的单位不是米。</translation>
+    </message>
+    <message>
+        <source>LiDAR and INS are of different scales</source>
+        <translation>LiDAR 与 INS 的尺度不同</translation>
+    </message>
+    <message>
+        <source>Look at the units of the LiDAR&apos;s poses, or of the points of its scans, and of the INS&apos;s positions: centimetres for metres are 100 times as long, millimetres 1000 times, feet 3.28 times.</source>
+        <translation>请检查 LiDAR 位姿（或其点云中的点）和 INS 位置的单位：把厘米当作米会长 100 倍，毫米长 1000 倍，英尺长 3.28 倍。</translation>
+    </message>
+    <message>
+        <source>%1 pairs hardly show how large their own errors are: sigma is %2 times as large for that. More pairs make it smaller.</source>
+        <translation>%1 个帧对几乎显示不出自身误差有多大：sigma 因此放大为 %2 倍。帧对越多，sigma 越小。</translation>
+    </message>
+    <message>
+        <source>The position stands still for %1 s at a time (%2 samples) and then jumps, by %3 m where the vehicle drives. Only the first of each is used; positions between these are interpolated.</source>
+        <translation>位置每次静止 %1 s（%2 个样本）后突然跳变，车辆行驶时跳变 %3 m。只采用每个位置的第一个样本；其间的位置由插值得到。</translation>
+    </message>
+    <message>
+        <source>Position and attitude stand still for %1 s at a time (%2 samples) and then jump, by %3 m where the vehicle drives. Only the first sample of each is used; the motion between these is interpolated.</source>
+        <translation>位置和姿态每次静止 %1 s（%2 个样本）后突然跳变，车辆行驶时跳变 %3 m。只采用每次的第一个样本；其间的运动由插值得到。</translation>
+    </message>
+    <message>
+        <source>Repeats of a position are no measurements. Between those that were measured the way is interpolated, which is right where each is logged as soon as it is computed.</source>
+        <translation>重复的位置不是测量值。在测得的位置之间对路径进行插值；只要每个位置一经计算就被记录，这样做就是正确的。</translation>
+    </message>
+    <message>
+        <source>Log the position as it is computed, with all digits. Where each comes later than its stamp says, take the delay out of the stamps.</source>
+        <translation>请按计算频率记录位置，并保留全部位数。如果位置晚于其时间戳，请从时间戳中扣除该延迟。</translation>
+    </message>
 </context>
 <context>
     <name>remount::option_changes</name>

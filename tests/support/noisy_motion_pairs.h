@@ -56,15 +56,15 @@ inline RigidTransform pair_motion(PairMotion motion, int pair, int count, std::m
 }
 
 /// 2 cm and 0.1 degrees of noise for each pair, by turns (the seed says) in P, in Q, and shared between the two.
-inline NoisyMotionPairs noisy_motion_pairs(PairMotion motion, int count, int seed) {
-  constexpr double kNoise_m = 0.02;
-  const double kNoise_rad = degrees_to_radians(0.1);
+/// @param louder both, as a multiple
+inline NoisyMotionPairs noisy_motion_pairs(PairMotion motion, int count, int seed, double louder = 1.0) {
+  const double noise_m = louder * 0.02, noise_rad = louder * degrees_to_radians(0.1);
   const double in_p2 = seed % 3 == 0 ? 1.0 : seed % 3 == 1 ? 0.0 : 0.5;
   std::mt19937_64 random(static_cast<std::uint64_t>(1000 * seed + static_cast<int>(motion)));
   std::normal_distribution<double> normal;
   const auto noise = [&](double share2) {
     Vector6d step;
-    for (int i = 0; i < 6; ++i) step[i] = std::sqrt(share2) * (i < 3 ? kNoise_m : kNoise_rad) * normal(random);
+    for (int i = 0; i < 6; ++i) step[i] = std::sqrt(share2) * (i < 3 ? noise_m : noise_rad) * normal(random);
     return step;
   };
   NoisyMotionPairs out;

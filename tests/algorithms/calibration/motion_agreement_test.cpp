@@ -67,6 +67,42 @@ TEST(motion_agreement, poses_of_another_convention_give_no_result) {
   }
 }
 
+TEST(motion_agreement, a_unit_that_is_not_the_metre_is_named_with_the_factor) {
+  const DriveOptions options;
+  const SimulatedDrive drive = simulate(options, 6);
+  for (const double scale : {100.0, 3.28084, 0.001}) {
+    std::vector<Pair> by_lidar = pairs_of(drive), by_ins = by_lidar;
+    for (Pair& pair : by_lidar) pair.lidar_b_from_lidar_a.translation() *= scale;
+    for (Pair& pair : by_ins) pair.ins_b_from_ins_a.translation() /= scale;
+    for (const std::vector<Pair>& pairs : {by_lidar, by_ins}) {
+      const CalibrationResult result = solved_with(drive, options, pairs);
+      const double factor = lidar_per_ins_way(pairs);
+      std::printf("  %.4g: %.4g, %s\n", scale, factor, result.message.c_str());
+      EXPECT_NEAR(factor / scale, 1.0, 0.1);
+      EXPECT_EQ(result.status, Status::Inconsistent) << scale;
+      EXPECT_NE(result.message.find(scale > 1.0 ? "The motions of the LiDAR are" : "The motions of the INS are"),
+                std::string::npos)
+          << result.message;
+      EXPECT_EQ(parameter_names(result.observed, true), "") << result.message;
+      EXPECT_TRUE(advises(result, "Look at the units of the LiDAR's poses"));
+    }
+  }
+}
+
+// A LiDAR at the end of an arm goes farther than an INS near the axis, whatever the unit.
+TEST(motion_agreement, an_arm_that_turns_is_no_other_unit) {
+  std::vector<Pair> pairs(20);
+  const RigidTransform arm = make_rigid(Eigen::Matrix3d::Identity(), {4.0, 0.0, 1.0});
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    pairs[i].registration.converged = true;
+    pairs[i].ins_b_from_ins_a = make_rigid(so3_exp({0.0, 0.0, 0.1 + 0.001 * static_cast<double>(i)}), {0.1, 0.0, 0.0});
+    pairs[i].lidar_b_from_lidar_a = arm.inverse() * pairs[i].ins_b_from_ins_a * arm;
+  }
+  EXPECT_EQ(lidar_per_ins_way(pairs), 1.0);
+  for (Pair& pair : pairs) pair.lidar_b_from_lidar_a.translation() *= 1000.0;
+  EXPECT_GT(lidar_per_ins_way(pairs), 100.0);
+}
+
 TEST(motion_agreement, says_how_far_and_how_differently_both_move) {
   std::vector<Pair> pairs(4);
   for (std::size_t i = 0; i < pairs.size(); ++i) {

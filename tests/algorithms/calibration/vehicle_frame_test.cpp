@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/vehicle_frame_equations.h"
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
@@ -342,6 +343,54 @@ TEST(vehicle_frame, a_worn_tyre_that_nobody_asked_for_does_not_move_the_sensor) 
   EXPECT_NEAR(result.wheel_scale, 0.98, 0.001);
   EXPECT_LT(errors.lever_m.norm(), 0.03);
   EXPECT_LT(result.calibration.translation_rms_m, 0.03);
+}
+
+// What widening leaves less information than the prior has is no direction of X any more, and what leans on it stays
+// as wide as it was found to be.
+TEST(vehicle_frame, states_no_sigma_below_what_lasting_errors_make_of_it) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const SolveOptions solve;
+  const Vector6d limits = observation_limits(solve);
+  Vector6d prior_sigma;
+  prior_sigma << Eigen::Vector3d::Constant(2.0), Eigen::Vector3d::Constant(0.2);
+  const Vector6d prior = prior_sigma.cwiseAbs2().cwiseInverse();
+  int stated = 0;
+  double least = 10.0, least_by_information = 10.0;
+  for (int draw = 0; draw < 3000; ++draw) {
+    Matrix6d mixed = Matrix6d::Zero();
+    for (int k = 0; k < 6; ++k) {
+      Vector6d row;
+      row << random_vector(random, 1.0), random_vector(random, 1.0);
+      row = row.normalized().cwiseQuotient(limits);
+      mixed += std::pow(10.0, 8.0 * unit(random) - 4.0) * row * row.transpose();
+    }
+    Matrix6d with_prior = mixed;
+    with_prior.diagonal() += prior;
+    Vector6d factors;
+    for (int k = 0; k < 6; ++k) factors[k] = 1.0 + 2.0 * unit(random);
+    const Matrix6d widened = factors.asDiagonal() * Matrix6d(with_prior.inverse()) * factors.asDiagonal();
+    Matrix6d information = widened.inverse();
+    information.diagonal() -= prior;
+    SpuriousInformation none;
+    none.apparent = Matrix6d::Identity();
+    const std::vector<ObservabilityDirection> directions = observed_directions(information, none, {}, solve);
+    const Matrix6d covariance = stated_covariance(widened, prior, directions, solve);
+    Matrix6d trusted = trusted_information(directions, solve);
+    trusted.diagonal() += prior;
+    const Matrix6d by_information = trusted.inverse();
+    for (int k = 0; k < 6; ++k) {
+      if (!(covariance(k, k) < limits[k] * limits[k])) continue;
+      ++stated;
+      least = std::min(least, std::sqrt(covariance(k, k) / widened(k, k)));
+      least_by_information = std::min(least_by_information, std::sqrt(by_information(k, k) / widened(k, k)));
+    }
+  }
+  std::printf("  %d sigmas, at least %.3f of the widened ones; by trusted information alone %.3f\n", stated, least,
+              least_by_information);
+  EXPECT_GT(stated, 100);
+  EXPECT_GT(least, 0.999);
+  EXPECT_LT(least_by_information, 0.9) << "else the test shows nothing";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <random>
 
+#include "algorithms/calibration/observability.h"
 #include "model/methods/builtin.h"
 #include "model/simulator/road.h"
 #include "model/simulator/simulator.h"
@@ -96,6 +97,32 @@ TEST(vehicle_clock, clocks_that_agree_are_left_alone) {
     EXPECT_FALSE(output.result.time_offset.applied);
     EXPECT_FALSE(clock_finding(output));
   }
+}
+
+// X moves along x by 2 m for a second; nothing is usable where the clock is off by more than `bears_s`.
+CalibrationResult moved_solution(double offset_s, double bears_s) {
+  CalibrationResult result;
+  result.status = std::abs(offset_s) <= bears_s ? Status::Ok : Status::NotConverged;
+  result.observed.fill(result.status == Status::Ok);
+  result.ins_from_lidar.translation().x() = 2.0 * offset_s;
+  return result;
+}
+
+TEST(vehicle_clock, an_offset_that_leaves_nothing_usable_is_no_offset_that_does_nothing) {
+  const SolveOptions options;
+  for (const double bears_s : {0.1, 0.03, 0.015, 0.001}) {
+    const Vector6d moved = moved_by_clock(0.04, RigidTransform::Identity(), options,
+                                          [&](double offset_s) { return moved_solution(offset_s, bears_s); });
+    std::printf("  usable up to %.3f s: X moves by %.3f m\n", bears_s, moved[0]);
+    if (bears_s > 0.01)
+      EXPECT_NEAR(std::abs(moved[0]), 0.08, 1e-9) << bears_s;
+    else
+      EXPECT_GT(moved.cwiseQuotient(observation_limits(options)).minCoeff(), 10.0) << "nothing is known";
+  }
+  const Vector6d one_way = moved_by_clock(0.04, RigidTransform::Identity(), options, [](double offset_s) {
+    return moved_solution(offset_s, offset_s < 0.0 ? 1.0 : 0.0);
+  });
+  EXPECT_NEAR(std::abs(one_way[0]), 0.08, 1e-9) << "the other way tells as well";
 }
 
 }  // namespace
