@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QHash>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QSet>
 #include <algorithm>
@@ -142,7 +143,7 @@ QString model_text(std::string_view text) { return model_text(QString::fromUtf8(
 
 QString model_text(const Message& message) {
   if (message.code() == kVerbatim) return model_text(QString::fromStdString(english(message)));
-  const Language language = translated("observed") == QLatin1String("observed") ? Language::English : Language::Chinese;
+  const Language language = QLocale().language() == QLocale::Chinese ? Language::Chinese : Language::English;
   return in_words_of_window(QString::fromStdString(render(message, language)));
 }
 

@@ -29,8 +29,8 @@ Spoken& spoken() {
 
 }  // namespace
 
-const std::vector<Language>& languages() {
-  static const std::vector<Language> all{{"en", QStringLiteral("English")}, {"zh_CN", QStringLiteral("简体中文")}};
+const std::vector<SpokenLanguage>& languages() {
+  static const std::vector<SpokenLanguage> all{{"en", QStringLiteral("English")}, {"zh_CN", QStringLiteral("简体中文")}};
   return all;
 }
 
@@ -46,7 +46,7 @@ QString language_for(const QStringList& system_languages) {
 
 QString preferred_language() {
   const QString chosen = remembers() ? QSettings().value(kLanguageKey).toString() : QString();
-  for (const Language& language : languages())
+  for (const SpokenLanguage& language : languages())
     if (language.code == chosen) return chosen;
   return language_for(QLocale::system().uiLanguages());
 }

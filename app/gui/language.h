@@ -6,12 +6,12 @@
 
 namespace remount {
 
-struct Language {
+struct SpokenLanguage {
   QString code;  ///< "en", "zh_CN"
   QString name;  ///< in itself
 };
 /// Those that the program speaks.
-const std::vector<Language>& languages();
+const std::vector<SpokenLanguage>& languages();
 
 /// The remembered choice, or the first of the system's languages that is spoken here; English where none is.
 QString preferred_language();

@@ -16,7 +16,7 @@ void MainWindow::add_language_menu(QMenu& menu) {
   // Found also by those who cannot read the language that is set.
   QMenu* list = menu.addMenu(QStringLiteral("&Language / 语言"));
   auto* group = new QActionGroup(list);
-  for (const Language& language : languages()) {
+  for (const SpokenLanguage& language : languages()) {
     QAction* action = list->addAction(language.name);
     action->setCheckable(true);
     action->setChecked(language.code == spoken_language());

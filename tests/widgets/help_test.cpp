@@ -24,7 +24,7 @@ TEST(help_pages, are_the_same_in_every_language) {
   speak("en", false);
   const QStringList english = QDir(":/help/en").entryList(QDir::Files);
   EXPECT_GT(english.size(), 8);
-  for (const Language& language : languages()) {
+  for (const SpokenLanguage& language : languages()) {
     const QDir folder(":/help/" + language.code);
     EXPECT_EQ(folder.entryList(QDir::Files), english) << language.code.toStdString();
     HelpWindow window(folder.path());
