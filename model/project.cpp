@@ -8,6 +8,7 @@
 #include "model/deciding_notes.h"
 #include "model/io/atomic_save.h"
 #include "model/io/finding_document.h"
+#include "model/io/message_document.h"
 #include "model/io/pair_document.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
@@ -18,8 +19,8 @@
 namespace remount {
 namespace {
 
-constexpr std::string_view kFormat = "remount-project/1";
-constexpr DocumentLimits kLimits{256U << 20U, 4000000, 16};
+constexpr std::string_view kFormat = "remount-project/2", kFormerFormat = "remount-project/1";
+constexpr DocumentLimits kLimits{256U << 20U, 8000000, 32};
 /// Points of a curve that a file keeps: more than a page or a window shows.
 constexpr std::size_t kMostPlotted = 2000;
 /// In the order of MapCheck.
@@ -47,7 +48,7 @@ DocumentNode verdicts_document(const std::vector<PairVerdict>& verdicts) {
     node.add("stamp_a_ns", DocumentNode::integer(verdict.stamp_a_ns));
     node.add("stamp_b_ns", DocumentNode::integer(verdict.stamp_b_ns));
     node.add("state", DocumentNode::string(to_string(verdict.state)));
-    node.add("reason", DocumentNode::string(english(verdict.reason)));
+    node.add("reason", message_document(verdict.reason));
   }
   return list;
 }
@@ -60,7 +61,7 @@ std::vector<PairVerdict> verdicts_from(const DocumentView& view) {
     verdict.stamp_a_ns = item.at("stamp_a_ns").integer(-kLongest, kLongest);
     verdict.stamp_b_ns = item.at("stamp_b_ns").integer(-kLongest, kLongest);
     verdict.state = static_cast<PairState>(item.at("state").choice({"proposed", "accepted", "rejected"}));
-    verdict.reason = item.at("reason").string();
+    verdict.reason = message_from_document(item.at("reason"));
     verdicts.push_back(verdict);
   }
   return verdicts;
@@ -271,7 +272,7 @@ Project load_project(const std::filesystem::path& path) {
   const DocumentNode document = read_document(path, kLimits);
   const DocumentView root(document, path.string());
   const std::string format = root.at("format").string();
-  if (format != kFormat)
+  if (format != kFormat && format != kFormerFormat)
     root.at("format").fail("is \"" + format.substr(0, 60) + "\", expected \"" + std::string(kFormat) + "\"" +
                            (format.starts_with("remount-project/") ? "; a later version of Remount wrote it" : ""));
   root.allow_only({"format", "version", "sessions", "settings", "nominal_ins_from_lidar", "verdicts", "calibration"});

@@ -9,9 +9,9 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "algorithms/messages/render.h"
 #include "model/io/atomic_save.h"
 #include "model/io/finding_document.h"
+#include "model/io/message_document.h"
 #include "model/io/method_document.h"
 #include "model/io/sha256.h"
 #include "model/io/transform_document.h"
@@ -88,7 +88,7 @@ DocumentNode directions_document(const std::vector<ObservabilityDirection>& dire
     node.add("direction", DocumentNode::numbers({v.begin(), v.end()}));
     node.add("sigma", DocumentNode::number(direction.sigma));
     node.add("observed", DocumentNode::boolean(direction.observed));
-    node.add("words", DocumentNode::string(english(direction.words)));
+    node.add("words", message_document(direction.words));
   }
   return list;
 }
@@ -117,7 +117,7 @@ DocumentNode pairs_document(const std::vector<PairRecord>& pairs) {
     node.add("stamp_b_ns", DocumentNode::integer(pair.stamp_b_ns));
     node.add("state", DocumentNode::string(to_string(pair.state)));
     node.add("decided_by", DocumentNode::string(to_string(pair.decided_by)));
-    node.add("reason", DocumentNode::string(english(pair.reason)));
+    node.add("reason", message_document(pair.reason));
     node.add("rotation_deg", DocumentNode::number(radians_to_degrees(pair.rotation_rad)));
     node.add("baseline_m", DocumentNode::number(pair.baseline_m));
     node.add("rmse_m", DocumentNode::number(pair.rmse_m));
@@ -162,12 +162,6 @@ DocumentNode provenance_document(const ResultFile& file) {
   }
   if (!file.topics.empty()) node.add("topics", topics_document(file.topics));
   return node;
-}
-
-DocumentNode strings_document(const std::vector<std::string>& strings) {
-  DocumentNode list = DocumentNode::sequence();
-  for (const std::string& text : strings) list.add(DocumentNode::string(text));
-  return list;
 }
 
 }  // namespace
@@ -280,11 +274,11 @@ bool is_from_pairs(const ResultFile& file) { return file.method == kPairwise || 
 DocumentNode result_document(const ResultFile& file) {
   const CalibrationResult& result = file.result;
   DocumentNode root = DocumentNode::map();
-  root.add("format", DocumentNode::string("remount-result/1"));
+  root.add("format", DocumentNode::string(kResultFormat));
   root.add("method", DocumentNode::string(file.method));
   root.add("status", DocumentNode::string(to_string(result.status)));
-  root.add("message", DocumentNode::string(english(result.message)));
-  root.add("advice", strings_document(english(result.advice)));
+  root.add("message", message_document(result.message));
+  root.add("advice", messages_document(result.advice));
   root.add("ins_from_lidar", transform_document(result.ins_from_lidar));
   root.add("reference_frame", DocumentNode::string(result.reference_frame));
   root.add("calibrated", DocumentNode::string(result.calibrated));

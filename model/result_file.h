@@ -1,4 +1,4 @@
-// The file "remount-result/1": what a calibration found, how sure it is, and what it came from.
+// The file "remount-result/2": what a calibration found, how sure it is, and what it came from.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,9 @@
 #include "model/topic_choice.h"
 
 namespace remount {
+
+/// Sentences are messages in this one and plain texts in the former, which is read as well.
+inline constexpr std::string_view kResultFormat = "remount-result/2", kFormerResultFormat = "remount-result/1";
 
 /// A pair as it is listed in a result or a project: named by its session and its scans' stamps, which stay the same
 /// when keyframes change.

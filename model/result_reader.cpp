@@ -1,8 +1,10 @@
-// Reading of "remount-result/1", with every check that keeps a damaged file from becoming an extrinsic.
+// Reading of "remount-result/2" and of its former version, with every check that keeps a damaged file from becoming an
+// extrinsic.
 #include <cmath>
 #include <limits>
 
 #include "algorithms/core/error.h"
+#include "model/io/message_document.h"
 #include "model/io/method_document.h"
 #include "model/io/parse_document.h"
 #include "model/io/transform_document.h"
@@ -21,13 +23,6 @@ double number_or(const DocumentView& view, double otherwise) { return view.is_nu
 
 int count_of(const DocumentView& view) { return static_cast<int>(view.integer(0, kMaxCount)); }
 
-std::vector<Message> sentences_of(const DocumentView& root, std::string_view key) {
-  std::vector<Message> sentences;
-  if (!root.has(key)) return sentences;
-  for (const DocumentView& item : root.at(key).items()) sentences.emplace_back(item.string());
-  return sentences;
-}
-
 /// Files of former versions hold sentences alone.
 std::vector<Finding> findings_of(const DocumentView& root) {
   std::vector<Finding> findings;
@@ -38,7 +33,8 @@ std::vector<Finding> findings_of(const DocumentView& root) {
       continue;
     }
     findings.push_back({static_cast<Severity>(item.at("severity").choice({"note", "warning", "problem"})),
-                        item.at("code").string(), item.at("where").string(), item.at("explanation").string()});
+                        item.at("code").string(), item.at("where").string(),
+                        message_from_document(item.at("explanation"))});
   }
   return findings;
 }
@@ -88,7 +84,7 @@ void read_uncertainty(const DocumentView& root, CalibrationResult& result) {
     direction.direction = Eigen::Map<const Vector6d>(item.at("direction").numbers(6).data());
     direction.sigma = number_or(item.at("sigma"), std::numeric_limits<double>::infinity());
     direction.observed = item.at("observed").boolean();
-    direction.words = item.at("words").string();
+    direction.words = message_from_document(item.at("words"));
     result.directions.push_back(direction);
   }
 }
@@ -114,7 +110,7 @@ PairRecord pair_of(const DocumentView& item) {
   pair.stamp_b_ns = item.at("stamp_b_ns").integer(-longest, longest);
   pair.state = static_cast<PairState>(item.at("state").choice({"proposed", "accepted", "rejected"}));
   pair.decided_by = static_cast<DecidedBy>(item.at("decided_by").choice({"nobody", "program", "user"}));
-  pair.reason = item.at("reason").string();
+  pair.reason = message_from_document(item.at("reason"));
   pair.rotation_rad = degrees_to_radians(number_or(item.at("rotation_deg"), kNan));
   pair.baseline_m = number_or(item.at("baseline_m"), kNan);
   pair.rmse_m = number_or(item.at("rmse_m"), kNan);
@@ -152,8 +148,9 @@ void read_provenance(const DocumentView& view, ResultFile& file) {
 }  // namespace
 
 ResultFile result_from_document(const DocumentView& root) {
-  if (root.at("format").string() != "remount-result/1")
-    root.at("format").fail("expected \"remount-result/1\", found \"" + root.at("format").string() + "\"");
+  const std::string format = root.at("format").string();
+  if (format != kResultFormat && format != kFormerResultFormat)
+    root.at("format").fail("expected \"" + std::string(kResultFormat) + "\", found \"" + format + "\"");
   ResultFile file;
   CalibrationResult& result = file.result;
   const auto status = status_from_string(root.at("status").string());
@@ -164,8 +161,8 @@ ResultFile result_from_document(const DocumentView& root) {
   if (root.has("calibrated")) result.calibrated = root.at("calibrated").string();
   if (root.has("quantities")) file.quantities = quantities_from_document(root.at("quantities"));
   if (root.has("plots")) file.plots = plots_from_document(root.at("plots"));
-  if (root.has("message")) result.message = root.at("message").string();
-  result.advice = sentences_of(root, "advice");
+  if (root.has("message")) result.message = message_from_document(root.at("message"));
+  if (root.has("advice")) result.advice = messages_from_document(root.at("advice"));
   result.ins_from_lidar = transform_from_document(root.at("ins_from_lidar"));
   if (root.has("ins_axes") && !root.at("ins_axes").is_null()) {
     constexpr InsAxes kAxes[kInsAxesCount] = {InsAxes::ForwardLeftUp, InsAxes::RightForwardUp, InsAxes::BackwardRightUp,
@@ -213,7 +210,7 @@ ResultFile result_from_document(const DocumentView& root) {
 }
 
 ResultFile load_result(const std::filesystem::path& path) {
-  const DocumentLimits limits{64U << 20U, 1000000, 16};
+  const DocumentLimits limits{64U << 20U, 2000000, 32};
   const DocumentNode document = read_document(path, limits);
   return result_from_document(DocumentView(document, path.string()));
 }

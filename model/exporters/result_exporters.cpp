@@ -6,7 +6,7 @@
 namespace remount {
 namespace {
 
-constexpr DocumentLimits kResultLimits{64U << 20U, 1000000, 16};
+constexpr DocumentLimits kResultLimits{64U << 20U, 2000000, 32};
 
 class YamlExporter final : public Exporter {
  public:

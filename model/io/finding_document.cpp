@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "algorithms/messages/render.h"
+#include "model/io/message_document.h"
 
 namespace remount {
 namespace {
@@ -26,7 +26,7 @@ DocumentNode findings_document(const std::vector<Finding>& findings) {
     node.add("code", DocumentNode::string(finding.code));
     node.add("severity", DocumentNode::string(to_string(finding.severity)));
     node.add("where", DocumentNode::string(finding.where));
-    node.add("explanation", DocumentNode::string(english(finding.explanation)));
+    node.add("explanation", message_document(finding.explanation));
   }
   return list;
 }
@@ -35,7 +35,7 @@ std::vector<Finding> findings_from_document(const DocumentView& list) {
   std::vector<Finding> findings;
   for (const DocumentView& item : list.items())
     findings.push_back({severity_from_document(item.at("severity")), item.at("code").string(),
-                        item.at("where").string(), item.at("explanation").string()});
+                        item.at("where").string(), message_from_document(item.at("explanation"))});
   return findings;
 }
 

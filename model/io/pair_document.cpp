@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "algorithms/messages/render.h"
+#include "model/io/message_document.h"
 #include "model/io/transform_document.h"
 
 namespace remount {
@@ -92,7 +92,7 @@ DocumentNode pair_document(const Pair& pair) {
   node.add("keyframe_b", DocumentNode::integer(pair.keyframe_b));
   node.add("state", DocumentNode::integer(static_cast<int>(pair.state)));
   node.add("decided_by", DocumentNode::integer(static_cast<int>(pair.decided_by)));
-  node.add("reason", DocumentNode::string(english(pair.reason)));
+  node.add("reason", message_document(pair.reason));
   node.add("gap_s", DocumentNode::number(pair.gap_s));
   node.add("baseline_m", DocumentNode::number(pair.baseline_m));
   node.add("rotation_rad", DocumentNode::number(pair.rotation_rad));
@@ -119,7 +119,7 @@ Pair pair_from_document(const DocumentView& view, std::size_t keyframe_count) {
   pair.keyframe_b = static_cast<int>(view.at("keyframe_b").integer(0, last));
   pair.state = static_cast<PairState>(view.at("state").integer(0, 2));
   pair.decided_by = static_cast<DecidedBy>(view.at("decided_by").integer(0, 2));
-  pair.reason = view.at("reason").string();
+  pair.reason = message_from_document(view.at("reason"));
   pair.gap_s = view.at("gap_s").number_or_nan();
   pair.baseline_m = view.at("baseline_m").number_or_nan();
   pair.rotation_rad = view.at("rotation_rad").number_or_nan();

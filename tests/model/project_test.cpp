@@ -164,10 +164,10 @@ TEST_F(project, what_was_moved_together_is_found_together) {
 }
 
 TEST_F(project, says_what_is_wrong_and_where) {
-  EXPECT_NE(error_of("format: remount-project/2\n").find("bad.remount:1: format: is \"remount-project/2\""),
+  EXPECT_NE(error_of("format: remount-project/3\n").find("bad.remount:1: format: is \"remount-project/3\""),
             std::string::npos)
-      << error_of("format: remount-project/2\n");
-  EXPECT_NE(error_of("format: remount-project/2\n").find("later version"), std::string::npos);
+      << error_of("format: remount-project/3\n");
+  EXPECT_NE(error_of("format: remount-project/3\n").find("later version"), std::string::npos);
   EXPECT_NE(error_of("x: 1\n").find("\"format\" is missing"), std::string::npos);
   EXPECT_NE(error_of("[1]").find("expected a map"), std::string::npos);
   EXPECT_NE(error_of("").find("empty"), std::string::npos);

@@ -85,7 +85,7 @@ TEST(result_file, reads_back_what_it_wrote_in_both_formats) {
 TEST(result_file, has_the_documented_keys_and_orders) {
   const DocumentNode node = result_document(example_file());
   const DocumentView root(node, "r");
-  EXPECT_EQ(root.at("format").string(), "remount-result/1");
+  EXPECT_EQ(root.at("format").string(), "remount-result/2");
   EXPECT_EQ(root.at("status").string(), "degenerate");
   EXPECT_EQ(root.at("ins_from_lidar").at("translation_m").numbers(3), (std::vector<double>{0.9, -0.25, 0.75}));
   EXPECT_EQ(root.at("ins_from_lidar").at("quaternion_xyzw").numbers(4).size(), 4U);
@@ -120,12 +120,25 @@ TEST(result_file, matrix_quaternion_and_angles_agree_for_any_rotation) {
   }
 }
 
+TEST(result_file, of_the_former_format_with_plain_sentences_is_read) {
+  DocumentNode node = result_document(example_file());
+  member(node, "format").text = "remount-result/1";
+  member(node, "message") = DocumentNode::string("Solved, but for z.");
+  member(node, "advice") = DocumentNode::sequence();
+  member(node, "advice").add(DocumentNode::string("Drive a ramp."));
+  member(member(node, "pair_list").items.at(0), "reason") = DocumentNode::string("overlap too small");
+  const ResultFile file = result_from_document(DocumentView(node, "r"));
+  EXPECT_EQ(english(file.result.message), "Solved, but for z.");
+  EXPECT_EQ(english(file.result.advice), std::vector<std::string>{"Drive a ramp."});
+  EXPECT_EQ(english(file.pairs.at(0).reason), "overlap too small");
+}
+
 TEST(result_file, damaged_files_are_refused_with_the_place) {
   const DocumentNode good = result_document(example_file());
   ASSERT_EQ(reading_error(good), "");
   DocumentNode node = good;
   member(node, "format").text = "remount-result/9";
-  EXPECT_NE(reading_error(node).find("format: expected \"remount-result/1\""), std::string::npos);
+  EXPECT_NE(reading_error(node).find("format: expected \"remount-result/2\""), std::string::npos);
   node = good;
   member(member(node, "ins_from_lidar"), "matrix").items[0].items[0].text = "0.5";
   EXPECT_NE(reading_error(node).find("not orthonormal"), std::string::npos);
