@@ -53,13 +53,35 @@ std::string argument_text(const Argument& argument, std::string_view style, Lang
   return std::visit(ArgumentText{style, language}, argument.value);
 }
 
-/// The places of other languages are shown as the first one says.
-std::string_view style_of(const SentencePiece& place, const std::vector<SentencePiece>& first_language) {
-  if (!place.style.empty()) return place.style;
-  const auto same = std::find_if(first_language.begin(), first_language.end(), [&](const SentencePiece& piece) {
-    return piece.kind == SentencePiece::Kind::Place && piece.name == place.name;
+/// A sentence of the catalogue taken apart, in all languages; places of others are shown as the first one says.
+using ParsedSentence = std::array<std::vector<SentencePiece>, kLanguages>;
+
+std::string_view style_in(const std::vector<SentencePiece>& sentence, const std::string& name) {
+  const auto same = std::find_if(sentence.begin(), sentence.end(), [&](const SentencePiece& piece) {
+    return piece.kind == SentencePiece::Kind::Place && piece.name == name;
   });
-  return same == first_language.end() ? std::string_view() : std::string_view(same->style);
+  return same == sentence.end() ? std::string_view() : std::string_view(same->style);
+}
+
+ParsedSentence parsed(const CatalogueEntry& entry) {
+  ParsedSentence sentence;
+  for (std::size_t i = 0; i < kLanguages; ++i) {
+    sentence[i] = sentence_pieces(entry.text[i]).pieces;
+    for (SentencePiece& piece : sentence[i])
+      if (piece.style.empty()) piece.style = style_in(sentence.front(), piece.name);
+  }
+  return sentence;
+}
+
+/// Taken apart once: tables show tens of thousands of messages.
+const ParsedSentence& parsed_sentence(const CatalogueEntry& entry) {
+  static const std::vector<ParsedSentence> all = [] {
+    std::vector<ParsedSentence> sentences;
+    sentences.reserve(catalogue().size());
+    for (const CatalogueEntry& one : catalogue()) sentences.push_back(parsed(one));
+    return sentences;
+  }();
+  return all[static_cast<std::size_t>(&entry - catalogue().data())];
 }
 
 bool is_one(const Argument& argument) {
@@ -75,10 +97,8 @@ std::string without_entry(const Message& message, Language language) {
 }
 
 std::string of_entry(const CatalogueEntry& entry, const Message& message, Language language) {
-  const SentencePieces first = sentence_pieces(entry.text.front());
-  const SentencePieces sentence = sentence_pieces(entry.text[static_cast<std::size_t>(language)]);
   std::string text;
-  for (const SentencePiece& piece : sentence.pieces) {
+  for (const SentencePiece& piece : parsed_sentence(entry)[static_cast<std::size_t>(language)]) {
     if (piece.kind == SentencePiece::Kind::Words) {
       text += piece.words;
       continue;
@@ -89,7 +109,7 @@ std::string of_entry(const CatalogueEntry& entry, const Message& message, Langua
     } else if (piece.kind == SentencePiece::Kind::Choice) {
       text += is_one(*argument) ? piece.one : piece.other;
     } else {
-      text += argument_text(*argument, style_of(piece, first.pieces), language);
+      text += argument_text(*argument, piece.style, language);
     }
   }
   return text;
