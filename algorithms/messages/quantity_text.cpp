@@ -1,8 +1,8 @@
 #include "algorithms/messages/quantity_text.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <span>
 
@@ -12,7 +12,7 @@ namespace {
 struct UnitOfText {
   std::string_view style;  // as catalogues write it
   double in_base;          // how much of the unit that values are kept in
-  std::array<const char*, kLanguages> symbol;
+  std::array<std::string_view, kLanguages> symbol;
 };
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -115,16 +115,18 @@ bool is_quantity_style(Dimension dimension, std::string_view style) {
   return style.empty() || parse_style(dimension, style).unit != nullptr;
 }
 
-std::string quantity_text(const Quantity& quantity, std::string_view style_text, Language language) {
+QuantityText quantity_text(const Quantity& quantity, std::string_view style_text, Language language) {
   Style style = parse_style(quantity.dimension, style_text);
   if (style.unit == nullptr) style = parse_style(quantity.dimension, usual_style(quantity));
   const double value = quantity.value / style.unit->in_base;
-  char digits[400];  // a double has 309 before the point at most
-  std::snprintf(digits, sizeof digits, style.significant ? "%.*g" : "%.*f", style.digits, value);
-  std::string text = digits;
-  if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);  // no "-0.00"
-  if (style.with_sign && !text.starts_with('-')) text.insert(0, 1, '+');
-  return text + style.unit->symbol[static_cast<std::size_t>(language)];
+  std::array<char, 400> buffer;  // a double has 309 digits before the point at most
+  const auto format = style.significant ? std::chars_format::general : std::chars_format::fixed;
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, style.digits);
+  std::string digits(buffer.data(), end.ptr);
+  if (digits.starts_with('-') && digits.find_first_not_of("-0.") == std::string::npos)
+    digits.erase(0, 1);  // no "-0.00"
+  if (style.with_sign && !digits.starts_with('-')) digits.insert(0, 1, '+');
+  return {std::move(digits), style.unit->symbol[static_cast<std::size_t>(language)]};
 }
 
 }  // namespace remount

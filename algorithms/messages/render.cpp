@@ -15,42 +15,44 @@ struct Joints {
 };
 constexpr std::array<Joints, kLanguages> kJoints{{{", ", " and ", " "}, {"、", "和", ""}}};
 
-const Joints& joints(Language language) { return kJoints[static_cast<std::size_t>(language)]; }
+std::string_view joint_of(std::string_view style, bool before_last, Language language) {
+  const Joints& by = kJoints[static_cast<std::size_t>(language)];
+  if (style == "lines") return "\n";
+  if (style == "sentences") return by.between_sentences;
+  return style == "and" && before_last ? by.before_last : by.comma;
+}
 
-std::string joined(const std::vector<std::string>& parts, std::string_view style, Language language) {
-  const Joints& by = joints(language);
-  const std::string_view between = style == "lines" ? "\n" : style == "sentences" ? by.between_sentences : by.comma;
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) text += style == "and" && i + 1 == parts.size() ? by.before_last : between;
-    text += parts[i];
+template <class List, class Say>
+void say_all(const List& list, std::string_view style, Language language, RenderedMessage& out, const Say& say) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (i > 0) out.words(joint_of(style, i + 1 == list.size(), language));
+    say(list[i]);
   }
-  return text;
 }
 
-std::vector<std::string> rendered(const std::vector<Message>& messages, Language language) {
-  std::vector<std::string> texts;
-  texts.reserve(messages.size());
-  for (const Message& message : messages) texts.push_back(render(message, language));
-  return texts;
-}
-
-struct ArgumentText {
+struct ArgumentSaid {
   std::string_view style;
   Language language;
+  RenderedMessage& out;
 
-  std::string operator()(const Quantity& quantity) const { return quantity_text(quantity, style, language); }
-  std::string operator()(std::int64_t count) const { return std::to_string(count); }
-  std::string operator()(const std::string& words) const { return words; }
-  std::string operator()(const std::vector<std::string>& names) const { return joined(names, style, language); }
-  std::string operator()(const Message& message) const { return render(message, language); }
-  std::string operator()(const std::vector<Message>& messages) const {
-    return joined(rendered(messages, language), style, language);
+  void operator()(const Quantity& quantity) const {
+    const QuantityText text = quantity_text(quantity, style, language);
+    out.number(text.digits);
+    out.words(text.unit);
+  }
+  void operator()(std::int64_t count) const { out.number(std::to_string(count)); }
+  void operator()(const std::string& words) const { out.words(words); }
+  void operator()(const std::vector<std::string>& names) const {
+    say_all(names, style, language, out, [this](const std::string& name) { out.words(name); });
+  }
+  void operator()(const Message& message) const { render(message, language, out); }
+  void operator()(const std::vector<Message>& messages) const {
+    say_all(messages, style, language, out, [this](const Message& message) { render(message, language, out); });
   }
 };
 
-std::string argument_text(const Argument& argument, std::string_view style, Language language) {
-  return std::visit(ArgumentText{style, language}, argument.value);
+void say(const Argument& argument, std::string_view style, Language language, RenderedMessage& out) {
+  std::visit(ArgumentSaid{style, language, out}, argument.value);
 }
 
 /// A sentence of the catalogue taken apart, in all languages; places of others are shown as the first one says.
@@ -89,47 +91,69 @@ bool is_one(const Argument& argument) {
   return count != nullptr && *count == 1;
 }
 
-std::string without_entry(const Message& message, Language language) {
-  std::vector<std::string> parts;
-  for (const Argument& argument : message.arguments())
-    parts.push_back(argument.name + " " + argument_text(argument, {}, language));
-  return parts.empty() ? message.code() : message.code() + " (" + joined(parts, {}, language) + ")";
+void say_without_entry(const Message& message, Language language, RenderedMessage& out) {
+  out.words(message.code());
+  if (message.arguments().empty()) return;
+  out.words(" (");
+  say_all(message.arguments(), {}, language, out, [&](const Argument& argument) {
+    out.words(argument.name + " ");
+    say(argument, {}, language, out);
+  });
+  out.words(")");
 }
 
-std::string of_entry(const CatalogueEntry& entry, const Message& message, Language language) {
-  std::string text;
+void say_entry(const CatalogueEntry& entry, const Message& message, Language language, RenderedMessage& out) {
   for (const SentencePiece& piece : parsed_sentence(entry)[static_cast<std::size_t>(language)]) {
     if (piece.kind == SentencePiece::Kind::Words) {
-      text += piece.words;
+      out.words(piece.words);
       continue;
     }
     const Argument* argument = message.argument(piece.name);
     if (argument == nullptr) {
-      text += "{" + piece.name + "}";  // of a file that was changed by hand
+      out.words("{" + piece.name + "}");  // of a file that was changed by hand
     } else if (piece.kind == SentencePiece::Kind::Choice) {
-      text += is_one(*argument) ? piece.one : piece.other;
+      out.words(is_one(*argument) ? piece.one : piece.other);
     } else {
-      text += argument_text(*argument, piece.style, language);
+      say(*argument, piece.style, language, out);
     }
   }
-  return text;
 }
+
+struct AsText : RenderedMessage {
+  void words(std::string_view said) override { text += said; }
+  void number(std::string_view digits) override { text += digits; }
+  std::string text;
+};
 
 }  // namespace
 
-std::string render(const Message& message, Language language) {
-  if (message.empty()) return {};
+void render(const Message& message, Language language, RenderedMessage& out) {
+  if (message.empty()) return;
   if (message.code() == kVerbatim || message.code() == kSequence) {
-    const Argument* words = message.argument(kOnlyPlace);
-    return words == nullptr ? std::string() : argument_text(*words, "sentences", language);
+    if (const Argument* words = message.argument(kOnlyPlace)) say(*words, "sentences", language, out);
+    return;
   }
   const CatalogueEntry* entry = find_in_catalogue(message.code());
-  return entry == nullptr ? without_entry(message, language) : of_entry(*entry, message, language);
+  if (entry == nullptr)
+    say_without_entry(message, language, out);
+  else
+    say_entry(*entry, message, language, out);
+}
+
+std::string render(const Message& message, Language language) {
+  AsText out;
+  render(message, language, out);
+  return std::move(out.text);
 }
 
 std::string english(const Message& message) { return render(message, Language::English); }
 
-std::vector<std::string> english(const std::vector<Message>& messages) { return rendered(messages, Language::English); }
+std::vector<std::string> english(const std::vector<Message>& messages) {
+  std::vector<std::string> texts;
+  texts.reserve(messages.size());
+  for (const Message& message : messages) texts.push_back(english(message));
+  return texts;
+}
 
 std::ostream& operator<<(std::ostream& stream, const Message& message) { return stream << english(message); }
 

@@ -15,6 +15,15 @@ namespace remount {
 /// the catalogue is shown with its arguments: better than nothing.
 std::string render(const Message& message, Language language);
 
+/// Takes the words of a message and its numbers apart, in the order in which they are shown.
+class RenderedMessage {
+ public:
+  virtual ~RenderedMessage() = default;
+  virtual void words(std::string_view said) = 0;
+  virtual void number(std::string_view digits) = 0;  ///< without its unit
+};
+void render(const Message& message, Language language, RenderedMessage& out);
+
 /// In English, which the command line, files and tests speak where nothing else is set.
 std::string english(const Message& message);
 
