@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/messages/message.h"
+
 namespace remount {
 
 /// A value: nothing, a plain scalar (number, boolean or bare word), a quoted string, a sequence or a map.
@@ -83,12 +85,12 @@ class DocumentView {
   /// Throws where a map has a key that is not in `allowed`: most often a typing error that would be ignored.
   void allow_only(std::initializer_list<std::string_view> allowed) const;
 
-  [[noreturn]] void fail(const std::string& what_happened) const;
-  std::string described() const;  ///< what stands there, for messages: "a map", or the text in quotes
+  [[noreturn]] void fail(Message what_happened) const;
 
  private:
   DocumentView(const DocumentNode& node, std::string_view file, std::string key_path)
       : node_(&node), file_(file), key_path_(std::move(key_path)) {}
+  Message described() const;
 
   const DocumentNode* node_;
   std::string file_;
