@@ -61,7 +61,7 @@ Argument::Value value_at(const DocumentView& view, int depth) {
   }
   for (std::size_t i = 0; i < kQuantityKeys.size(); ++i)
     if (kind == kQuantityKeys[i]) return Quantity{static_cast<Dimension>(i), value.number_or_nan()};
-  return value.described();  // of a later version
+  return value.node().text;  // of a later version
 }
 
 Message message_at(const DocumentView& view, int depth) {
