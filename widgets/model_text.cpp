@@ -143,9 +143,10 @@ QString model_text(std::string_view text) { return model_text(QString::fromUtf8(
 
 QString model_text(const Message& message) {
   if (message.code() == kVerbatim) return model_text(QString::fromStdString(english(message)));
-  const Language language = QLocale().language() == QLocale::Chinese ? Language::Chinese : Language::English;
-  return in_words_of_window(QString::fromStdString(render(message, language)));
+  return in_words_of_window(QString::fromStdString(render(message, window_language())));
 }
+
+Language window_language() { return QLocale().language() == QLocale::Chinese ? Language::Chinese : Language::English; }
 
 std::string drawn_text(const char* context, const char* english) {
   const QString text = QString::fromUtf8(english), known = QCoreApplication::translate(context, english);

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "algorithms/messages/message.h"
+#include "algorithms/messages/render.h"
 
 namespace remount {
 
@@ -16,6 +16,7 @@ namespace remount {
 QString model_text(std::string_view text);
 QString model_text(const QString& text);
 QString model_text(const Message& message);
+Language window_language();
 
 /// In whatever language it is: options that it mentions by their keys have the names that their pages give them, and
 /// flags of the command line are the places of the window for what they give.

@@ -1,18 +1,20 @@
-// Why a pair was rejected: the choices, and words for what files hold.
+// Why a pair was rejected: the choices, and words for it.
 #pragma once
 
 #include <QString>
-#include <string>
 #include <vector>
 
 #include "algorithms/messages/message.h"
 
 namespace remount {
 
-/// Reasons that are one key away, as files hold them.
-const std::vector<const char*>& quick_reasons();
-/// In the user's language where the words are the program's own; the user's as they are.
-QString reason_words(const std::string& reason);
+/// Reasons that are one key away.
+const std::vector<Message (*)()>& quick_reasons();
+
+/// What stands where the user gave no reason: who decided.
+bool tells_who_only(const Message& reason);
+
+/// In the language of the window; what a user typed as it is.
 QString reason_words(const Message& reason);
 
 }  // namespace remount

@@ -146,7 +146,7 @@ class MainWindow : public QMainWindow {
   void restore_keys();
   void make_reason_menu(QMenu& review);
   std::vector<int> pairs_to_decide() const;
-  void decide(PairState state, const QString& reason = {});
+  void decide(PairState state, const Message& reason = {});
   void ask_reason();
   void reject_above(const std::vector<int>& pairs, const QString& reason);
   void go(int step, bool undecided);

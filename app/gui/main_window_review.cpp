@@ -5,7 +5,6 @@
 #include <QSettings>
 #include <QTableView>
 
-#include "algorithms/messages/render.h"
 #include "app/gui/main_window.h"
 #include "app/gui/remembering.h"
 #include "widgets/pair_reasons.h"
@@ -68,10 +67,10 @@ void MainWindow::restore_keys() {
 void MainWindow::make_reason_menu(QMenu& review) {
   QMenu& menu = *review.addMenu(tr("Reject &because"));
   int number = 1;
-  for (const char* reason : quick_reasons()) {
+  for (const auto& reason : quick_reasons()) {
     const QByteArray key = QByteArray::number(number), id = kReason.toLatin1() + key;
-    add_review(menu, id.constData(), reason_words(reason), key.constData(),
-               [this, reason] { decide(PairState::Rejected, QString::fromLatin1(reason)); });
+    add_review(menu, id.constData(), reason_words(reason()), key.constData(),
+               [this, reason] { decide(PairState::Rejected, reason()); });
     ++number;
   }
   add_review(menu, "reason-other", tr("&Other reason…"), "Shift+R", [this] { ask_reason(); });
@@ -84,7 +83,7 @@ std::vector<int> MainWindow::pairs_to_decide() const {
   return pairs;
 }
 
-void MainWindow::decide(PairState state, const QString& reason) { workbench_.decide(pairs_to_decide(), state, reason); }
+void MainWindow::decide(PairState state, const Message& reason) { workbench_.decide(pairs_to_decide(), state, reason); }
 
 void MainWindow::ask_reason() {
   const std::vector<int> pairs = pairs_to_decide();
@@ -96,14 +95,15 @@ void MainWindow::ask_reason() {
                                          : tr("Why are %1 pairs rejected?").arg(pairs.size()));
   const Pair& first = workbench_.output()->pairs.at(static_cast<std::size_t>(pairs.front()));
   if (first.decided_by == DecidedBy::User && first.state == PairState::Rejected)
-    dialog->setTextValue(QString::fromStdString(english(first.reason)));
-  connect(dialog, &QInputDialog::textValueSelected, this,
-          [this, pairs](const QString& reason) { workbench_.decide(pairs, PairState::Rejected, reason); });
+    dialog->setTextValue(tells_who_only(first.reason) ? QString() : reason_words(first.reason));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this, pairs](const QString& reason) {
+    workbench_.decide(pairs, PairState::Rejected, Message::verbatim(reason.trimmed().toStdString()));
+  });
   dialog->open();
 }
 
 void MainWindow::reject_above(const std::vector<int>& pairs, const QString& reason) {
-  workbench_.decide(pairs, PairState::Rejected, reason);
+  workbench_.decide(pairs, PairState::Rejected, Message::verbatim(reason.toStdString()));
 }
 
 void MainWindow::go(int step, bool undecided) {

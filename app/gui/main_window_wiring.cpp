@@ -6,7 +6,6 @@
 #include <QTabWidget>
 #include <QTableView>
 
-#include "algorithms/messages/render.h"
 #include "app/gui/main_window.h"
 #include "app/gui/map_controller.h"
 #include "app/gui/method_controller.h"
@@ -278,8 +277,8 @@ QString MainWindow::pair_caption(int pair) const {
   const OutputPtr output = workbench_.output();
   const Pair& chosen = output->pairs.at(static_cast<std::size_t>(pair));
   QString verdict = state_text(chosen);
-  const bool by_whom_only = english(chosen.reason).ends_with("by the user");
-  if (!chosen.reason.empty() && !by_whom_only) verdict += QStringLiteral(": ") + reason_words(chosen.reason);
+  if (!chosen.reason.empty() && !tells_who_only(chosen.reason))
+    verdict += QStringLiteral(": ") + reason_words(chosen.reason);
   return tr("Pair %1: %2 → %3, %4 m, %5°. %6")
       .arg(pair)
       .arg(scan_name(chosen.keyframe_a), scan_name(chosen.keyframe_b))

@@ -126,7 +126,7 @@ class Workbench : public QObject {
   void cancel();
   void select_pair(int pair);
   /// `reason`: why, as the pair's own words; empty: by whom. `step`: the name of the edit; empty: which pairs.
-  void decide(const std::vector<int>& pairs, PairState state, const QString& reason = {}, const QString& step = {});
+  void decide(const std::vector<int>& pairs, PairState state, const Message& reason = {}, const QString& step = {});
   void edit_option(const QString& section, const QString& name, const QVariant& value);
   void use_clock_offset(bool with_it);  ///< an edit of solve.apply_time_offset
   void reset_range();

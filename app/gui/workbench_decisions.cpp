@@ -6,9 +6,11 @@
 #include "app/gui/edit_commands.h"
 #include "app/gui/wording.h"
 #include "app/gui/workbench.h"
+#include "messages/decisions.h"
 #include "model/pipeline/first_answer.h"
 #include "model/result_words.h"
 #include "widgets/model_text.h"
+#include "widgets/pair_reasons.h"
 
 namespace remount {
 namespace {
@@ -19,19 +21,19 @@ void set_decision(Pair& pair, const PairDecision& decision) {
   pair.reason = decision.reason;
 }
 
-PairDecision user_decision(int pair, PairState state, std::string reason) {
-  if (reason.empty()) reason = state == PairState::Accepted ? "accepted by the user" : "rejected by the user";
+PairDecision user_decision(int pair, PairState state, Message reason) {
+  if (reason.empty()) reason = state == PairState::Accepted ? say::accepted_by_the_user() : say::rejected_by_the_user();
   return {pair, state, DecidedBy::User, std::move(reason)};
 }
 
 /// "reject pair 12: moving objects".
-QString step_name(const std::vector<PairDecision>& decisions, PairState state, const QString& reason) {
+QString step_name(const std::vector<PairDecision>& decisions, PairState state, const Message& reason) {
   const int count = static_cast<int>(decisions.size()), pair = decisions.front().pair;
   const QString step =
       state == PairState::Accepted
           ? (count == 1 ? Workbench::tr("accept pair %1").arg(pair) : Workbench::tr("accept %1 pairs").arg(count))
           : (count == 1 ? Workbench::tr("reject pair %1").arg(pair) : Workbench::tr("reject %1 pairs").arg(count));
-  return reason.isEmpty() ? step : step + QStringLiteral(": ") + reason;
+  return reason.empty() ? step : step + QStringLiteral(": ") + reason_words(reason);
 }
 
 /// What a new solution from the pairs that are there takes over: the search range, and the solution's options but for
@@ -126,16 +128,15 @@ bool Workbench::catch_up(const Decisions& carried, PipelineOutput& output) const
   return true;
 }
 
-void Workbench::decide(const std::vector<int>& pairs, PairState state, const QString& reason, const QString& step) {
+void Workbench::decide(const std::vector<int>& pairs, PairState state, const Message& reason, const QString& step) {
   if (!output_ || calibrating()) return;
   std::vector<PairDecision> before, after;
   QStringList refused;
   for (int index : pairs) {
     if (index < 0 || index >= std::ssize(output_->pairs)) continue;  // of a chart that shows the pairs before still
     const Pair& pair = output_->pairs[static_cast<std::size_t>(index)];
-    const PairDecision decision = user_decision(index, state, reason.trimmed().toStdString());
-    if (pair.state == state && pair.decided_by == DecidedBy::User &&
-        (reason.isEmpty() || pair.reason == decision.reason))
+    const PairDecision decision = user_decision(index, state, reason);
+    if (pair.state == state && pair.decided_by == DecidedBy::User && (reason.empty() || pair.reason == decision.reason))
       continue;
     if (const Message why = unusable_reason(pair); state == PairState::Accepted && !why.empty()) {
       refused << tr("pair %1: %2").arg(index).arg(model_text(why));

@@ -46,7 +46,7 @@ class history : public testing::WindowFixture {
     ASSERT_TRUE(workbench_.output());
   }
   void reject(int pair) {
-    workbench_.decide({pair}, PairState::Rejected, "lorry");
+    workbench_.decide({pair}, PairState::Rejected, Message::verbatim("lorry"));
     ASSERT_TRUE(settle());
   }
   QString log() { return child<LogPanel>().toPlainText(); }

@@ -1,30 +1,29 @@
 #include "widgets/itemmodels/pair_filter.h"
 
+#include <QStringMatcher>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
 
-#include "algorithms/messages/render.h"
-#include "widgets/itemmodels/reason_match.h"
-#include "widgets/itemmodels/text_ranks.h"
 #include "widgets/theme.h"
 
 namespace remount {
 namespace {
 
-/// A text in number, state, session or reason of pairs, of which all but the number are the same for many.
+/// A text in number, state, session or reason of pairs; state and session are the same for many.
 class TextMatch {
  public:
-  explicit TextMatch(const QString& text) : text_(text), reason_(text), number_(-1) {
+  TextMatch(const QString& text, const PairTableModel& model)
+      : text_(text), reason_(text.toCaseFolded()), reasons_(&model.reason_texts().folded()), number_(-1) {
     bool whole = false;
     const int number = text.toInt(&whole);
     if (whole && QString::number(number) == text) number_ = number;
   }
   bool operator()(const PairTableModel& model, int index) {
     const Pair& pair = *model.pair(index);
-    if (index == number_ || reason_(english(pair.reason))) return true;
+    if (index == number_ || reason_.indexIn((*reasons_)[static_cast<std::size_t>(index)]) >= 0) return true;
     const int state = 3 * static_cast<int>(pair.state) + static_cast<int>(pair.decided_by);
     return once(states_, state, [&] { return state_text(pair); }) ||
            once(sessions_, model.session_of(pair), [&] { return model.session_name(pair); });
@@ -39,7 +38,8 @@ class TextMatch {
   }
 
   QString text_;
-  ReasonMatch reason_;
+  QStringMatcher reason_;
+  const std::vector<QString>* reasons_;
   int number_;
   std::map<int, bool> states_, sessions_;
 };
@@ -143,9 +143,10 @@ std::vector<int> PairFilter::choose() {
   std::vector<int> pairs;
   const int count = sourceModel() ? sourceModel()->rowCount() : 0;
   pairs.reserve(static_cast<std::size_t>(count));
-  TextMatch text(criteria_.text);
+  std::optional<TextMatch> text;
+  if (count > 0 && !criteria_.text.isEmpty()) text.emplace(criteria_.text, *pairs_model());
   for (int pair = 0; pair < count; ++pair)
-    if (matches(pair) && (criteria_.text.isEmpty() || text(*pairs_model(), pair))) pairs.push_back(pair);
+    if (matches(pair) && (!text || (*text)(*pairs_model(), pair))) pairs.push_back(pair);
   if (criteria_.group == PairGroup::Worst10) keep_worst(pairs);
   sort_pairs(pairs);
   return pairs;
@@ -204,12 +205,7 @@ void PairFilter::find_sort_keys() {
   reason_ranks_.clear();
   sort_numbers_.clear();
   if (sort_column_ == PairTableModel::Reason) {
-    std::vector<std::string> reasons;
-    reasons.reserve(static_cast<std::size_t>(count));
-    for (int pair = 0; pair < count; ++pair) reasons.push_back(english(pairs_model()->pair(pair)->reason));
-    reason_ranks_ = text_ranks({reasons.begin(), reasons.end()});
-    for (std::size_t i = 0; i < reasons.size(); ++i)
-      if (reasons[i].empty()) reason_ranks_[i] = -1;
+    reason_ranks_ = pairs_model()->reason_texts().ranks();
   } else {
     sort_numbers_.reserve(static_cast<std::size_t>(count));
     for (int pair = 0; pair < count; ++pair) sort_numbers_.push_back(pairs_model()->sort_number(pair, sort_column_));

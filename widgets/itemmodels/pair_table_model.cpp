@@ -89,6 +89,7 @@ void PairTableModel::show_output(std::shared_ptr<const PipelineOutput> output, c
   const bool keep = output && output_ && same_pairs(*output, *output_);
   if (!keep) beginResetModel();
   output_ = std::move(output);
+  reason_texts_ = output_ ? std::make_unique<ReasonTexts>(output_, window_language()) : nullptr;
   session_names_ = session_names;
   session_start_ns_ = output_ ? session_starts_ns(*output_) : std::vector<std::int64_t>{};
   if (!keep) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "model/pipeline.h"
+#include "widgets/itemmodels/reason_texts.h"
 
 namespace remount {
 
@@ -41,6 +42,8 @@ class PairTableModel : public QAbstractTableModel {
   const Pair* pair(int row) const;
   /// The number of a cell, in the unit of the screen; NaN where it is not known, as where scans were never aligned.
   double sort_number(int row, int column) const;
+  /// Of an output that is shown.
+  const ReasonTexts& reason_texts() const { return *reason_texts_; }
   int session_of(const Pair& pair) const;
   QString session_name(const Pair& pair) const;
 
@@ -55,6 +58,7 @@ class PairTableModel : public QAbstractTableModel {
   double time_in_session_s(int keyframe) const;
 
   std::shared_ptr<const PipelineOutput> output_;
+  std::unique_ptr<ReasonTexts> reason_texts_;
   std::vector<std::int64_t> session_start_ns_;
   QStringList session_names_;
   QPalette palette_;
