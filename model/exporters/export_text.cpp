@@ -70,7 +70,7 @@ std::vector<double> numbers_in(std::string_view text, const std::string& where) 
       if (c == ',') c = ' ';
     split_blanks(blanks, tokens);
     for (const std::string_view token : tokens)
-      numbers.push_back(require_number(token, "a value", where, lines.line_number()));
+      numbers.push_back(require_number(token, say::mounting_value, where, lines.line_number()));
   }
   return numbers;
 }
