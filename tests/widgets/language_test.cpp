@@ -137,7 +137,7 @@ TEST_F(chinese, sentences_of_the_model_are_recognised_by_pattern) {
 TEST_F(chinese, what_no_reader_knows_is_told_line_by_line) {
   QString said = QStringLiteral("is no session that Remount knows. It looks for:");
   for (const auto& reader : session_readers())
-    said += QStringLiteral("\n  ") + QString::fromUtf8(reader->description());
+    said += QStringLiteral("\n  ") + QString::fromStdString(english(reader->description()));
   const QStringList lines = model_text(said).split('\n');
   ASSERT_EQ(lines.size(), std::ssize(session_readers()) + 1);
   for (const QString& line : lines)
