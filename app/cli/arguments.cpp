@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/exporters/exporter.h"
 #include "model/io/atomic_save.h"
 #include "model/io/document.h"
@@ -84,7 +85,7 @@ RigidTransform parse_six(const std::string& text) {
   return rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, text, ErrorCode::Contract);
 }
 
-ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& doubts) {
+ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts) {
   std::error_code none;
   if (is_file(text)) return read_any_mounting(text, &doubts);
   if (std::filesystem::exists(text, none)) return read_any_mounting(text);  // which says why it cannot
@@ -102,7 +103,7 @@ ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& do
   return {parse_six(text), {}, {}};
 }
 
-ReadMounting parse_ins_nominal(const std::string& text, std::vector<std::string>& doubts) {
+ReadMounting parse_ins_nominal(const std::string& text, std::vector<Message>& doubts) {
   ReadMounting mounting = parse_nominal(text, doubts);
   if (const std::string problem = not_in_ins_frame(mounting.frames); !problem.empty())
     throw Error(ErrorCode::Contract, text, problem);
@@ -204,9 +205,9 @@ Settings SolveArguments::settings(const Settings& base) const {
 
 std::optional<ReadMounting> SolveArguments::nominal_mounting(Console& console) const {
   if (nominal.empty() || nominal == "none") return std::nullopt;
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
   const ReadMounting mounting = parse_nominal(nominal, doubts);
-  for (const std::string& doubt : doubts) console.complain("warning: " + doubt);
+  for (const Message& doubt : doubts) console.complain("warning: " + english(doubt));
   return mounting;
 }
 

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/cli/batch_job.h"
 #include "app/cli/batch_run.h"
 #include "app/cli/verbs.h"
@@ -46,9 +47,9 @@ bool collect(const Fleet& fleet, const BatchArguments& arguments, Console& conso
   write_table(fleet, rows, arguments, console);
   bool drift = false;
   for (const FleetRow& row : rows) {
-    const std::string words = row.drift();
-    if (words.empty()) continue;
-    console.complain("alarm: " + title_of(fleet, fleet.jobs[row.job]) + ": " + words);
+    const Message drift_of_row = row.drift();
+    if (drift_of_row.empty()) continue;
+    console.complain("alarm: " + title_of(fleet, fleet.jobs[row.job]) + ": " + english(drift_of_row));
     drift = true;
   }
   return drift;

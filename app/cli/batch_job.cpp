@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/sessions.h"
@@ -100,16 +101,16 @@ int stored_answer(const FleetJob& job, Console& console) {
 std::optional<RigidTransform> asked_nominal(const FleetVehicle& vehicle, const ResultFile& stored) {
   if (vehicle.nominal.empty()) return stored.nominal_ins_from_lidar;
   if (vehicle.nominal == "none") return std::nullopt;
-  std::vector<std::string> doubts;  // were told when the job ran
+  std::vector<Message> doubts;  // were told when the job ran
   return in_axes_of(parse_nominal(vehicle.nominal, doubts), stored.ins_axes, doubts);
 }
 
 }  // namespace
 
-std::string why_out_of_date(const Fleet& fleet, const FleetJob& job, const ResultFile& stored, Console& console) {
+Message why_out_of_date(const Fleet& fleet, const FleetJob& job, const ResultFile& stored, Console& console) {
   const FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
   try {
-    const std::string other = why_other_job(stored, vehicle.settings, asked_nominal(vehicle, stored), vehicle.topics);
+    Message other = why_other_job(stored, vehicle.settings, asked_nominal(vehicle, stored), vehicle.topics);
     if (!other.empty()) return other;
     // The fleet's file may have had a nominal then, or topics that are left to be suggested now.
     const bool left_open = (vehicle.nominal.empty() && stored.nominal_ins_from_lidar) ||
@@ -119,7 +120,7 @@ std::string why_out_of_date(const Fleet& fleet, const FleetJob& job, const Resul
     if (!other_wish && !may_have_changed(job, stored)) return {};
     return why_not_done(job, input_of(vehicle, job, console), console.progress());
   } catch (const Error& error) {
-    return error.what();
+    return error.message();
   }
 }
 
@@ -130,10 +131,10 @@ int run_job(const Fleet& fleet, const FleetJob& job, Console& console) {
   sweep_leftovers(job);
   try {
     const PipelineInput input = input_of(fleet.vehicles.at(job.vehicle), job, console);
-    const std::string reason = why_not_done(job, input, console.progress());
+    const Message reason = why_not_done(job, input, console.progress());
     if (console.cancelled()) return cancelled(job, console);
     if (reason.empty()) return stored_answer(job, console);
-    console.print(title_of(fleet, job) + ": " + reason);
+    console.print(title_of(fleet, job) + ": " + english(reason));
     return calibrate_job(job, input, lock->taken_ns(), console);
   } catch (const Error& error) {
     note_failure(fleet, job, error.what());

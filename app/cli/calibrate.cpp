@@ -73,7 +73,7 @@ int follow(const CalibrateArguments& arguments, Console& console) {
   input.settings.run.method = MethodChoice::Trajectory;
   input.threads = console.options().threads;
   if (const std::optional<ReadMounting> nominal = arguments.solve.nominal_mounting(console)) {
-    std::vector<std::string> doubts;
+    std::vector<Message> doubts;
     input.nominal_ins_from_lidar = in_axes_of(*nominal, std::nullopt, doubts);
     input.nominal_frames = nominal->frames;
   }

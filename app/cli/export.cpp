@@ -23,7 +23,7 @@ int export_result(const ExportArguments& arguments, Console& console) {
                      english(result.result.message));
     return kNoResult;
   }
-  for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
+  for (const Message& warning : export_warnings(result.result)) console.complain("warning: " + english(warning));
   std::error_code none;
   if (!arguments.output.empty() && std::filesystem::equivalent(arguments.result, arguments.output, none))
     throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which an export must not replace");
@@ -34,7 +34,7 @@ int export_result(const ExportArguments& arguments, Console& console) {
     return kSolved;
   }
   save_atomically(arguments.output, text);
-  console.print(arguments.output + ": " + std::string(format.direction()));
+  console.print(arguments.output + ": " + english(format.direction()));
   return kSolved;
 }
 
@@ -46,8 +46,8 @@ void add_export(CLI::App& app, Console& console, Run& run) {
   verb->add_option("result", arguments->result, "Result file (.yaml or .json)")->type_name("RESULT")->required();
   std::string formats = "Format:";
   for (const auto& format : exporters())
-    formats += "\n" + std::string(format->id()) + ": " + std::string(format->description()) + " [" +
-               std::string(format->direction()) + "]";
+    formats += "\n" + std::string(format->id()) + ": " + english(format->description()) + " [" +
+               english(format->direction()) + "]";
   verb->add_option("--to", arguments->format, formats)->type_name("FORMAT")->required();
   verb->add_option("-o,--output", arguments->output, "File; without it the text goes to the standard output")
       ->type_name("FILE");

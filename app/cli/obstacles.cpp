@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
@@ -64,10 +65,10 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
                 problem +
                     " The outline of the vehicle is given about the INS: use a result of the method pairwise, "
                     "trajectory or fusion-odometry");
-  for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
+  for (const Message& warning : export_warnings(result.result)) console.complain("warning: " + english(warning));
   const auto session =
       std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()));
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
   const auto in_session = [&](const ReadMounting& mounting) { return in_axes_of(mounting, session->ins_axes, doubts); };
   const RigidTransform calibrated = in_session({result.result.ins_from_lidar, result.ins_axes, {}});
   std::optional<RigidTransform> nominal = session->nominal_ins_from_lidar;
@@ -75,7 +76,7 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
     nominal = in_session(parse_ins_nominal(arguments.nominal, doubts));
   else if (result.nominal_ins_from_lidar)
     nominal = in_session({*result.nominal_ins_from_lidar, result.ins_axes, {}});
-  for (const std::string& doubt : doubts) console.complain("warning: " + doubt);
+  for (const Message& doubt : doubts) console.complain("warning: " + english(doubt));
   const ObstacleComparison comparison =
       compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),
                                 calibrated, result.settings, arguments.options);

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
 #include "model/io/atomic_save.h"
@@ -23,9 +24,9 @@ struct OdometryArguments {
 std::optional<RigidTransform> nominal_of(const OdometryArguments& arguments, const Session& session, Console& console) {
   if (arguments.nominal == "none") return std::nullopt;
   if (arguments.nominal.empty()) return session.nominal_ins_from_lidar;
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
   const RigidTransform nominal = in_axes_of(parse_ins_nominal(arguments.nominal, doubts), session.ins_axes, doubts);
-  for (const std::string& doubt : doubts) console.complain("warning: " + arguments.nominal + ": " + doubt);
+  for (const Message& doubt : doubts) console.complain("warning: " + arguments.nominal + ": " + english(doubt));
   return nominal;
 }
 

@@ -1,6 +1,7 @@
 #include "app/cli/sessions.h"
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/session_reader.h"
 #include "model/mounting_frames.h"
 #include "model/session_frames.h"
@@ -32,9 +33,9 @@ std::optional<RigidTransform> declared_nominal(const Sessions& sessions, MethodC
 
 RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& text, const Sessions& sessions,
                                Console& console) {
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
   const RigidTransform nominal = in_axes_of(mounting, common_axes(sessions), doubts);
-  for (const std::string& doubt : doubts) console.complain("warning: " + text + ": " + doubt);
+  for (const Message& doubt : doubts) console.complain("warning: " + text + ": " + english(doubt));
   return nominal;
 }
 

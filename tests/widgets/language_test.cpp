@@ -212,8 +212,8 @@ TEST(languages, every_export_format_is_named_and_says_its_direction) {
   std::set<QString> known;
   for (const char* phrase : model_phrases()) known.insert(QString::fromUtf8(phrase));
   for (const auto& format : exporters())
-    for (const std::string_view text : {format->description(), format->direction()})
-      EXPECT_TRUE(known.contains(QString::fromUtf8(text))) << "add to widgets/file_phrases.cpp: " << text;
+    for (const std::string& text : {english(format->description()), english(format->direction())})
+      EXPECT_TRUE(known.contains(QString::fromStdString(text))) << "add to widgets/file_phrases.cpp: " << text;
 }
 
 TEST(languages, every_option_is_named_and_explained) {
