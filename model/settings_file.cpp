@@ -1,3 +1,4 @@
+#include "messages/general.h"
 #include "model/settings_file.h"
 
 #include <algorithm>
@@ -62,7 +63,7 @@ double number_of(const DocumentView& view, const OptionInfo& info) {
   try {
     return view.number();
   } catch (const Error&) {
-    view.fail("expected a number from " + bounds_of(info) + ", found " + view.described());
+    view.fail(say::expected_number_from_to(bounds_of(info), view.described()));
   }
 }
 

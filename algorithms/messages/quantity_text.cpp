@@ -124,8 +124,8 @@ QuantityText quantity_text(const Quantity& quantity, std::string_view style_text
   const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, style.digits);
   std::string digits(buffer.data(), end.ptr);
   if (digits.starts_with('-') && digits.find_first_not_of("-0.") == std::string::npos)
-    digits.erase(0, 1);  // no "-0.00"
-  if (style.with_sign && !digits.starts_with('-')) digits.insert(0, 1, '+');
+    digits = digits.substr(1);  // no "-0.00"
+  if (style.with_sign && !digits.starts_with('-')) digits = '+' + digits;
   return {std::move(digits), style.unit->symbol[static_cast<std::size_t>(language)]};
 }
 

@@ -86,11 +86,11 @@ class DocumentView {
   void allow_only(std::initializer_list<std::string_view> allowed) const;
 
   [[noreturn]] void fail(Message what_happened) const;
+  Message described() const;  ///< what stands there, for messages: "a map", or the text in quotes
 
  private:
   DocumentView(const DocumentNode& node, std::string_view file, std::string key_path)
       : node_(&node), file_(file), key_path_(std::move(key_path)) {}
-  Message described() const;
 
   const DocumentNode* node_;
   std::string file_;

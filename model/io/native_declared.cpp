@@ -32,9 +32,9 @@ RigidTransform read_nominal(const DocumentView& node) {
   const auto angle = [&](const char* key) {
     const double degrees = node.at(key).number();
     constexpr Angle kLeast{-2.0 * kPi}, kMost{2.0 * kPi};
-    const Angle angle{degrees_to_radians(degrees)};
-    if (std::abs(degrees) > 360.0) node.at(key).fail(say::native_angle(angle, kLeast, kMost));
-    return angle.rad;
+    const Angle turn{degrees_to_radians(degrees)};
+    if (std::abs(degrees) > 360.0) node.at(key).fail(say::native_angle(turn, kLeast, kMost));
+    return turn.rad;
   };
   return rigid_from_six({node.at("x_m").number(), node.at("y_m").number(), node.at("z_m").number(), angle("yaw_deg"),
                          angle("pitch_deg"), angle("roll_deg")});
