@@ -1,19 +1,17 @@
 #include "model/preliminary.h"
 
+#include "messages/pipeline.h"
+
 namespace remount {
-namespace {
-
-constexpr const char* kPreliminary =
-    "Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.";
-
-}  // namespace
 
 void mark_preliminary(CalibrationResult& result) {
   result.status = Status::Degenerate;  // whoever looks at the status alone is to look again
-  result.message = kPreliminary;
-  result.advice.insert(result.advice.begin(), "Calibrate again, to the end.");
+  result.message = say::pipeline_preliminary();
+  result.advice.insert(result.advice.begin(), say::pipeline_calibrate_to_end());
 }
 
-bool is_preliminary(const CalibrationResult& result) { return result.message == kPreliminary; }
+bool is_preliminary(const CalibrationResult& result) {
+  return result.message.code() == say::pipeline_preliminary().code();
+}
 
 }  // namespace remount

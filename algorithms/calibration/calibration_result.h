@@ -103,6 +103,9 @@ struct CalibrationResult {
   }
 };
 
+/// Parameter i of kParameterNames in words.
+Message parameter_word(std::size_t i);
+
 /// "x, y, yaw": names of those of the first `count` parameters that are `value` in `which`; empty for none.
 std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
 

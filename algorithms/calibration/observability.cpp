@@ -243,7 +243,7 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
   add_advice(result.observed, motion, result);
 }
 
-void claim_nothing(const std::string& reason, CalibrationResult& result) {
+void claim_nothing(const Message& reason, CalibrationResult& result) {
   result.observed.fill(false);
   result.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
   result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
@@ -251,7 +251,7 @@ void claim_nothing(const std::string& reason, CalibrationResult& result) {
     if (!direction.observed) continue;
     direction.sigma = std::numeric_limits<double>::infinity();
     direction.observed = false;
-    direction.words = direction_names(direction.direction) + ": not known, " + reason;
+    direction.words = direction_names(direction.direction) + ": not known, " + english(reason);
   }
   sort_directions(result);
 }
@@ -277,8 +277,7 @@ void widen_angles(const Eigen::Vector3d& off_rad, const SolveOptions& options, C
   withdraw_unobserved(options, result);
 }
 
-void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
-               CalibrationResult& result) {
+void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);
   result.covariance += parameter_covariance(result.ins_from_lidar, doubt * doubt.transpose());
   withdraw_unobserved(options, result);
@@ -286,7 +285,7 @@ void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOpti
     if (!direction.observed) continue;
     direction.sigma = std::hypot(direction.sigma, limits.cwiseInverse().cwiseProduct(direction.direction).dot(doubt));
     direction.observed = direction.sigma < 1.0;
-    if (!direction.observed) direction.words = direction_names(direction.direction) + ": not known, " + reason;
+    if (!direction.observed) direction.words = direction_names(direction.direction) + ": not known, " + english(reason);
   }
   sort_directions(result);
 }

@@ -92,8 +92,7 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
 
 /// Widens a judged result by an error of X under `perturbed` that the pairs do not show. What is no longer observed by
 /// it says why: "x (forward): not known, `reason`".
-void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
-               CalibrationResult& result);
+void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result);
 
 /// Widens yaw, pitch and roll of a judged result by as much as they may be off, each for itself. The directions stay:
 /// they are turns about axes of the INS, and not of what the angles count from.
@@ -109,7 +108,7 @@ std::string solved_message(const CalibrationResult& result);
 bool yaw_is_open(const CalibrationResult& result);
 
 /// Withdraws every parameter and direction of a judged result.
-void claim_nothing(const std::string& reason, CalibrationResult& result);
+void claim_nothing(const Message& reason, CalibrationResult& result);
 
 /// (x, y, z, yaw, pitch, roll) of X in m and rad, the order of kParameterNames; and X of them.
 std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar);

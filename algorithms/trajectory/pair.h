@@ -33,7 +33,7 @@ struct RegistrationQuality {
   double overlap = 0.0;  ///< share of source points with an inlier neighbour, 0..1
   /// Information (inverse covariance) of lidar_b_from_lidar_a under `perturbed` (translation first, axes of lidar b).
   Matrix6d information = Matrix6d::Zero();
-  std::string failure;  ///< empty, or why there is no usable transform, in words
+  Message failure;  ///< empty, or why there is no usable transform, in words
   /// Directions that the surfaces in common do not determine ("along lidar x, ..."), in words; empty: all are.
   std::string undetermined;
 };

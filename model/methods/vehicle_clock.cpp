@@ -6,6 +6,7 @@
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/trajectory/clock_alignment.h"
+#include "messages/methods.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/result_file.h"
 #include "model/scan_times.h"
@@ -93,7 +94,7 @@ VehicleFrameResult solve_vehicle_frame_with_clocks(const PipelineInput& input, s
   for (std::size_t s = 0; s < drives.size() && !progress.cancelled(); ++s) {
     if (!clocks[s].found) continue;
     const double left_s = apply ? clocks[s].sigma_s : std::hypot(clocks[s].offset_s, clocks[s].sigma_s);
-    add_doubt(moved_by(left_s, s, input, result, drives, progress), "the clocks are apart", input.settings.solve,
+    add_doubt(moved_by(left_s, s, input, result, drives, progress), say::vehicle_clocks_apart(), input.settings.solve,
               calibration);
   }
   state_vehicle_frame(result.intervals, calibration);

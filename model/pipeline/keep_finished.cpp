@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/trajectory/pair.h"
+#include "messages/pipeline.h"
 #include "model/preliminary.h"
 #include "model/result_file.h"
 
@@ -19,9 +20,10 @@ bool not_reached(const Pair& pair) {
 }
 
 // What a whole calibration would have done besides.
-std::string missing_steps(const PipelineInput& input, const PipelineOutput& output) {
-  std::string steps = "aligning all clouds";
-  if (input.settings.measured.ins_height_sigma_m > 0.0 && !output.ground) steps += ", the given height of the INS";
+std::vector<Message> missing_steps(const PipelineInput& input, const PipelineOutput& output) {
+  std::vector<Message> steps{say::pipeline_aligning_all_clouds()};
+  if (input.settings.measured.ins_height_sigma_m > 0.0 && !output.ground)
+    steps.push_back(say::pipeline_given_ins_height());
   return steps;
 }
 
@@ -44,10 +46,7 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
     }
   }
   output.findings.push_back({Severity::Warning, kCancelled, "calibration",
-                             "was cancelled when " + std::to_string(finished) + " of " +
-                                 std::to_string(output.pairs.size()) +
-                                 " pairs were aligned: the result is from these, without the last steps (" +
-                                 missing_steps(input, output) + "). Calibrate again for the rest."});
+                             say::pipeline_cut_short(finished, output.pairs.size(), missing_steps(input, output))});
   return finished;
 }
 

@@ -173,7 +173,7 @@ TEST(suspect_stage, without_a_result_the_clock_is_the_only_advice) {
   CalibrationResult other = failed;
   other.advice = {"Drive turns."};
   blame_recording({}, other);
-  EXPECT_EQ(other.advice, std::vector<std::string>{"Drive turns."});
+  EXPECT_EQ(english(other.advice), std::vector<std::string>{"Drive turns."});
 }
 
 TEST(suspect_stage, a_result_stands_on_clocks_that_are_far_apart_only_where_they_were_brought_together) {
