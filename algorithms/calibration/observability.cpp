@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "algorithms/core/symmetric_eigen.h"
+#include "algorithms/messages/render.h"
 
 namespace remount {
 namespace {
@@ -243,7 +244,7 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
   add_advice(result.observed, motion, result);
 }
 
-void claim_nothing(const std::string& reason, CalibrationResult& result) {
+void claim_nothing(const Message& reason, CalibrationResult& result) {
   result.observed.fill(false);
   result.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
   result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
@@ -251,7 +252,7 @@ void claim_nothing(const std::string& reason, CalibrationResult& result) {
     if (!direction.observed) continue;
     direction.sigma = std::numeric_limits<double>::infinity();
     direction.observed = false;
-    direction.words = direction_names(direction.direction) + ": not known, " + reason;
+    direction.words = direction_names(direction.direction) + ": not known, " + english(reason);
   }
   sort_directions(result);
 }

@@ -109,7 +109,7 @@ std::string solved_message(const CalibrationResult& result);
 bool yaw_is_open(const CalibrationResult& result);
 
 /// Withdraws every parameter and direction of a judged result.
-void claim_nothing(const std::string& reason, CalibrationResult& result);
+void claim_nothing(const Message& reason, CalibrationResult& result);
 
 /// (x, y, z, yaw, pitch, roll) of X in m and rad, the order of kParameterNames; and X of them.
 std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar);

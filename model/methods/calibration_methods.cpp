@@ -36,7 +36,7 @@ RigidTransform unobserved_in_range(const CalibrationResult& result, const Search
   return moved ? rigid_from_six(six) : result.ins_from_lidar;
 }
 
-std::string_view words(MethodChoice method) { return needs_of(method).words; }
+Message words(MethodChoice method) { return needs_of(method).words; }
 }  // namespace
 
 const std::vector<CalibrationMethod>& calibration_methods() {
@@ -100,7 +100,7 @@ void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins
 
 void check_nominal(const PipelineInput& input) {
   if (!input.nominal_ins_from_lidar) return;
-  for (const std::string& problem : {frame_problem(input.nominal_frames, input.settings.run.method, input.sessions),
+  for (const Message& problem : {frame_problem(input.nominal_frames, input.settings.run.method, input.sessions),
                                      nominal_problem(input.nominal_ins_from_lidar, input.settings.range)})
     if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
 }
@@ -117,7 +117,7 @@ namespace {
 
 // What a session declares is of the LiDAR in the INS frame.
 void tell_unused_nominal(const PipelineInput& input, std::vector<Finding>& findings) {
-  const std::string unused = unused_declaration(input.settings.run.method, input.sessions);
+  const Message unused = unused_declaration(input.settings.run.method, input.sessions);
   if (unused.empty() || input.nominal_ins_from_lidar) return;
   for (const auto& session : input.sessions)
     if (session->nominal_ins_from_lidar) findings.push_back({Severity::Note, "nominal-unused", session->name, unused});

@@ -160,7 +160,7 @@ void check_companions(const std::vector<std::shared_ptr<const Session>>& session
                         ": its pairs would count as evidence twice. Give it once.");
 }
 
-std::string why_not_covered(const DriveMotion& motion, int session) {
+Message why_not_covered(const DriveMotion& motion, int session) {
   const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
   const auto& samples = motion.track(session).samples();
   const TimeSpan lidar{stamps.front(), stamps.back()}, ins{samples.front().stamp_ns, samples.back().stamp_ns};
@@ -191,7 +191,7 @@ CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vec
   result.status = Status::TooFewPairs;
   for (int s = 0; s < motion.session_count() && keyframes.empty(); ++s)
     result.message = english(result.message) + (s == 0 ? "No scan lies within the INS data: " : " ") +
-                     motion.session(s).name + ": " + why_not_covered(motion, s);
+                     motion.session(s).name + ": " + english(why_not_covered(motion, s));
   if (keyframes.empty()) {
     result.advice.push_back("Give scans and INS data of the same time, on one clock.");
     return result;

@@ -124,7 +124,7 @@ PairwiseInput motions_input(const std::vector<Keyframe>& keyframes, std::vector<
 CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
                                      const Settings& settings,
                                      const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress) {
-  const std::string problem = nominal_problem(nominal_ins_from_lidar, settings.range);
+  const Message problem = nominal_problem(nominal_ins_from_lidar, settings.range);
   if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
   if (settings.measured.ins_height_sigma_m > 0.0)
     throw Error(ErrorCode::Contract, "measured.ins_height_m",

@@ -7,6 +7,7 @@
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "algorithms/search/candidates.h"
 #include "model/nominal_check.h"
 #include "model/pipeline/as_solved_scans.h"
@@ -26,7 +27,7 @@ namespace remount {
 namespace {
 
 void check_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range) {
-  const std::string problem = nominal_problem(nominal_ins_from_lidar, range);
+  const Message problem = nominal_problem(nominal_ins_from_lidar, range);
   if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
 }
 
@@ -49,7 +50,7 @@ std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOpt
                           motion.session(s).name,
                           std::to_string(outside) + " of " + std::to_string(stamps.size()) +
                               " scans lie outside the INS data or in a gap of it and are not used" +
-                              (outside == stamps.size() ? ": " + why_not_covered(motion, s) : ".")});
+                              (outside == stamps.size() ? ": " + english(why_not_covered(motion, s)) : ".")});
     const std::vector<Keyframe> chosen = select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
     KeyframeOptions as_set = options;
     as_set.minimum = 0;

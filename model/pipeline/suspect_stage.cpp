@@ -110,11 +110,11 @@ std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
                 "much.",
                 apart_s, clock.offset_s > 0.0 ? "later" : "earlier", clock.correlation,
                 clock.offset_s > 0.0 ? "early" : "late");
-  const std::string leap = leap_second_hint(clock.offset_s, 0.5);
+  const Message leap = leap_second_hint(clock.offset_s, 0.5);
   return FarClock{session,
                   clock.offset_s,
                   {apart_s < kTooFar_s ? Severity::Warning : Severity::Problem, kFarClock, name,
-                   text + (leap.empty() ? "" : " " + leap)}};
+                   leap.empty() ? Message(text) : Message::sequence({text, leap})}};
 }
 
 void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& found, PipelineOutput& output) {
@@ -136,9 +136,9 @@ void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& f
     if (!offset_s) continue;
     char text[200];
     std::snprintf(text, sizeof text,
-                  "Between the pairs of scans that were registered the LiDAR turned as the INS did %.0f s %s. ",
+                  "Between the pairs of scans that were registered the LiDAR turned as the INS did %.0f s %s.",
                   std::abs(*offset_s), *offset_s > 0.0 ? "later" : "earlier");
-    take(*offset_s, {Severity::Problem, kFarClock, name, text + leap_second_hint(*offset_s, 0.5)});
+    take(*offset_s, {Severity::Problem, kFarClock, name, Message::sequence({text, leap_second_hint(*offset_s, 0.5)})});
   }
 }
 

@@ -231,8 +231,8 @@ void Page::write_observability() {
   lines.push_back(!blind.empty()             ? phrase("report", "Not observed") + ": " + blind
                   : is_any_measured(result_) ? phrase("report", "All six parameters are known, with what was measured.")
                                              : phrase("report", "All six parameters are observed."));
-  if (const std::string words = disagreement_words(result_); !words.empty()) lines.push_back(sentence(words));
-  for (const std::string& words : clock_words(result_)) lines.push_back(sentence(words));
+  if (const Message words = disagreement_words(result_); !words.empty()) lines.push_back(sentence(words));
+  for (const Message& words : clock_words(result_)) lines.push_back(sentence(words));
   list(lines);
 }
 
@@ -313,7 +313,7 @@ void Page::write_findings() {
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
     row({html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
-         kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : "–"});
+         kind ? sentence(kind->meaning()) + " " + sentence(kind->remedy()) : "–"});
   }
   end_table();
 }
