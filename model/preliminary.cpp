@@ -1,17 +1,20 @@
 #include "model/preliminary.h"
 
-#include "messages/pipeline.h"
+#include "algorithms/messages/render.h"
+#include "messages/results.h"
 
 namespace remount {
 
 void mark_preliminary(CalibrationResult& result) {
   result.status = Status::Degenerate;  // whoever looks at the status alone is to look again
-  result.message = say::pipeline_preliminary();
-  result.advice.insert(result.advice.begin(), say::pipeline_calibrate_to_end());
+  result.message = say::result_preliminary();
+  result.advice.insert(result.advice.begin(), say::result_calibrate_again());
 }
 
 bool is_preliminary(const CalibrationResult& result) {
-  return result.message.code() == say::pipeline_preliminary().code();
+  const Message preliminary = say::result_preliminary();
+  // Files hold the words.
+  return result.message == preliminary || result.message == Message::verbatim(english(preliminary));
 }
 
 }  // namespace remount

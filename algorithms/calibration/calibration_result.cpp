@@ -24,6 +24,13 @@ Message parameter_word(std::size_t i) {
   return kWords.at(i)();
 }
 
+std::vector<Message> parameter_words(const std::array<bool, 6>& which, bool value, std::size_t count) {
+  std::vector<Message> words;
+  for (std::size_t i = 0; i < count; ++i)
+    if (which[i] == value) words.push_back(parameter_word(i));
+  return words;
+}
+
 std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count) {
   std::string names;
   for (std::size_t i = 0; i < count; ++i)

@@ -106,7 +106,10 @@ struct CalibrationResult {
 /// Parameter i of kParameterNames in words.
 Message parameter_word(std::size_t i);
 
-/// "x, y, yaw": names of those of the first `count` parameters that are `value` in `which`; empty for none.
+/// Those of the first `count` parameters that are `value` in `which`, in words.
+std::vector<Message> parameter_words(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
+
+/// "x, y, yaw": the same for files; empty for none.
 std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
 
 /// Whether X may be used at all: the status is ok or degenerate and something is observed.

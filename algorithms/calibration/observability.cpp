@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "algorithms/core/symmetric_eigen.h"
+#include "algorithms/messages/render.h"
 
 namespace remount {
 namespace {

@@ -104,7 +104,7 @@ ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& do
 
 ReadMounting parse_ins_nominal(const std::string& text, std::vector<std::string>& doubts) {
   ReadMounting mounting = parse_nominal(text, doubts);
-  if (const std::string problem = not_in_ins_frame(mounting.frames); !problem.empty())
+  if (const Message problem = not_in_ins_frame(mounting.frames); !problem.empty())
     throw Error(ErrorCode::Contract, text, problem);
   return mounting;
 }

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/sessions.h"
@@ -197,7 +198,7 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
   std::string explained = "How:";
   for (const CalibrationMethod& method : calibration_methods()) {
     methods.emplace_back(method.id);
-    explained += (methods.size() > 1 ? "; " : " ") + std::string(method.id) + " needs " + std::string(method.needs);
+    explained += (methods.size() > 1 ? "; " : " ") + std::string(method.id) + " needs " + english(method.needs);
   }
   verb->add_option("--method", arguments->method, explained)->check(CLI::IsMember(methods))->type_name("NAME");
   verb->add_flag("--follow", arguments->follow,

@@ -196,7 +196,7 @@ void Console::report(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     const FindingKind* kind = finding_kind(finding.code);
     const std::string text = printable(finding.where, LineBreaks::Escaped) + ": " + english(finding.explanation) +
-                             " [" + finding.code + "]" + (kind ? "\n  do: " + std::string(kind->remedy) : "");
+                             " [" + finding.code + "]" + (kind ? "\n  do: " + english(kind->remedy()) : "");
     const std::scoped_lock lock(mutex_);
     clear_line();
     const bool note = finding.severity == Severity::Note;

@@ -59,11 +59,11 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
                      ")");
     return kNoResult;
   }
-  if (const std::string problem = not_in_ins_frame(frames_of(result.result)); !problem.empty())
+  if (const Message problem = not_in_ins_frame(frames_of(result.result)); !problem.empty())
     throw Error(ErrorCode::Contract, arguments.result,
-                problem +
-                    " The outline of the vehicle is given about the INS: use a result of the method pairwise, "
-                    "trajectory or fusion-odometry");
+                Message::sequence({problem,
+                                   "The outline of the vehicle is given about the INS: use a result of the method "
+                                   "pairwise, trajectory or fusion-odometry"}));
   for (const std::string& warning : export_warnings(result.result)) console.complain("warning: " + warning);
   const auto session =
       std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()));

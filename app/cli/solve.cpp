@@ -38,7 +38,7 @@ int solve(const PairsArguments& arguments, Console& console) {
   PipelineInput input;
   input.settings = arguments.solve.settings();
   if (const auto nominal = arguments.solve.nominal_mounting(console)) {
-    if (const std::string problem = not_in_ins_frame(nominal->frames); !problem.empty())
+    if (const Message problem = not_in_ins_frame(nominal->frames); !problem.empty())
       throw Error(ErrorCode::Contract, arguments.solve.nominal, problem);
     input.nominal_ins_from_lidar = nominal->ins_from_lidar;
   }

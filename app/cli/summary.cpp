@@ -73,7 +73,7 @@ std::string time_offset(const CalibrationResult& result) {
   const TimeOffset& clock = result.time_offset;
   std::string text = format("time offset%s: t_ins = t_lidar %+.2f ms (1-sigma %.2f ms), %s\n",
                             result.session_time_offset_s.size() > 1 ? " (mean of the sessions)" : "",
-                            1e3 * clock.offset_s, 1e3 * clock.sigma_s, std::string(clock_use_words(clock)).c_str());
+                            1e3 * clock.offset_s, 1e3 * clock.sigma_s, english(clock_use_words(clock)).c_str());
   if (clock.applied) text.insert(text.size() - 1, ": X is solved with it (solve.apply_time_offset=no: without)");
   const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   for (std::size_t s = 0; offsets_s.size() > 1 && s < offsets_s.size(); ++s)
@@ -125,7 +125,7 @@ std::string summary(const ResultFile& file) {
   // What to do comes before what it rests on.
   text += advice(result) + deciding_notes(file.findings);
   if (usable && std::isfinite(result.time_offset.offset_s)) text += time_offset(result);
-  if (const std::string words = disagreement_words(result); !words.empty()) text += words + "\n";
+  if (const Message words = disagreement_words(result); !words.empty()) text += english(words) + "\n";
   if (is_from_pairs(file)) text += pairs(file);
   if (usable && is_from_pairs(file))
     text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/batch/job_state.h"
 #include "model/io/atomic_save.h"
 #include "model/io/input_file.h"
@@ -54,9 +55,9 @@ std::string other_wish(const DocumentView& then, const FleetVehicle& now) {
   if (const std::string topic = changed_topic(topic_choice_from_document(then.at("topics")), now.topics);
       !topic.empty())
     return topic;
-  const std::vector<std::string> changes =
+  const std::vector<Message> changes =
       changes_since({0, settings_from_document(then.at("settings")), std::nullopt}, {0, now.settings, std::nullopt});
-  return changes.empty() ? std::string() : changes.front();
+  return changes.empty() ? std::string() : english(changes.front());
 }
 
 std::string whole_text(const FleetJob& job) {

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/input_file.h"
 #include "model/project.h"
 #include "remount_version.h"
@@ -112,9 +113,9 @@ std::string why_other_job(const ResultFile& stored, const Settings& settings,
                           const std::optional<RigidTransform>& nominal_ins_from_lidar, const TopicChoice& topics) {
   if (stored.result.status == Status::Cancelled) return "it was cancelled";
   if (stored.version != kVersion) return "version " + stored.version + " made it, now " + std::string(kVersion);
-  const std::vector<std::string> changes =
+  const std::vector<Message> changes =
       changes_since({0, stored.settings, stored.nominal_ins_from_lidar}, {0, settings, nominal_ins_from_lidar});
-  if (!changes.empty()) return changes.front();
+  if (!changes.empty()) return english(changes.front());
   if (stored.topics.empty() && !topics.empty()) return kTopicsUnknown;
   for (const UsedTopics& used : stored.topics)
     if (const std::string other = other_topic(used.topics, topics); !other.empty()) return "topics: " + other;

@@ -59,9 +59,9 @@ const DocumentNode* DocumentNode::find(std::string_view key) const {
   return found == keys.end() ? nullptr : &items[static_cast<std::size_t>(found - keys.begin())];
 }
 
-void DocumentView::fail(const std::string& what_happened) const {
+void DocumentView::fail(Message what_happened) const {
   throw Error(ErrorCode::Format, node_->line > 0 ? file_ + ":" + std::to_string(node_->line) : file_,
-              key_path_.empty() ? what_happened : key_path_ + ": " + what_happened);
+              key_path_.empty() ? what_happened : key_path_ + ": " + english(what_happened));
 }
 
 std::string DocumentView::described() const {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "algorithms/messages/message.h"
+
 namespace remount {
 
 /// A value: nothing, a plain scalar (number, boolean or bare word), a quoted string, a sequence or a map.
@@ -83,7 +85,7 @@ class DocumentView {
   /// Throws where a map has a key that is not in `allowed`: most often a typing error that would be ignored.
   void allow_only(std::initializer_list<std::string_view> allowed) const;
 
-  [[noreturn]] void fail(const std::string& what_happened) const;
+  [[noreturn]] void fail(Message what_happened) const;
 
  private:
   DocumentView(const DocumentNode& node, std::string_view file, std::string key_path)

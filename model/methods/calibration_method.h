@@ -13,7 +13,7 @@ namespace remount {
 struct CalibrationMethod {
   std::string_view id;                ///< as on the command line and in files: "pairwise"
   Message title;                      ///< for people: "Pairs of keyframes"
-  std::string_view needs;             ///< the streams a session must have, in words: those of model/method_needs.h
+  Message needs;                      ///< the streams a session must have, in words: those of model/method_needs.h
   std::string_view settings_section;  ///< of Settings::visit_sections; empty where it has none of its own
   bool from_pairs = false;            ///< of keyframes, which are there to be reviewed
   /// Throws Error(Unsupported) where the sessions lack a stream, Error(Contract) for settings out of range. What the

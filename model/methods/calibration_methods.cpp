@@ -36,7 +36,7 @@ RigidTransform unobserved_in_range(const CalibrationResult& result, const Search
   return moved ? rigid_from_six(six) : result.ins_from_lidar;
 }
 
-std::string_view words(MethodChoice method) { return needs_of(method).words; }
+Message words(MethodChoice method) { return needs_of(method).words; }
 }  // namespace
 
 const std::vector<CalibrationMethod>& calibration_methods() {
@@ -105,9 +105,8 @@ void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins
 
 void check_nominal(const PipelineInput& input) {
   if (!input.nominal_ins_from_lidar) return;
-  for (const Message& problem :
-       {Message(frame_problem(input.nominal_frames, input.settings.run.method, input.sessions)),
-        Message(nominal_problem(input.nominal_ins_from_lidar, input.settings.range))})
+  for (const Message& problem : {frame_problem(input.nominal_frames, input.settings.run.method, input.sessions),
+                                 nominal_problem(input.nominal_ins_from_lidar, input.settings.range)})
     if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
 }
 

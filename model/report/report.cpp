@@ -307,7 +307,7 @@ void Page::write_findings() {
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
     row({html_escaped(finding.code), html_escaped(finding.where), words(finding.explanation),
-         kind ? words(Message::sequence({std::string(kind->meaning), std::string(kind->remedy)})) : "–"});
+         kind ? words(Message::sequence({kind->meaning(), kind->remedy()})) : "–"});
   }
   end_table();
 }

@@ -54,9 +54,10 @@ void report_shift(std::int64_t by_ns, const StreamClock& stream, const StreamClo
                 "beside what a scan lasts. They are moved by that; what is left, the delays of the recording, shows as "
                 "time offset.",
                 static_cast<double>(by_ns) * 1e-9);
-  const std::string cause = cause_of_apart_clocks(lidar.readings.front().stamp_ns, stream.readings.front().stamp_ns,
-                                                  static_cast<double>(by_ns) * 1e-9);
-  findings.push_back(make_finding(Severity::Warning, "clock-moved", where, text + (cause.empty() ? "" : " " + cause)));
+  const Message cause = cause_of_apart_clocks(lidar.readings.front().stamp_ns, stream.readings.front().stamp_ns,
+                                              static_cast<double>(by_ns) * 1e-9);
+  findings.push_back(make_finding(Severity::Warning, "clock-moved", where,
+                                  cause.empty() ? Message(text) : Message::sequence({text, cause})));
 }
 
 double period_s(const StreamClock& stream) {
