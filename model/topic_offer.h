@@ -17,7 +17,7 @@ inline constexpr std::string_view kNominalRole = "nominal";
 /// One thing that a topic can serve as.
 struct TopicUse {
   std::string role;             ///< of kTopicRoles, or kNominalRole
-  std::string why;              ///< what speaks for or against it, in words
+  Message why;                  ///< what speaks for or against it
   bool unasked = true;          ///< comes into question by itself; false: only where it is asked for
   bool needs_position = false;  ///< as `ins`, it goes with a topic for `ins-position`
 };
@@ -26,7 +26,7 @@ struct TopicUse {
 struct OfferedTopic {
   SessionTopic topic;  ///< `used_as`: what is suggested
   std::vector<TopicUse> uses;
-  std::string unusable;  ///< why it can be nothing; empty where it can be something
+  Message unusable;  ///< why it can be nothing; empty where it can be something
 
   const TopicUse* use(std::string_view role) const;  ///< null where it cannot be that
 };

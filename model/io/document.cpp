@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "algorithms/core/error.h"
+#include "messages/general.h"
 
 namespace remount {
 
@@ -61,7 +62,7 @@ const DocumentNode* DocumentNode::find(std::string_view key) const {
 
 void DocumentView::fail(Message what_happened) const {
   throw Error(ErrorCode::Format, node_->line > 0 ? file_ + ":" + std::to_string(node_->line) : file_,
-              key_path_.empty() ? what_happened : key_path_ + ": " + english(what_happened));
+              key_path_.empty() ? std::move(what_happened) : say::of_file(key_path_, std::move(what_happened)));
 }
 
 std::string DocumentView::described() const {

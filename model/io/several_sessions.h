@@ -14,7 +14,7 @@ namespace remount {
 /// Thrown in place of a session: a program with somebody to ask offers to open those that it names.
 class SeveralSessions : public Error {
  public:
-  SeveralSessions(const std::filesystem::path& folder, std::string what_happened,
+  SeveralSessions(const std::filesystem::path& folder, Message what_happened,
                   std::vector<std::filesystem::path> sessions)
       : Error(ErrorCode::Unsupported, folder.string(), std::move(what_happened)), sessions_(std::move(sessions)) {}
 

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/io/bag/mcap_file.h"
 #include "model/io/bag/rosbag1_file.h"
 #include "model/io/bag/split_bag.h"
@@ -43,7 +44,7 @@ class NothingYet final : public BagFile {
  public:
   explicit NothingYet(const fs::path& path) { files_ = {path}; }
   std::string message(const BagEntry&, std::size_t) const override {
-    throw Error(ErrorCode::Contract, files_[0].string(), "the bag was not opened");
+    throw Error(ErrorCode::Contract, files_[0].string(), say::bag_not_opened());
   }
 };
 
@@ -54,9 +55,7 @@ std::shared_ptr<const BagFile> open_packed(const fs::path& path, Progress& progr
   const std::string head = read_file_head(input.path(), kSniffedBytes);
   if (is_mcap(head)) return std::make_shared<McapFile>(input, progress);
   if (is_sqlite(head)) return std::make_shared<SqliteBag>(input, progress);
-  throw Error(ErrorCode::Format, path.string(),
-              "holds neither an MCAP nor an SQLite database when it is unpacked; unpack it with 'zstd -d' and open "
-              "what comes out");
+  throw Error(ErrorCode::Format, path.string(), say::bag_unpacks_to_no_bag());
 }
 
 /// The bags of a folder.
@@ -69,12 +68,9 @@ std::vector<fs::path> bags_in(const fs::path& folder) {
 
 std::shared_ptr<const BagFile> open_only_bag(const fs::path& folder, Progress& progress) {
   const std::vector<fs::path> bags = bags_in(folder);
-  if (bags.empty()) throw Error(ErrorCode::Format, folder.string(), "holds no bag");
+  if (bags.empty()) throw Error(ErrorCode::Format, folder.string(), say::bag_folder_without_bag());
   if (bags.size() == 1) return open_bag(bags[0], progress);
-  throw SeveralSessions(
-      folder,
-      "holds " + std::to_string(bags.size()) + " bags and no metadata.yaml; open them one by one:" + list_of(bags),
-      bags);
+  throw SeveralSessions(folder, say::bag_folder_of_several(bags.size(), list_of(bags)), bags);
 }
 
 std::shared_ptr<const BagFile> open_parts(const fs::path& folder, Progress& progress) {
@@ -108,9 +104,7 @@ void BagFile::add_entry(std::size_t topic, const BagEntry& entry, std::uint64_t 
   // the list grows, three times the file.
   constexpr std::uint64_t kAlways = 1'000'000;
   if (entry_count_ > kAlways + file_bytes / sizeof(BagEntry))
-    throw Error(ErrorCode::Format, where,
-                "the index names more than " + std::to_string(entry_count_) + " messages, too many for a file of " +
-                    std::to_string(file_bytes) + " bytes");
+    throw Error(ErrorCode::Format, where, say::bag_too_many_messages(entry_count_, Bytes{file_bytes}));
   topics_[topic].entries.push_back(entry);
   // Before 1843 and after 2096 is no time; differences of what is left fit 64 bits.
   constexpr std::int64_t kLatest_ns = 4'000'000'000'000'000'000;
@@ -139,8 +133,7 @@ std::shared_ptr<const BagFile> open_bag(const fs::path& path, Progress& progress
   if (is_mcap(head)) return std::make_shared<McapFile>(BagInput{path, nullptr}, progress);
   if (is_sqlite(head)) return std::make_shared<SqliteBag>(BagInput{path, nullptr}, progress);
   if (is_zstd(head)) return open_packed(path, progress);
-  throw Error(ErrorCode::Format, path.string(),
-              "is no bag that is known: expected one of ROS 1, an MCAP or an SQLite database of ROS 2");
+  throw Error(ErrorCode::Format, path.string(), say::bag_of_no_known_kind());
 }
 
 int probe_bag(const fs::path& path) {

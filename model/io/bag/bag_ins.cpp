@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/core/median.h"
-#include "algorithms/messages/render.h"
+#include "messages/bags.h"
+#include "messages/general.h"
 #include "model/clock_hint.h"
-#include "model/count_words.h"
 #include "model/io/bag/correction_status.h"
 #include "model/io/samples_between_fixes.h"
 #include "model/io/stream_tools.h"
@@ -48,16 +47,12 @@ std::int64_t shift_ns(const StreamClock& stream, const LidarClock& lidar) {
 
 void report_shift(std::int64_t by_ns, const StreamClock& stream, const StreamClock& lidar, const std::string& where,
                   std::vector<Finding>& findings) {
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "The stamps are of another clock than the LiDAR's; by the recorder's clock they are %.3f s apart, "
-                "beside what a scan lasts. They are moved by that; what is left, the delays of the recording, shows as "
-                "time offset.",
-                static_cast<double>(by_ns) * 1e-9);
-  const Message cause = cause_of_apart_clocks(lidar.readings.front().stamp_ns, stream.readings.front().stamp_ns,
-                                              static_cast<double>(by_ns) * 1e-9);
-  findings.push_back(make_finding(Severity::Warning, "clock-moved", where,
-                                  cause.empty() ? Message(text) : Message::sequence({text, cause})));
+  const double apart_s = static_cast<double>(by_ns) * 1e-9;
+  findings.push_back(make_finding(
+      Severity::Warning, "clock-moved", where,
+      Message::sequence(
+          {say::bag_clock_moved(Duration{apart_s}),
+           cause_of_apart_clocks(lidar.readings.front().stamp_ns, stream.readings.front().stamp_ns, apart_s)})));
 }
 
 double period_s(const StreamClock& stream) {
@@ -73,13 +68,7 @@ void report_offset(const StreamClock& stream, const LidarClock& lidar, const std
   const double apart_s = clocks_apart_s(stream, lidar);
   if (apart_s > -kDelay_s && apart_s < lidar.ends_after_s + period_s(stream) + kDelay_s) return;
   if (std::abs(apart_s) >= kNoClock_s) return;
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "By the recorder's clock the stamps are %.3f s apart from the LiDAR's, more than the delays of a "
-                "recording: one of the two seems to be stamped by a clock that is off, as a host's is. They are not "
-                "moved; it shows as time offset.",
-                apart_s);
-  findings.push_back(make_finding(Severity::Warning, "host-clock", where, text));
+  findings.push_back(make_finding(Severity::Warning, "host-clock", where, say::bag_host_clock(Duration{apart_s})));
 }
 
 Eigen::Vector3d sigma_of(const Eigen::Vector3d& variance) {
@@ -110,14 +99,16 @@ std::vector<StampedAttitude> attitudes_of(const ImuStream& stream, const std::st
   }
   if (without > 0)  // a driver that publishes before the INS has aligned is as it should be
     findings.push_back(make_finding(without == before ? Severity::Note : Severity::Warning, "no-orientation", where,
-                                    number_of(without, "message has", "messages have") + " no orientation, " +
-                                        std::to_string(before) + " of them before the first that has one: left out."));
+                                    say::bag_without_orientation(without, before)));
   return attitudes;
 }
 
+constexpr double kAssumedSigma_m = 1.0;  ///< of a fix that does not say
+
 GnssFix gnss_of(const FixMessage& message) {
   GnssFix fix{message.header.stamp_ns, message.latitude_rad, message.longitude_rad, message.height_m, {}};
-  fix.covariance_enu_m2 = message.covariance_enu_m2.value_or(Eigen::Matrix3d::Identity());
+  fix.covariance_enu_m2 =
+      message.covariance_enu_m2.value_or(kAssumedSigma_m * kAssumedSigma_m * Eigen::Matrix3d::Identity());
   return fix;
 }
 
@@ -132,14 +123,10 @@ void add_gnss(const FixStream& stream, const std::string& where, Session& sessio
     session.gnss.push_back(gnss_of(message));
   }
   if (without_fix > 0)
-    session.findings.push_back(
-        make_finding(Severity::Note, "no-fix", where,
-                     number_of(without_fix, "message has", "messages have") + " no fix: left out."));
+    session.findings.push_back(make_finding(Severity::Note, "no-fix", where, say::bag_without_fix(without_fix)));
   if (unknown > 0)
-    session.findings.push_back(
-        make_finding(Severity::Note, "gnss-covariance-unknown", where,
-                     number_of(unknown, "fix does not state its covariance", "fixes do not state their covariance") +
-                         "; a sigma of 1 m is assumed."));
+    session.findings.push_back(make_finding(Severity::Note, "gnss-covariance-unknown", where,
+                                            say::bag_covariance_unknown(unknown, Length{kAssumedSigma_m})));
   keep_near(session.gnss, where, session.findings);
   if (!session.gnss.empty()) keep_ascending(session.gnss, "gnss", where, session.findings);
 }
@@ -157,17 +144,12 @@ void add_imu(const ImuStream& stream, const std::string& where, Session& session
         {message.header.stamp_ns, *message.angular_rate_radps, message.acceleration_mps2.value_or(unknown)});
   }
   if (denied > 0)
-    session.findings.push_back(make_finding(Severity::Note, "rates-denied", where,
-                                            number_of(denied, "message says", "messages say") +
-                                                " that turn rates or accelerations are not measured (covariance -1), "
-                                                "all the same they are there; they are taken."));
+    session.findings.push_back(make_finding(Severity::Note, "rates-denied", where, say::bag_rates_denied(denied)));
   if (without > 0)
-    session.findings.push_back(
-        make_finding(Severity::Note, "no-rates", where,
-                     number_of(without, "message has", "messages have") + " no turn rates: left out."));
+    session.findings.push_back(make_finding(Severity::Note, "no-rates", where, say::bag_without_rates(without)));
   if (!session.imu.empty()) return keep_ascending(session.imu, "imu", where, session.findings);
   if (session.topic_choice.contains("imu") && !stream.messages.empty())
-    throw Error(ErrorCode::Format, where, "no message of this topic has turn rates");
+    throw Error(ErrorCode::Format, where, say::bag_no_rates());
 }
 
 /// Of the positions that there are: what has no fix is counted elsewhere.
@@ -297,35 +279,27 @@ std::vector<InsSample> ins_at_fixes(const FixStream& fixes, const std::vector<St
     ins.push_back(sample);
   }
   if (without_fix + alone > 0)
-    findings.push_back(make_finding(Severity::Warning, "ins-incomplete", where,
-                                    number_of(without_fix, "message has", "messages have") + " no fix and " +
-                                        std::to_string(alone) + " no orientation beside: left out."));
+    findings.push_back(
+        make_finding(Severity::Warning, "ins-incomplete", where, say::bag_ins_incomplete(without_fix, alone)));
   return ins;
 }
 
-/// Why messages were left out, each stream on a line; empty where none were.
-std::string what_was_bad(const std::vector<Finding>& findings) {
-  std::string why;
+/// Why messages were left out, of each stream; empty where none were.
+std::vector<Message> what_was_bad(const std::vector<Finding>& findings) {
+  std::vector<Message> why;
   for (const Finding& finding : findings)
-    if (finding.code == "bad-messages") why += "\n" + finding.where + ": " + english(finding.explanation);
+    if (finding.code == "bad-messages") why.push_back(say::of_file(finding.where, finding.explanation));
   return why;
 }
 
 void report_slow(double period_s, const std::optional<FasterTopic>& faster, const std::string& where,
                  std::vector<Finding>& findings) {
   if (!(period_s > 0.21)) return;
-  char period[32], rate[32];
-  std::snprintf(period, sizeof period, "%.2f", period_s);
-  std::string text =
-      std::string("The INS has a position every ") + period + " s only; between them the motion is interpolated. ";
-  if (faster) {
-    std::snprintf(rate, sizeof rate, "%.1f", faster->rate_hz);
-    text += faster->name + " has " + rate + " Hz: --topic " + std::string(faster->role) + "=" + faster->name +
-            " takes it, where it is of the same INS.";
-  } else {
-    text += "No other topic has it much more often: set its output to 10 Hz or more.";
-  }
-  findings.push_back(make_finding(Severity::Warning, "ins-slow", where, text));
+  constexpr Frequency kGoodRate{10.0};
+  Message remedy = faster ? say::bag_faster_topic(faster->name, Frequency{faster->rate_hz}, std::string(faster->role))
+                          : say::bag_no_faster_topic(kGoodRate);
+  findings.push_back(make_finding(Severity::Warning, "ins-slow", where,
+                                  Message::sequence({say::bag_ins_slow(Duration{period_s}), std::move(remedy)})));
 }
 
 /// An INS gives the positions of its own origin; a receiver those of its antenna, and how far that is from the origin
@@ -333,19 +307,24 @@ void report_slow(double period_s, const std::optional<FasterTopic>& faster, cons
 void report_antenna(const BagFile& bag, const TopicRoles& roles, const std::string& where,
                     std::vector<Finding>& findings) {
   if (of_one_device(bag.topics()[*roles.ins_position].name, bag.topics()[*roles.ins].name)) return;
-  findings.push_back(make_finding(Severity::Warning, "antenna-position", where,
-                                  "The positions are of another device than the orientation by its topic: they may be "
-                                  "those of an antenna."));
+  findings.push_back(make_finding(Severity::Warning, "antenna-position", where, say::bag_antenna_position()));
 }
 
-/// What a topic that gives no INS lacks.
-std::string what_is_missing(const TopicRoles& roles, const BagStreams& s) {
+/// What a topic that gives no INS lacks; empty where that is not known.
+Message what_is_missing(const TopicRoles& roles, const BagStreams& s) {
   const std::vector<ImuMessage>& messages = s.attitude.messages;
-  if (messages.empty()) return "";
+  if (messages.empty()) return {};
   if (!std::any_of(messages.begin(), messages.end(), [](const ImuMessage& m) { return m.orientation.has_value(); }))
-    return ": none of its messages has an orientation";
-  if (all_are_default(s.attitude)) return ": its orientation is never filled in, it is the identity throughout";
-  return roles.ins_position ? "" : ": its orientations have no NavSatFix with them";
+    return say::bag_none_is_oriented();
+  if (all_are_default(s.attitude)) return say::bag_orientation_not_filled();
+  return roles.ins_position ? Message() : say::bag_orientation_without_fixes();
+}
+
+Message why_no_ins(const TopicRoles& roles, const BagStreams& s, const std::vector<Finding>& findings) {
+  Message missing = what_is_missing(roles, s);
+  Message why = missing.empty() ? say::bag_no_usable_ins() : say::bag_no_usable_ins_because(std::move(missing));
+  std::vector<Message> bad = what_was_bad(findings);
+  return bad.empty() ? why : say::bag_ins_and_bad_messages(std::move(why), std::move(bad));
 }
 
 }  // namespace
@@ -385,11 +364,10 @@ void add_ins(const BagFile& bag, const ChosenTopics& chosen, BagStreams& s, Sess
     if (!inspvax && roles.ins_position) report_antenna(bag, roles, place(*roles.ins_position), session.findings);
   }
   if (roles.ins && session.ins.empty() && session.world_from_ins.empty()) {
-    const std::string why =
-        "no usable INS is in this topic" + what_is_missing(roles, s) + what_was_bad(session.findings);
-    if (session.topic_choice.contains("ins")) throw Error(ErrorCode::Format, place(*roles.ins), why);
+    Message why = why_no_ins(roles, s, session.findings);
+    if (session.topic_choice.contains("ins")) throw Error(ErrorCode::Format, place(*roles.ins), std::move(why));
     // Nobody asked for it: what else the bag has is still worth knowing.
-    session.findings.push_back(make_finding(Severity::Problem, "ins-unusable", place(*roles.ins), why));
+    session.findings.push_back(make_finding(Severity::Problem, "ins-unusable", place(*roles.ins), std::move(why)));
   }
   if (roles.ins_position) report_lost_corrections(s.position, place(*roles.ins_position), session.findings);
   if (roles.gnss && roles.gnss != roles.ins_position)

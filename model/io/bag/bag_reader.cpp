@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "messages/bags.h"
 #include "model/io/bag/bag_ins.h"
 #include "model/io/bag/bag_week_rollover.h"
 #include "model/io/bag/cloud_message.h"
@@ -69,7 +70,7 @@ void add_lidar(const std::shared_ptr<const BagFile>& bag, const TopicRoles& role
     return;
   }
   std::vector<IndexedScan> scans = std::move(streams.scans.scans);
-  if (scans.empty()) throw Error(ErrorCode::Format, where, "no scan of this topic can be read");
+  if (scans.empty()) throw Error(ErrorCode::Format, where, say::bag_no_scan());
   keep_ascending(scans, "scan", where, session.findings);
   const auto source = std::make_shared<BagScanSource>(bag, *roles.lidar, std::move(scans));
   judge_point_times(*source, session);
@@ -84,15 +85,11 @@ std::string ins_frame(const BagFile& bag, const TopicRoles& roles, const BagStre
 }
 
 /// Why static transforms cannot lead from the LiDAR to the INS; empty where they may.
-std::string why_no_nominal(const BagFile& bag, const TopicRoles& roles, const std::string& ins,
-                           const std::string& lidar) {
-  if (is_inspva(message_kind(bag.topics()[*roles.ins].type)))
-    return "The static transforms are not used: INSPVAX has axes of its own (x right, y forward, z up), which no frame "
-           "of ROS stands for. Give the nominal mounting yourself.";
-  if (ins.empty()) return "The static transforms are not used: the messages of the INS name no frame of their own.";
-  if (lidar.empty()) return "The static transforms are not used: the scans name no frame.";
-  if (ins == lidar)
-    return "The static transforms are not used: LiDAR and INS name one and the same frame, " + lidar + ".";
+Message why_no_nominal(const BagFile& bag, const TopicRoles& roles, const std::string& ins, const std::string& lidar) {
+  if (is_inspva(message_kind(bag.topics()[*roles.ins].type))) return say::bag_nominal_inspvax();
+  if (ins.empty()) return say::bag_nominal_ins_frame();
+  if (lidar.empty()) return say::bag_nominal_lidar_frame();
+  if (ins == lidar) return say::bag_nominal_one_frame(lidar);
   return {};
 }
 
@@ -101,22 +98,21 @@ void add_nominal(const BagFile& bag, const TopicRoles& roles, const BagStreams& 
                  Session& session) {
   if (streams.static_transforms.empty() || !roles.ins || streams.scans.scans.empty()) return;
   const std::string& lidar = streams.scans.frame;
-  if (const std::string why = why_no_nominal(bag, roles, ins, lidar); !why.empty()) {
-    session.findings.push_back(make_finding(Severity::Note, "nominal-not-found", bag.files().front().string(), why));
+  const std::string where = bag.files().front().string();
+  if (Message why = why_no_nominal(bag, roles, ins, lidar); !why.empty()) {
+    session.findings.push_back(make_finding(Severity::Note, "nominal-not-found", where, std::move(why)));
     return;
   }
   const auto ins_from_lidar = find_transform(streams.static_transforms, ins, lidar);
-  const std::string frames = "from " + lidar + " to " + ins;
   if (ins_from_lidar) {
     session.nominal_ins_from_lidar = *ins_from_lidar;
     for (SessionTopic& topic : session.topics)
       if (topic.can_be == std::vector<std::string>{std::string(kNominalRole)}) topic.used_as = topic.can_be;
   }
   session.findings.push_back(
-      ins_from_lidar ? make_finding(Severity::Note, "nominal-found", bag.files().front().string(),
-                                    "The static transforms lead " + frames + "; that serves as the nominal.")
-                     : make_finding(Severity::Note, "nominal-not-found", bag.files().front().string(),
-                                    "The static transforms do not lead " + frames + "."));
+      ins_from_lidar
+          ? make_finding(Severity::Note, "nominal-found", where, say::bag_nominal_found(lidar, ins))
+          : make_finding(Severity::Note, "nominal-not-found", where, say::bag_nominal_not_found(lidar, ins)));
 }
 
 /// A session of the chosen topics; of the bag itself no more than its index has been read.

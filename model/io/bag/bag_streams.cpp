@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "algorithms/core/median.h"
+#include "messages/bags.h"
 #include "model/io/bag/cloud_message.h"
 #include "model/io/stream_tools.h"
 
@@ -89,9 +90,7 @@ void settle(std::vector<Item>& items, StreamClock& clock, Stamp&& stamp_of, cons
   if (!unstamped) return;
   for (std::size_t i = 0; i < items.size(); ++i)
     clock.readings[i].stamp_ns = stamp_of(items[i]) = clock.readings[i].log_time_ns;
-  findings.push_back(make_finding(Severity::Warning, "no-stamps", topic,
-                                  "The messages have no stamps; the times at which they were recorded are used. They "
-                                  "are late by the delay of the recorder."));
+  findings.push_back(make_finding(Severity::Warning, "no-stamps", topic, say::bag_no_stamps()));
 }
 
 void note(StreamClock& clock, std::int64_t stamp_ns, const BagEntry& entry) {

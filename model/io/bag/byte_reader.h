@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 
 namespace remount {
 
@@ -20,9 +21,7 @@ class ByteReader {
   std::size_t left() const { return bytes_.size() - position_; }
 
   std::string_view bytes(std::uint64_t count) {
-    if (count > left())
-      throw Error(ErrorCode::Format, where_,
-                  std::to_string(count) + " bytes are promised, " + std::to_string(left()) + " are there");
+    if (count > left()) throw Error(ErrorCode::Format, where_, say::bag_bytes_promised(Bytes{count}, left()));
     const std::string_view found = bytes_.substr(position_, count);
     position_ += count;
     return found;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 
 namespace remount {
 namespace {
@@ -126,8 +127,7 @@ ChunkCompression chunk_compression(std::string_view name, const std::string& whe
   if (name == "bz2") return ChunkCompression::Bzip2;
   if (name == "lz4") return ChunkCompression::Lz4;
   if (name == "zstd") return ChunkCompression::Zstd;
-  throw Error(ErrorCode::Unsupported, where,
-              "a chunk is compressed with '" + std::string(name.substr(0, 40)) + "', expected none, bz2, lz4 or zstd");
+  throw Error(ErrorCode::Unsupported, where, say::bag_chunk_compression(std::string(name.substr(0, 40))));
 }
 
 std::unique_ptr<Unpacker> make_unpacker(ChunkCompression compression) {
@@ -157,12 +157,9 @@ std::string unpack_chunk(ChunkCompression compression, std::string_view packed, 
     outcome = unpack_in_steps(*make_unpacker(compression), packed, size, promised, out);
   }
   if (end == ChunkEnd::Early && outcome == UnpackStep::Broken)
-    throw Error(ErrorCode::Format, where,
-                "the compressed message is damaged after " + std::to_string(out.size()) + " bytes");
+    throw Error(ErrorCode::Format, where, say::bag_packed_message_damaged(Bytes{out.size()}));
   if (end == ChunkEnd::Whole && (outcome == UnpackStep::Broken || out.size() != size))
-    throw Error(ErrorCode::Format, where,
-                "the compressed chunk is damaged: " + std::to_string(out.size()) + " of " + std::to_string(size) +
-                    " bytes can be unpacked");
+    throw Error(ErrorCode::Format, where, say::bag_packed_chunk_damaged(out.size(), Bytes{size}));
   return out;
 }
 

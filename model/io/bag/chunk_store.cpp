@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/io/bag/bag_file.h"
 #include "model/io/bag/growing_chunk.h"
 #include "model/io/crc32.h"
@@ -21,8 +22,7 @@ class FileRange final : public ByteSource {
   std::string read(std::uint64_t offset, std::uint64_t count) const override {
     if (offset > bytes_ || count > bytes_ - offset)
       throw Error(ErrorCode::Format, place(std::min(offset, bytes_)),
-                  std::to_string(count) + " bytes are expected here, the part of the file that holds them has " +
-                      std::to_string(bytes_) + " bytes in all");
+                  say::bag_beyond_part(Bytes{count}, Bytes{bytes_}));
     return file_->read(offset_ + offset, count);
   }
   std::string place(std::uint64_t offset) const override { return file_->place(offset_ + offset); }
@@ -38,9 +38,7 @@ class UnpackedChunk final : public ByteSource {
   std::uint64_t size() const override { return bytes_.size(); }
   std::string read(std::uint64_t offset, std::uint64_t count) const override {
     if (offset > bytes_.size() || count > bytes_.size() - offset)
-      throw Error(ErrorCode::Format, place(offset),
-                  std::to_string(count) + " bytes are expected here, the chunk holds " + std::to_string(bytes_.size()) +
-                      " bytes in all");
+      throw Error(ErrorCode::Format, place(offset), say::bag_beyond_chunk(Bytes{count}, Bytes{bytes_.size()}));
     return bytes_.substr(offset, count);
   }
   std::string place(std::uint64_t offset) const override {
@@ -51,9 +49,7 @@ class UnpackedChunk final : public ByteSource {
   std::string bytes_, where_;
 };
 
-Error wrong_checksum(const std::string& where) {
-  return {ErrorCode::Format, where, "the checksum of the chunk does not agree with its bytes: it is damaged"};
-}
+Error wrong_checksum(const std::string& where) { return {ErrorCode::Format, where, say::bag_chunk_checksum()}; }
 
 }  // namespace
 
@@ -77,19 +73,12 @@ void ChunkStore::clear() {
 std::uint32_t ChunkStore::add(const BagChunk& chunk) {
   const std::string where = file_->place(chunk.offset);
   if (chunk.offset > file_->size() || chunk.packed_bytes > file_->size() - chunk.offset)
-    throw Error(ErrorCode::Format, where,
-                "a chunk of " + std::to_string(chunk.packed_bytes) + " bytes does not fit a file of " +
-                    std::to_string(file_->size()));
+    throw Error(ErrorCode::Format, where, say::bag_chunk_beyond_file(Bytes{chunk.packed_bytes}, file_->size()));
   if (chunk.compression == ChunkCompression::None && chunk.bytes != chunk.packed_bytes && !chunk.cut)
-    throw Error(ErrorCode::Format, where,
-                "a chunk that is not compressed promises " + std::to_string(chunk.bytes) + " bytes and has " +
-                    std::to_string(chunk.packed_bytes));
+    throw Error(ErrorCode::Format, where, say::bag_chunk_of_other_size(Bytes{chunk.bytes}, chunk.packed_bytes));
   const std::uint64_t most = std::max(kLargeChunk, 3 * file_->size());
-  if (chunk.bytes > most)
-    throw Error(ErrorCode::Format, where,
-                "a chunk promises " + std::to_string(chunk.bytes) + " bytes, at most " + std::to_string(most) +
-                    " are taken from a file of this size");
-  if (chunks_.size() >= kNoChunk) throw Error(ErrorCode::Unsupported, where, "the bag has too many chunks");
+  if (chunk.bytes > most) throw Error(ErrorCode::Format, where, say::bag_chunk_too_large(Bytes{chunk.bytes}, most));
+  if (chunks_.size() >= kNoChunk) throw Error(ErrorCode::Unsupported, where, say::bag_too_many_chunks());
   chunks_.push_back(chunk);
   checked_.push_back(chunk.compression != ChunkCompression::None || chunk.cut || chunk.checksum == 0);
   return static_cast<std::uint32_t>(chunks_.size() - 1);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/input_file.h"
 
@@ -13,16 +14,15 @@ namespace {
 
 constexpr std::size_t kMaxFields = 512;
 
-[[noreturn]] void fail(const MessageReader& reader, const std::string& what) {
-  throw Error(ErrorCode::Format, reader.where(), what);
+[[noreturn]] void fail(const MessageReader& reader, Message what) {
+  throw Error(ErrorCode::Format, reader.where(), std::move(what));
 }
 
 /// sensor_msgs/PointField's numbers of types.
 ScalarType scalar_type(unsigned datatype, const MessageReader& reader) {
   constexpr ScalarType kTypes[] = {ScalarType::I8,  ScalarType::U8,  ScalarType::I16, ScalarType::U16,
                                    ScalarType::I32, ScalarType::U32, ScalarType::F32, ScalarType::F64};
-  if (datatype < 1 || datatype > std::size(kTypes))
-    fail(reader, "a field of the cloud has type " + std::to_string(datatype) + ", expected 1 to 8");
+  if (datatype < 1 || datatype > std::size(kTypes)) fail(reader, say::bag_cloud_field_type(datatype));
   return kTypes[datatype - 1];
 }
 
@@ -41,7 +41,7 @@ Layout read_layout(MessageReader& reader) {
   layout.width = reader.number<std::uint32_t>();
   constexpr std::size_t kLeastBytes = 13;
   const std::size_t fields = reader.sequence(kLeastBytes);
-  if (fields > kMaxFields) fail(reader, "the cloud has " + std::to_string(fields) + " fields, at most 512 are read");
+  if (fields > kMaxFields) fail(reader, say::bag_cloud_fields(fields, kMaxFields));
   for (std::size_t i = 0; i < fields; ++i) {
     CloudField field;
     field.name = lower_case(reader.string());
@@ -67,10 +67,9 @@ void check_columns(const Layout& layout, const CloudColumns& columns, const Mess
   for (std::size_t i = 0; i < used.size(); ++i) {
     const CloudField& field = *used[i];
     if (field.offset + size_of(field.type) > layout.point_bytes)
-      fail(reader, "field " + field.name + " lies at byte " + std::to_string(field.offset) + " of a point of " +
-                       std::to_string(layout.point_bytes) + " bytes");
+      fail(reader, say::bag_cloud_field_outside(field.name, field.offset, Bytes{layout.point_bytes}));
     if (i > 0 && used[i - 1]->offset + size_of(used[i - 1]->type) > field.offset)
-      fail(reader, "fields " + used[i - 1]->name + " and " + field.name + " lie on the same bytes of a point");
+      fail(reader, say::bag_cloud_fields_overlap(used[i - 1]->name, field.name));
   }
 }
 
@@ -79,13 +78,10 @@ void check_rows(Layout& layout, std::size_t data_bytes, const MessageReader& rea
   // 32 bits times 32 bits fit 64; a single row's length is written wrong by some drivers and not needed.
   const std::uint64_t row = layout.width * layout.point_bytes;
   if (layout.height <= 1) layout.row_bytes = row;
-  if (layout.row_bytes < row)
-    fail(reader, "a row has " + std::to_string(layout.row_bytes) + " bytes, expected " + std::to_string(row) + " for " +
-                     std::to_string(layout.width) + " points");
+  if (layout.row_bytes < row) fail(reader, say::bag_cloud_row(Bytes{layout.row_bytes}, row, layout.width));
   const bool empty = layout.height == 0 || row == 0;
   if (!empty && (data_bytes < row || (layout.height - 1) > (data_bytes - row) / layout.row_bytes))
-    fail(reader, "the cloud promises " + std::to_string(layout.height) + " rows of " + std::to_string(row) +
-                     " bytes, " + std::to_string(data_bytes) + " bytes are there");
+    fail(reader, say::bag_cloud_rows(layout.height, Bytes{row}, Bytes{data_bytes}));
   if (empty) layout.height = 0;
 }
 

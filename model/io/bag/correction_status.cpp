@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
-#include "model/count_words.h"
+#include "messages/bags.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -84,13 +83,11 @@ void report_lost_corrections(std::vector<CorrectionStatus> positions, const std:
     if (position->level < worst->level) worst = position;
   }
   if (lost == 0) return;
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "The status of the position falls from %.40s to %.40s in %s, %.0f %% of the drive: "
-                "corrections (RTK) were lost.",
-                best->name.c_str(), worst->name.c_str(), number_of(stretches, "stretch", "stretches").c_str(),
-                100.0 * static_cast<double>(lost) / static_cast<double>(positions.size()));
-  findings.push_back(make_finding(Severity::Warning, "rtk-lost", where, text));
+  constexpr std::size_t kLongestName = 40;
+  const Share share{static_cast<double>(lost) / static_cast<double>(positions.size())};
+  findings.push_back(make_finding(
+      Severity::Warning, "rtk-lost", where,
+      say::bag_rtk_lost(best->name.substr(0, kLongestName), worst->name.substr(0, kLongestName), stretches, share)));
 }
 
 }  // namespace remount

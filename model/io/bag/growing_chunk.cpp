@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "messages/bags.h"
 #include "model/io/crc32.h"
 
 namespace remount {
@@ -22,8 +23,8 @@ std::string GrowingChunk::place(std::uint64_t offset) const {
   return file_->place(chunk_.offset) + " (unpacked chunk: byte " + std::to_string(offset) + ")";
 }
 
-void GrowingChunk::fail(const std::string& what) const {
-  damage_.emplace(ErrorCode::Format, file_->place(chunk_.offset), what);
+void GrowingChunk::fail(Message what) const {
+  damage_.emplace(ErrorCode::Format, file_->place(chunk_.offset), std::move(what));
   bytes_ = {};
   on_damage_(*damage_);
   throw Error(*damage_);
@@ -31,9 +32,7 @@ void GrowingChunk::fail(const std::string& what) const {
 
 std::string GrowingChunk::read(std::uint64_t offset, std::uint64_t count) const {
   if (offset > size() || count > size() - offset)
-    throw Error(ErrorCode::Format, place(offset),
-                std::to_string(count) + " bytes are expected here, the chunk holds " + std::to_string(size()) +
-                    " bytes in all");
+    throw Error(ErrorCode::Format, place(offset), say::bag_beyond_chunk(Bytes{count}, Bytes{size()}));
   const std::scoped_lock lock(mutex_);
   if (damage_) throw Error(*damage_);
   grow(offset + count);
@@ -47,8 +46,7 @@ void GrowingChunk::grow(std::uint64_t needed) const {
   if (bytes_.size() < size() || !unpacker_) return;
   unpacker_.reset();
   packed_ = {};
-  if (chunk_.checksum != 0 && crc32(bytes_) != chunk_.checksum)
-    fail("the checksum of the chunk does not agree with its bytes: it is damaged");
+  if (chunk_.checksum != 0 && crc32(bytes_) != chunk_.checksum) fail(say::bag_chunk_checksum());
 }
 
 void GrowingChunk::unpack_piece() const {
@@ -67,8 +65,7 @@ void GrowingChunk::unpack_piece() const {
                      (chunk_.compression != ChunkCompression::Zstd || packed_read_ == chunk_.packed_bytes);
   const bool starved = room == 0 && left_.size() == left && packed_read_ == chunk_.packed_bytes;
   if (outcome == UnpackStep::Broken || ((ended || starved) && bytes_.size() < size()))
-    fail("the compressed chunk is damaged: " + std::to_string(bytes_.size()) + " of " + std::to_string(size()) +
-         " bytes can be unpacked");
+    fail(say::bag_packed_chunk_damaged(bytes_.size(), Bytes{size()}));
 }
 
 }  // namespace remount

@@ -22,7 +22,7 @@ class GrowingChunk final : public ByteSource {
  private:
   void grow(std::uint64_t needed) const;
   void unpack_piece() const;
-  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail(Message what) const;
 
   std::shared_ptr<const RandomAccessFile> file_;
   BagChunk chunk_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "messages/bags.h"
 #include "model/io/bag/byte_reader.h"
 #include "model/io/bag/mcap_format.h"
 #include "model/io/bag/packed_message.h"
@@ -38,9 +39,7 @@ struct McapFile::Record {
   /// Of records that are small by what they mean.
   std::string content(const ByteSource& source) const {
     if (bytes > kMaxDescription)
-      throw Error(ErrorCode::Format, where,
-                  "a record promises " + std::to_string(bytes) + " bytes, at most " + std::to_string(kMaxDescription) +
-                      " are read of its kind");
+      throw Error(ErrorCode::Format, where, say::bag_record_too_long(Bytes{bytes}, kMaxDescription));
     return source.read(offset, bytes);
   }
 };
@@ -56,11 +55,10 @@ McapFile::Record McapFile::read_record(const ByteSource& source, std::uint64_t o
   record.op = reader.number<std::uint8_t>();
   record.bytes = reader.number<std::uint64_t>();
   record.offset = offset + kRecordHead;
-  if (record.op == 0) throw Error(ErrorCode::Format, record.where, "no record begins with 0");
+  if (record.op == 0) throw Error(ErrorCode::Format, record.where, say::bag_record_of_zero());
   if (whole && record.bytes > source.size() - record.offset)
     throw Error(ErrorCode::Format, record.where,
-                "a record promises " + std::to_string(record.bytes) + " bytes, " +
-                    std::to_string(source.size() - record.offset) + " are there");
+                say::bag_record_promises(Bytes{record.bytes}, source.size() - record.offset));
   return record;
 }
 
@@ -70,8 +68,8 @@ McapFile::McapFile(const BagInput& input, Progress& progress) : input_(input), c
   const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), kMagic.size()));
   if (head != kMagic)
     throw Error(ErrorCode::Unsupported, input.given.string(),
-                is_mcap(head) ? "is an MCAP of another version than 0" : "is no MCAP");
-  std::string why;
+                is_mcap(head) ? say::bag_mcap_version() : say::bag_no_mcap());
+  Message why;
   try {
     if (read_summary(progress)) {
       check_other_sums(progress);
@@ -80,7 +78,7 @@ McapFile::McapFile(const BagInput& input, Progress& progress) : input_(input), c
     }
   } catch (const Error& error) {
     if (error.code() != ErrorCode::Format) throw;
-    why = error.what();
+    why = error.message();
   }
   forget_all();
   scan(why, progress);
@@ -115,15 +113,14 @@ void McapFile::add_channel(std::string_view content, const std::string& where) {
 
 std::size_t McapFile::topic_of(std::uint16_t channel, const std::string& where) const {
   const auto found = topic_of_channel_.find(channel);
-  if (found == topic_of_channel_.end())
-    throw Error(ErrorCode::Format, where, "channel " + std::to_string(channel) + " is not described");
+  if (found == topic_of_channel_.end()) throw Error(ErrorCode::Format, where, say::bag_channel_not_described(channel));
   return found->second;
 }
 
 BagChunk McapFile::chunk_at(std::uint64_t offset) const {
   const auto whole = chunks_.source(kNoChunk);
   const Record record = read_record(*whole, offset, false);
-  if (record.op != kChunk) throw Error(ErrorCode::Format, record.where, "the index says a chunk begins here");
+  if (record.op != kChunk) throw Error(ErrorCode::Format, record.where, say::bag_no_chunk_there());
   constexpr std::uint64_t kHeadBytes = 128;  // times, sizes and the name of the compression
   const std::string head = whole->read(record.offset, std::min(kHeadBytes, whole->size() - record.offset));
   ByteReader reader(head, record.where);
@@ -138,7 +135,7 @@ BagChunk McapFile::chunk_at(std::uint64_t offset) const {
     chunk.cut = true;
     chunk.packed_bytes = whole->size() - chunk.offset;
   } else if (record.bytes > whole->size() - record.offset || chunk.offset + chunk.packed_bytes > record.end()) {
-    throw Error(ErrorCode::Format, record.where, "a chunk is longer than its record");
+    throw Error(ErrorCode::Format, record.where, say::bag_chunk_beyond_record());
   }
   return chunk;
 }
@@ -148,9 +145,9 @@ bool McapFile::read_summary(Progress& progress) {
   const auto whole = chunks_.source(kNoChunk);
   const std::uint64_t tail = kFooterBytes + kMagic.size();
   if (whole->size() < kMagic.size() + tail || whole->read(whole->size() - kMagic.size(), kMagic.size()) != kMagic)
-    throw Error(ErrorCode::Format, whole->place(whole->size()), "the file was not closed");
+    throw Error(ErrorCode::Format, whole->place(whole->size()), say::bag_file_not_closed());
   const Record footer = read_record(*whole, whole->size() - tail);
-  if (footer.op != kFooter) throw Error(ErrorCode::Format, footer.where, "expected the footer of the file");
+  if (footer.op != kFooter) throw Error(ErrorCode::Format, footer.where, say::bag_no_footer());
   const std::string content = footer.content(*whole);
   const auto start = ByteReader(content, footer.where).number<std::uint64_t>();
   if (start == 0) return false;
@@ -179,7 +176,7 @@ void McapFile::check_summary(std::uint64_t start, const std::string& footer_cont
       ByteReader(footer_content.substr(footer_content.size() - kChecksumBytes), footer.where).number<std::uint32_t>();
   if (checksum == 0) return;
   if (start > end || file_checksum(chunks_.file(), start, end - start) != checksum)
-    throw Error(ErrorCode::Format, footer.where, "the checksum of the summary does not agree with its bytes");
+    throw Error(ErrorCode::Format, footer.where, say::bag_summary_checksum());
 }
 
 /// Of what is not in chunks, which have their own.
@@ -194,15 +191,14 @@ void McapFile::check_other_sums(Progress& progress) {
       if (record.op == kFooter) break;
       if (record.op == kAttachment || record.op == kDataEnd) {
         // Of an attachment the checksum is its last field; that of the data is of everything before its record.
-        if (record.bytes < kChecksumBytes) throw Error(ErrorCode::Format, record.where, "a record is too short");
+        if (record.bytes < kChecksumBytes) throw Error(ErrorCode::Format, record.where, say::bag_record_too_short());
         const bool data = record.op == kDataEnd;
         const std::uint64_t from = data ? 0 : record.offset, at = record.end() - kChecksumBytes;
         const auto sum = ByteReader(whole->read(at, kChecksumBytes), record.where).number<std::uint32_t>();
         const bool right = sum == 0 || file_checksum(chunks_.file(), from, (data ? offset : at) - from) == sum;
         if (!right && data)
-          findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
-                                           "The checksum of the data does not agree with the file. What is read of it "
-                                           "may be wrong where it has no checksum of its own."));
+          findings_.push_back(
+              make_finding(Severity::Warning, "bag-damaged", files_[0].string(), say::bag_data_checksum()));
         if (!right && !data && attachments++ == 0) first = record.where;
       }
       offset = record.end();
@@ -212,8 +208,7 @@ void McapFile::check_other_sums(Progress& progress) {
   }
   if (attachments > 0)
     findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
-                                     "Attachments that do not agree with their checksums: " +
-                                         std::to_string(attachments) + ". They are not used. First: " + first + "."));
+                                     say::bag_attachment_checksums(attachments, first)));
 }
 
 void McapFile::read_chunk_index(std::string_view content, const std::string& where) {
@@ -222,9 +217,9 @@ void McapFile::read_chunk_index(std::string_view content, const std::string& whe
   const auto start = reader.number<std::uint64_t>(), length = reader.number<std::uint64_t>();
   const std::size_t indexes = reader.string().size() / 10;
   const auto index_bytes = reader.number<std::uint64_t>();
-  if (!chunk_starts_.insert(start).second) throw Error(ErrorCode::Format, where, "the index names a chunk twice");
+  if (!chunk_starts_.insert(start).second) throw Error(ErrorCode::Format, where, say::bag_chunk_twice());
   const BagChunk described = chunk_at(start);
-  if (described.cut) throw Error(ErrorCode::Format, where, "a chunk reaches behind the end of the file");
+  if (described.cut) throw Error(ErrorCode::Format, where, say::bag_chunk_behind_end());
   const std::uint32_t chunk = chunks_.add(described);
   if (indexes == 0) {
     scan_chunk(chunk);
@@ -233,7 +228,7 @@ void McapFile::read_chunk_index(std::string_view content, const std::string& whe
   const auto whole = chunks_.source(kNoChunk);
   const std::uint64_t from = start + length;
   if (from < start || from > whole->size() || index_bytes > whole->size() - from)
-    throw Error(ErrorCode::Format, where, "the indexes of a chunk lie behind the end of the file");
+    throw Error(ErrorCode::Format, where, say::bag_indexes_behind_end());
   for (std::uint64_t offset = from; offset < from + index_bytes;) {
     const Record record = read_record(*whole, offset);
     if (record.op == kMessageIndex) read_message_index(whole->read(record.offset, record.bytes), chunk, record.where);
@@ -286,12 +281,12 @@ void McapFile::scan_chunk(std::uint32_t chunk) {
   }
 }
 
-void McapFile::scan(const std::string& why_no_summary, Progress& progress) {
-  const std::string why = why_no_summary.empty() ? "it has no summary" : why_no_summary;
+void McapFile::scan(const Message& why_no_summary, Progress& progress) {
+  const Message why = why_no_summary.empty() ? say::bag_without_summary() : why_no_summary;
   const auto whole = chunks_.source(kNoChunk);
   bool complete = false;
   std::size_t damaged = 0;
-  std::string first_damage;
+  Message first_damage;
   std::uint64_t offset = kMagic.size();
   std::optional<Record> cut_record;
   while (offset < whole->size() && !complete && !progress.cancelled()) {
@@ -308,37 +303,33 @@ void McapFile::scan(const std::string& why_no_summary, Progress& progress) {
       else if (!cut)
         scan_record(*whole, record, kNoChunk);
     } catch (const Error& error) {
-      if (damaged++ == 0) first_damage = error.what();
+      if (damaged++ == 0) first_damage = say::bag_first_not_readable(error.message());
       if (offset == at) break;  // where the next record begins is not known
     }
   }
   if (complete && damaged == 0 && (why_no_summary.empty() || !summary_whole_)) {
     // That there is no index is nobody's fault; that what the footer promises is not there is somebody's.
     if (!why_no_summary.empty())
-      findings_.push_back(
-          make_finding(Severity::Warning, "bag-cut-end", files_[0].string(),
-                       "The recording is cut or damaged behind its data, where its index stands (" + why +
-                           "). All data before that are whole; messages that were found by reading them: " +
-                           std::to_string(entry_count()) + "."));
+      findings_.push_back(make_finding(Severity::Warning, "bag-cut-end", files_[0].string(),
+                                       say::bag_cut_behind_data(why, entry_count())));
     return;
   }
-  const std::string end = damaged > 0 ? " First that cannot be read: " + first_damage + "." : "";
-  const std::string lost =
-      cut_record ? "the last record is cut, " + std::to_string(whole->size() - cut_record->offset) + " of its " +
-                       std::to_string(cut_record->bytes) + " bytes are there"
-                 : std::to_string(complete ? 0 : whole->size() - offset) + " bytes at the end are not readable";
+  const Message lost = cut_record
+                           ? say::bag_last_record_cut(whole->size() - cut_record->offset, Bytes{cut_record->bytes})
+                           : say::bag_end_not_readable(Bytes{complete ? 0 : whole->size() - offset});
   if (entry_count() == 0)
-    throw Error(ErrorCode::Format, files_[0].string(), "the bag holds no readable message (" + why + ")." + end);
-  findings_.push_back(make_finding(Severity::Warning, "bag-unindexed", files_[0].string(),
-                                   "The bag has no usable index (" + why + "). It was read from the beginning: " +
-                                       std::to_string(entry_count()) + " messages were found; " + lost + "." + end));
+    throw Error(ErrorCode::Format, files_[0].string(),
+                Message::sequence({say::bag_nothing_readable(why), first_damage}));
+  findings_.push_back(
+      make_finding(Severity::Warning, "bag-unindexed", files_[0].string(),
+                   Message::sequence({say::bag_without_index(why, entry_count(), lost), first_damage})));
 }
 
 std::string McapFile::message(const BagEntry& entry, std::size_t at_most) const {
   const auto source = chunks_.source(entry.chunk);
   const Record record = read_record(*source, entry.offset);
   if (record.op != kMessage || record.bytes < kMessageHead)
-    throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
+    throw Error(ErrorCode::Format, record.where, say::bag_no_message_there());
   const std::uint64_t bytes = record.bytes - kMessageHead;
   const bool large = std::min<std::uint64_t>(bytes, at_most) >= kLargeMessage;
   if (large || chunks_.file().size() <= kSmallBag) chunks_.check(entry.chunk, *source);

@@ -33,7 +33,7 @@ class McapFile final : public BagFile {
   void read_chunk_index(std::string_view content, const std::string& where);
   void read_message_index(std::string_view content, std::uint32_t chunk, const std::string& where);
   /// @param why_no_summary empty: it has none by its footer, which a recorder may choose
-  void scan(const std::string& why_no_summary, Progress& progress);
+  void scan(const Message& why_no_summary, Progress& progress);
   void scan_record(const ByteSource& source, const Record& record, std::uint32_t chunk);
   void scan_chunk(std::uint32_t chunk);
   /// Chunk record at an offset of the file.

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 
 namespace remount {
 
@@ -12,17 +13,14 @@ static_assert(std::endian::native == std::endian::little, "messages are taken to
 
 MessageReader::MessageReader(std::string_view bytes, MessageEncoding encoding, std::string where)
     : bytes_(bytes), encoding_(encoding), where_(std::move(where)) {
-  if (encoding == MessageEncoding::Other)
-    throw Error(ErrorCode::Unsupported, where_, "messages of this topic are neither of ROS 1 nor in CDR");
+  if (encoding == MessageEncoding::Other) throw Error(ErrorCode::Unsupported, where_, say::bag_message_encoding());
   if (encoding != MessageEncoding::Cdr) return;
   // Two bytes that name the representation, two of options (OMG DDSI-RTPS, "encapsulation").
   const std::string_view header = view(4);
   if (header[0] != 0 || (header[1] != 0 && header[1] != 1))
-    throw Error(
-        ErrorCode::Unsupported, where_,
-        "the message is serialised with representation " +
-            std::to_string(static_cast<unsigned char>(header[0]) * 256 + static_cast<unsigned char>(header[1])) +
-            ", expected plain CDR: 0 or 1");
+    throw Error(ErrorCode::Unsupported, where_,
+                say::bag_message_representation(static_cast<unsigned char>(header[0]) * 256 +
+                                                static_cast<unsigned char>(header[1])));
   swap_ = header[1] == 0;
   bytes_.remove_prefix(4);
   position_ = 0;
@@ -30,9 +28,7 @@ MessageReader::MessageReader(std::string_view bytes, MessageEncoding encoding, s
 
 std::string_view MessageReader::view(std::size_t count) {
   if (count > left())
-    throw Error(ErrorCode::Format, where_,
-                "the message has " + std::to_string(bytes_.size()) + " bytes, expected " + std::to_string(count) +
-                    " more than it has after byte " + std::to_string(position_));
+    throw Error(ErrorCode::Format, where_, say::bag_message_too_short(Bytes{bytes_.size()}, count, position_));
   const std::string_view found = bytes_.substr(position_, count);
   position_ += count;
   return found;
@@ -62,9 +58,7 @@ std::string_view MessageReader::byte_sequence() { return view(number<std::uint32
 std::size_t MessageReader::sequence(std::size_t least_item_bytes) {
   const std::size_t count = number<std::uint32_t>();
   if (count > left() / least_item_bytes)
-    throw Error(ErrorCode::Format, where_,
-                "a sequence promises " + std::to_string(count) + " items, the message has only " +
-                    std::to_string(left()) + " bytes left");
+    throw Error(ErrorCode::Format, where_, say::bag_sequence_too_long(count, Bytes{left()}));
   return count;
 }
 

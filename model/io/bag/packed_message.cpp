@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/io/bag/chunk_codec.h"
 #include "model/io/bag/unpacked_file.h"
 
@@ -19,9 +20,7 @@ constexpr std::uint64_t kFirstBlock = (std::uint64_t{128} << 10) + 64;
 constexpr std::uint64_t kLargeUnpacked = std::uint64_t{64} << 20, kLargestMessage = std::uint64_t{1} << 30;
 
 Error too_large(const std::string& where, std::uint64_t most) {
-  return {ErrorCode::Format, where,
-          "a compressed message becomes larger than " + std::to_string(most) +
-              " bytes, the most that is taken from a file of this size"};
+  return {ErrorCode::Format, where, say::bag_message_too_large(Bytes{most})};
 }
 
 }  // namespace

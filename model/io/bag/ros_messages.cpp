@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/impossible_motion.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
@@ -13,8 +14,8 @@
 namespace remount {
 namespace {
 
-[[noreturn]] void fail_message(const MessageReader& reader, const std::string& what) {
-  throw Error(ErrorCode::Format, reader.where(), what);
+[[noreturn]] void fail_message(const MessageReader& reader, Message what) {
+  throw Error(ErrorCode::Format, reader.where(), std::move(what));
 }
 
 Eigen::Vector3d read_vector(MessageReader& reader) {
@@ -31,7 +32,7 @@ Eigen::Quaterniond read_quaternion(MessageReader& reader) {
 Eigen::Quaterniond checked(const Eigen::Quaterniond& q, const MessageReader& reader) {
   const double norm = q.norm();
   // Drivers that write floats are off by 1e-7; nothing that means a rotation is off by a tenth.
-  if (!(std::abs(norm - 1.0) < 0.1)) fail_message(reader, "the orientation is no quaternion of length 1");
+  if (!(std::abs(norm - 1.0) < 0.1)) fail_message(reader, say::bag_orientation_not_unit());
   return q.normalized();
 }
 
@@ -57,8 +58,8 @@ std::optional<Eigen::Vector3d> read_measured(MessageReader& reader, bool& denied
 RigidTransform read_rigid(MessageReader& reader) {
   const Eigen::Vector3d translation = read_vector(reader);
   const Eigen::Quaterniond rotation = checked(read_quaternion(reader), reader);
-  if (!translation.allFinite()) fail_message(reader, "the position is not finite");
-  if (!is_possible_position(translation)) fail_message(reader, "the position is beyond 1e9 m");
+  if (!translation.allFinite()) fail_message(reader, say::bag_position_not_finite());
+  if (!is_possible_position(translation)) fail_message(reader, say::bag_position_too_far());
   return make_rigid(rotation.toRotationMatrix(), translation);
 }
 
@@ -124,7 +125,7 @@ GpsTime read_week_and_seconds(MessageReader& reader) {
   GpsTime time;
   time.week = reader.number<std::uint32_t>();
   const double seconds = reader.number<double>();
-  if (!(seconds >= 0.0 && seconds <= 604'800.0)) fail_message(reader, "the GPS time of week is not possible");
+  if (!(seconds >= 0.0 && seconds <= 604'800.0)) fail_message(reader, say::bag_gps_seconds());
   time.time_of_week_ns = std::llround(seconds * 1e9);
   return time;
 }
@@ -236,7 +237,7 @@ FixMessage read_fix(MessageReader& reader) {
     message.covariance_enu_m2 = covariance;
   // Without a fix receivers write NaN: such a message is whole, and its reader looks at the status.
   if (message.status >= 0 && !plausible_geodetic(message.latitude_rad, message.longitude_rad, message.height_m))
-    fail_message(reader, "latitude, longitude or height is not possible");
+    fail_message(reader, say::bag_place_impossible());
   return message;
 }
 
@@ -292,7 +293,7 @@ InspvaxMessage read_inspvax_message(MessageReader& reader, std::string_view type
   values.quality = inspvax_quality(status);
   message.misnamed = is_of_wrong_table(status);
   const auto stamp_ns = unix_ns_from_gps_week(time.week, time.time_of_week_ns);
-  if (!stamp_ns) fail_message(reader, "GPS week and time of week are no GPS time");
+  if (!stamp_ns) fail_message(reader, say::bag_gps_time());
   message.sample = ins_sample(values, reader.where());
   message.sample.stamp_ns = *stamp_ns;
   return message;

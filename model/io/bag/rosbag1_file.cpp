@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "messages/bags.h"
 #include "model/io/bag/byte_reader.h"
 #include "model/io/bag/rosbag1_format.h"
 #include "model/io/stream_tools.h"
@@ -20,8 +21,7 @@ Fields read_fields(std::string_view bytes, const std::string& where) {
   while (reader.left() > 0) {
     const std::string_view field = reader.string();
     const std::size_t equals = field.find('=');
-    if (equals == std::string_view::npos)
-      throw Error(ErrorCode::Format, where, "a field of a record header has no '=', expected NAME=VALUE");
+    if (equals == std::string_view::npos) throw Error(ErrorCode::Format, where, say::bag_header_field());
     fields.emplace(field.substr(0, equals), field.substr(equals + 1));
   }
   return fields;
@@ -44,8 +44,7 @@ struct Rosbag1File::Record {
 
   std::string_view field(std::string_view name) const {
     const auto found = fields.find(name);
-    if (found == fields.end())
-      throw Error(ErrorCode::Format, where, "the record has no field '" + std::string(name) + "'");
+    if (found == fields.end()) throw Error(ErrorCode::Format, where, say::bag_record_without_field(std::string(name)));
     return found->second;
   }
   template <class T>
@@ -61,13 +60,11 @@ bool is_rosbag1(std::string_view head) { return head.starts_with("#ROSBAG V") ||
 Rosbag1File::Record Rosbag1File::read_record(const ByteSource& source, std::uint64_t offset, bool whole) {
   Record record;
   record.where = source.place(offset);
-  if (offset >= source.size()) throw Error(ErrorCode::Format, record.where, "a record is expected behind the end");
+  if (offset >= source.size()) throw Error(ErrorCode::Format, record.where, say::bag_record_behind_end());
   std::string head = source.read(offset, std::min(kRecordHeadBytes, source.size() - offset));
   const std::uint64_t header_bytes = ByteReader(head, record.where).number<std::uint32_t>();
   if (header_bytes > kMaxHeaderBytes)
-    throw Error(ErrorCode::Format, record.where,
-                "a record header promises " + std::to_string(header_bytes) + " bytes, at most " +
-                    std::to_string(kMaxHeaderBytes) + " are read");
+    throw Error(ErrorCode::Format, record.where, say::bag_record_header_too_long(Bytes{header_bytes}, kMaxHeaderBytes));
   if (header_bytes + 8 > head.size()) head = source.read(offset, header_bytes + 8);
   ByteReader reader(head, record.where);
   record.fields = read_fields(reader.string(), record.where);
@@ -75,8 +72,7 @@ Rosbag1File::Record Rosbag1File::read_record(const ByteSource& source, std::uint
   record.data_offset = offset + reader.position();
   if (whole && record.data_bytes > source.size() - record.data_offset)
     throw Error(ErrorCode::Format, record.where,
-                "a record promises " + std::to_string(record.data_bytes) + " bytes, " +
-                    std::to_string(source.size() - record.data_offset) + " are there");
+                say::bag_record_promises(Bytes{record.data_bytes}, source.size() - record.data_offset));
   return record;
 }
 
@@ -108,27 +104,24 @@ Rosbag1File::Rosbag1File(const std::filesystem::path& path, Progress& progress) 
   const RandomAccessFile& file = chunks_.file();
   const std::string head = file.read(0, std::min<std::uint64_t>(file.size(), rosbag1::kMagic.size()));
   if (head.size() < rosbag1::kMagic.size() && is_rosbag1(head))
-    throw Error(ErrorCode::Format, path.string(), "the bag holds no readable message (it was not closed).");
+    throw Error(ErrorCode::Format, path.string(), say::bag_nothing_readable(say::bag_not_closed()));
   if (head != rosbag1::kMagic)
-    throw Error(ErrorCode::Unsupported, path.string(),
-                is_rosbag1(head) ? "is a bag of an older version; 'rosbag fix' makes one of version 2.0"
-                                 : "is no bag of ROS 1");
+    throw Error(ErrorCode::Unsupported, path.string(), is_rosbag1(head) ? say::bag_ros1_version() : say::bag_no_ros1());
   const auto whole = chunks_.source(kNoChunk);
   const Record header = read_record(*whole, rosbag1::kMagic.size());
-  if (header.op() != rosbag1::kBagHeader)
-    throw Error(ErrorCode::Format, header.where, "expected the header of the bag");
+  if (header.op() != rosbag1::kBagHeader) throw Error(ErrorCode::Format, header.where, say::bag_no_header());
   if (const auto encryptor = header.fields.find("encryptor");
       encryptor != header.fields.end() && !encryptor->second.empty())
-    throw Error(ErrorCode::Unsupported, header.where, "the bag is encrypted");
+    throw Error(ErrorCode::Unsupported, header.where, say::bag_encrypted());
   const auto index_offset = header.number<std::uint64_t>("index_pos");
-  std::string why = "it was not closed";
+  Message why = say::bag_not_closed();
   if (index_offset != 0) try {
       read_index(index_offset, header.number<std::uint32_t>("chunk_count"), progress);
       sort_topics();
       return;
     } catch (const Error& error) {
       if (error.code() != ErrorCode::Format) throw;
-      why = std::string("its index is damaged: ") + error.what();
+      why = say::bag_index_damaged(error.message());
       forget_topics();
       topic_of_connection_.clear();
       chunks_.clear();
@@ -143,14 +136,14 @@ void Rosbag1File::add_connection(const ByteSource& source, const Record& record)
   const std::string data = source.read(record.data_offset, record.data_bytes);
   const Fields fields = read_fields(data, record.where);
   const auto type = fields.find("type");
-  if (type == fields.end()) throw Error(ErrorCode::Format, record.where, "a connection has no type");
+  if (type == fields.end()) throw Error(ErrorCode::Format, record.where, say::bag_connection_without_type());
   topic_of_connection_[id] = topic(std::string(record.field("topic")), type->second, MessageEncoding::Ros1);
 }
 
 std::size_t Rosbag1File::topic_of(std::uint32_t connection, const std::string& where) const {
   const auto found = topic_of_connection_.find(connection);
   if (found == topic_of_connection_.end())
-    throw Error(ErrorCode::Format, where, "connection " + std::to_string(connection) + " is not described");
+    throw Error(ErrorCode::Format, where, say::bag_connection_not_described(connection));
   return found->second;
 }
 
@@ -174,12 +167,11 @@ void Rosbag1File::read_index(std::uint64_t index_offset, std::uint32_t chunk_cou
     offset = behind_zeros(*whole, record.end());
   }
   if (chunk_offsets.size() < chunk_count)
-    throw Error(
-        ErrorCode::Format, whole->place(index_offset),
-        "the index names " + std::to_string(chunk_offsets.size()) + " of " + std::to_string(chunk_count) + " chunks");
+    throw Error(ErrorCode::Format, whole->place(index_offset),
+                say::bag_index_names_some_chunks(chunk_offsets.size(), chunk_count));
   std::sort(chunk_offsets.begin(), chunk_offsets.end());
   if (std::adjacent_find(chunk_offsets.begin(), chunk_offsets.end()) != chunk_offsets.end())
-    throw Error(ErrorCode::Format, whole->place(index_offset), "the index names a chunk twice");
+    throw Error(ErrorCode::Format, whole->place(index_offset), say::bag_chunk_twice());
   for (std::size_t i = 0; i < chunk_offsets.size() && !progress.cancelled(); ++i) {
     if (i % 1000 == 0) progress.report("reading the index", i, chunk_offsets.size());
     read_chunk_index(chunk_offsets[i]);
@@ -190,14 +182,12 @@ void Rosbag1File::read_index(std::uint64_t index_offset, std::uint32_t chunk_cou
 void Rosbag1File::read_chunk_index(std::uint64_t chunk_offset) {
   const auto whole = chunks_.source(kNoChunk);
   const Record record = read_record(*whole, chunk_offset);
-  if (record.op() != rosbag1::kChunk)
-    throw Error(ErrorCode::Format, record.where, "the index says a chunk begins here");
+  if (record.op() != rosbag1::kChunk) throw Error(ErrorCode::Format, record.where, say::bag_no_chunk_there());
   const std::uint32_t chunk = chunks_.add(chunk_of(record, false));
   for (std::uint64_t offset = behind_zeros(*whole, record.end()); offset < whole->size();) {
     const Record index = read_record(*whole, offset);
     if (index.op() != rosbag1::kIndexData) return;
-    if (index.number<std::uint32_t>("ver") != 1)
-      throw Error(ErrorCode::Format, index.where, "the index has another version than 1");
+    if (index.number<std::uint32_t>("ver") != 1) throw Error(ErrorCode::Format, index.where, say::bag_index_version());
     const std::size_t topic = topic_of(index.number<std::uint32_t>("conn"), index.where);
     const std::string data = whole->read(index.data_offset, index.data_bytes);
     ByteReader reader(data, index.where);
@@ -232,11 +222,11 @@ void Rosbag1File::scan_chunk(const Record& record, bool cut) {
   }
 }
 
-void Rosbag1File::scan(std::uint64_t offset, const std::string& why, Progress& progress) {
+void Rosbag1File::scan(std::uint64_t offset, const Message& why, Progress& progress) {
   const auto whole = chunks_.source(kNoChunk);
-  std::string end = "It is readable to its end.";
+  Message end = say::bag_readable_to_end();
   std::size_t damaged_chunks = 0;
-  std::string first_damage;
+  Message first_damage;
   while (offset < whole->size() && !progress.cancelled()) {
     progress.report("reading a bag without an index, MB", offset >> 20, whole->size() >> 20);
     try {
@@ -245,32 +235,30 @@ void Rosbag1File::scan(std::uint64_t offset, const std::string& why, Progress& p
       const Record record = read_record(*whole, offset, false);
       const bool cut = record.data_bytes > whole->size() - record.data_offset;
       offset = cut ? whole->size() : record.end();
-      if (cut) end = "It ends in the middle of a record.";
+      if (cut) end = say::bag_ends_within_record();
       if (record.op() == rosbag1::kChunk) try {
           scan_chunk(record, cut);
         } catch (const Error& error) {
-          if (!cut && damaged_chunks++ == 0) first_damage = error.what();
+          if (!cut && damaged_chunks++ == 0) first_damage = error.message();
         }
     } catch (const Error& error) {
-      end = "The last " + std::to_string(whole->size() - offset) + " bytes are not readable: " + error.what() + ".";
+      end = say::bag_last_bytes_not_readable(Bytes{whole->size() - offset}, error.message());
       break;
     }
   }
   if (entry_count() == 0)
     throw Error(ErrorCode::Format, files_[0].string(),
-                "the bag holds no readable message (" + why + "). " + (first_damage.empty() ? end : first_damage));
-  if (damaged_chunks > 0) end += " " + std::to_string(damaged_chunks) + " chunks are damaged. First: " + first_damage;
-  findings_.push_back(make_finding(
-      Severity::Warning, "bag-unindexed", files_[0].string(),
-      "The bag has no usable index (" + why + "). It was read from the beginning: " + std::to_string(entry_count()) +
-          " messages in " + std::to_string(chunks_.size()) + " chunks were found. " + end));
+                Message::sequence({say::bag_nothing_readable(why), first_damage.empty() ? end : first_damage}));
+  std::vector<Message> told{say::bag_chunks_without_index(why, entry_count(), chunks_.size()), end};
+  if (damaged_chunks > 0) told.push_back(say::bag_chunks_damaged(damaged_chunks, first_damage));
+  findings_.push_back(
+      make_finding(Severity::Warning, "bag-unindexed", files_[0].string(), Message::sequence(std::move(told))));
 }
 
 std::string Rosbag1File::message(const BagEntry& entry, std::size_t at_most) const {
   const auto source = chunks_.source(entry.chunk);
   const Record record = read_record(*source, entry.offset);
-  if (record.op() != rosbag1::kMessage)
-    throw Error(ErrorCode::Format, record.where, "the index says a message begins here");
+  if (record.op() != rosbag1::kMessage) throw Error(ErrorCode::Format, record.where, say::bag_no_message_there());
   return source->read(record.data_offset, std::min<std::uint64_t>(record.data_bytes, at_most));
 }
 

@@ -25,7 +25,7 @@ class Rosbag1File final : public BagFile {
   static Record read_record(const ByteSource& source, std::uint64_t offset, bool whole = true);
   void read_index(std::uint64_t index_offset, std::uint32_t chunk_count, Progress& progress);
   void read_chunk_index(std::uint64_t chunk_offset);
-  void scan(std::uint64_t offset, const std::string& why, Progress& progress);
+  void scan(std::uint64_t offset, const Message& why, Progress& progress);
   void scan_chunk(const Record& record, bool cut);
   BagChunk chunk_of(const Record& record, bool cut) const;
   void add_connection(const ByteSource& source, const Record& record);

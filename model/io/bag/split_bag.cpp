@@ -1,6 +1,7 @@
 #include "model/io/bag/split_bag.h"
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/io/input_file.h"
 #include "model/io/parse_document.h"
 #include "model/io/stream_tools.h"
@@ -49,7 +50,7 @@ std::vector<fs::path> rosbag2_files(const fs::path& folder, std::vector<Finding>
   const DocumentNode document = read_document(metadata);
   const DocumentView information = DocumentView(document, metadata.string()).at(kInformation);
   std::vector<fs::path> files;
-  std::string missing;
+  std::vector<std::string> missing;
   for (const DocumentView& item : information.at("relative_file_paths").items()) {
     // Names only: a bag does not reach out of its folder. Early versions wrote the folder before the name.
     fs::path file = folder / fs::path(item.string()).filename();
@@ -58,13 +59,12 @@ std::vector<fs::path> rosbag2_files(const fs::path& folder, std::vector<Finding>
     if (is_file(file))
       files.push_back(file);
     else
-      missing += (missing.empty() ? "" : ", ") + file.filename().string();
+      missing.push_back(file.filename().string());
   }
-  if (files.empty())
-    throw Error(ErrorCode::Io, folder.string(), "the files that metadata.yaml names are not here: " + missing);
+  if (files.empty()) throw Error(ErrorCode::Io, folder.string(), say::bag_parts_not_here(std::move(missing)));
   if (!missing.empty())
     findings.push_back(make_finding(Severity::Warning, "bag-part-missing", folder.string(),
-                                    "Parts of the bag are missing: " + missing + "."));
+                                    say::bag_parts_missing(std::move(missing))));
   return files;
 }
 

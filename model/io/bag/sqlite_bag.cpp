@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/io/bag/packed_message.h"
 #include "model/io/random_access_file.h"
 #include "model/io/stream_tools.h"
@@ -81,9 +82,9 @@ SqliteBag::SqliteBag(const BagInput& input, Progress& progress) : input_(input),
 
 SqliteBag::~SqliteBag() = default;
 
-void SqliteBag::fail(const std::string& what) const {
-  throw Error(ErrorCode::Format, files_[0].string(),
-              what + (database_ ? std::string(": ") + sqlite3_errmsg(database_.get()) : std::string()));
+void SqliteBag::fail(Message what) const {
+  if (database_) what = say::bag_database_says(std::move(what), sqlite3_errmsg(database_.get()));
+  throw Error(ErrorCode::Format, files_[0].string(), std::move(what));
 }
 
 void SqliteBag::open_database(const std::filesystem::path& path, bool cut) {
@@ -92,7 +93,7 @@ void SqliteBag::open_database(const std::filesystem::path& path, bool cut) {
   const int code = sqlite3_open_v2(uri_of(path, has_log_ ? "?mode=ro" : "?mode=ro&immutable=1").c_str(), &database,
                                    SQLITE_OPEN_READONLY | SQLITE_OPEN_URI | SQLITE_OPEN_NOMUTEX, nullptr);
   database_.reset(database);
-  if (code != SQLITE_OK) fail("the database cannot be opened");
+  if (code != SQLITE_OK) fail(say::bag_database_not_opened());
   // No value is longer than the file, but for those that are computed.
   sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(std::min(kLongestValue, file_bytes_ + kPageBytes)));
   // A hostile schema must not run anything: a view has rows without end.
@@ -116,14 +117,12 @@ void SqliteBag::copy_aside(bool cut, Progress& progress) {
       std::make_shared<const UnpackedFile>(UnpackedFile::WithLog{database, database.string() + "-wal"}, progress);
   if (progress.cancelled()) return;
   open_database(input_.path(), cut);
-  findings_.push_back(make_finding(Severity::Note, "bag-copied", files_[0].string(),
-                                   "The recording was interrupted, and its folder cannot be written, which the "
-                                   "database needs to read what is in its log: a temporary copy is read."));
+  findings_.push_back(make_finding(Severity::Note, "bag-copied", files_[0].string(), say::bag_copied()));
 }
 
 void SqliteBag::read_topics() {
   const Statement rows = prepare(database_.get(), "SELECT id, name, type, serialization_format FROM topics");
-  if (!rows) fail("is no bag of ROS 2: expected a table 'topics'");
+  if (!rows) fail(say::bag_no_table("topics"));
   while (sqlite3_step(rows.get()) == SQLITE_ROW) {
     const std::size_t index = topic(text_of(rows.get(), 1), text_of(rows.get(), 2),
                                     text_of(rows.get(), 3) == "cdr" ? MessageEncoding::Cdr : MessageEncoding::Other);
@@ -135,7 +134,7 @@ void SqliteBag::read_topics() {
 void SqliteBag::read_rows(bool cut, Progress& progress) {
   // In the order of the table, without the messages themselves: these lie on pages of their own.
   const Statement rows = prepare(database_.get(), "SELECT id, topic_id, timestamp FROM messages");
-  if (!rows) fail("is no bag of ROS 2: expected a table 'messages'");
+  if (!rows) fail(say::bag_no_table("messages"));
   std::size_t unknown = 0;
   int code = SQLITE_DONE;
   while (!progress.cancelled() && (code = sqlite3_step(rows.get())) == SQLITE_ROW) {
@@ -153,17 +152,14 @@ void SqliteBag::read_rows(bool cut, Progress& progress) {
   }
   const bool stopped = code != SQLITE_DONE && !progress.cancelled();
   const bool damaged = stopped || cut;
-  const std::string why = stopped ? sqlite3_errmsg(database_.get()) : "the file is shorter than the database";
+  const Message why = stopped ? Message::verbatim(sqlite3_errmsg(database_.get())) : say::bag_shorter_than_database();
   if (entry_count() == 0 && !progress.cancelled())
     throw Error(ErrorCode::Format, files_[0].string(),
-                "the bag holds no readable message" + (damaged ? ": " + why : std::string()));
+                damaged ? say::bag_database_not_readable(why) : say::bag_database_empty());
   if (damaged || unknown > 0)
     findings_.push_back(make_finding(Severity::Warning, "bag-damaged", files_[0].string(),
-                                     "The database is damaged" + (damaged ? " (" + why + ")" : std::string()) + ": " +
-                                         std::to_string(entry_count()) + " messages were found, " +
-                                         std::to_string(unknown) +
-                                         " belong to no topic. What lies behind the damage may be saved by the "
-                                         "database's own tool: sqlite3 FILE .recover"));
+                                     damaged ? say::bag_database_damaged(why, entry_count(), unknown)
+                                             : say::bag_messages_of_no_topic(entry_count(), unknown)));
 }
 
 std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const {
@@ -173,14 +169,13 @@ std::string SqliteBag::message(const BagEntry& entry, std::size_t at_most) const
   sqlite3_blob* opened = nullptr;
   const int code = sqlite3_blob_open(database_.get(), "main", "messages", "data", row, 0, &opened);
   const std::unique_ptr<sqlite3_blob, int (*)(sqlite3_blob*)> blob(opened, sqlite3_blob_close);
-  if (code != SQLITE_OK) throw Error(ErrorCode::Format, where, sqlite3_errmsg(database_.get()));
+  if (code != SQLITE_OK) throw Error(ErrorCode::Format, where, Message::verbatim(sqlite3_errmsg(database_.get())));
   const auto bytes = static_cast<std::uint64_t>(sqlite3_blob_bytes(blob.get()));
-  if (bytes > file_bytes_)
-    throw Error(ErrorCode::Format, where, "promises " + std::to_string(bytes) + " bytes, more than the file has");
+  if (bytes > file_bytes_) throw Error(ErrorCode::Format, where, say::bag_row_too_large(Bytes{bytes}));
   const auto read = [&](std::uint64_t count) {
     std::string data(count, '\0');
     if (sqlite3_blob_read(blob.get(), data.data(), static_cast<int>(count), 0) != SQLITE_OK)
-      throw Error(ErrorCode::Format, where, sqlite3_errmsg(database_.get()));
+      throw Error(ErrorCode::Format, where, Message::verbatim(sqlite3_errmsg(database_.get())));
     return data;
   };
   return message_content({bytes, read, file_bytes_, where}, at_most);

@@ -23,7 +23,7 @@ class SqliteBag final : public BagFile {
   std::string message(const BagEntry& entry, std::size_t at_most) const override;
 
  private:
-  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail(Message what) const;
   void open_database(const std::filesystem::path& path, bool cut);
   bool can_be_read() const;
   void copy_aside(bool cut, Progress& progress);

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/io/bag/bag_writer.h"
 
 namespace remount {
@@ -27,9 +28,8 @@ class SqliteWriter final : public BagWriter {
     std::error_code ignored;
     fs::remove(part_, ignored);  // of a writer that was killed
     sqlite3* database = nullptr;
-    const int code =
-        sqlite3_open_v2(part_.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_EXRESCODE,
-                        nullptr);
+    const int code = sqlite3_open_v2(part_.c_str(), &database,
+                                     SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_EXRESCODE, nullptr);
     database_.reset(database);
     check(code == SQLITE_OK);
     check(sqlite3_exec(database, kTables, nullptr, nullptr, nullptr) == SQLITE_OK);
@@ -65,7 +65,7 @@ class SqliteWriter final : public BagWriter {
     close();
     std::error_code failed;
     fs::rename(part_, path_, failed);
-    if (failed) throw Error(ErrorCode::Io, path_.string(), "cannot be written: " + failed.message());
+    if (failed) throw Error(ErrorCode::Io, path_.string(), say::bag_not_written(Message::verbatim(failed.message())));
     finished_ = true;
   }
 
@@ -86,9 +86,11 @@ class SqliteWriter final : public BagWriter {
     sqlite3_reset(statement.get());
   }
   void check(bool good) const {
-    if (!good) throw Error(ErrorCode::Io, path_.string(), std::string("cannot be written: ") + reason());
+    if (!good) throw Error(ErrorCode::Io, path_.string(), say::bag_not_written(reason()));
   }
-  const char* reason() const { return database_ ? sqlite3_errmsg(database_.get()) : "out of memory"; }
+  Message reason() const {
+    return database_ ? Message::verbatim(sqlite3_errmsg(database_.get())) : say::bag_out_of_memory();
+  }
   void close() {
     topic_.reset();
     message_.reset();

@@ -1,9 +1,9 @@
 #include "model/io/bag/topic_roles.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "algorithms/core/median.h"
+#include "messages/topics.h"
 #include "model/io/bag/topic_candidates.h"
 #include "model/io/input_file.h"
 #include "model/io/pose_session_reader.h"
@@ -15,31 +15,31 @@ namespace {
 /// How well a topic serves as something: higher is better; 0: not without being asked.
 struct Fitness {
   double points = 0.0;
-  std::string why;
+  Message why;
 };
 
 /// Why a topic that no role can have has none.
-std::string unusable_reason(const BagTopic& topic) {
-  if (topic.entries.empty()) return "it has no messages";
-  if (topic.encoding == MessageEncoding::Other) return "its messages are serialised in a way that is not read";
+Message unusable_reason(const BagTopic& topic) {
+  if (topic.entries.empty()) return say::topic_empty();
+  if (topic.encoding == MessageEncoding::Other) return say::topic_not_read();
   const MessageKind kind = message_kind(topic.type);
-  if (kind == MessageKind::Transforms) return "transforms that change with time are not read";
-  if (kind == MessageKind::Imu) return "neither its orientation nor its rates are measured";
-  if (is_pose(kind)) return "nobody fills in its orientation: it is all zero, or no number";
-  if (is_raw_packets(topic.type)) return "packets of the sensor, which its driver makes points of";
-  return "messages of this type are not read";
+  if (kind == MessageKind::Transforms) return say::topic_moving_transforms();
+  if (kind == MessageKind::Imu) return say::topic_imu_without_measurements();
+  if (is_pose(kind)) return say::topic_pose_without_orientation();
+  if (is_raw_packets(topic.type)) return say::topic_of_packets();
+  return say::topic_of_other_type();
 }
 
 Fitness fit_lidar(const TopicCandidate& candidate, std::size_t most_messages) {
-  if (!is_cloud(candidate.kind)) return {0.0, "poses: they stand for the LiDAR where they are asked for"};
-  const std::string size = std::to_string(candidate.points) + " points";
+  if (!is_cloud(candidate.kind)) return {0.0, say::topic_poses_for_lidar()};
   // A map that is published now and then is a cloud, too.
   const bool steady = candidate.messages * 3 >= most_messages;
   const double points =
       1.0 + (steady ? 1e12 : 0.0) + (candidate.timed ? 1e11 : 0.0) + static_cast<double>(candidate.points);
-  if (candidate.damaged) return {points, "scans; the first cannot be read"};
-  if (!steady) return {points, "rare, as maps are: " + size};
-  return {points, "scans of " + size + (candidate.timed ? " that have times" : " without times")};
+  if (candidate.damaged) return {points, say::topic_damaged_scans()};
+  if (!steady) return {points, say::topic_rare_clouds(candidate.points)};
+  return {points,
+          candidate.timed ? say::topic_timed_scans(candidate.points) : say::topic_untimed_scans(candidate.points)};
 }
 
 /// Of these words of a topic's name, parted by '/' and '_'.
@@ -55,10 +55,10 @@ bool name_speaks_of_ins(const std::string& topic) {
 
 Fitness fit_pose(const std::string& topic, MessageKind kind) {
   if (name_speaks_of(topic, {"lidar", "laser", "loam", "lio", "visual", "camera", "wheel", "wheels", "icp", "mapped"}))
-    return {0.0, "its name speaks of another sensor than an INS"};
+    return {0.0, say::topic_named_as_other_sensor()};
   const double score = kind == MessageKind::Odometry ? 30.0 : kind == MessageKind::TransformStamped ? 10.0 : 20.0;
-  if (name_speaks_of_ins(topic)) return {score + 100.0, "poses; the name speaks of an INS"};
-  return {score, "poses; the name does not say of what"};
+  if (name_speaks_of_ins(topic)) return {score + 100.0, say::topic_named_as_ins()};
+  return {score, say::topic_named_as_nothing()};
 }
 
 /// Between poses at a lower rate the motion of a vehicle is guessed rather than interpolated.
@@ -101,12 +101,10 @@ class Chooser {
     find_ins_offers(roles.lidar);
     roles.ins = take("ins", [&](const TopicCandidate& c) { return fit_ins(c); });
     if (roles.lidar && roles.lidar == roles.ins)
-      throw Error(ErrorCode::Contract, bag_.topics()[*roles.ins].name,
-                  "was chosen for lidar and for ins: a motion that is compared with itself tells nothing");
+      throw Error(ErrorCode::Contract, bag_.topics()[*roles.ins].name, say::topic_for_both());
     const bool completes = roles.ins && kind(*roles.ins) == MessageKind::Imu;
     if (!completes && choice_.contains("ins-position") && !left_out("ins-position"))
-      throw Error(ErrorCode::Contract, "ins-position",
-                  "goes with an IMU whose orientation serves as ins; give --topic ins=TOPIC of that IMU");
+      throw Error(ErrorCode::Contract, "ins-position", say::topic_position_of_no_imu());
     const auto position = take(
         "ins-position", [&](const TopicCandidate& c) { return fit_position(c, roles.ins); }, completes);
     if (completes) roles.ins_position = position;
@@ -129,17 +127,14 @@ class Chooser {
 
   /// Without regard to how often it comes.
   Fitness fit_ins_alone(const TopicCandidate& candidate, const std::optional<std::size_t>& lidar) const {
-    if (lidar == candidate.topic) return {0.0, "it stands for the LiDAR"};
-    if (candidate.kind == MessageKind::Inspvax) return {1000.0, "position and attitude of the INS itself"};
-    if (candidate.kind == MessageKind::Inspva)
-      return {900.0, "position and attitude of the INS itself, without errors"};
+    if (lidar == candidate.topic) return {0.0, say::topic_is_lidar()};
+    if (candidate.kind == MessageKind::Inspvax) return {1000.0, say::topic_inspvax()};
+    if (candidate.kind == MessageKind::Inspva) return {900.0, say::topic_inspva()};
     if (candidate.kind != MessageKind::Imu) return fit_pose(name(candidate), candidate.kind);
-    if (!fixes_) return {0.0, "an orientation, but no fixes are there to give the position"};
+    if (!fixes_) return {0.0, say::topic_orientation_alone()};
     // A driver that states an error has an orientation; one that does not may have left the field as it was.
-    return candidate.orientation_sigma ? Fitness{50.0, "an orientation, to which fixes give the position"}
-                                       : Fitness{45.0,
-                                                 "an orientation without its error, to which fixes give the "
-                                                 "position"};
+    return candidate.orientation_sigma ? Fitness{50.0, say::topic_orientation()}
+                                       : Fitness{45.0, say::topic_orientation_without_error()};
   }
 
   /// Once for each of them: a hostile bag has thousands.
@@ -158,11 +153,8 @@ class Chooser {
     const InsOffer& offer = ins_offers_.at(offer_of_topic_[candidate.topic]);
     const InsOffer* faster = offer.alone.points > 0.0 ? faster_ins(offer.rate_hz, true) : nullptr;
     if (faster == nullptr) return offer.alone;
-    char rates[2][32];
-    std::snprintf(rates[0], sizeof rates[0], "%.1f", offer.rate_hz);
-    std::snprintf(rates[1], sizeof rates[1], "%.1f", faster->rate_hz);
-    return {1e-3 * offer.alone.points, std::string("slow: ") + rates[0] + " Hz, where " +
-                                           shown(name(*faster->candidate)) + " has " + rates[1] + " Hz"};
+    return {1e-3 * offer.alone.points,
+            say::topic_slow(Frequency{offer.rate_hz}, shown(name(*faster->candidate)), Frequency{faster->rate_hz})};
   }
 
   /// Of those that give the INS much more often the one that fits best; null where there is none.
@@ -216,15 +208,15 @@ class Chooser {
     const std::string other = ins ? bag_.topics()[*ins].name : std::string();
     const auto alike = std::mismatch(own.begin(), own.end(), other.begin(), other.end()).first - own.begin();
     return {1.0 + static_cast<double>(alike) + 1e-9 * few_messages(candidate),
-            of_one_device(own, other) ? "fixes; by its name of the device of the orientation" : "fixes of a receiver"};
+            of_one_device(own, other) ? say::topic_fixes_of_device() : say::topic_fixes_of_receiver()};
   }
 
   static Fitness fit_gnss(const TopicCandidate& candidate, const std::optional<std::size_t>& ins_position) {
-    return ins_position == candidate.topic ? Fitness{1.0, "fixes that place the INS already"}
-                                           : Fitness{2.0, "fixes of a receiver"};
+    return ins_position == candidate.topic ? Fitness{1.0, say::topic_fixes_of_ins()}
+                                           : Fitness{2.0, say::topic_fixes_of_receiver()};
   }
   static Fitness fit_imu(const TopicCandidate& candidate) {
-    return {1.0 + few_messages(candidate), "turn rates and accelerations"};
+    return {1.0 + few_messages(candidate), say::topic_rates()};
   }
   static double few_messages(const TopicCandidate& candidate) {
     return static_cast<double>(std::min<std::size_t>(candidate.messages, 100'000'000));
@@ -234,20 +226,20 @@ class Chooser {
     bool there = false;
     for (const BagTopic& topic : bag_.topics()) there = there || topic.name == name;
     if (!there) {
-      std::string names;
-      for (const BagTopic& topic : bag_.topics()) names += "\n  " + topic.name + " (" + topic.type + ")";
-      throw Error(ErrorCode::Contract, name, "is no topic of this bag. It has:" + names);
+      std::vector<std::string> names;
+      for (const BagTopic& topic : bag_.topics()) names.push_back("  " + topic.name + " (" + topic.type + ")");
+      throw Error(ErrorCode::Contract, name, say::topic_not_there(std::move(names)));
     }
-    std::string serves_as;
+    std::vector<std::string> serves_as;
     for (const TopicCandidate& candidate : candidates_) {
       if (bag_.topics()[candidate.topic].name != name) continue;
       if (may_be_asked_for(candidate, role)) return candidate.topic;
       for (const std::string_view other : kTopicRoles)
-        if (may_be_asked_for(candidate, other)) serves_as += (serves_as.empty() ? "" : ", ") + std::string(other);
+        if (may_be_asked_for(candidate, other)) serves_as.emplace_back(other);
     }
     throw Error(ErrorCode::Contract, name,
-                "cannot serve as " + std::string(role) +
-                    (serves_as.empty() ? ", nor as anything else" : "; what it can be: " + serves_as));
+                serves_as.empty() ? say::topic_serves_as_nothing(std::string(role))
+                                  : say::topic_serves_as_other(std::string(role), std::move(serves_as)));
   }
 
   /// The topic that was chosen for a role, or the one that fits best; notes how all of them fit.
@@ -273,35 +265,28 @@ class Chooser {
   }
 
   void report(std::string_view role, const std::string& taken, const std::vector<std::string>& in_question) {
-    std::string others;
-    for (const std::string& name : in_question)
-      if (name != taken) others += (others.empty() ? "" : ", ") + name;
-    findings_.push_back(make_finding(Severity::Note, "topic-chosen", taken,
-                                     "Of several topics this one serves as " + std::string(role) + "; not used: " +
-                                         others + ". --topic " + std::string(role) + "=TOPIC takes another."));
+    std::vector<std::string> others = in_question;
+    std::erase(others, taken);
+    findings_.push_back(
+        make_finding(Severity::Note, "topic-chosen", taken, say::topic_chosen(std::string(role), std::move(others))));
   }
 
   void report_raw_packets() {
     for (const BagTopic& topic : bag_.topics())
       if (is_raw_packets(topic.type) && !topic.entries.empty())
         findings_.push_back(make_finding(Severity::Warning, "raw-packets", topic.name,
-                                         "holds the packets of a sensor as they came over the wire (" + topic.type +
-                                             "), " + std::to_string(topic.entries.size()) +
-                                             " messages. They are not read: the driver of the sensor makes points of "
-                                             "them."));
+                                         say::topic_raw_packets(topic.type, topic.entries.size())));
   }
 
   void report_unoriented(bool without_ins) {
     for (const TopicCandidate& candidate : candidates_) {
       if (candidate.oriented) continue;
       if (candidate.kind == MessageKind::Imu && without_ins && fixes_)
-        findings_.push_back(make_finding(Severity::Note, "no-orientation", name(candidate),
-                                         "The orientation of this IMU is not measured. With one it would be the INS, "
-                                         "to which fixes give the position."));
+        findings_.push_back(
+            make_finding(Severity::Note, "no-orientation", name(candidate), say::topic_imu_without_orientation()));
       if (is_pose(candidate.kind))
-        findings_.push_back(make_finding(Severity::Warning, "no-orientation", name(candidate),
-                                         "Nobody fills in the orientation of this topic: it is all zero, or no number. "
-                                         "It can be neither the INS nor the LiDAR."));
+        findings_.push_back(
+            make_finding(Severity::Warning, "no-orientation", name(candidate), say::topic_unoriented()));
     }
   }
 
@@ -312,7 +297,7 @@ class Chooser {
       OfferedTopic offered{
           {topic.name, topic.type, topic.entries.size(), rate_hz(topic), {}, {}}, std::move(uses_[i]), {}};
       if (is_static_transforms(topic) && !topic.entries.empty())
-        offered.uses.push_back({std::string(kNominalRole), "where the transforms lead from the LiDAR to the INS"});
+        offered.uses.push_back({std::string(kNominalRole), say::topic_transforms()});
       if (offered.uses.empty()) offered.unusable = unusable_reason(topic);
       for (const TopicUse& use : offered.uses) offered.topic.can_be.push_back(use.role);
       for (std::size_t role = 0; role < kTopicRoles.size(); ++role)

@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "messages/bags.h"
 #include "model/io/file_lock.h"
 #include "model/io/input_file.h"
 #include "model/io/random_access_file.h"
@@ -32,31 +33,24 @@ constexpr std::uint64_t kMostTimes = 100, kAlwaysBytes = std::uint64_t{64} << 20
 /// Left for others on the disk.
 constexpr std::uint64_t kSpareBytes = std::uint64_t{64} << 20;
 
-std::string megabytes(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MB"; }
-
 /// What else helps than a folder with more room. By what the file holds, as it is read: its name may be any.
-std::string other_way(const fs::path& source) {
-  const char* const copied = "copy the bag to a folder that can be written";
+Message other_way(const fs::path& source) {
   try {
-    return is_zstd(read_file_head(source, 4)) ? "unpack it with 'zstd -d'" : copied;
+    return is_zstd(read_file_head(source, 4)) ? say::bag_unpack_it() : say::bag_copy_it();
   } catch (const Error&) {
-    return copied;
+    return say::bag_copy_it();
   }
 }
 
-[[noreturn]] void no_room(const fs::path& source, const fs::path& folder, const std::string& why) {
-  throw Error(ErrorCode::Io, source.string(),
-              "cannot be unpacked in " + folder.string() + ": " + why + "; set TMPDIR to a folder with more room, or " +
-                  other_way(source));
+[[noreturn]] void no_room(const fs::path& source, const fs::path& folder, Message why) {
+  throw Error(ErrorCode::Io, source.string(), say::bag_no_room(folder.string(), std::move(why), other_way(source)));
 }
 
 fs::path temporary_folder(const fs::path& packed) {
   std::error_code problem;
   fs::path folder = fs::temp_directory_path(problem);
   if (problem)
-    throw Error(ErrorCode::Io, packed.string(),
-                "cannot be unpacked, there is no folder for temporary files: " + problem.message() +
-                    "; set TMPDIR to one, or " + other_way(packed));
+    throw Error(ErrorCode::Io, packed.string(), say::bag_no_temporary_folder(problem.message(), other_way(packed)));
   return folder;
 }
 
@@ -65,13 +59,13 @@ void check_room(std::uint64_t bytes, const fs::path& source, const fs::path& fol
   std::error_code unknown;
   const fs::space_info space = fs::space(folder, unknown);
   if (!unknown && space.available < kSpareBytes + bytes)
-    no_room(source, folder, "only " + megabytes(space.available) + " are free");
+    no_room(source, folder, say::bag_little_free(Bytes{space.available}));
 }
 
 void write_all(int descriptor, std::string_view bytes, const fs::path& packed, const fs::path& folder) {
   while (!bytes.empty()) {
     const ssize_t count = uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
-    if (count <= 0) no_room(packed, folder, std::strerror(errno));
+    if (count <= 0) no_room(packed, folder, Message::verbatim(std::strerror(errno)));
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -126,7 +120,7 @@ void UnpackedFile::make(const fs::path& source) {
   const fs::path folder = temporary_folder(source);
   remove_leftovers(folder);
   file_ = make_locked(folder, path_);
-  if (file_.get() < 0) no_room(source, folder, std::strerror(errno));
+  if (file_.get() < 0) no_room(source, folder, Message::verbatim(std::strerror(errno)));
 }
 
 UnpackedFile::UnpackedFile(const fs::path& packed, Progress& progress) {
@@ -146,7 +140,7 @@ UnpackedFile::UnpackedFile(const WithLog& files, Progress& progress) {
     const std::string log = path_.string() + kBeside[0];
     const FileDescriptor beside(
         uninterrupted([&] { return ::open(log.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600); }));
-    if (beside.get() < 0) no_room(files.log, path_.parent_path(), std::strerror(errno));
+    if (beside.get() < 0) no_room(files.log, path_.parent_path(), Message::verbatim(std::strerror(errno)));
     copy(files.log, beside.get(), progress);
   } catch (...) {
     remove_with_beside(path_);
@@ -182,11 +176,9 @@ void UnpackedFile::unpack(const fs::path& packed, Progress& progress) const {
       ZSTD_outBuffer output{out.data(), out.size(), 0};
       hint = ZSTD_decompressStream(context.get(), &output, &input);
       if (ZSTD_isError(hint))
-        throw Error(ErrorCode::Format, source.place(offset + input.pos), "the compressed file is damaged here");
+        throw Error(ErrorCode::Format, source.place(offset + input.pos), say::bag_file_damaged_here());
       written += output.pos;
-      if (written > most)
-        throw Error(ErrorCode::Format, packed.string(),
-                    "unpacks to more than " + megabytes(most) + ", which no bag of this size does");
+      if (written > most) throw Error(ErrorCode::Format, packed.string(), say::bag_unpacks_to_more(Bytes{most}));
       check_room(output.pos, packed, path_.parent_path());
       write_all(file_.get(), {out.data(), output.pos}, packed, path_.parent_path());
       // A frame that ends where the room does has given all: asked on, it would wait for a frame that is not there.
@@ -194,7 +186,7 @@ void UnpackedFile::unpack(const fs::path& packed, Progress& progress) const {
     }
   }
   if (hint != 0 && !progress.cancelled())
-    throw Error(ErrorCode::Format, source.place(source.size()), "the compressed file was cut: its end is missing");
+    throw Error(ErrorCode::Format, source.place(source.size()), say::bag_file_cut());
 }
 
 }  // namespace remount
