@@ -127,7 +127,8 @@ class ProjectFile {
     }
   }
   [[noreturn]] void refuse(const char* why, const LockHolder& holder) const {
-    throw Error(ErrorCode::Io, path_, why + to_string(holder) + "; close it there, or save under another name");
+    throw Error(ErrorCode::Io, path_,
+                why + english(holder_words(holder)) + "; close it there, or save under another name");
   }
 
   std::string path_;

@@ -263,7 +263,7 @@ void Workbench::take_project(const ProjectToOpen& request, OpenedProject& opened
   if (!opened.lock.why_none.empty())
     emit logged(Severity::Note, own_path,
                 tr("another window could open it at the same time, no lock can be made: %1")
-                    .arg(QString::fromStdString(opened.lock.why_none)));
+                    .arg(model_text(opened.lock.why_none)));
   emit project_opened(request, whole);
   if (const QStringList changes = changes_since_output(); !changes.isEmpty())
     emit message(Severity::Warning, request.path,

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "algorithms/core/error.h"
+#include "messages/files.h"
 #include "model/io/file_lock.h"
 #include "model/io/system_call.h"
 
@@ -15,7 +16,7 @@ namespace remount {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
-  throw Error(ErrorCode::Io, path.string(), std::string("cannot be written: ") + std::strerror(errno));
+  throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_written(std::strerror(errno)));
 }
 
 }  // namespace
@@ -24,7 +25,7 @@ AppendFile::AppendFile(std::filesystem::path path) : path_(std::move(path)), act
   // The lock ends with its process: what a killed one left is written over, what another writes is not.
   LockedFile locked = open_locked(active_);
   if (locked.state == LockedFile::State::Busy)
-    throw Error(ErrorCode::Io, active_.string(), "is being written by another process");
+    throw Error(ErrorCode::Io, active_.string(), say::file_written_by_another());
   file_ = std::move(locked.file);
   if (uninterrupted([&] { return ::ftruncate(file_.get(), 0); }) == 0) return;
   const int reason = errno;

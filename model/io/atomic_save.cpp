@@ -13,7 +13,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
+#include "messages/files.h"
 #include "model/io/input_file.h"
 #include "model/io/regular_file.h"
 #include "model/io/system_call.h"
@@ -21,8 +21,9 @@
 namespace remount {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& path, const std::string& action, int number) {
-  throw Error(ErrorCode::Io, path.string(), action + ": " + std::strerror(number) + "; nothing was replaced");
+/// @param why makes the message of what the system says
+[[noreturn]] void fail(const std::filesystem::path& path, Message (*why)(std::string), int number) {
+  throw Error(ErrorCode::Io, path.string(), why(std::strerror(number)));
 }
 
 /// What a link leads to, also where nothing lies there yet.
@@ -34,18 +35,17 @@ std::filesystem::path resolved(std::filesystem::path path) {
       if (errno == ENOENT) return path;
       if (errno == ENOTDIR)  // a file where a folder should be: said of the folder
         return path;
-      fail(path, "cannot be saved", errno);
+      fail(path, say::save_failed, errno);
     }
     if (!S_ISLNK(status.st_mode)) return path;
     std::error_code problem;
     std::filesystem::path target;
     do target = std::filesystem::read_symlink(path, problem);
     while (problem == std::errc::interrupted);
-    if (problem) fail(path, "cannot be saved, the link cannot be read", problem.value());
+    if (problem) fail(path, say::save_link_unreadable, problem.value());
     path = path.parent_path() / target;
   }
-  throw Error(ErrorCode::Io, path.string(),
-              std::string("cannot be saved, the link leads nowhere: ") + std::strerror(ELOOP));
+  throw Error(ErrorCode::Io, path.string(), say::save_link_leads_nowhere(std::strerror(ELOOP)));
 }
 
 /// Where the bytes will lie in the end, and with which permissions. Everything is done in the folder by its descriptor:
@@ -60,25 +60,23 @@ FileDescriptor opened_folder(const std::filesystem::path& path, const std::files
   FileDescriptor descriptor(uninterrupted([&] { return ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC); }));
   if (descriptor.get() >= 0) return descriptor;
   if (errno == ENOENT || errno == ENOTDIR)
-    throw Error(ErrorCode::Io, path.string(), "cannot be saved, there is no folder " + folder.string());
-  fail(path, "cannot be saved, its folder cannot be opened", errno);
+    throw Error(ErrorCode::Io, path.string(), say::save_no_folder(folder.string()));
+  fail(path, say::save_folder_unopened, errno);
 }
 
 Target examined(const std::filesystem::path& path) {
-  if (path.empty() || !path.has_filename())
-    throw Error(ErrorCode::Io, path.string(), "is no name of a file to save to");
+  if (path.empty() || !path.has_filename()) throw Error(ErrorCode::Io, path.string(), say::save_no_name());
   const std::filesystem::path target = resolved(path);
   FileDescriptor folder = opened_folder(path, target.has_parent_path() ? target.parent_path() : ".");
   std::string name = target.filename().string();
   struct stat existing {};
   const bool exists = uninterrupted([&] { return ::fstatat(folder.get(), name.c_str(), &existing, 0); }) == 0;
-  if (!exists && errno != ENOENT) fail(path, "cannot be saved", errno);
+  if (!exists && errno != ENOENT) fail(path, say::save_failed, errno);
   if (exists && !S_ISREG(existing.st_mode))
-    throw Error(
-        ErrorCode::Io, path.string(),
-        S_ISDIR(existing.st_mode) ? "cannot be saved, it is a folder" : "cannot be saved, it is no regular file");
+    throw Error(ErrorCode::Io, path.string(),
+                S_ISDIR(existing.st_mode) ? say::save_is_folder() : say::save_not_regular());
   if (exists && uninterrupted([&] { return ::faccessat(folder.get(), name.c_str(), W_OK, 0); }) != 0)
-    fail(path, "cannot be saved", errno);
+    fail(path, say::save_failed, errno);
   Target found{std::move(folder), std::move(name), std::nullopt};
   if (exists) found.mode = existing.st_mode & 07777;
   return found;
@@ -110,7 +108,7 @@ class TemporaryFile {
           uninterrupted([&] { return ::openat(folder_, name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode); }));
       if (file_.get() < 0 && errno != EEXIST) break;
     }
-    if (file_.get() < 0) fail(path, "cannot be saved, no temporary file can be made beside it", errno);
+    if (file_.get() < 0) fail(path, say::save_no_temporary, errno);
   }
   ~TemporaryFile() {
     if (!name_.empty()) uninterrupted([&] { return ::unlinkat(folder_, name_.c_str(), 0); });
@@ -131,8 +129,8 @@ class TemporaryFile {
 void write_in_full(int descriptor, std::string_view bytes, const std::filesystem::path& path) {
   while (!bytes.empty()) {
     const ssize_t count = uninterrupted([&] { return ::write(descriptor, bytes.data(), bytes.size()); });
-    if (count < 0) fail(path, "cannot be saved", errno);
-    if (count == 0) fail(path, "cannot be saved", ENOSPC);
+    if (count < 0) fail(path, say::save_failed, errno);
+    if (count == 0) fail(path, say::save_failed, ENOSPC);
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -144,9 +142,7 @@ void flush_folder(int folder, const std::filesystem::path& path) {
       uninterrupted([&] { return ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
   if (readable.get() >= 0 && uninterrupted([&] { return ::fsync(readable.get()); }) == 0) return;
   if (errno == EIO || errno == ENOSPC || errno == EDQUOT)
-    throw Error(ErrorCode::Io, path.string(),
-                std::string("is saved, but the disk does not confirm it: ") + std::strerror(errno) +
-                    "; save it again, or elsewhere");
+    throw Error(ErrorCode::Io, path.string(), say::save_unconfirmed(std::strerror(errno)));
 }
 
 /// Everything is on the disk, under another name.
@@ -158,16 +154,16 @@ class WrittenFile {
     // The file is ours: only a file system that knows no permissions forbids to set them.
     if (target_.mode && uninterrupted([&] { return ::fchmod(file.get(), *target_.mode); }) != 0 && errno != EPERM &&
         errno != ENOTSUP)
-      fail(path, "cannot be saved, its permissions cannot be set", errno);
+      fail(path, say::save_no_permissions, errno);
     write_in_full(file.get(), bytes, path);
     if (flush == Flush::ToDisk && uninterrupted([&] { return ::fsync(file.get()); }) != 0)
-      fail(path, "cannot be saved", errno);
-    if (file.close() != 0) fail(path, "cannot be saved", errno);
+      fail(path, say::save_failed, errno);
+    if (file.close() != 0) fail(path, say::save_failed, errno);
   }
   void replace() {
     const int folder = target_.folder.get();
     if (uninterrupted([&] { return ::renameat(folder, temporary_.name(), folder, target_.name.c_str()); }) != 0)
-      fail(path_, "cannot be saved", errno);
+      fail(path_, say::save_failed, errno);
     temporary_.renamed();
     if (flush_ == Flush::ToDisk) flush_folder(folder, path_);
   }
@@ -192,9 +188,7 @@ void check_replaces_its_like(const std::filesystem::path& path, std::string_view
   if (!is_file(path)) return;
   const std::string head = read_file_head(path, kHead);
   if (!head.empty() && head.find(mark) == std::string::npos)
-    throw Error(ErrorCode::Contract, path.string(),
-                "is there and is nothing that this would replace (no \"" + std::string(mark) +
-                    "\" in it): name another file, or remove it first");
+    throw Error(ErrorCode::Contract, path.string(), say::save_would_replace(std::string(mark)));
 }
 
 void save_atomically(const std::filesystem::path& path, std::string_view bytes, Flush flush) {
@@ -205,12 +199,13 @@ void save_together(const std::vector<BytesToSave>& files) {
   std::vector<std::unique_ptr<WrittenFile>> written;
   for (const BytesToSave& file : files)
     written.push_back(std::make_unique<WrittenFile>(file.path, file.bytes, Flush::ToDisk));
-  std::string replaced;
+  std::vector<std::string> replaced;
   for (const auto& file : written) try {
       file->replace();
-      replaced += "; replaced already: " + file->path().string();
+      replaced.push_back(file->path().string());
     } catch (const Error& error) {
-      throw Error(error.code(), error.where(), english(error.what_happened()) + replaced);
+      if (replaced.empty()) throw;
+      throw Error(error.code(), error.where(), say::save_replaced_already(error.what_happened(), std::move(replaced)));
     }
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "algorithms/core/error.h"
-#include "messages/general.h"
+#include "messages/files.h"
 
 namespace remount {
 
@@ -62,32 +62,32 @@ const DocumentNode* DocumentNode::find(std::string_view key) const {
 
 void DocumentView::fail(Message what_happened) const {
   throw Error(ErrorCode::Format, node_->line > 0 ? file_ + ":" + std::to_string(node_->line) : file_,
-              key_path_.empty() ? std::move(what_happened) : say::of_file(key_path_, std::move(what_happened)));
+              key_path_.empty() ? what_happened : say::document_at_key(key_path_, what_happened));
 }
 
-std::string DocumentView::described() const {
+Message DocumentView::described() const {
   switch (node_->kind) {
     case DocumentNode::Kind::Null:
-      return "nothing";
+      return say::document_nothing();
     case DocumentNode::Kind::Sequence:
-      return "a list of " + std::to_string(node_->items.size());
+      return say::document_a_list(node_->items.size());
     case DocumentNode::Kind::Map:
-      return "a map";
+      return say::document_a_map();
     default:
       break;
   }
-  return "\"" + (node_->text.size() > 60 ? node_->text.substr(0, 60) + "..." : node_->text) + "\"";
+  return say::document_a_value(node_->text.size() > 60 ? node_->text.substr(0, 60) + "..." : node_->text);
 }
 
 DocumentView DocumentView::at(std::string_view key) const {
-  if (!is_map()) fail("expected a map with the key \"" + std::string(key) + "\", found " + described());
+  if (!is_map()) fail(say::document_expected_map_with(std::string(key), described()));
   const DocumentNode* value = node_->find(key);
-  if (value == nullptr) fail("the key \"" + std::string(key) + "\" is missing");
+  if (value == nullptr) fail(say::document_key_missing(std::string(key)));
   return {*value, file_, key_path_.empty() ? std::string(key) : key_path_ + "." + std::string(key)};
 }
 
 std::vector<DocumentView> DocumentView::items() const {
-  if (!is_sequence()) fail("expected a list, found " + described());
+  if (!is_sequence()) fail(say::document_expected_list(described()));
   std::vector<DocumentView> views;
   for (std::size_t i = 0; i < node_->items.size(); ++i)
     views.push_back({node_->items[i], file_, key_path_ + "[" + std::to_string(i) + "]"});
@@ -95,7 +95,7 @@ std::vector<DocumentView> DocumentView::items() const {
 }
 
 std::vector<std::pair<std::string, DocumentView>> DocumentView::entries() const {
-  if (!is_map()) fail("expected a map, found " + described());
+  if (!is_map()) fail(say::document_expected_map(described()));
   std::vector<std::pair<std::string, DocumentView>> views;
   for (std::size_t i = 0; i < node_->items.size(); ++i)
     views.emplace_back(
@@ -118,13 +118,12 @@ double DocumentView::number() const {
   const auto parsed = std::from_chars(begin, end, value);
   if (node_->kind != DocumentNode::Kind::Plain || parsed.ec != std::errc() || parsed.ptr != end ||
       !std::isfinite(value))
-    fail("expected a finite number, found " + described());
+    fail(say::document_expected_number(described()));
   return value;
 }
 
 std::vector<double> DocumentView::numbers(std::size_t count) const {
-  if (!is_sequence() || node_->items.size() != count)
-    fail("expected a list of " + std::to_string(count) + " numbers, found " + described());
+  if (!is_sequence() || node_->items.size() != count) fail(say::document_expected_numbers(count, described()));
   std::vector<double> values;
   for (const DocumentView& item : items()) values.push_back(item.number());
   return values;
@@ -136,39 +135,33 @@ std::int64_t DocumentView::integer(std::int64_t minimum, std::int64_t maximum) c
   const auto parsed = std::from_chars(node_->text.data(), end, value);
   if (node_->kind != DocumentNode::Kind::Plain || parsed.ec != std::errc() || parsed.ptr != end || value < minimum ||
       value > maximum)
-    fail("expected a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum) + ", found " +
-         described());
+    fail(say::document_expected_integer(minimum, maximum, described()));
   return value;
 }
 
 bool DocumentView::boolean() const {
   if (node_->kind == DocumentNode::Kind::Plain && node_->text == "true") return true;
   if (node_->kind == DocumentNode::Kind::Plain && node_->text == "false") return false;
-  fail("expected true or false, found " + described());
+  fail(say::document_expected_boolean(described()));
 }
 
 std::string DocumentView::string() const {
   if (node_->kind != DocumentNode::Kind::Plain && node_->kind != DocumentNode::Kind::String)
-    fail("expected a text, found " + described());
+    fail(say::document_expected_text(described()));
   return node_->text;
 }
 
 std::size_t DocumentView::choice(const std::vector<std::string_view>& choices) const {
   const std::string text = string();
-  std::string list;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
+  for (std::size_t i = 0; i < choices.size(); ++i)
     if (choices[i] == text) return i;
-    list += (i == 0 ? "" : ", ") + std::string(choices[i]);
-  }
-  fail("expected one of " + list + "; found " + described());
+  fail(say::document_expected_one_of({choices.begin(), choices.end()}, described()));
 }
 
 void DocumentView::allow_only(std::initializer_list<std::string_view> allowed) const {
   for (const auto& [key, value] : entries()) {
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-    std::string list;
-    for (const std::string_view name : allowed) list += (list.empty() ? "" : ", ") + std::string(name);
-    value.fail("is not a key that is known here; known are " + list);
+    value.fail(say::document_unknown_key({allowed.begin(), allowed.end()}));
   }
 }
 

@@ -90,7 +90,7 @@ class DocumentView {
  private:
   DocumentView(const DocumentNode& node, std::string_view file, std::string key_path)
       : node_(&node), file_(file), key_path_(std::move(key_path)) {}
-  std::string described() const;
+  Message described() const;
 
   const DocumentNode* node_;
   std::string file_;

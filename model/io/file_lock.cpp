@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "algorithms/core/error.h"
+#include "messages/files.h"
 #include "model/io/input_file.h"
 #include "model/io/system_call.h"
 
@@ -17,7 +18,7 @@ namespace remount {
 namespace {
 
 [[noreturn]] void fail_to_lock(const std::filesystem::path& path) {
-  throw Error(ErrorCode::Io, path.string(), std::string("cannot be locked: ") + std::strerror(errno));
+  throw Error(ErrorCode::Io, path.string(), say::lock_failed(std::strerror(errno)));
 }
 
 }  // namespace
@@ -41,14 +42,14 @@ LockedFile open_locked(const std::filesystem::path& path) {
     }
     struct stat status {};
     if (file.get() < 0 || uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0) fail_to_lock(path);
-    if (!S_ISREG(status.st_mode)) throw Error(ErrorCode::Io, path.string(), "cannot be locked, it is no regular file");
+    if (!S_ISREG(status.st_mode)) throw Error(ErrorCode::Io, path.string(), say::lock_not_regular());
     if (uninterrupted([&] { return ::flock(file.get(), LOCK_EX | LOCK_NB); }) != 0) {
       if (errno == EWOULDBLOCK) return {std::move(file), LockedFile::State::Busy};
       return {std::move(file), LockedFile::State::Impossible};
     }
     if (lies_at(file, path)) return {std::move(file), LockedFile::State::Ours};
   }
-  throw Error(ErrorCode::Io, path.string(), "cannot be locked: it is made and removed again and again");
+  throw Error(ErrorCode::Io, path.string(), say::lock_unsteady());
 }
 
 bool write_holder(const FileDescriptor& file, const std::string& text) {
@@ -60,8 +61,7 @@ bool write_holder(const FileDescriptor& file, const std::string& text) {
 std::optional<FileLock> FileLock::take(const std::filesystem::path& path, const std::string& holder) {
   LockedFile locked = open_locked(path);
   if (locked.state == LockedFile::State::Busy) return std::nullopt;
-  if (locked.state == LockedFile::State::Impossible)
-    throw Error(ErrorCode::Io, path.string(), "cannot be locked: the file system knows no locks");
+  if (locked.state == LockedFile::State::Impossible) throw Error(ErrorCode::Io, path.string(), say::lock_impossible());
   write_holder(locked.file, holder + "\n");
   struct stat status {};
   if (uninterrupted([&] { return ::fstat(locked.file.get(), &status); }) != 0) fail_to_lock(path);

@@ -15,7 +15,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
+#include "messages/files.h"
 #include "model/io/file_lock.h"
 #include "model/io/parse_document.h"
 #include "model/io/sha256.h"
@@ -134,15 +134,14 @@ LockHolder this_holder() {
           std::chrono::duration_cast<std::chrono::seconds>(now).count()};
 }
 
-std::string to_string(const LockHolder& holder) {
-  if (holder.user.empty()) return "another process";
+Message holder_words(const LockHolder& holder) {
+  if (holder.user.empty()) return say::lock_holder_unknown();
   std::array<char, 40> since{};
   const std::time_t time = static_cast<std::time_t>(holder.since_s);
   std::tm parts{};
   if (::gmtime_r(&time, &parts) == nullptr || std::strftime(since.data(), since.size(), "%F %H:%M UTC", &parts) == 0)
     since[0] = '?';
-  return holder.user + " on " + holder.host + " (process " + std::to_string(holder.process) + "), since " +
-         since.data();
+  return say::lock_holder(holder.user, holder.host, holder.process, since.data());
 }
 
 HolderLock::Attempt HolderLock::take(const std::filesystem::path& path, bool by_force) try {
@@ -165,7 +164,7 @@ HolderLock::Attempt HolderLock::take(const std::filesystem::path& path, bool by_
   return ours;
 } catch (const Error& error) {
   Attempt none;
-  none.why_none = english(error.what_happened());
+  none.why_none = error.what_happened();
   return none;
 }
 

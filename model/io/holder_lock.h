@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "algorithms/messages/message.h"
 #include "model/io/regular_file.h"
 
 namespace remount {
@@ -25,7 +26,7 @@ struct LockHolder {
 };
 LockHolder this_holder();
 /// "alice on ws7 (process 4711), since 2026-11-22 20:15 UTC".
-std::string to_string(const LockHolder& holder);
+Message holder_words(const LockHolder& holder);
 
 /// The kernel's lock (flock) where the file system has one: it ends with its process, so that nothing is left to block
 /// after a crash, and no number of a process can be mistaken for another's. Where it has none, or where the lock does
@@ -65,7 +66,7 @@ struct HolderLock::Attempt {
   std::shared_ptr<const HolderLock> lock;  ///< ours
   std::optional<LockHolder> holder;        ///< held; without names where the file does not say
   bool on_another_computer = false;        ///< of the holder: it may be gone without our knowing
-  std::string why_none;                    ///< neither: the file system does not let us
+  Message why_none;                        ///< neither: the file system does not let us
 };
 
 }  // namespace remount

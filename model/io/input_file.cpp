@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "messages/files.h"
 #include "model/io/regular_file.h"
 #include "model/io/system_call.h"
 
@@ -22,7 +23,7 @@ namespace {
 std::uint64_t size_of(const FileDescriptor& file, const std::filesystem::path& path) {
   struct stat status {};
   if (uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0)
-    throw Error(ErrorCode::Io, path.string(), std::string("cannot be examined: ") + std::strerror(errno));
+    throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(std::strerror(errno)));
   return static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -32,7 +33,7 @@ std::string read_bytes(const FileDescriptor& file, const std::filesystem::path& 
   while (filled < bytes.size()) {
     const ssize_t count =
         uninterrupted([&] { return ::read(file.get(), bytes.data() + filled, bytes.size() - filled); });
-    if (count < 0) throw Error(ErrorCode::Io, path.string(), std::string("cannot be read: ") + std::strerror(errno));
+    if (count < 0) throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_read(std::strerror(errno)));
     if (count == 0) break;  // became shorter since fstat
     filled += static_cast<std::size_t>(count);
   }
@@ -70,8 +71,7 @@ std::string read_regular_file(const std::filesystem::path& path, std::uint64_t m
   const FileDescriptor file = open_regular_file(path);
   const std::uint64_t size = size_of(file, path);
   if (size > max_bytes)
-    throw Error(ErrorCode::Unsupported, path.string(),
-                "holds " + std::to_string(size) + " bytes, at most " + std::to_string(max_bytes) + " are read");
+    throw Error(ErrorCode::Unsupported, path.string(), say::file_too_large(Bytes{size}, Bytes{max_bytes}));
   return read_bytes(file, path, size);
 }
 
@@ -97,7 +97,7 @@ bool may_look_into(const std::filesystem::path& directory) {
 
 void check_listed(const std::error_code& problem, const std::filesystem::path& directory) {
   if (problem && problem != std::errc::no_such_file_or_directory && problem != std::errc::not_a_directory)
-    throw Error(ErrorCode::Io, directory.string(), "cannot be listed: " + problem.message());
+    throw Error(ErrorCode::Io, directory.string(), say::file_cannot_be_listed(problem.message()));
 }
 
 std::vector<std::filesystem::path> files_in(const std::filesystem::path& directory) {
@@ -198,11 +198,14 @@ std::string shown(std::string_view text) {
 
 }  // namespace
 
-double require_number(std::string_view text, std::string_view what, const std::filesystem::path& path,
+double require_number(std::string_view text, std::string_view name, const std::filesystem::path& path,
                       std::size_t line) {
   if (const std::optional<double> value = parse_number(text)) return *value;
-  throw Error(ErrorCode::Format, at_line(path, line),
-              std::string(what) + " is '" + shown(text) + "', expected a finite number");
+  fail_number(text, Message::verbatim(std::string(name)), path, line);
+}
+
+void fail_number(std::string_view text, Message what, const std::filesystem::path& path, std::size_t line) {
+  throw Error(ErrorCode::Format, at_line(path, line), say::file_no_finite_number(std::move(what), shown(text)));
 }
 
 std::optional<std::int64_t> parse_seconds_ns(std::string_view text) {

@@ -1,6 +1,7 @@
 // Reading files from outside: regular files of a bounded size only, and numbers that do not depend on the locale.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -9,6 +10,8 @@
 #include <string_view>
 #include <system_error>
 #include <vector>
+
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -72,9 +75,20 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 /// A place in a text file, for messages: "path:line".
 std::string at_line(const std::filesystem::path& path, std::size_t line);
 
-/// As parse_number; throws Error(Format) "path:line: <what> is '<text>', expected a number".
-double require_number(std::string_view text, std::string_view what, const std::filesystem::path& path,
+/// As parse_number; throws Error(Format) "path:line: <name> is '<text>', expected a finite number".
+/// @param name as the file writes it, of a column
+double require_number(std::string_view text, std::string_view name, const std::filesystem::path& path,
                       std::size_t line);
+
+/// Throws what require_number throws.
+[[noreturn]] void fail_number(std::string_view text, Message what, const std::filesystem::path& path, std::size_t line);
+
+/// Likewise. @param what makes words of the program, only where they are needed
+template <std::invocable What>
+double require_number(std::string_view text, What&& what, const std::filesystem::path& path, std::size_t line) {
+  if (const std::optional<double> value = parse_number(text)) return *value;
+  fail_number(text, what(), path, line);
+}
 
 /// Seconds written in decimal, to nanoseconds without loss ("1636512749.922900677"); nothing where it is no number or
 /// beyond the range of int64.

@@ -1,5 +1,7 @@
 #include "model/io/method_document.h"
 
+#include "messages/files.h"
+
 namespace remount {
 
 namespace {
@@ -20,10 +22,9 @@ Curve curve_of(const DocumentView& view) {
   curve.y = numbers_column(view.at("y"));
   if (view.has("sigma")) curve.sigma = numbers_column(view.at("sigma"));
   if (view.has("z")) curve.z = numbers_column(view.at("z"));
-  if (curve.y.size() != curve.x.size()) view.at("y").fail("expected as many numbers as in x");
-  if (!curve.sigma.empty() && curve.sigma.size() != curve.x.size())
-    view.at("sigma").fail("expected as many numbers as in x");
-  if (!curve.z.empty() && curve.z.size() != curve.x.size()) view.at("z").fail("expected as many numbers as in x");
+  if (curve.y.size() != curve.x.size()) view.at("y").fail(say::document_as_many_as_x());
+  if (!curve.sigma.empty() && curve.sigma.size() != curve.x.size()) view.at("sigma").fail(say::document_as_many_as_x());
+  if (!curve.z.empty() && curve.z.size() != curve.x.size()) view.at("z").fail(say::document_as_many_as_x());
   return curve;
 }
 
@@ -50,7 +51,7 @@ std::vector<NamedQuantity> quantities_from_document(const DocumentView& view) {
     quantity.name = item.at("name").string();
     quantity.value = item.at("value").number_or_nan();
     quantity.sigma = item.at("sigma").number_or_nan();
-    if (quantity.sigma < 0.0) item.at("sigma").fail("is negative");
+    if (quantity.sigma < 0.0) item.at("sigma").fail(say::document_negative());
     quantity.unit = item.at("unit").string();
     quantity.observed = item.at("observed").boolean();
     quantities.push_back(quantity);

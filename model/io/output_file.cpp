@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "messages/files.h"
 #include "model/io/atomic_save.h"
 
 namespace remount {
@@ -19,7 +20,8 @@ void make_directories(const std::filesystem::path& path) {
     std::filesystem::create_directories(path, error);
   } while (error == std::errc::interrupted);
   if (error || !std::filesystem::is_directory(path, error))
-    throw Error(ErrorCode::Io, path.string(), "cannot be made: " + (error ? error.message() : "a file is in the way"));
+    throw Error(ErrorCode::Io, path.string(),
+                error ? say::folder_cannot_be_made(error.message()) : say::folder_file_in_the_way());
 }
 
 }  // namespace remount

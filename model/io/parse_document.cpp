@@ -10,6 +10,7 @@
 #include <unordered_set>
 
 #include "algorithms/core/error.h"
+#include "messages/files.h"
 #include "model/io/input_file.h"
 #include "model/io/text_file.h"
 
@@ -21,13 +22,13 @@ class TreeBuilder {
  public:
   TreeBuilder(std::string where, const DocumentLimits& limits) : where_(std::move(where)), limits_(limits) {}
 
-  [[noreturn]] void fail(int line, const std::string& what_happened) const {
-    throw Error(ErrorCode::Format, line > 0 ? where_ + ":" + std::to_string(line) : where_, what_happened);
+  [[noreturn]] void fail(int line, Message what_happened) const {
+    throw Error(ErrorCode::Format, line > 0 ? where_ + ":" + std::to_string(line) : where_, std::move(what_happened));
   }
 
   void scalar(DocumentNode::Kind kind, std::string text, int line) {
     if (awaits_key()) {
-      if (kind == DocumentNode::Kind::Null) fail(line, "a key of a map is missing");
+      if (kind == DocumentNode::Kind::Null) fail(line, say::document_key_is_null());
       key(std::move(text), line);
       return;
     }
@@ -35,9 +36,8 @@ class TreeBuilder {
   }
 
   void begin(DocumentNode::Kind kind, int line) {
-    if (awaits_key()) fail(line, "a list or a map cannot be the key of a map here");
-    if (static_cast<int>(open_.size()) >= limits_.max_depth)
-      fail(line, "lists and maps are nested deeper than " + std::to_string(limits_.max_depth));
+    if (awaits_key()) fail(line, say::document_key_is_no_text());
+    if (static_cast<int>(open_.size()) >= limits_.max_depth) fail(line, say::document_too_deep(limits_.max_depth));
     DocumentNode& node = place(kind, line);
     open_.push_back({&node, {}, false});
   }
@@ -46,7 +46,7 @@ class TreeBuilder {
 
   void key(std::string text, int line) {
     Frame& frame = open_.back();
-    if (!frame.seen.insert(text).second) fail(line, "the key \"" + text.substr(0, 60) + "\" appears twice in one map");
+    if (!frame.seen.insert(text).second) fail(line, say::document_key_twice(text.substr(0, 60)));
     frame.node->keys.push_back(std::move(text));
     frame.has_key = true;
   }
@@ -65,7 +65,7 @@ class TreeBuilder {
   }
 
   DocumentNode& place(DocumentNode::Kind kind, int line) {
-    if (++nodes_ > limits_.max_nodes) fail(line, "holds more than " + std::to_string(limits_.max_nodes) + " values");
+    if (++nodes_ > limits_.max_nodes) fail(line, say::document_too_many_values(limits_.max_nodes));
     DocumentNode* node = &root_;
     if (!open_.empty()) {
       // Only the innermost open container grows, so the pointers to the outer ones stay valid.
@@ -96,7 +96,7 @@ class YamlEvents : public YAML::EventHandler {
     tree_.scalar(DocumentNode::Kind::Null, "", mark.line + 1);
   }
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-    tree_.fail(mark.line + 1, "aliases (*name) are not accepted; write the value out");
+    tree_.fail(mark.line + 1, say::document_no_aliases());
   }
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
@@ -122,9 +122,8 @@ class YamlEvents : public YAML::EventHandler {
 
  private:
   void check(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const {
-    if (anchor != YAML::NullAnchor) tree_.fail(mark.line + 1, "anchors (&name) are not accepted; write the value out");
-    if (!tag.empty() && tag != "?" && tag != "!")
-      tree_.fail(mark.line + 1, "tags (" + tag.substr(0, 60) + ") are not accepted");
+    if (anchor != YAML::NullAnchor) tree_.fail(mark.line + 1, say::document_no_anchors());
+    if (!tag.empty() && tag != "?" && tag != "!") tree_.fail(mark.line + 1, say::document_no_tags(tag.substr(0, 60)));
   }
 
   TreeBuilder& tree_;
@@ -157,7 +156,7 @@ class JsonEvents : public nlohmann::json::json_sax_t {
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
     const auto lines =
         std::count(text_.begin(), text_.begin() + static_cast<long>(std::min(position, text_.size())), '\n');
-    tree_.fail(static_cast<int>(lines) + 1, "is not JSON here (byte " + std::to_string(position) + ")");
+    tree_.fail(static_cast<int>(lines) + 1, say::document_no_json(position));
   }
 
  private:
@@ -179,9 +178,7 @@ class JsonEvents : public nlohmann::json::json_sax_t {
 };
 
 void check_size(std::string_view text, const TreeBuilder& tree, const DocumentLimits& limits) {
-  if (text.size() > limits.max_bytes)
-    tree.fail(0, "is " + std::to_string(text.size()) + " bytes long, at most " + std::to_string(limits.max_bytes) +
-                     " are expected here");
+  if (text.size() > limits.max_bytes) tree.fail(0, say::document_too_long(Bytes{text.size()}, Bytes{limits.max_bytes}));
 }
 
 }  // namespace
@@ -193,13 +190,12 @@ DocumentNode parse_yaml(std::string_view text, const std::string& where, const D
   try {
     YAML::Parser parser(stream);
     YamlEvents events(tree);
-    if (!parser.HandleNextDocument(events)) tree.fail(1, "is empty, expected keys and values");
+    if (!parser.HandleNextDocument(events)) tree.fail(1, say::document_empty());
     TreeBuilder rest(where, limits);
     YamlEvents rest_events(rest);
-    if (parser.HandleNextDocument(rest_events))
-      tree.fail(rest_events.first_line(), "a second YAML document begins, only one is expected");
+    if (parser.HandleNextDocument(rest_events)) tree.fail(rest_events.first_line(), say::document_second());
   } catch (const YAML::Exception& problem) {
-    tree.fail(problem.mark.line + 1, "is not YAML here: " + problem.msg);
+    tree.fail(problem.mark.line + 1, say::document_no_yaml(problem.msg));
   }
   return tree.take();
 }

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "algorithms/core/error.h"
+#include "messages/files.h"
 #include "model/io/system_call.h"
 
 namespace remount {
@@ -15,7 +16,7 @@ RandomAccessFile::RandomAccessFile(const std::filesystem::path& path, std::files
     : name_(std::move(name)), file_(open_regular_file(path)) {
   struct stat status {};
   if (uninterrupted([&] { return ::fstat(file_.get(), &status); }) != 0)
-    throw Error(ErrorCode::Io, name_.string(), std::string("cannot be examined: ") + std::strerror(errno));
+    throw Error(ErrorCode::Io, name_.string(), say::file_cannot_be_examined(std::strerror(errno)));
   size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
@@ -25,16 +26,15 @@ std::string RandomAccessFile::place(std::uint64_t offset) const {
 
 std::string RandomAccessFile::read(std::uint64_t offset, std::uint64_t count) const {
   if (offset > size_ || count > size_ - offset)
-    throw Error(ErrorCode::Format, place(offset),
-                std::to_string(count) + " bytes are expected here, but the file ends at byte " + std::to_string(size_));
+    throw Error(ErrorCode::Format, place(offset), say::file_ends_early(Bytes{count}, size_));
   std::string bytes(count, '\0');
   std::size_t filled = 0;
   while (filled < bytes.size()) {
     const ssize_t got = uninterrupted([&] {
       return ::pread(file_.get(), bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
     });
-    if (got < 0) throw Error(ErrorCode::Io, place(offset), std::string("cannot be read: ") + std::strerror(errno));
-    if (got == 0) throw Error(ErrorCode::Io, place(offset), "the file became shorter while it was read");
+    if (got < 0) throw Error(ErrorCode::Io, place(offset), say::file_cannot_be_read(std::strerror(errno)));
+    if (got == 0) throw Error(ErrorCode::Io, place(offset), say::file_became_shorter());
     filled += static_cast<std::size_t>(got);
   }
   return bytes;

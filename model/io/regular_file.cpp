@@ -10,17 +10,18 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "messages/files.h"
 #include "model/io/system_call.h"
 
 namespace remount {
 
 namespace {
 
-const char* kind_of(mode_t mode) {
-  if (S_ISDIR(mode)) return "a directory";
-  if (S_ISFIFO(mode)) return "a FIFO";
-  if (S_ISCHR(mode) || S_ISBLK(mode)) return "a device";
-  return S_ISSOCK(mode) ? "a socket" : "something else";
+Message kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return say::file_kind_directory();
+  if (S_ISFIFO(mode)) return say::file_kind_fifo();
+  if (S_ISCHR(mode) || S_ISBLK(mode)) return say::file_kind_device();
+  return S_ISSOCK(mode) ? say::file_kind_socket() : say::file_kind_other();
 }
 
 }  // namespace
@@ -44,14 +45,12 @@ int FileDescriptor::close() {
 FileDescriptor open_regular_file(const std::filesystem::path& path) {
   // Without O_NONBLOCK the call itself would wait for a writer where the path is a FIFO.
   FileDescriptor file(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
-  if (file.get() < 0)
-    throw Error(ErrorCode::Io, path.string(), std::string("cannot be opened: ") + std::strerror(errno));
+  if (file.get() < 0) throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_opened(std::strerror(errno)));
   struct stat status {};
   if (uninterrupted([&] { return ::fstat(file.get(), &status); }) != 0)
-    throw Error(ErrorCode::Io, path.string(), std::string("cannot be examined: ") + std::strerror(errno));
+    throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(std::strerror(errno)));
   if (!S_ISREG(status.st_mode))
-    throw Error(ErrorCode::Io, path.string(),
-                std::string("is ") + kind_of(status.st_mode) + ", expected a regular file");
+    throw Error(ErrorCode::Io, path.string(), say::file_not_regular(kind_of(status.st_mode)));
   return file;
 }
 
@@ -59,7 +58,7 @@ std::optional<struct stat> status_of(const std::filesystem::path& path) {
   struct stat status {};
   if (uninterrupted([&] { return ::stat(path.c_str(), &status); }) == 0) return status;
   if (errno == ENOENT || errno == ENOTDIR || errno == ENAMETOOLONG || errno == ELOOP) return std::nullopt;
-  throw Error(ErrorCode::Io, path.string(), std::string("cannot be examined: ") + std::strerror(errno));
+  throw Error(ErrorCode::Io, path.string(), say::file_cannot_be_examined(std::strerror(errno)));
 }
 
 }  // namespace remount

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "algorithms/core/error.h"
+#include "messages/files.h"
 #include "model/io/random_access_file.h"
 
 namespace remount {
@@ -28,12 +29,11 @@ std::size_t head_bytes(const std::string& text) {
 std::string GrowingSource::table(const fs::path& path) {
   const RandomAccessFile file(path);
   if (file.size() > kMaxDataFileBytes)
-    throw Error(
-        ErrorCode::Unsupported, path.string(),
-        "holds " + std::to_string(file.size()) + " bytes, at most " + std::to_string(kMaxDataFileBytes) + " are read");
+    throw Error(ErrorCode::Unsupported, path.string(),
+                say::file_too_large(Bytes{file.size()}, Bytes{kMaxDataFileBytes}));
   Table table = tables_[path];
   shrunk_ = file.size() < table.used;
-  if (shrunk_) throw Error(ErrorCode::Io, path.string(), "has become shorter: it was written anew");
+  if (shrunk_) throw Error(ErrorCode::Io, path.string(), say::file_written_anew());
   std::string added = file.read(table.used, file.size() - table.used);
   bytes_read_ += added.size();
   const std::size_t end = added.rfind('\n');

@@ -88,7 +88,7 @@ TEST_F(holder_lock, of_another_computer_holds_as_long_as_it_shows_signs_of_life)
   ASSERT_TRUE(fresh.holder);
   EXPECT_EQ(*fresh.holder, somebody_else());
   EXPECT_TRUE(fresh.on_another_computer);
-  EXPECT_EQ(to_string(*fresh.holder), "bob on ws7 (process 4711), since 2026-11-22 20:00 UTC");
+  EXPECT_EQ(english(holder_words(*fresh.holder)), "bob on ws7 (process 4711), since 2026-11-22 20:00 UTC");
   for (const std::int64_t age_s : {HolderLock::kStale_s + 60, -(HolderLock::kStale_s + 60)}) {
     folder_.write(path_.filename(), record(somebody_else()));
     set_age(path_, age_s);
@@ -139,7 +139,7 @@ TEST_F(holder_lock, that_cannot_be_made_says_why) {
        {folder_.path() / "none" / "lock", folder_.path(), folder_.path() / std::string(300, 'x')}) {
     const auto none = HolderLock::take(path);
     EXPECT_FALSE(none.lock || none.holder) << path;
-    EXPECT_NE(none.why_none, "") << path;
+    EXPECT_FALSE(none.why_none.empty()) << path;
   }
 }
 

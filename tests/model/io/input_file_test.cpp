@@ -78,7 +78,7 @@ TEST(input_file, size_is_bounded) {
   const TemporaryFolder folder;
   const auto file = folder.write("a", "12345");
   EXPECT_EQ(read_regular_file(file, 5), "12345");
-  EXPECT_ERROR(read_regular_file(file, 4), "holds 5 bytes, at most 4 are read");
+  EXPECT_ERROR(read_regular_file(file, 4), "holds 5 bytes, at most 4 bytes are read");
   EXPECT_EQ(read_file_head(file, 2), "12");
 }
 
