@@ -20,10 +20,10 @@ RigidTransform parse_six(const std::string& text);
 
 /// Six numbers, "vehicle:" or "machine:" before them where they are in that frame and not in the INS's; a file in any
 /// format that can be exported, or "FORMAT:FILE". What a file leaves open is added to `doubts`. Throws Error.
-ReadMounting parse_nominal(const std::string& text, std::vector<std::string>& doubts);
+ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts);
 
 /// The same for what needs the LiDAR in the INS frame: throws Error(Contract) for another.
-ReadMounting parse_ins_nominal(const std::string& text, std::vector<std::string>& doubts);
+ReadMounting parse_ins_nominal(const std::string& text, std::vector<Message>& doubts);
 
 /// Changes a search range: six "min:max" separated by commas (x,y,z in m, yaw,pitch,roll in degrees), or "yaw=-10:10",
 /// several separated by commas. Throws Error(Contract).

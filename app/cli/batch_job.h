@@ -14,6 +14,6 @@ int run_job(const Fleet& fleet, const FleetJob& job, Console& console);
 
 /// Why a job's result is not what the job would make now; empty where it is. Sessions are opened only where something
 /// has been written since.
-std::string why_out_of_date(const Fleet& fleet, const FleetJob& job, const ResultFile& stored, Console& console);
+Message why_out_of_date(const Fleet& fleet, const FleetJob& job, const ResultFile& stored, Console& console);
 
 }  // namespace remount

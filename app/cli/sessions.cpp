@@ -1,6 +1,8 @@
 #include "app/cli/sessions.h"
 
 #include "algorithms/core/error.h"
+#include "messages/command_line.h"
+#include "messages/general.h"
 #include "model/io/session_reader.h"
 #include "model/mounting_frames.h"
 #include "model/session_frames.h"
@@ -23,8 +25,7 @@ std::optional<RigidTransform> declared_nominal(const Sessions& sessions, MethodC
   for (const auto& session : sessions) {
     if (!session->nominal_ins_from_lidar) continue;
     if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))
-      throw Error(ErrorCode::Contract, session->name,
-                  "declares another nominal mounting than the sessions before it; give --nominal");
+      throw Error(ErrorCode::Contract, session->name, say::cli_other_nominal());
     declared = session->nominal_ins_from_lidar;
   }
   return declared;
@@ -32,9 +33,9 @@ std::optional<RigidTransform> declared_nominal(const Sessions& sessions, MethodC
 
 RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& text, const Sessions& sessions,
                                Console& console) {
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
   const RigidTransform nominal = in_axes_of(mounting, common_axes(sessions), doubts);
-  for (const std::string& doubt : doubts) console.complain("warning: " + text + ": " + doubt);
+  for (const Message& doubt : doubts) console.warn(say::of_file(text, doubt));
   return nominal;
 }
 
