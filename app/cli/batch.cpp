@@ -37,13 +37,14 @@ void write_table(const Fleet& fleet, const std::vector<FleetRow>& rows, const Ba
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   save_atomically(csv, fleet_csv(fleet, rows));
   save_atomically(html,
-                  fleet_html(fleet, rows, utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count())));
+                  fleet_html(fleet, rows, utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()),
+                             console.options().language));
   console.print(say::batch_table(csv.string(), html.string()));
 }
 
 /// Prints and writes the table. Says aloud which mountings have drifted; true where any has.
 bool collect(const Fleet& fleet, const BatchArguments& arguments, Console& console, const std::vector<FleetRow>& rows) {
-  console.print(fleet_text(fleet, rows));
+  console.print(fleet_text(fleet, rows, console.options().language));
   write_table(fleet, rows, arguments, console);
   bool drift = false;
   for (const FleetRow& row : rows) {

@@ -41,7 +41,7 @@ void add_inspect(CLI::App& app, Console& console, Run& run) {
   arguments->topics.add_to(*verb);
   std::string formats = "Exit code 3 where a session is readable but serves no method of calibration.\nFormats:";
   for (const auto& reader : session_readers())
-    formats += "\n  " + std::string(reader->id()) + ": " + std::string(reader->description());
+    formats += "\n  " + std::string(reader->id()) + ": " + english(reader->description());
   verb->footer(formats);
   verb->callback([arguments, &console, &run] { run = [arguments, &console] { return inspect(*arguments, console); }; });
 }

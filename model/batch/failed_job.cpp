@@ -4,7 +4,7 @@
 #include <set>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
+#include "messages/fleet.h"
 #include "model/batch/job_state.h"
 #include "model/io/atomic_save.h"
 #include "model/io/input_file.h"
@@ -30,34 +30,33 @@ DocumentNode wish_document(const FleetVehicle& vehicle) {
   return root;
 }
 
-std::string in_words(const std::string& text, const char* nothing) { return text.empty() ? nothing : text; }
+Message nominal_in_words(const std::string& nominal) {
+  return nominal.empty() ? say::fleet_left_to_sessions() : Message::verbatim(nominal);
+}
 
-std::string changed_topic(const TopicChoice& then, const TopicChoice& now) {
+Message changed_topic(const TopicChoice& then, const TopicChoice& now) {
   std::set<std::string> roles;
   for (const TopicChoice* topics : {&then, &now})
     for (const auto& [role, topic] : *topics) roles.insert(role);
   const auto named = [](const TopicChoice& topics, const std::string& role) {
     const auto found = topics.find(role);
-    return found == topics.end() ? std::string("left to be suggested") : found->second;
+    return found == topics.end() ? say::fleet_left_to_be_suggested() : Message::verbatim(found->second);
   };
   for (const std::string& role : roles)
     if (named(then, role) != named(now, role))
-      return "topics: " + role + " is " + named(now, role) + ", it was " + named(then, role);
+      return say::fleet_topics(say::fleet_topic_is(role, named(now, role), named(then, role)));
   return {};
 }
 
-std::string other_wish(const DocumentView& then, const FleetVehicle& now) {
+Message other_wish(const DocumentView& then, const FleetVehicle& now) {
   const std::string version = then.at("version").string(), nominal = then.at("nominal").string();
-  if (version != kVersion) return "the version was " + version + ", now " + std::string(kVersion);
-  if (nominal != now.nominal)
-    return "the nominal is " + in_words(now.nominal, "left to the sessions") + ", it was " +
-           in_words(nominal, "left to the sessions");
-  if (const std::string topic = changed_topic(topic_choice_from_document(then.at("topics")), now.topics);
-      !topic.empty())
+  if (version != kVersion) return say::fleet_version_was(version, std::string(kVersion));
+  if (nominal != now.nominal) return say::fleet_nominal_is(nominal_in_words(now.nominal), nominal_in_words(nominal));
+  if (Message topic = changed_topic(topic_choice_from_document(then.at("topics")), now.topics); !topic.empty())
     return topic;
-  const std::vector<Message> changes =
+  const auto changes =
       changes_since({0, settings_from_document(then.at("settings")), std::nullopt}, {0, now.settings, std::nullopt});
-  return changes.empty() ? std::string() : english(changes.front());
+  return changes.empty() ? Message() : changes.front();
 }
 
 std::string whole_text(const FleetJob& job) {
@@ -80,23 +79,22 @@ std::string failure_message(const FleetJob& job) {
   return std::string(trimmed(std::string_view(text).substr(0, text.rfind(kBelow))));
 }
 
-std::string why_failure_is_old(const Fleet& fleet, const FleetJob& job) {
+Message why_failure_is_old(const Fleet& fleet, const FleetJob& job) {
   const std::string text = whole_text(job);
   const std::size_t below = text.rfind(kBelow);
   const FleetVehicle& vehicle = fleet.vehicles.at(job.vehicle);
   if (below != std::string::npos) try {
       const DocumentNode wish = parse_yaml(std::string_view(text).substr(below + kBelow.size()), job.failure.string());
-      if (const std::string other = other_wish(DocumentView(wish, job.failure.string()), vehicle); !other.empty())
-        return other;
+      if (Message other = other_wish(DocumentView(wish, job.failure.string()), vehicle); !other.empty()) return other;
     } catch (const Error& error) {
-      return error.what();  // of another version, or damaged: it tells nothing of what is asked for now
+      return error.message();  // of another version, or damaged: it tells nothing of what is asked for now
     }
   std::vector<std::filesystem::path> read = job.sessions;
   // A file, with its format before it where the fleet names one; of six numbers there is none.
   if (const std::size_t path = vehicle.nominal.find('/'); path != std::string::npos)
     read.emplace_back(vehicle.nominal.substr(path));
   const std::string changed = changed_since_failure(job, read);
-  return changed.empty() ? std::string() : changed + " has changed";
+  return changed.empty() ? Message() : say::fleet_file_changed(changed);
 }
 
 }  // namespace remount

@@ -16,6 +16,6 @@ std::string failure_message(const FleetJob& job);
 
 /// What has changed since the job failed, so that it may not fail any more: the program, what the fleet asks for, or
 /// something where its sessions lie. Empty where nothing has. Throws Error(Io).
-std::string why_failure_is_old(const Fleet& fleet, const FleetJob& job);
+Message why_failure_is_old(const Fleet& fleet, const FleetJob& job);
 
 }  // namespace remount

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "algorithms/core/error.h"
+#include "messages/fleet.h"
 #include "model/exporters/exporter.h"
 #include "model/io/output_file.h"
 #include "model/io/parse_document.h"
@@ -21,8 +22,8 @@ constexpr std::size_t kLongestName = 80;  ///< bytes; names become file names
 
 std::string path_text(const DocumentView& view) {
   const std::string text = view.string();
-  if (text.empty()) view.fail("is empty, expected a path");
-  if (text.find('\0') != std::string::npos) view.fail("holds a zero byte, expected a path");
+  if (text.empty()) view.fail(say::fleet_path_empty());
+  if (text.find('\0') != std::string::npos) view.fail(say::fleet_path_zero_byte());
   return text;
 }
 
@@ -33,7 +34,8 @@ std::filesystem::path resolved(const DocumentView& view, const std::filesystem::
 double positive(const DocumentView& view, bool zero_too) {
   const double value = view.number();
   if (value < 0.0 || (value == 0.0 && !zero_too))
-    view.fail("is " + shortest(value) + ", expected a number " + (zero_too ? "not below 0" : "above 0"));
+    view.fail(zero_too ? say::fleet_number_below_zero(shortest(value))
+                       : say::fleet_number_not_above_zero(shortest(value)));
   return value;
 }
 
@@ -52,8 +54,7 @@ std::string vehicle_name(const DocumentView& view) {
   const bool control = std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 32; });
   if (name.empty() || name.size() > kLongestName || name.front() == '.' || control ||
       name.find_first_of("/\\") != std::string::npos)
-    view.fail("\"" + name.substr(0, kLongestName) + "\" names a folder of results: expected up to " +
-              std::to_string(kLongestName) + " bytes that do not begin with '.' and hold neither / nor \\");
+    view.fail(say::fleet_vehicle_name(name.substr(0, kLongestName), Bytes{kLongestName}));
   return name;
 }
 
@@ -97,14 +98,14 @@ class JobReader {
     job.vehicle = fleet_.vehicles.size() - 1;
     std::string written;
     const std::vector<DocumentView> paths = view.is_sequence() ? view.items() : std::vector{view};
-    if (paths.empty()) view.fail("is empty, expected a session or a list of sessions");
+    if (paths.empty()) view.fail(say::fleet_job_empty());
     for (const DocumentView& path : paths) {
       job.sessions.push_back(resolved(path, folder_));
       job.name += (job.name.empty() ? "" : " + ") + path.string();
       written += path.string() + '\n';
     }
     if (const auto [first, added] = seen_.emplace(written, view.line()); !added)
-      view.fail("stands in line " + std::to_string(first->second) + " already: its result would be made twice");
+      view.fail(say::fleet_job_twice(first->second));
     Sha256 hash;
     hash.update(written);
     const std::string stem = slug(job.name) + "-" + hash.finish().substr(0, 8);
@@ -114,8 +115,7 @@ class JobReader {
     job.log = made.string() + ".log";
     job.lock = made.string() + ".lock";
     fleet_.jobs.push_back(std::move(job));
-    if (fleet_.jobs.size() > kMostJobs)
-      view.fail("is job " + std::to_string(fleet_.jobs.size()) + ", at most " + std::to_string(kMostJobs) + " are run");
+    if (fleet_.jobs.size() > kMostJobs) view.fail(say::fleet_too_many_jobs(fleet_.jobs.size(), kMostJobs));
   }
 
  private:
@@ -136,7 +136,7 @@ void add_vehicle(const DocumentView& view, const FleetDefaults& all, const std::
   FleetVehicle vehicle;
   vehicle.name = vehicle_name(view.at("name"));
   for (const FleetVehicle& other : fleet.vehicles)
-    if (other.name == vehicle.name) view.at("name").fail("\"" + vehicle.name + "\" names a vehicle before it already");
+    if (other.name == vehicle.name) view.at("name").fail(say::fleet_vehicle_twice(vehicle.name));
   vehicle.settings = view.has("settings") ? settings_from_document(view.at("settings"), all.settings) : all.settings;
   vehicle.topics = view.has("topics") ? topic_choice_from_document(view.at("topics"), all.topics) : all.topics;
   if (view.has("nominal")) vehicle.nominal = nominal_from(view.at("nominal"), folder);
@@ -144,7 +144,7 @@ void add_vehicle(const DocumentView& view, const FleetDefaults& all, const std::
   if (view.has("reference")) vehicle.reference = resolved(view.at("reference"), folder);
   fleet.vehicles.push_back(std::move(vehicle));
   const std::vector<DocumentView> sessions = view.at("sessions").items();
-  if (sessions.empty()) view.at("sessions").fail("is empty, expected the vehicle's sessions, the oldest first");
+  if (sessions.empty()) view.at("sessions").fail(say::fleet_no_sessions());
   JobReader jobs(fleet, folder);
   for (const DocumentView& session : sessions) jobs.add(session);
 }
@@ -154,10 +154,9 @@ void add_vehicle(const DocumentView& view, const FleetDefaults& all, const std::
 Fleet load_fleet(const std::filesystem::path& path) {
   const DocumentNode document = read_document(path, kLimits);
   const DocumentView root(document, path.string());
-  if (!root.is_map()) root.fail("expected a map that begins with \"format: " + std::string(kFormat) + "\"");
+  if (!root.is_map()) root.fail(say::fleet_no_map(std::string(kFormat)));
   const std::string format = root.at("format").string();
-  if (format != kFormat)
-    root.at("format").fail("is \"" + format.substr(0, 60) + "\", expected \"" + std::string(kFormat) + "\"");
+  if (format != kFormat) root.at("format").fail(say::fleet_other_format(format.substr(0, 60), std::string(kFormat)));
   root.allow_only({"format", "results", "drift", "settings", "topics", "vehicles"});
   Fleet fleet;
   fleet.path = std::filesystem::absolute(path).lexically_normal();
@@ -169,7 +168,7 @@ Fleet load_fleet(const std::filesystem::path& path) {
   if (root.has("settings")) all.settings = settings_from_document(root.at("settings"));
   if (root.has("topics")) all.topics = topic_choice_from_document(root.at("topics"));
   const std::vector<DocumentView> vehicles = root.at("vehicles").items();
-  if (vehicles.empty()) root.at("vehicles").fail("is empty, expected at least one vehicle with its sessions");
+  if (vehicles.empty()) root.at("vehicles").fail(say::fleet_no_vehicles());
   for (const DocumentView& vehicle : vehicles) add_vehicle(vehicle, all, folder, fleet);
   return fleet;
 }

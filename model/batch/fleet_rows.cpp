@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "messages/fleet.h"
 #include "model/batch/failed_job.h"
 #include "model/batch/job_state.h"
 #include "model/display_units.h"
@@ -17,7 +17,7 @@ namespace {
 /// An earlier calibration of a vehicle.
 struct Earlier {
   std::optional<NamedResult> result;
-  std::string problem;  ///< why the one that the fleet names cannot be had
+  Message problem;  ///< why the one that the fleet names cannot be had
 };
 
 Earlier named(const std::filesystem::path& path) {
@@ -25,9 +25,9 @@ Earlier named(const std::filesystem::path& path) {
   if (path.empty()) return earlier;
   try {
     earlier.result = NamedResult{path.filename().string(), load_result(path)};
-    if (!is_usable(earlier.result->file.result)) earlier = {std::nullopt, path.string() + " has nothing to use"};
+    if (!is_usable(earlier.result->file.result)) earlier = {std::nullopt, say::fleet_nothing_to_use(path.string())};
   } catch (const Error& error) {
-    earlier.problem = error.what();
+    earlier.problem = error.message();
   }
   return earlier;
 }
@@ -41,14 +41,14 @@ FleetChange not_compared() {
 
 FleetChange change_since(const Earlier& earlier, const NamedResult& now, const DriftLimits& limits) {
   FleetChange change = not_compared();
-  if (!earlier.problem.empty()) change.words = "Not compared: " + earlier.problem + ".";
+  if (!earlier.problem.empty()) change.words = say::fleet_not_compared(earlier.problem);
   if (!earlier.result || !is_usable(now.file.result)) return change;
   const ComparedResults compared = compare_results({now, *earlier.result}).front();
   change.since = earlier.result->name;
   change.words = compared.words;
   change.change = compared.difference;
   change.drift = drift_in_words(change.change, limits);
-  if (!change.drift.empty()) change.drift += "; since " + change.since;
+  if (!change.drift.empty()) change.drift = say::fleet_drift_since(std::move(change.drift), change.since);
   return change;
 }
 
@@ -64,7 +64,7 @@ struct VehicleHistory {
     if (reference_is_last) reference = last;
   }
   void add(const NamedResult& calibration) {
-    last = {calibration, ""};
+    last = {calibration, {}};
     // One that is named and cannot be read is not replaced in silence.
     reference_is_last = !reference.result && reference.problem.empty();
     if (reference_is_last) reference = last;
@@ -75,15 +75,16 @@ struct VehicleHistory {
 std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, const WhyOutOfDate& why_out_of_date,
                                    FleetRow& row) {
   try {
-    std::string old_failure;
+    Message old_failure;
     if (is_file(job.failure)) {
-      const std::string message = failure_message(job), changed = why_failure_is_old(fleet, job);
+      const std::string failure = failure_message(job);
+      Message changed = why_failure_is_old(fleet, job);
       if (changed.empty()) {
         row.state = JobState::Failed;
-        row.message = message;
+        row.message = Message::verbatim(failure);
         return std::nullopt;
       }
-      old_failure = changed + "; before that it failed: " + message;
+      old_failure = say::fleet_failed_before(std::move(changed), failure);
     }
     if (!is_file(job.result)) {
       row.message = old_failure;
@@ -99,7 +100,7 @@ std::optional<ResultFile> examined(const Fleet& fleet, const FleetJob& job, cons
     return file;
   } catch (const Error& error) {
     row.state = JobState::Failed;
-    row.message = error.what();
+    row.message = error.message();
     return std::nullopt;
   }
 }
@@ -111,24 +112,32 @@ std::string_view to_string(JobState state) {
   return kNames.at(static_cast<std::size_t>(state));
 }
 
-std::string drift_in_words(const ResultDifference& change, const DriftLimits& limits) {
-  std::string words;
+Message state_word(JobState state) {
+  constexpr std::array<Message (*)(), 4> kWords{say::fleet_waiting, say::fleet_failed, say::fleet_out_of_date,
+                                                say::fleet_done};
+  return kWords.at(static_cast<std::size_t>(state))();
+}
+
+Message drift_in_words(const ResultDifference& change, const DriftLimits& limits) {
+  Message words;
   for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
     const double by = on_screen(i, change.difference[i]), sigma = on_screen(i, change.sigma[i]);
     const double limit = is_angle(i) ? limits.rotation_deg : limits.translation_m;
     if (!(std::abs(by) > limits.sigmas * sigma && std::abs(by) > limit)) continue;  // NaN: not observed by both
-    char text[200];
-    std::snprintf(text, sizeof text, "%s has changed by %+.4f %s (%.1f times the sigma of both together, limit %g %s)",
-                  std::string(kParameterNames[i]).c_str(), by, is_angle(i) ? "deg" : "m", std::abs(by) / sigma, limit,
-                  is_angle(i) ? "deg" : "m");
-    words += (words.empty() ? "" : "; ") + std::string(text);
+    const double sigmas = std::abs(by) / sigma;
+    Message drift = is_angle(i) ? say::fleet_drift_of_angle(parameter_word(i), Angle{change.difference[i]}, sigmas,
+                                                            Angle{degrees_to_radians(limit)})
+                                : say::fleet_drift_of_length(parameter_word(i), Length{change.difference[i]}, sigmas,
+                                                             Length{limit});
+    words = words.empty() ? std::move(drift) : say::fleet_and(std::move(words), std::move(drift));
   }
   return words;
 }
 
-std::string FleetRow::drift() const {
+Message FleetRow::drift() const {
   if (!has_reference_of_its_own || reference.drift.empty()) return last.drift;
-  return (last.drift.empty() ? "" : last.drift + "; ") + reference.drift + ", the reference";
+  Message by_reference = say::fleet_drift_from_reference(reference.drift);
+  return last.drift.empty() ? by_reference : say::fleet_and(last.drift, std::move(by_reference));
 }
 
 std::vector<FleetRow> fleet_rows(const Fleet& fleet, const WhyOutOfDate& why_out_of_date) {

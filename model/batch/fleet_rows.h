@@ -20,15 +20,16 @@ enum class JobState {
               ///< which
   Done,       ///< a result is there, usable or not
 };
-/// "waiting", "failed", "out of date", "done".
+/// "waiting", "failed", "out of date", "done": as tables for other programs have it.
 std::string_view to_string(JobState state);
+Message state_word(JobState state);
 
 /// One calibration compared with an earlier one of the same vehicle.
 struct FleetChange {
   std::string since;        ///< the name of the earlier one; empty: there is none
   Message words;            ///< what to make of it; why it cannot be compared where it cannot
   ResultDifference change;  ///< this minus that, with the sigma of both; NaN where not compared or not observed
-  std::string drift;        ///< the alarm in words; empty: none
+  Message drift;            ///< the alarm; empty: none
 };
 
 struct FleetRow {
@@ -42,16 +43,16 @@ struct FleetRow {
   FleetChange reference;
   bool has_reference_of_its_own = false;  ///< that is another calibration than the one of `last`
 
-  /// Every alarm of the row in words, once; empty: none.
-  std::string drift() const;
+  /// Every alarm of the row, once; empty: none.
+  Message drift() const;
 };
 
-/// The parameters whose change exceeds both limits, in words ("yaw has changed by +0.41 deg, ..."); empty for none.
-std::string drift_in_words(const ResultDifference& change, const DriftLimits& limits);
+/// The parameters whose change exceeds both limits ("yaw has changed by +0.41 deg, ..."); empty for none.
+Message drift_in_words(const ResultDifference& change, const DriftLimits& limits);
 
 /// Why a result is not what its job would make now, as far as the job's settings and the result do not tell; empty
 /// where it is.
-using WhyOutOfDate = std::function<std::string(const FleetJob& job, const ResultFile& stored)>;
+using WhyOutOfDate = std::function<Message(const FleetJob& job, const ResultFile& stored)>;
 
 /// One row a job, in order. Reads the results that are there, no session. @param why_out_of_date may be empty: then
 /// what of a result's inputs has changed since is known only to the job itself

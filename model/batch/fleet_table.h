@@ -4,12 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/messages/catalogue.h"
 #include "model/batch/fleet_rows.h"
 
 namespace remount {
 
 /// One line a job, and one more where its mounting has changed from the calibration before.
-std::string fleet_text(const Fleet& fleet, const std::vector<FleetRow>& rows);
+std::string fleet_text(const Fleet& fleet, const std::vector<FleetRow>& rows, Language language = Language::English);
 
 /// One header line, then a line a job (RFC 4180); m and degrees; empty where there is no number. Begins with
 /// kFleetCsvMark.
@@ -17,9 +18,10 @@ std::string fleet_csv(const Fleet& fleet, const std::vector<FleetRow>& rows);
 inline constexpr std::string_view kFleetCsvMark = "vehicle,job,sessions,state,status,";
 
 /// One page that needs no other file; those with an alarm come first, in a list of their own.
-std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, const std::string& created);
+std::string fleet_html(const Fleet& fleet, const std::vector<FleetRow>& rows, const std::string& created,
+                       Language language = Language::English);
 
 /// "12 jobs: 9 solved, 1 without a usable result, 1 failed, 1 waiting; drift in 2".
-std::string fleet_counts(const std::vector<FleetRow>& rows);
+Message fleet_counts(const std::vector<FleetRow>& rows);
 
 }  // namespace remount

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
+#include "messages/fleet.h"
 #include "model/io/input_file.h"
 #include "model/project.h"
 #include "remount_version.h"
@@ -73,28 +73,26 @@ bool unchanged_since(const std::filesystem::path& session, std::int64_t since_ns
   return !error;
 }
 
-constexpr const char* kTopicsUnknown = "the result does not say which topics it is of";
-
 /// "lidar is /a, it was /b" of the first role that another topic served than is wanted for it; empty where none did.
 /// Roles that nobody asks for do not count.
-std::string other_topic(const TopicChoice& used, const TopicChoice& wanted) {
+Message other_topic(const TopicChoice& used, const TopicChoice& wanted) {
   for (const auto& [role, topic] : wanted) {
     const auto found = used.find(role);
     const std::string before = found == used.end() ? std::string(kNoTopic) : found->second;
-    if (before != topic) return role + " is " + topic + ", it was " + before;
+    if (before != topic) return say::fleet_topic_is(role, Message::verbatim(topic), Message::verbatim(before));
   }
   return {};
 }
 
 /// Those of the opened bags, suggested ones as well.
-std::string other_topics(const std::vector<UsedTopics>& then, const std::vector<UsedTopics>& now) {
+Message other_topics(const std::vector<UsedTopics>& then, const std::vector<UsedTopics>& now) {
   const auto was_asked = [](const UsedTopics& used) { return !used.asked.empty(); };
-  if (then.empty() && std::any_of(now.begin(), now.end(), was_asked)) return kTopicsUnknown;
+  if (then.empty() && std::any_of(now.begin(), now.end(), was_asked)) return say::fleet_topics_unknown();
   for (std::size_t i = 0; i < std::min(then.size(), now.size()); ++i) {
     TopicChoice all_roles = now[i].topics;
     for (const auto& [role, topic] : then[i].topics) all_roles.emplace(role, kNoTopic);
-    if (const std::string other = other_topic(then[i].topics, all_roles); !other.empty())
-      return "topics of " + now[i].session + ": " + other;
+    if (Message other = other_topic(then[i].topics, all_roles); !other.empty())
+      return say::fleet_topics_of_session(now[i].session, std::move(other));
   }
   return {};
 }
@@ -109,31 +107,31 @@ std::string changed_input(const ResultFile& stored, std::int64_t stored_ns, cons
 
 }  // namespace
 
-std::string why_other_job(const ResultFile& stored, const Settings& settings,
-                          const std::optional<RigidTransform>& nominal_ins_from_lidar, const TopicChoice& topics) {
-  if (stored.result.status == Status::Cancelled) return "it was cancelled";
-  if (stored.version != kVersion) return "version " + stored.version + " made it, now " + std::string(kVersion);
-  const std::vector<Message> changes =
+Message why_other_job(const ResultFile& stored, const Settings& settings,
+                      const std::optional<RigidTransform>& nominal_ins_from_lidar, const TopicChoice& topics) {
+  if (stored.result.status == Status::Cancelled) return say::fleet_cancelled();
+  if (stored.version != kVersion) return say::fleet_other_version(stored.version, std::string(kVersion));
+  const auto changes =
       changes_since({0, stored.settings, stored.nominal_ins_from_lidar}, {0, settings, nominal_ins_from_lidar});
-  if (!changes.empty()) return english(changes.front());
-  if (stored.topics.empty() && !topics.empty()) return kTopicsUnknown;
+  if (!changes.empty()) return changes.front();
+  if (stored.topics.empty() && !topics.empty()) return say::fleet_topics_unknown();
   for (const UsedTopics& used : stored.topics)
-    if (const std::string other = other_topic(used.topics, topics); !other.empty()) return "topics: " + other;
+    if (Message other = other_topic(used.topics, topics); !other.empty()) return say::fleet_topics(std::move(other));
   return {};
 }
 
-std::string why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress) {
+Message why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress) {
   const auto made = made_ns(job);
-  if (!is_file(job.result) || !made) return "there is no result yet";
+  if (!is_file(job.result) || !made) return say::fleet_no_result_yet();
   try {
     const ResultFile stored = load_result(job.result);
-    std::string other = why_other_job(stored, input.settings, input.nominal_ins_from_lidar, {});
+    Message other = why_other_job(stored, input.settings, input.nominal_ins_from_lidar, {});
     if (other.empty()) other = other_topics(stored.topics, used_topics(input.sessions));
     if (!other.empty()) return other;
     const std::string changed = changed_input(stored, *made, input, progress);
-    return changed.empty() ? "" : changed + " has changed";
+    return changed.empty() ? Message() : say::fleet_file_changed(changed);
   } catch (const Error& error) {
-    return error.what();
+    return error.message();
   }
 }
 

@@ -13,12 +13,12 @@ namespace remount {
 /// Why what made `stored` is not what `settings`, `nominal_ins_from_lidar` and `topics` ask for now: another version
 /// of the program, settings, a nominal or topics that have changed, a run that was cancelled. Empty where nothing is.
 /// @param topics that somebody asked for; which others would be suggested now is known only to the opened bag
-std::string why_other_job(const ResultFile& stored, const Settings& settings,
-                          const std::optional<RigidTransform>& nominal_ins_from_lidar, const TopicChoice& topics);
+Message why_other_job(const ResultFile& stored, const Settings& settings,
+                      const std::optional<RigidTransform>& nominal_ins_from_lidar, const TopicChoice& topics);
 
 /// Why the job must run (again); empty where its result answers `input` as it is now. Files that have not been written
 /// since the result was are taken to be unchanged; others are compared by their hashes.
-std::string why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress);
+Message why_not_done(const FleetJob& job, const PipelineInput& input, Progress& progress);
 
 /// Whether anything where the job's sessions lie was written, added or taken away since its result was made, judged by
 /// the files' times alone: only then need they be opened to be sure. True where it cannot be told.

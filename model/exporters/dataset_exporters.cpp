@@ -3,6 +3,7 @@
 #include <array>
 
 #include "algorithms/core/error.h"
+#include "messages/exports.h"
 #include "model/exporters/builtin.h"
 #include "model/exporters/export_text.h"
 #include "model/io/input_file.h"
@@ -31,10 +32,8 @@ std::string calibration_time(const ResultFile& result) {
 class KittiExporter final : public Exporter {
  public:
   std::string_view id() const override { return "kitti"; }
-  std::string_view description() const override { return "KITTI calib_imu_to_velo.txt"; }
-  std::string_view direction() const override {
-    return "ins to lidar, the inverse of X: point_in_lidar = R point_in_ins + T";
-  }
+  Message description() const override { return say::export_kitti(); }
+  Message direction() const override { return say::export_direction_kitti(); }
   std::string_view file_name() const override { return "calib_imu_to_velo.txt"; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
     const RigidTransform lidar_from_ins = result.result.ins_from_lidar.inverse();
@@ -49,14 +48,11 @@ class KittiExporter final : public Exporter {
     std::vector<double> r, t;
     LineReader lines(text);
     for (std::string_view line; lines.next(line);) {
-      if (line.starts_with("delta_f:"))
-        throw Error(ErrorCode::Format, where,
-                    "is KITTI's calibration of a camera (it has a line \"delta_f:\"), expected calib_imu_to_velo.txt");
+      if (line.starts_with("delta_f:")) throw Error(ErrorCode::Format, where, say::mounting_kitti_camera());
       if (line.starts_with("R:")) r = numbers_in(line.substr(2), where);
       if (line.starts_with("T:")) t = numbers_in(line.substr(2), where);
     }
-    if (r.size() != 9 || t.size() != 3)
-      throw Error(ErrorCode::Format, where, "expected a line \"R:\" with nine numbers and a line \"T:\" with three");
+    if (r.size() != 9 || t.size() != 3) throw Error(ErrorCode::Format, where, say::mounting_kitti_lines());
     return rigid_from_rows({r[0], r[1], r[2], t[0], r[3], r[4], r[5], t[1], r[6], r[7], r[8], t[2]}, where).inverse();
   }
 };
@@ -64,10 +60,8 @@ class KittiExporter final : public Exporter {
 class OpenCalibExporter final : public Exporter {
  public:
   std::string_view id() const override { return "opencalib"; }
-  std::string_view description() const override { return "OpenCalib extrinsic JSON"; }
-  std::string_view direction() const override {
-    return "ins to lidar, the inverse of X: point_in_lidar = matrix * point_in_ins";
-  }
+  Message description() const override { return say::export_opencalib(); }
+  Message direction() const override { return say::export_direction_opencalib(); }
   std::string_view file_name() const override { return "gnss-to-lidar-extrinsic.json"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     const RigidTransform lidar_from_ins = result.result.ins_from_lidar.inverse();
@@ -95,13 +89,13 @@ class OpenCalibExporter final : public Exporter {
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const DocumentNode document = parse_json(text, where);
     const auto entries = DocumentView(document, where).entries();
-    if (entries.empty()) throw Error(ErrorCode::Format, where, "expected an entry \"<a>-to-<b>-extrinsic\"");
+    if (entries.empty()) throw Error(ErrorCode::Format, where, say::mounting_opencalib_entry());
     const DocumentView& entry = entries.front().second;
     const auto names_lidar = [&](const char* key) {
       return entry.has(key) && lower_case(entry.at(key).string()).find("lidar") != std::string::npos;
     };
     if (names_lidar("sensor_name") && !names_lidar("target_sensor_name"))
-      entry.at("sensor_name").fail("names a LiDAR; expected an extrinsic from the GNSS/INS to the LiDAR");
+      entry.at("sensor_name").fail(say::mounting_opencalib_of_lidar());
     return matrix_from_document(entry.at("param").at("sensor_calib").at("data")).inverse();
   }
 };

@@ -3,19 +3,42 @@
 #include <cmath>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
+#include "messages/exports.h"
 #include "model/io/input_file.h"
 #include "model/io/transform_document.h"
 #include "remount_version.h"
 
 namespace remount {
+namespace {
+
+// By these words readers of exports find the frame: files have them whatever the warning is called elsewhere.
+constexpr std::string_view kOtherFrame = "the reference frame is the ";
+constexpr std::string_view kNotIns = "'s, not the INS's: what is called ins here is ";
+
+std::string in_file(const Message& warning) {
+  static const std::string kFrameCode = say::export_other_frame({}).code();
+  if (warning.code() != kFrameCode) return english(warning);
+  const std::string frame = std::get<std::string>(warning.argument("frame")->value);
+  return std::string(kOtherFrame) + frame + std::string(kNotIns) + frame;
+}
+
+}  // namespace
+
+MountingFrames frames_told_in(const std::string& text) {
+  const std::size_t told = text.find(kOtherFrame), end = text.find(kNotIns);
+  if (told == std::string::npos || end == std::string::npos || end < told) return {};
+  const std::size_t begin = told + kOtherFrame.size();
+  return {text.substr(begin, end - begin), ""};
+}
 
 std::vector<std::string> export_header(const Exporter& exporter, const ResultFile& result) {
   std::vector<std::string> lines{
-      "Written by Remount " + std::string(kVersion) + ".", "Direction: " + std::string(exporter.direction()) + ".",
+      "Written by Remount " + std::string(kVersion) + ".", "Direction: " + english(exporter.direction()) + ".",
       "Axes of the INS frame in the result: " +
           (result.ins_axes ? std::string(to_string(*result.ins_axes)) : "those of the log, which does not say") +
           ". Metres."};
-  for (const std::string& warning : export_warnings(result.result)) lines.push_back("WARNING: " + warning);
+  for (const Message& warning : export_warnings(result.result)) lines.push_back("WARNING: " + in_file(warning));
   return lines;
 }
 
@@ -47,15 +70,14 @@ std::vector<double> numbers_in(std::string_view text, const std::string& where) 
       if (c == ',') c = ' ';
     split_blanks(blanks, tokens);
     for (const std::string_view token : tokens)
-      numbers.push_back(require_number(token, "a value", where, lines.line_number()));
+      numbers.push_back(require_number(token, say::mounting_value, where, lines.line_number()));
   }
   return numbers;
 }
 
 RigidTransform rigid_from_rows(const std::vector<double>& rows, const std::string& where) {
   if (rows.size() != 12 && rows.size() != 16)
-    throw Error(ErrorCode::Format, where,
-                "expected the 12 or 16 numbers of a matrix, found " + std::to_string(rows.size()));
+    throw Error(ErrorCode::Format, where, say::mounting_matrix_numbers(rows.size()));
   DocumentNode matrix = DocumentNode::sequence();
   for (std::size_t row = 0; row < 4; ++row) {
     const auto begin = rows.begin() + static_cast<long>(4 * row);
@@ -86,8 +108,7 @@ std::string attribute(std::string_view text, std::string_view name, std::size_t 
   const std::string opening = " " + std::string(name) + "=\"";
   const std::size_t begin = from == std::string_view::npos ? from : text.find(opening, from);
   const std::size_t end = begin == std::string_view::npos ? begin : text.find('"', begin + opening.size());
-  if (end == std::string_view::npos)
-    throw Error(ErrorCode::Format, where, "expected an attribute " + std::string(name) + "=\"...\"");
+  if (end == std::string_view::npos) throw Error(ErrorCode::Format, where, say::mounting_attribute(std::string(name)));
   return std::string(text.substr(begin + opening.size(), end - begin - opening.size()));
 }
 

@@ -24,10 +24,10 @@ struct ExportNames {
 class Exporter {
  public:
   virtual ~Exporter() = default;
-  virtual std::string_view id() const = 0;           ///< "apollo": what the command line and the window call it
-  virtual std::string_view description() const = 0;  ///< one line for help
-  /// Which way the numbers in the file go, in words ("lidar to ins: point_in_ins = R point_in_lidar + t").
-  virtual std::string_view direction() const = 0;
+  virtual std::string_view id() const = 0;  ///< "apollo": what the command line and the window call it
+  virtual Message description() const = 0;  ///< one line for help
+  /// Which way the numbers in the file go ("lidar to ins: point_in_ins = R point_in_lidar + t").
+  virtual Message direction() const = 0;
   virtual std::string_view file_name() const = 0;  ///< the name under which the format's users look for it
   /// The whole file. States its direction, and what of X is not observed, where the format allows comments. Throws
   /// Error(Contract) that names the right format where this one would be wrong for the result's axes.
@@ -38,7 +38,7 @@ class Exporter {
   /// INS axes of what read() returns; nothing where the text does not say and read() did not turn it.
   virtual std::optional<InsAxes> axes(std::string_view /*text*/) const { return {}; }
   /// What a text of this format leaves open and read() had to suppose, with what to do about it; usually nothing.
-  virtual std::string doubt(std::string_view /*text*/) const { return {}; }
+  virtual Message doubt(std::string_view /*text*/) const { return {}; }
 };
 
 /// The built-in exporters. Adding one: a file in this folder and a line in exporters.cpp.
@@ -53,7 +53,7 @@ void check_replaces_export(const std::filesystem::path& path, const Exporter& fo
 
 /// Sentences that a user must read before using an export: the status, and each parameter that is not observed and
 /// therefore holds the nominal value, not a measurement. Empty for a result that is observed in full.
-std::vector<std::string> export_warnings(const CalibrationResult& result);
+std::vector<Message> export_warnings(const CalibrationResult& result);
 
 /// The transform of x, y, z (m), yaw, pitch, roll (degrees) as people type them. Throws Error(`code`) at `where` for an
 /// angle beyond a whole turn, which is a typing error or another unit.
@@ -72,11 +72,11 @@ MountingFrames frames_told_in(const std::string& text);
 /// The mounting of a file in any of the formats (a result, an export, or six numbers x,y,z,yaw,pitch,roll in m and
 /// degrees), recognised by its content. What the file leaves open is added to `doubts`. Throws Error that says what was
 /// tried.
-ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<std::string>* doubts = nullptr);
+ReadMounting read_any_mounting(const std::filesystem::path& path, std::vector<Message>* doubts = nullptr);
 
 /// The mounting in the axes of sessions, turned where both are known and differ; then a sentence is added to `doubts`.
 /// One that is not in the INS frame has nothing to turn.
 RigidTransform in_axes_of(const ReadMounting& mounting, const std::optional<InsAxes>& axes,
-                          std::vector<std::string>& doubts);
+                          std::vector<Message>& doubts);
 
 }  // namespace remount

@@ -1,4 +1,5 @@
 // The result file itself in either notation, and the plain 4x4 matrix.
+#include "messages/exports.h"
 #include "model/exporters/builtin.h"
 #include "model/exporters/export_text.h"
 #include "model/io/parse_document.h"
@@ -11,8 +12,8 @@ constexpr DocumentLimits kResultLimits{64U << 20U, 1000000, 16};
 class YamlExporter final : public Exporter {
  public:
   std::string_view id() const override { return "yaml"; }
-  std::string_view description() const override { return "Remount result as YAML, with sigma, pairs and provenance"; }
-  std::string_view direction() const override { return "lidar to ins: point_in_ins = ins_from_lidar * point_in_lidar"; }
+  Message description() const override { return say::export_yaml(); }
+  Message direction() const override { return say::export_direction_result(); }
   std::string_view file_name() const override { return "remount-result.yaml"; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
     DocumentNode document = result_document(result);
@@ -28,8 +29,8 @@ class YamlExporter final : public Exporter {
 class JsonExporter final : public Exporter {
  public:
   std::string_view id() const override { return "json"; }
-  std::string_view description() const override { return "Remount result as JSON, with sigma, pairs and provenance"; }
-  std::string_view direction() const override { return "lidar to ins: point_in_ins = ins_from_lidar * point_in_lidar"; }
+  Message description() const override { return say::export_json(); }
+  Message direction() const override { return say::export_direction_result(); }
   std::string_view file_name() const override { return "remount-result.json"; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
     return to_json(result_document(result));
@@ -43,8 +44,8 @@ class JsonExporter final : public Exporter {
 class MatrixExporter final : public Exporter {
  public:
   std::string_view id() const override { return "matrix"; }
-  std::string_view description() const override { return "4x4 matrix as text"; }
-  std::string_view direction() const override { return "lidar to ins: point_in_ins = matrix * point_in_lidar"; }
+  Message description() const override { return say::export_matrix(); }
+  Message direction() const override { return say::export_direction_matrix(); }
   std::string_view file_name() const override { return "ins_from_lidar.txt"; }
   std::string write(const ResultFile& result, const ExportNames&) const override {
     std::string text = commented(export_header(*this, result), "# ");

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "algorithms/core/error.h"
+#include "messages/exports.h"
 #include "model/exporters/builtin.h"
 #include "model/exporters/export_text.h"
 #include "model/io/input_file.h"
@@ -10,8 +11,6 @@
 
 namespace remount {
 namespace {
-
-constexpr std::string_view kDirection = "lidar to ins (pose of the lidar frame in the ins frame)";
 
 std::string xml_escaped(std::string_view text) {
   std::string out;
@@ -54,8 +53,8 @@ std::vector<double> quaternion_of(const ResultFile& result) {
 class Ros1Exporter final : public Exporter {
  public:
   std::string_view id() const override { return "ros1"; }
-  std::string_view description() const override { return "ROS 1 launch file with a static_transform_publisher"; }
-  std::string_view direction() const override { return kDirection; }
+  Message description() const override { return say::export_ros1(); }
+  Message direction() const override { return say::export_direction_ros(); }
   std::string_view file_name() const override { return "lidar_static_transform.launch"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     return "<launch>\n" + xml_header(*this, result) + "  <!-- args: x y z qx qy qz qw frame_id child_frame_id -->\n" +
@@ -68,8 +67,7 @@ class Ros1Exporter final : public Exporter {
     const std::string arguments = attribute(xml, "args", xml.find("static_transform_publisher"), where);
     std::vector<std::string_view> tokens;
     split_blanks(arguments, tokens);
-    if (tokens.size() < 9)
-      throw Error(ErrorCode::Format, where, "expected args=\"x y z qx qy qz qw frame_id child_frame_id\"");
+    if (tokens.size() < 9) throw Error(ErrorCode::Format, where, say::mounting_ros1_arguments());
     std::vector<double> numbers;
     for (std::size_t i = 0; i < 7; ++i) numbers.push_back(require_number(tokens[i], "args", where, 1));
     return rigid_from_quaternion({numbers.begin(), numbers.begin() + 3}, {numbers.begin() + 3, numbers.end()}, where);
@@ -79,8 +77,8 @@ class Ros1Exporter final : public Exporter {
 class Ros2Exporter final : public Exporter {
  public:
   std::string_view id() const override { return "ros2"; }
-  std::string_view description() const override { return "ROS 2 launch file (XML) with a static_transform_publisher"; }
-  std::string_view direction() const override { return kDirection; }
+  Message description() const override { return say::export_ros2(); }
+  Message direction() const override { return say::export_direction_ros(); }
   std::string_view file_name() const override { return "lidar_static_transform.launch.xml"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     static constexpr std::array<std::string_view, 7> kFlags{"--x ",   " --y ",  " --z ", " --qx ",
@@ -102,7 +100,7 @@ class Ros2Exporter final : public Exporter {
     const auto value = [&](std::string_view flag) {
       for (std::size_t i = 0; i + 1 < tokens.size(); ++i)
         if (tokens[i] == flag) return require_number(tokens[i + 1], flag, where, 1);
-      throw Error(ErrorCode::Format, where, "the argument " + std::string(flag) + " is missing");
+      throw Error(ErrorCode::Format, where, say::mounting_ros2_argument(std::string(flag)));
     };
     return rigid_from_quaternion({value("--x"), value("--y"), value("--z")},
                                  {value("--qx"), value("--qy"), value("--qz"), value("--qw")}, where);
@@ -112,8 +110,8 @@ class Ros2Exporter final : public Exporter {
 class UrdfExporter final : public Exporter {
  public:
   std::string_view id() const override { return "urdf"; }
-  std::string_view description() const override { return "URDF fixed joint"; }
-  std::string_view direction() const override { return kDirection; }
+  Message description() const override { return say::export_urdf(); }
+  Message direction() const override { return say::export_direction_ros(); }
   std::string_view file_name() const override { return "lidar_joint.urdf"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     const YawPitchRoll angles = exact_angles(result.result.ins_from_lidar.linear());
@@ -130,8 +128,7 @@ class UrdfExporter final : public Exporter {
     const std::size_t origin = xml.find("<origin", xml.find("<joint"));
     const std::vector<double> xyz = numbers_in(attribute(xml, "xyz", origin, where), where);
     const std::vector<double> rpy = numbers_in(attribute(xml, "rpy", origin, where), where);
-    if (xyz.size() != 3 || rpy.size() != 3)
-      throw Error(ErrorCode::Format, where, "expected three numbers in xyz and in rpy");
+    if (xyz.size() != 3 || rpy.size() != 3) throw Error(ErrorCode::Format, where, say::mounting_urdf_numbers());
     return rigid_from_six({xyz[0], xyz[1], xyz[2], rpy[2], rpy[1], rpy[0]});
   }
 };

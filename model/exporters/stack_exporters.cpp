@@ -1,5 +1,6 @@
 // Calibration files of driving stacks: Autoware and Apollo.
 #include "algorithms/core/error.h"
+#include "messages/exports.h"
 #include "model/exporters/builtin.h"
 #include "model/exporters/export_text.h"
 #include "model/io/parse_document.h"
@@ -19,12 +20,8 @@ std::string with_header(DocumentNode document, const Exporter& exporter, const R
 class AutowareExporter final : public Exporter {
  public:
   std::string_view id() const override { return "autoware"; }
-  std::string_view description() const override {
-    return "Autoware sensor_kit_calibration.yaml (kit base = the INS frame)";
-  }
-  std::string_view direction() const override {
-    return "lidar to ins (pose of the lidar frame in the kit's base, in radians)";
-  }
+  Message description() const override { return say::export_autoware(); }
+  Message direction() const override { return say::export_direction_autoware(); }
   std::string_view file_name() const override { return "sensor_kit_calibration.yaml"; }
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     const Eigen::Vector3d t = result.result.ins_from_lidar.translation();
@@ -48,9 +45,9 @@ class AutowareExporter final : public Exporter {
   RigidTransform read(std::string_view text, const std::string& where) const override {
     const DocumentNode document = parse_yaml(text, where);
     const auto kits = DocumentView(document, where).entries();
-    if (kits.size() != 1) throw Error(ErrorCode::Format, where, "expected one base link at the top");
+    if (kits.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_base());
     const auto sensors = kits.front().second.entries();
-    if (sensors.size() != 1) throw Error(ErrorCode::Format, where, "expected one sensor under the base link");
+    if (sensors.size() != 1) throw Error(ErrorCode::Format, where, say::mounting_autoware_sensor());
     const DocumentView& lidar = sensors.front().second;
     return rigid_from_six({lidar.at("x").number(), lidar.at("y").number(), lidar.at("z").number(),
                            lidar.at("yaw").number(), lidar.at("pitch").number(), lidar.at("roll").number()});
@@ -69,25 +66,17 @@ class ApolloExporter final : public Exporter {
   explicit ApolloExporter(bool right_forward_up) : right_forward_up_(right_forward_up) {}
 
   std::string_view id() const override { return right_forward_up_ ? "apollo-rfu" : "apollo"; }
-  std::string_view description() const override {
-    return right_forward_up_ ? "Apollo *_novatel_extrinsics.yaml, INS axes right-forward-up"
-                             : "Apollo *_novatel_extrinsics.yaml, INS axes as in the result";
-  }
-  std::string_view direction() const override {
-    return right_forward_up_ ? "lidar to ins, the INS axes turned from x forward, y left to x right, y forward"
-                             : "lidar to ins (header.frame_id from child_frame_id)";
+  Message description() const override { return right_forward_up_ ? say::export_apollo_rfu() : say::export_apollo(); }
+  Message direction() const override {
+    return right_forward_up_ ? say::export_direction_apollo_rfu() : say::export_direction_apollo();
   }
   std::string_view file_name() const override { return "lidar_novatel_extrinsics.yaml"; }
 
   std::string write(const ResultFile& result, const ExportNames& names) const override {
     if (right_forward_up_ && result.ins_axes == InsAxes::RightForwardUp)
-      throw Error(ErrorCode::Contract, "apollo-rfu",
-                  "the INS axes of this result are x right, y forward, z up already and must not be turned again: "
-                  "export it as apollo");
+      throw Error(ErrorCode::Contract, "apollo-rfu", say::export_axes_are_rfu());
     if (right_forward_up_ && !result.ins_axes)
-      throw Error(ErrorCode::Contract, "apollo-rfu",
-                  "the result does not say which axes its INS has, so that they cannot be turned: export it as apollo, "
-                  "which leaves them as they are");
+      throw Error(ErrorCode::Contract, "apollo-rfu", say::export_axes_not_known());
     const RigidTransform axes_from_ins =
         right_forward_up_ ? rfu_from_flu() * forward_left_up_from(result.ins_axes) : RigidTransform::Identity();
     const RigidTransform x = axes_from_ins * result.result.ins_from_lidar;
@@ -127,11 +116,9 @@ class ApolloExporter final : public Exporter {
     return is_right_forward_up(DocumentView(document, "")) ? std::optional(InsAxes::ForwardLeftUp) : std::nullopt;
   }
 
-  std::string doubt(std::string_view text) const override {
+  Message doubt(std::string_view text) const override {
     if (text.find(kAxesKey) != std::string_view::npos) return {};
-    return "does not say which axes its INS frame has. They are taken to be those of the log; if they are Apollo's, "
-           "x right, y forward, and the log has x forward, y left, the nominal is 90 degrees off: then name the "
-           "format before the file, apollo-rfu:FILE";
+    return say::mounting_apollo_axes(Angle{degrees_to_radians(90.0)});
   }
 
  private:

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdio>
+#include <optional>
+#include <string>
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/poses.h"
 
 namespace remount {
 namespace {
@@ -62,14 +64,8 @@ Agreement agreement(const std::vector<Step>& steps, const std::vector<AttitudeAn
   return {std::abs(sum), 0.5 * std::arg(sum)};
 }
 
-std::string text_of(const char* pattern, auto... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
-/// Roll and pitch of a vehicle that radians cannot be; empty where they can.
-std::string beyond_radians(const std::vector<AttitudeAngles>& logged) {
+/// The largest roll or pitch of a vehicle, where radians cannot be as large.
+std::optional<double> beyond_radians(const std::vector<AttitudeAngles>& logged) {
   std::size_t beyond = 0;
   double largest = 0.0;
   for (const AttitudeAngles& angles : logged) {
@@ -78,8 +74,8 @@ std::string beyond_radians(const std::vector<AttitudeAngles>& logged) {
     largest = std::max(largest, tilt);
   }
   // A few are glitches of the log.
-  if (beyond * 100 <= logged.size()) return {};
-  return text_of("roll or pitch reaches %.4g, more than radians allow (3.14)", largest);
+  if (beyond * 100 <= logged.size()) return std::nullopt;
+  return largest;
 }
 
 }  // namespace
@@ -88,11 +84,9 @@ void check_angle_unit(const std::vector<InsSample>& samples, const std::vector<A
                       AttitudeConvention convention, const std::filesystem::path& path,
                       std::vector<Finding>& findings) {
   const bool radians = unit_rad == 1.0;
-  const char *declared_name = radians ? "rad" : "deg", *other_name = radians ? "deg" : "rad";
-  const std::string advice = std::string("Declare attitude: {unit: ") + other_name + "} in session.yaml";
-  const std::string beyond = radians ? beyond_radians(logged) : "";
-  if (!beyond.empty())
-    throw Error(ErrorCode::Format, path.string(), "the angles are declared in radians, but " + beyond + ". " + advice);
+  const std::string declared_name = radians ? "rad" : "deg", other_name = radians ? "deg" : "rad";
+  const std::optional<double> beyond = radians ? beyond_radians(logged) : std::nullopt;
+  if (beyond) throw Error(ErrorCode::Format, path.string(), say::angles_beyond_radians(*beyond));
 
   const std::vector<Step> steps = steps_of(samples);
   if (steps.size() < kFewSteps) return;
@@ -105,27 +99,23 @@ void check_angle_unit(const std::vector<InsSample>& samples, const std::vector<A
     return declared.concentration < kFollows && apart < kFarBetter * (1.0 - declared.concentration) &&
            apart < kFarBetter * (1.0 - none);
   };
-  const std::string against = std::string("the angles are declared as unit: ") + declared_name +
-                              ", but the heading then goes against the direction of travel; it follows it ";
   if ((declared.concentration < 0.8 && other.concentration > 0.95) || far_better(other))
-    throw Error(ErrorCode::Format, path.string(), against + "as " + other_name + ". " + advice);
+    throw Error(ErrorCode::Format, path.string(), say::angles_of_other_unit(declared_name, other_name));
   for (const double times : {kPi / 180.0, 180.0 / kPi, kPi / 180.0 * kPi / 180.0, 180.0 / kPi * 180.0 / kPi})
     if (far_better(agreement(steps, logged, unit_rad * times, convention)))
       throw Error(ErrorCode::Format, path.string(),
-                  against + text_of("where they are %.4g times %s: they were converted once too often. Write them in "
-                                    "the unit that is declared",
-                                    std::max(times, 1.0 / times), times > 1.0 ? "larger" : "smaller"));
+                  times > 1.0 ? say::angles_too_small(declared_name, times)
+                              : say::angles_too_large(declared_name, 1.0 / times));
   // On a straight road both are constant, but only one of them is small, and radians stay within a turn.
-  const double declared_deg = radians_to_degrees(declared.offset_rad), other_deg = radians_to_degrees(other.offset_rad);
+  constexpr double kSmall_rad = 10.0 * kPi / 180.0, kLarge_rad = 20.0 * kPi / 180.0;
   const bool beyond_a_turn = std::any_of(logged.begin(), logged.end(), [](const AttitudeAngles& angles) {
     return std::abs(angles.yaw_rad) > 2.0 * kPi + 0.01;
   });
-  if (beyond_a_turn == radians && other.concentration > 0.95 && std::abs(other_deg) < 10.0 &&
-      std::abs(declared_deg) > 20.0)
+  if (beyond_a_turn == radians && other.concentration > 0.95 && std::abs(other.offset_rad) < kSmall_rad &&
+      std::abs(declared.offset_rad) > kLarge_rad)
     findings.push_back({Severity::Problem, "angle-unit", path.string(),
-                        text_of("As unit: %s, the heading is %.0f degrees off the direction of travel; as %s, %.0f. ",
-                                declared_name, declared_deg, other_name, other_deg) +
-                            advice + ", unless the INS is mounted like that."});
+                        say::angles_likely_of_other_unit(declared_name, Angle{declared.offset_rad}, other_name,
+                                                         Angle{other.offset_rad})});
 }
 
 }  // namespace remount

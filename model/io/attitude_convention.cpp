@@ -3,6 +3,7 @@
 #include <array>
 
 #include "algorithms/geometry/rotation.h"
+#include "messages/poses.h"
 
 namespace remount {
 
@@ -33,6 +34,12 @@ std::string_view to_string(InsAxes axes) {
   constexpr std::string_view kNames[kInsAxesCount] = {"x forward, y left, z up", "x right, y forward, z up",
                                                       "x backward, y right, z up", "x left, y backward, z up"};
   return kNames[static_cast<std::size_t>(axes)];
+}
+
+Message axes_words(InsAxes axes) {
+  constexpr Message (*kWords[kInsAxesCount])() = {say::axes_forward_left_up, say::axes_right_forward_up,
+                                                  say::axes_backward_right_up, say::axes_left_backward_up};
+  return kWords[static_cast<std::size_t>(axes)]();
 }
 
 std::string_view to_string(AttitudeConvention convention) {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "algorithms/messages/message.h"
+
 namespace remount {
 
 /// Axes of the INS frame, as the log itself defines them. X = ins_from_lidar is expressed in these.
@@ -17,8 +19,10 @@ enum class InsAxes {
   LeftBackwardUp,
 };
 inline constexpr std::size_t kInsAxesCount = 4;
-/// "x forward, y left, z up"
+/// "x forward, y left, z up": as files name them.
 std::string_view to_string(InsAxes axes);
+/// The same as words of a sentence.
+Message axes_words(InsAxes axes);
 
 enum class AttitudeConvention {
   /// Yaw from east counter-clockwise; pitch positive nose *down*; roll positive right side down. INS axes

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "algorithms/core/error.h"
+#include "messages/clouds.h"
 #include "model/io/cloud_fields.h"
 
 namespace remount {
@@ -90,15 +91,8 @@ bool looks_like_nclt(std::string_view bytes) {
 }
 
 [[noreturn]] void refuse_bin(std::string_view bytes, const std::filesystem::path& path) {
-  const std::string expected =
-      "expected 32-bit floats, 3 to 6 a point: x, y, z, then reflectance (KITTI), ring (nuScenes) and one more";
-  if (looks_like_nclt(bytes))
-    throw Error(ErrorCode::Unsupported, path.string(),
-                "looks like NCLT's records of 8 bytes (16-bit coordinates, intensity, laser), " + expected +
-                    ". Convert the scans, to PCD for instance");
-  throw Error(ErrorCode::Format, path.string(),
-              "holds " + std::to_string(bytes.size()) + " bytes that are no points, " + expected +
-                  ". Convert the scans to one of these, or to PCD, whose header says what is in it");
+  if (looks_like_nclt(bytes)) throw Error(ErrorCode::Unsupported, path.string(), say::bin_of_nclt(say::bin_expected()));
+  throw Error(ErrorCode::Format, path.string(), say::bin_no_points(Bytes{bytes.size()}, say::bin_expected()));
 }
 
 /// Throws Error where no layout makes points of the bytes.
@@ -149,9 +143,11 @@ ReadCloud parse_bin(std::string_view bytes, const std::filesystem::path& path) {
     builder.add(point);
   }
   ReadCloud read = builder.finish(0, path.string());
-  constexpr std::string_view kNames[] = {"x y z", "x y z reflectance", "x y z reflectance and one more",
-                                         "x y z reflectance and two more"};
-  read.columns = ringed && width == 5 ? "x y z reflectance ring" : std::string(kNames[width - 3]);
+  read.columns = width == 3 ? "x y z" : "x y z reflectance";
+  if (ringed && width == 5)
+    read.columns += " ring";
+  else if (width > 4)
+    read.note = width == 5 ? say::bin_and_one_more : say::bin_and_two_more;
   return read;
 }
 

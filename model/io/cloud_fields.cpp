@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "algorithms/core/error.h"
+#include "messages/clouds.h"
 
 namespace remount {
 
@@ -92,8 +93,7 @@ CloudColumns find_cloud_columns(const std::vector<CloudField>& fields, const std
   columns.ring = find_field(fields, FieldNames{"ring", "channel", "laser_id", "line"});
   columns.time = find_field(fields, kTimeColumns);
   if (columns.x >= 0 && columns.y >= 0 && columns.z >= 0) return columns;
-  throw Error(ErrorCode::Format, where,
-              "fields are '" + column_names(fields) + "', expected x, y and z with one value each");
+  throw Error(ErrorCode::Format, where, say::cloud_no_coordinates(column_names(fields)));
 }
 
 TimeColumn time_column(const std::vector<CloudField>& fields, const CloudColumns& columns) {
@@ -116,8 +116,7 @@ void refuse_narrow_coordinates(const std::vector<CloudField>& fields, const Clou
                                const std::string& where) {
   for (const int column : {columns.x, columns.y, columns.z}) {
     const CloudField& field = fields[static_cast<std::size_t>(column)];
-    if (size_of(field.type) < 2)
-      throw Error(ErrorCode::Format, where, "the coordinate " + field.name + " has one byte, expected two or more");
+    if (size_of(field.type) < 2) throw Error(ErrorCode::Format, where, say::cloud_narrow_coordinate(field.name));
   }
 }
 
@@ -180,9 +179,7 @@ void CloudBuilder::refuse_map_coordinates(const std::string& where) const {
   if (farthest_m_ > kFarthest_m) return;
   const bool all_beyond = cloud_.points.empty() && beyond_ > 0;
   if (!all_beyond && (cloud_.points.size() < kFewest || nearest_m_ < kNearest_m)) return;
-  throw Error(ErrorCode::Unsupported, where,
-              "holds coordinates of a map (up to " + std::to_string(std::llround(farthest_m_)) +
-                  " m), expected metres in the frame of the sensor, one scan a file");
+  throw Error(ErrorCode::Unsupported, where, say::cloud_of_map(Length{farthest_m_}));
 }
 
 ReadCloud CloudBuilder::finish(std::int64_t stamp_ns, const std::string& where, PointTimes times) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algorithms/core/error.h"
+#include "messages/clouds.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/input_file.h"
 #include "model/io/output_file.h"
@@ -25,7 +26,7 @@ CloudFormat recognise(std::string_view bytes, const std::filesystem::path& path)
   if (extension == ".ply") return CloudFormat::Ply;
   if (extension == ".bin") return CloudFormat::KittiBin;
   if (extension == ".txt" || extension == ".xyz") return CloudFormat::XyziText;
-  throw Error(ErrorCode::Unsupported, path.string(), "is no PCD, PLY, LAS, KITTI .bin or .txt scan");
+  throw Error(ErrorCode::Unsupported, path.string(), say::cloud_no_format());
 }
 
 template <class T>
@@ -39,7 +40,7 @@ void append_bytes(std::string& bytes, T value) {
 void check_columns(const PointCloud& cloud) {
   const auto fits = [&](std::size_t size) { return size == 0 || size == cloud.size(); };
   if (!fits(cloud.intensity.size()) || !fits(cloud.ring.size()) || !fits(cloud.time_from_stamp_s.size()))
-    throw Error(ErrorCode::Contract, "", "a column of the cloud is not as long as its points");
+    throw Error(ErrorCode::Contract, "", say::cloud_columns_differ());
 }
 
 }  // namespace
@@ -56,19 +57,18 @@ ReadCloud parse_xyzi_text(std::string_view bytes, const std::filesystem::path& p
   for (std::string_view line; lines.next(line);) {
     split_blanks(line, tokens);
     if (tokens.empty()) continue;
-    if (tokens.size() < 3)
-      throw Error(ErrorCode::Format, at_line(path, lines.line_number()), "expected x y z and reflectance");
+    if (tokens.size() < 3) throw Error(ErrorCode::Format, at_line(path, lines.line_number()), say::cloud_text_line());
     const auto value = [&](std::size_t i) {
       const std::optional<double> number = i < tokens.size() ? parse_any_number(tokens[i]) : 0.0;
       if (!number)
         throw Error(ErrorCode::Format, at_line(path, lines.line_number()),
-                    "'" + std::string(tokens[i].substr(0, 40)) + "' is not a number");
+                    say::cloud_no_number(std::string(tokens[i].substr(0, 40))));
       return *number;
     };
     builder.add({value(0), value(1), value(2), value(3)});
     any = true;
   }
-  if (!any) throw Error(ErrorCode::Format, path.string(), "holds no points");
+  if (!any) throw Error(ErrorCode::Format, path.string(), say::cloud_no_points());
   ReadCloud read = builder.finish(0, path.string());
   read.columns = "x y z reflectance";
   return read;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "algorithms/cloud/point_cloud.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -23,7 +24,11 @@ struct ReadCloud {
   /// The points' own times are neither from the stamp on nor on its clock. They are taken from the scan's first point
   /// on then, as if that had been taken at the stamp.
   bool points_have_another_clock = false;
-  std::string columns;  ///< what the file has, for messages: "x y z intensity"
+  std::string columns;  ///< names of what the file has, for messages: "x y z intensity"
+  /// What is to be said of the columns beside their names; null where nothing is.
+  Message (*note)(std::string columns) = nullptr;
+
+  Message columns_words() const { return note != nullptr ? note(columns) : Message::verbatim(columns); }
 };
 
 /// Reads a scan: PCD (ascii, binary, binary_compressed), PLY (ascii, binary of either byte order), LAS, .bin of 3 to 6

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/ins_logs.h"
 #include "model/io/input_file.h"
 
 namespace remount {
@@ -24,15 +25,12 @@ int CsvHeader::find(std::string_view name) const {
 
 std::size_t CsvHeader::require(std::string_view name, const std::filesystem::path& path) const {
   if (const int index = find(name); index >= 0) return static_cast<std::size_t>(index);
-  for (const auto& [separator, words] : {std::pair{';', "semicolons"}, {'\t', "tabs"}})
+  for (const auto& [separator, words] : {std::pair{';', say::csv_semicolons}, {'\t', say::csv_tabs}})
     if (names_.size() == 1 && names_[0].find(separator) != std::string::npos)
-      throw Error(ErrorCode::Format, at_line(path, 1),
-                  "its columns are separated by " + std::string(words) + ", expected commas");
-  std::string names;
-  for (std::size_t i = 0; i < std::min<std::size_t>(names_.size(), 40); ++i)
-    names += (i ? ", " : "") + names_[i].substr(0, 40);
-  throw Error(ErrorCode::Format, at_line(path, 1),
-              "has no column '" + std::string(name) + "'; its columns are " + names);
+      throw Error(ErrorCode::Format, at_line(path, 1), words());
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < std::min<std::size_t>(names_.size(), 40); ++i) names.push_back(names_[i].substr(0, 40));
+  throw Error(ErrorCode::Format, at_line(path, 1), say::csv_no_column(std::string(name), std::move(names)));
 }
 
 }  // namespace remount

@@ -1,6 +1,7 @@
 #include "model/io/gnss_log_reader.h"
 
 #include "algorithms/core/error.h"
+#include "messages/ins_logs.h"
 #include "model/io/gpx_track.h"
 #include "model/io/input_file.h"
 #include "model/io/nmea_log.h"
@@ -36,11 +37,9 @@ GnssContents examine_gnss(const fs::path& path) {
 
 /// The only one of a kind. Throws Error(Unsupported) that names two where there are several.
 template <class Item, class Name>
-const Item& only(const std::vector<Item>& items, const fs::path& folder, const char* what, Name&& name) {
-  if (items.size() > 1)
-    throw Error(ErrorCode::Unsupported, folder.string(),
-                std::string("holds several ") + what + ": " + name(items[0]) + " and " + name(items[1]) +
-                    "; put each drive into a folder of its own, or name the files in a session.yaml");
+const Item& only(const std::vector<Item>& items, const fs::path& folder,
+                 Message (*several)(std::string one, std::string other), Name&& name) {
+  if (items.size() > 1) throw Error(ErrorCode::Unsupported, folder.string(), several(name(items[0]), name(items[1])));
   return items.front();
 }
 
@@ -62,25 +61,24 @@ Session GnssLogReader::open(const fs::path& path, Progress& progress) const {
   progress.report("reading GNSS", 0, 2);
   const auto file_name = [](const fs::path& file) { return file.filename().string(); };
   if (!contents.nmea.empty()) {
-    session.files.push_back(only(contents.nmea, path, "NMEA logs", file_name));
+    session.files.push_back(only(contents.nmea, path, say::gnss_several_nmea, file_name));
     NmeaLog log = read_nmea(session.files.back(), session.findings);
     session.gnss = std::move(log.fixes);
     session.ins = std::move(log.ins);
   } else if (!contents.gpx.empty()) {
-    session.files.push_back(only(contents.gpx, path, "GPX tracks", file_name));
+    session.files.push_back(only(contents.gpx, path, say::gnss_several_gpx, file_name));
     session.gnss = read_gpx(session.files.back(), session.findings);
   } else {
-    throw Error(ErrorCode::Format, path.string(), "holds neither an NMEA log nor a GPX track");
+    throw Error(ErrorCode::Format, path.string(), say::gnss_no_log());
   }
   progress.report("reading poses", 1, 2);
   if (contents.poses.empty()) {
-    session.findings.push_back(make_finding(Severity::Problem, "one-stream", path.string(),
-                                            "A GNSS log is half a session: put it into a folder with LiDAR poses, or "
-                                            "declare it with the scans in a session.yaml."));
+    session.findings.push_back(
+        make_finding(Severity::Problem, "one-stream", path.string(), say::gnss_half_a_session()));
     return session;
   }
   const auto& [file, format] =
-      only(contents.poses, path, "files of LiDAR poses", [&](const auto& poses) { return file_name(poses.first); });
+      only(contents.poses, path, say::gnss_several_poses, [&](const auto& poses) { return file_name(poses.first); });
   session.odometry_from_lidar = read_pose_file(file, format, session.findings);
   session.files.push_back(file);
   if (!session.ins.empty()) align_lidar_clock(session, ClockUse::Shared);

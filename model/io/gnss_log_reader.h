@@ -8,9 +8,7 @@ namespace remount {
 class GnssLogReader final : public SessionReader {
  public:
   std::string_view id() const override { return "gnss-log"; }
-  std::string_view description() const override {
-    return "gnss-log: an NMEA log (GGA, with PASHR or HDT for attitude) or a GPX track, and a file of LiDAR poses";
-  }
+  Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
 };

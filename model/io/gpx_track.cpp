@@ -5,7 +5,8 @@
 #include <string>
 
 #include "algorithms/geometry/rotation.h"
-#include "model/count_words.h"
+#include "messages/ins_logs.h"
+#include "messages/sessions.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
 #include "model/io/text_file.h"
@@ -99,7 +100,7 @@ struct TrackPoint {
 
 /// Of <fix>: none, 2d, 3d, dgps or pps. Throws Error(Format) at `where` where there was none.
 int rank_of(std::optional<std::string_view> fix, const std::string& where) {
-  if (fix == "none") throw Error(ErrorCode::Format, where, "the receiver had no fix");
+  if (fix == "none") throw Error(ErrorCode::Format, where, say::gpx_no_fix());
   return fix == "dgps" || fix == "pps" ? 2 : fix == "3d" ? 1 : 0;
 }
 
@@ -107,7 +108,7 @@ int rank_of(std::optional<std::string_view> fix, const std::string& where) {
 TrackPoint point_of(std::string_view point, std::string_view prefix, const std::string& where) {
   point = point.substr(0, point.find("</" + std::string(prefix) + "trkpt"));  // what follows the last is not its own
   const std::size_t tag_end = point.find('>');
-  if (tag_end == std::string_view::npos) throw Error(ErrorCode::Format, where, "the tag <trkpt does not end");
+  if (tag_end == std::string_view::npos) throw Error(ErrorCode::Format, where, say::gpx_open_tag());
   const std::string_view tag = point.substr(0, tag_end);
   const auto latitude = attribute(tag, "lat"), longitude = attribute(tag, "lon");
   const auto latitude_deg = latitude ? parse_number(*latitude) : std::nullopt;
@@ -115,13 +116,12 @@ TrackPoint point_of(std::string_view point, std::string_view prefix, const std::
   const auto time = element(point, prefix, "time"), height = element(point, prefix, "ele");
   const auto stamp = time ? time_ns(*time) : std::nullopt;
   const auto height_m = height ? parse_number(*height) : std::nullopt;
-  if (!latitude_deg || !longitude_deg || !stamp)
-    throw Error(ErrorCode::Format, where, "a track point needs lat, lon and a time like 2026-11-22T10:00:00Z");
+  if (!latitude_deg || !longitude_deg || !stamp) throw Error(ErrorCode::Format, where, say::gpx_point_incomplete());
   const GnssFix fix{*stamp, degrees_to_radians(*latitude_deg), degrees_to_radians(*longitude_deg),
                     height_m.value_or(0.0),
                     Eigen::Vector3d(kSigma_m * kSigma_m, kSigma_m * kSigma_m, kSigmaUp_m * kSigmaUp_m).asDiagonal()};
   if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
-    throw Error(ErrorCode::Format, where, "the position is not on the Earth");
+    throw Error(ErrorCode::Format, where, say::gpx_not_on_earth());
   return {fix, rank_of(element(point, prefix, "fix"), where), height_m.has_value()};
 }
 
@@ -164,16 +164,12 @@ std::vector<GnssFix> read_gpx(const fs::path& path, std::vector<Finding>& findin
     }
     tag = next;
   }
-  if (fixes.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no track point with a time." + (bad.count() ? " First problem: " + bad.first() : ""));
-  bad.report(findings, "bad-gpx", path.string(), "track points");
+  if (fixes.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::gpx_none_usable()));
+  bad.report(findings, "bad-gpx", path.string(), say::left_out_track_points);
   findings.push_back(make_finding(Severity::Note, "gnss-sigma-assumed", path.string(),
-                                  "GPX does not state errors: 3 m, and 5 m in height, are assumed."));
+                                  say::gpx_errors_assumed(Length{kSigma_m}, Length{kSigmaUp_m})));
   if (flat > 0)
-    findings.push_back(
-        make_finding(Severity::Warning, "height-missing", path.string(),
-                     number_of(flat, "track point has", "track points have") + " no height; it is taken to be zero."));
+    findings.push_back(make_finding(Severity::Warning, "height-missing", path.string(), say::gpx_no_height(flat)));
   report_one_stamp(repeated, true, "gnss", path.string(), findings);
   keep_near(fixes, path.string(), findings);
   keep_ascending(fixes, "gnss", path.string(), findings);

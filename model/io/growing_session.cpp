@@ -2,6 +2,7 @@
 
 #include "algorithms/core/error.h"
 #include "model/io/native_session_reader.h"
+#include "model/io/stream_tools.h"
 
 namespace remount {
 namespace {
@@ -39,10 +40,10 @@ const Session* GrowingSession::look() {
     if (!as_whole_) look_at_parts();
     if (as_whole_) look_at_whole();
     opened_ = true;
-    problem_.clear();
+    problem_ = {};
     return &session_;
   } catch (const Error& error) {
-    problem_ = error.what();
+    problem_ = message_of(error);
     source_.give_back();
     if (source_.shrunk()) begin_anew();
     return nullptr;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "messages/sessions.h"
 #include "model/io/session_source.h"
 #include "model/session.h"
 
@@ -23,7 +24,7 @@ class GrowingSession {
   /// The session as far as it is written, valid until the next look; null where it cannot be read now, see problem().
   /// What comes in the wrong order is left out, as it would be of the whole.
   const Session* look();
-  const std::string& problem() const { return problem_; }
+  const Message& problem() const { return problem_; }
 
   std::uint64_t bytes_read() const { return bytes_before_ + source_.bytes_read(); }
   std::size_t files_examined() const { return source_.files_examined(); }
@@ -36,7 +37,8 @@ class GrowingSession {
 
   std::filesystem::path path_;
   TopicChoice topics_;
-  std::string problem_ = "was not opened", manifest_;
+  Message problem_ = say::session_not_opened();
+  std::string manifest_;
   GrowingSource source_;
   std::uint64_t bytes_before_ = 0;
   Session session_;

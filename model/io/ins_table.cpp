@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "messages/files.h"
+#include "messages/ins_logs.h"
+#include "messages/sessions.h"
 #include "model/io/angle_unit_check.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
@@ -36,8 +39,8 @@ class RowParser {
     if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
       throw Error(ErrorCode::Format, at_line(path_, line_),
                   plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
-                      ? "a latitude beyond 90 degrees is not possible: are latitude and longitude exchanged?"
-                      : "latitude, longitude or height is not possible");
+                      ? say::log_place_exchanged(Angle{kPi / 2.0})
+                      : say::log_place_impossible());
     sample.enu_from_ins = layout_.quaternion ? quaternion() : attitude();
     if (layout_.position_sigma_enu)
       for (int axis = 0; axis < 3; ++axis)
@@ -49,18 +52,20 @@ class RowParser {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorCode::Format, at_line(path_, line_), what); }
+  [[noreturn]] void fail(Message what) const { throw Error(ErrorCode::Format, at_line(path_, line_), std::move(what)); }
 
   std::string_view field(const ColumnRef& column) const {
     const std::size_t index = column.name.empty() ? column.index : static_cast<std::size_t>(header_.find(column.name));
-    if (index >= fields_.size())
-      fail("has " + std::to_string(fields_.size()) + " fields, column " + std::to_string(index + 1) + " is needed");
+    if (index >= fields_.size()) fail(say::ins_column_needed(fields_.size(), index + 1));
     return fields_[index];
   }
-  std::string label(const ColumnRef& column) const {
-    return column.name.empty() ? "column " + std::to_string(column.index) : column.name;
+  static Message label(const ColumnRef& column) {
+    return column.name.empty() ? say::ins_column(column.index) : Message::verbatim(column.name);
   }
-  double number(const ColumnRef& column) const { return require_number(field(column), label(column), path_, line_); }
+  double number(const ColumnRef& column) const {
+    return require_number(
+        field(column), [&] { return label(column); }, path_, line_);
+  }
   /// A number that is none of those which stand for a missing one.
   double known(const ColumnRef& column) const {
     const double value = number(column);
@@ -73,8 +78,7 @@ class RowParser {
     return value;
   }
   [[noreturn]] void fail_not_known(const ColumnRef& column) const {
-    fail(label(column) + " is '" + std::string(field(column).substr(0, 40)) +
-         "', which stands for a value that was not known");
+    fail(say::log_not_known(label(column), std::string(field(column).substr(0, 40))));
   }
   /// An empty field, nan or a number that stands for a missing one: this line does not state it.
   double sigma(const ColumnRef& column) const {
@@ -85,27 +89,29 @@ class RowParser {
   std::int64_t stamp_ns() const {
     const std::string_view text = field(layout_.time);
     const auto time = parse_time_ns(text, layout_.time_unit_ns);
-    if (!time) fail(label(layout_.time) + " is '" + std::string(text.substr(0, 40)) + "', " + no_time(text));
+    if (!time) fail(no_time(text));
     if (layout_.gps_week) {
       const auto week = parse_integer(field(*layout_.gps_week));
       const auto stamp = week ? unix_ns_from_gps_week(*week, *time) : std::nullopt;
-      if (!stamp) fail("GPS week and time of week are out of range");
+      if (!stamp) fail(say::ins_gps_week());
       return *stamp;
     }
     return layout_.time_scale == TimeScale::Gps ? unix_ns_from_gps_ns(*time) : *time;
   }
 
   /// A number that is no time in the declared unit, but would be one in a smaller: the usual mistake.
-  std::string no_time(std::string_view text) const {
+  Message no_time(std::string_view text) const {
     constexpr std::array<std::pair<std::string_view, std::int64_t>, 4> kUnits{
         {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}}};
-    std::string declared = "its unit";
+    const Message column = label(layout_.time);
+    const std::string shown(text.substr(0, 40));
+    std::string declared;
     for (const auto& [name, unit_ns] : kUnits)
-      if (unit_ns == layout_.time_unit_ns) declared = "unit: " + std::string(name);
+      if (unit_ns == layout_.time_unit_ns) declared = name;
     for (const auto& [name, unit_ns] : kUnits)
       if (unit_ns < layout_.time_unit_ns && parse_time_ns(text, unit_ns))
-        return "too large for " + declared + "; declare unit: " + std::string(name) + " where that is what it counts";
-    return "expected a time in " + declared;
+        return say::ins_time_too_large(column, shown, declared, std::string(name));
+    return say::ins_no_time(column, shown, declared);
   }
 
   Eigen::Quaterniond attitude() {
@@ -124,8 +130,7 @@ class RowParser {
   Eigen::Quaterniond quaternion() const {
     const Eigen::Quaterniond logged(number(layout_.quaternion_xyzw[3]), number(layout_.quaternion_xyzw[0]),
                                     number(layout_.quaternion_xyzw[1]), number(layout_.quaternion_xyzw[2]));
-    if (std::abs(logged.norm() - 1.0) > 0.01)
-      fail("the quaternion has length " + std::to_string(logged.norm()) + ", expected 1");
+    if (std::abs(logged.norm() - 1.0) > 0.01) fail(say::ins_quaternion_length(logged.norm()));
     return enu_from_ins(logged, *layout_.quaternion);
   }
 
@@ -133,8 +138,7 @@ class RowParser {
     const std::string_view text = field(*layout_.quality);
     for (std::size_t i = 0; i < kQualityNames.size(); ++i)
       if (kQualityNames[i] == text) return static_cast<InsQuality>(i);
-    fail(label(*layout_.quality) + " is '" + std::string(text.substr(0, 40)) +
-         "', expected unknown, good, degraded or invalid");
+    fail(say::ins_quality(label(*layout_.quality), std::string(text.substr(0, 40))));
   }
 
   const fs::path& path_;
@@ -177,7 +181,7 @@ std::vector<InsSample> parse_ins_table(std::string_view text, const fs::path& pa
       std::any_of(columns.begin(), columns.end(), [](const ColumnRef& column) { return !column.name.empty(); });
   CsvHeader header;
   if (by_name) {
-    if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");
+    if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), say::file_empty());
     header = CsvHeader(line);
     for (const ColumnRef& column : columns)
       if (!column.name.empty()) header.require(column.name, path);
@@ -196,10 +200,8 @@ std::vector<InsSample> parse_ins_table(std::string_view text, const fs::path& pa
       if (by_name || lines.line_number() > 1) bad.add(error);
     }
   }
-  if (samples.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no usable INS sample." + (bad.count() ? " First problem: " + bad.first() : ""));
-  bad.report(findings, "bad-ins", path.string(), "lines");
+  if (samples.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::ins_none_usable()));
+  bad.report(findings, "bad-ins", path.string(), say::left_out_lines);
   if (!layout.quaternion) check_angle_unit(samples, logged, layout.attitude_unit_rad, layout.attitude, path, findings);
   keep_near(samples, path.string(), findings);
   keep_ascending(samples, "ins", path.string(), findings);

@@ -7,6 +7,9 @@
 #include <limits>
 
 #include "algorithms/core/median.h"
+#include "messages/files.h"
+#include "messages/ins_logs.h"
+#include "messages/sessions.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/crc32.h"
 #include "model/io/csv_table.h"
@@ -85,8 +88,7 @@ std::int64_t gps_stamp(std::string_view week_text, std::string_view time_text, s
   const auto stamp = week && time_ns ? unix_ns_from_gps_week(*week, *time_ns) : std::nullopt;
   if (stamp) return *stamp;
   throw Error(ErrorCode::Format, at_line(path, line),
-              "GPS week '" + std::string(week_text.substr(0, 20)) + "' and time '" +
-                  std::string(time_text.substr(0, 20)) + "' are no GPS time");
+              say::inspvax_no_gps_time(std::string(week_text.substr(0, 20)), std::string(time_text.substr(0, 20))));
 }
 
 /// The ASCII logs that are read. INSPVA has no errors; INSPVAS is the same with a short header.
@@ -112,17 +114,16 @@ const AsciiMark* find_mark(std::string_view line, std::size_t from, std::size_t&
 InspvaxValues inspva_values(const std::vector<std::string_view>& fields, const fs::path& path, std::size_t line) {
   constexpr std::size_t kInspvaFields = 12;
   if (fields.size() < kInspvaFields)
-    throw Error(ErrorCode::Format, at_line(path, line),
-                "has " + std::to_string(fields.size()) + " data fields, expected " + std::to_string(kInspvaFields));
-  const auto number = [&](std::size_t i, const char* name) { return require_number(fields[i], name, path, line); };
+    throw Error(ErrorCode::Format, at_line(path, line), say::inspvax_data_fields(fields.size(), kInspvaFields));
+  const auto number = [&](std::size_t i, Message (*what)()) { return require_number(fields[i], what, path, line); };
   InspvaxValues values = InspvaxValues::without_errors();
   values.quality = inspvax_quality(fields[11]);
-  values.latitude_deg = number(2, "latitude");
-  values.longitude_deg = number(3, "longitude");
-  values.height_m = number(4, "height");
-  values.roll_deg = number(8, "roll");
-  values.pitch_deg = number(9, "pitch");
-  values.azimuth_deg = number(10, "azimuth");
+  values.latitude_deg = number(2, say::log_latitude);
+  values.longitude_deg = number(3, say::log_longitude);
+  values.height_m = number(4, say::log_height);
+  values.roll_deg = number(8, say::log_roll);
+  values.pitch_deg = number(9, say::log_pitch);
+  values.azimuth_deg = number(10, say::log_azimuth);
   return values;
 }
 
@@ -132,17 +133,15 @@ InsSample parse_ascii(std::string_view log, const AsciiMark& mark, std::size_t n
                       std::vector<std::string_view>& fields, std::size_t& misnamed) {
   const std::size_t body = log.find(';'), star = log.find('*', std::min(body, log.size()));
   if (star == std::string_view::npos || body == std::string_view::npos)
-    throw Error(ErrorCode::Format, at_line(path, number),
-                "expected '" + std::string(mark.begin) + "<header>;<data>*<crc>'");
+    throw Error(ErrorCode::Format, at_line(path, number), say::inspvax_no_record(std::string(mark.begin)));
   const std::string_view digits = trimmed(log.substr(star + 1)).substr(0, 8);
   std::uint32_t crc = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), crc, 16);
   if (error != std::errc() || digits.size() != 8 || end != digits.data() + 8 ||
       crc != novatel_crc32(log.substr(1, star - 1)))
-    throw Error(ErrorCode::Format, at_line(path, number), "the checksum does not agree with the line");
+    throw Error(ErrorCode::Format, at_line(path, number), say::inspvax_checksum());
   split_csv(log.substr(0, body), fields);
-  if (fields.size() < mark.time + 2)
-    throw Error(ErrorCode::Format, at_line(path, number), "the header has too few fields");
+  if (fields.size() < mark.time + 2) throw Error(ErrorCode::Format, at_line(path, number), say::inspvax_short_header());
   std::int64_t stamp_ns = gps_stamp(fields[mark.time], fields[mark.time + 1], 1'000'000'000, path, number);
   split_csv(log.substr(body + 1, star - body - 1), fields);
   InsSample sample;
@@ -152,8 +151,7 @@ InsSample parse_ascii(std::string_view log, const AsciiMark& mark, std::size_t n
     stamp_ns = gps_stamp(fields[0], fields[1], 1'000'000'000, path, number);  // to nanoseconds, the header's to ms
   } else {
     if (fields.size() < kAsciiFields)
-      throw Error(ErrorCode::Format, at_line(path, number),
-                  "has " + std::to_string(fields.size()) + " data fields, expected " + std::to_string(kAsciiFields));
+      throw Error(ErrorCode::Format, at_line(path, number), say::inspvax_data_fields(fields.size(), kAsciiFields));
     sample = sample_from(fields, ascii_columns(), path, number);
     misnamed += is_of_wrong_table(fields[0]);
   }
@@ -220,17 +218,13 @@ void report_host_clock(std::vector<double>& offsets_s, double distinct, const fs
   if (offsets_s.empty()) return;
   if (distinct < 0.5) {
     findings.push_back(
-        make_finding(Severity::Warning, "host-stamps-rounded", path.string(),
-                     "The column 'time' was rounded, as a spreadsheet does; GPS time is used, nothing is lost."));
+        make_finding(Severity::Warning, "host-stamps-rounded", path.string(), say::inspvax_stamps_rounded()));
     return;
   }
   const auto middle = offsets_s.begin() + static_cast<std::ptrdiff_t>(offsets_s.size() / 2);
   std::nth_element(offsets_s.begin(), middle, offsets_s.end());
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "The column 'time' (clock of the host, or of a replay) is %.3f s off UTC by GPS; GPS time is used.",
-                *middle);
-  findings.push_back(make_finding(Severity::Note, "host-clock", path.string(), text));
+  findings.push_back(
+      make_finding(Severity::Note, "host-clock", path.string(), say::inspvax_host_clock(Duration{*middle})));
 }
 
 void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadItems& bad,
@@ -238,7 +232,7 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadI
   text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
-  if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");
+  if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), say::file_empty());
   const CsvHeader header(line);
   const Columns columns = csv_columns(header, path);
   const std::size_t week = header.require("header.gps_week", path);
@@ -257,7 +251,7 @@ void read_csv(std::string_view text, const fs::path& path, InspvaxLog& log, BadI
       split_csv(line, fields);
       if (fields.size() != header.size())
         throw Error(ErrorCode::Format, at_line(path, lines.line_number()),
-                    "has " + std::to_string(fields.size()) + " fields, expected " + std::to_string(header.size()));
+                    say::csv_fields(fields.size(), header.size()));
       InsSample sample = sample_from(fields, columns, path, lines.line_number());
       misnamed += is_of_wrong_table(fields[columns.status]);
       sample.stamp_ns = gps_stamp(fields[week], fields[time], unit_ns, path, lines.line_number());
@@ -287,14 +281,12 @@ InsSample ins_sample(const InspvaxValues& values, const std::string& where) {
   if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
     throw Error(ErrorCode::Format, where,
                 plausible_geodetic(sample.longitude_rad, sample.latitude_rad, sample.height_m)
-                    ? "a latitude beyond 90 degrees is not possible: are latitude and longitude exchanged?"
-                    : "latitude, longitude or height is not possible");
+                    ? say::log_place_exchanged(Angle{kPi / 2.0})
+                    : say::log_place_impossible());
   for (const double angle_deg : {values.roll_deg, values.pitch_deg, values.azimuth_deg})
     if (!(std::abs(angle_deg) <= 360.0))
       throw Error(ErrorCode::Format, where,
-                  angle_means_not_known(angle_deg)
-                      ? "roll, pitch or azimuth is a number that stands for a value that was not known"
-                      : "roll, pitch or azimuth is no angle in degrees");
+                  angle_means_not_known(angle_deg) ? say::inspvax_angles_not_known() : say::inspvax_no_angles());
   sample.enu_from_ins = enu_from_ins({degrees_to_radians(values.azimuth_deg), degrees_to_radians(values.pitch_deg),
                                       degrees_to_radians(values.roll_deg)},
                                      AttitudeConvention::NovAtel);
@@ -348,10 +340,8 @@ InspvaxLog read_inspvax(const fs::path& path, InspvaxFormat format, std::vector<
     read_ascii(text, path, log, bad, findings);
   else
     read_csv(text, path, log, bad, findings);
-  if (log.ins.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no usable INSPVAX line." + (bad.count() ? " First problem: " + bad.first() : ""));
-  bad.report(findings, "bad-ins", path.string(), "lines");
+  if (log.ins.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::inspvax_none_usable()));
+  bad.report(findings, "bad-ins", path.string(), say::left_out_lines);
   keep_near(log.ins, path.string(), findings);
   keep_ascending(log.ins, "ins", path.string(), findings);
   return log;

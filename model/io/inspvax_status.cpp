@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdlib>
 
-#include "model/count_words.h"
+#include "messages/ins_logs.h"
 #include "model/io/inspvax_log.h"
 #include "model/io/stream_tools.h"
 
@@ -27,11 +27,7 @@ bool is_of_wrong_table(std::string_view status) { return number_in_wrong_table(s
 
 void report_misnamed(std::size_t count, const std::string& where, std::vector<Finding>& findings) {
   if (count == 0) return;
-  findings.push_back(make_finding(
-      Severity::Warning, "ins-status-misnamed", where,
-      number_of(count, "status of the INS has the name", "statuses of the INS have the name") +
-          " of a status of a position (SINGULARITY for INS_SOLUTION_GOOD): ROS' novatel_gps_driver took them from the "
-          "wrong table before September 2026. They are read as what was meant."));
+  findings.push_back(make_finding(Severity::Warning, "ins-status-misnamed", where, say::inspvax_misnamed(count)));
 }
 
 void give_errors(std::vector<InsSample>& ins, const std::vector<InsSample>& with_errors) {

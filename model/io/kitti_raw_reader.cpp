@@ -6,6 +6,10 @@
 #include <map>
 
 #include "algorithms/core/median.h"
+#include "messages/files.h"
+#include "messages/general.h"
+#include "messages/ins_logs.h"
+#include "messages/sessions.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/input_file.h"
 #include "model/io/several_sessions.h"
@@ -54,10 +58,10 @@ std::vector<std::optional<std::int64_t>> read_stamps(const fs::path& path, std::
   for (std::string_view line; lines.next(line);) {
     stamps.push_back(parse_date_ns(trimmed(line)));
     if (!stamps.back() && !trimmed(line).empty())
-      bad.add(at_line(path, lines.line_number()) + ": expected a time like 2011-09-26 13:02:25.964389445");
+      bad.add(say::of_file(at_line(path, lines.line_number()), say::kitti_date()));
   }
   while (!stamps.empty() && !stamps.back()) stamps.pop_back();
-  bad.report(findings, "bad-stamps", path.string(), "time stamps");
+  bad.report(findings, "bad-stamps", path.string(), say::left_out_time_stamps);
   return stamps;
 }
 
@@ -76,21 +80,21 @@ InsSample read_oxts(const fs::path& path, std::int64_t stamp_ns, double& largest
   lines.next(line);
   split_blanks(line, tokens);
   if (tokens.size() < kOxtsFields)
-    throw Error(ErrorCode::Format, at_line(path, 1),
-                "has " + std::to_string(tokens.size()) + " numbers, expected " + std::to_string(kOxtsFields));
-  const auto number = [&](std::size_t i) { return require_number(tokens[i], "field " + std::to_string(i), path, 1); };
+    throw Error(ErrorCode::Format, at_line(path, 1), say::kitti_numbers(tokens.size(), kOxtsFields));
+  const auto number = [&](std::size_t i) {
+    return require_number(
+        tokens[i], [&] { return say::kitti_field(i); }, path, 1);
+  };
   InsSample sample;
   sample.stamp_ns = stamp_ns;
   sample.latitude_rad = degrees_to_radians(number(0));
   sample.longitude_rad = degrees_to_radians(number(1));
   sample.height_m = number(2);
   if (!plausible_geodetic(sample.latitude_rad, sample.longitude_rad, sample.height_m))
-    throw Error(ErrorCode::Format, at_line(path, 1), "latitude, longitude or height is not possible");
+    throw Error(ErrorCode::Format, at_line(path, 1), say::log_place_impossible());
   const AttitudeAngles angles{number(5), number(4), number(3)};
   for (const double angle : {angles.yaw_rad, angles.pitch_rad, angles.roll_rad})
-    if (angle_means_not_known(angle))
-      throw Error(ErrorCode::Format, at_line(path, 1),
-                  "roll, pitch or yaw is a number that stands for a value that was not known");
+    if (angle_means_not_known(angle)) throw Error(ErrorCode::Format, at_line(path, 1), say::kitti_angles_not_known());
   largest_angle = std::max({std::abs(angles.yaw_rad), std::abs(angles.pitch_rad), std::abs(angles.roll_rad)});
   sample.enu_from_ins = enu_from_ins(angles, AttitudeConvention::EnuYaw);
   const double accuracy_m = number(kPositionAccuracy);
@@ -107,7 +111,7 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
     if (i % 1000 == 0) progress.report("reading INS", i, stamps.size());
     const fs::path file = numbered(drive / "oxts" / "data", i, ".txt");
     try {
-      if (!stamps[i]) throw Error(ErrorCode::Format, file.string(), "has no time stamp");
+      if (!stamps[i]) throw Error(ErrorCode::Format, file.string(), say::kitti_no_stamp());
       double angle = 0.0;
       session.ins.push_back(read_oxts(file, *stamps[i], angle));
       beyond += angle > 2.0 * kPi + 0.01;
@@ -118,15 +122,13 @@ void read_all_oxts(const fs::path& drive, const std::vector<std::optional<std::i
     }
   }
   if (session.ins.empty())
-    throw Error(
-        ErrorCode::Format, (drive / "oxts").string(),
-        "holds no usable INS sample. First problem: " + (bad.count() ? bad.first() : std::string("no time stamps")));
+    throw Error(ErrorCode::Format, (drive / "oxts").string(),
+                Message::sequence({say::ins_none_usable(),
+                                   say::file_first_problem(bad.count() > 0 ? bad.first() : say::kitti_no_stamps())}));
   // A few are glitches of the log.
   if (100 * beyond > session.ins.size())
-    throw Error(ErrorCode::Format, (drive / "oxts").string(),
-                "roll, pitch or yaw reaches " + std::to_string(largest_angle) +
-                    ", more than a turn in radians, which KITTI has. Convert the angles from degrees");
-  bad.report(session.findings, "bad-ins", (drive / "oxts").string(), "INS files");
+    throw Error(ErrorCode::Format, (drive / "oxts").string(), say::kitti_degrees(largest_angle));
+  bad.report(session.findings, "bad-ins", (drive / "oxts").string(), say::left_out_ins_files);
   keep_near(session.ins, (drive / "oxts").string(), session.findings);
   keep_ascending(session.ins, "ins", (drive / "oxts").string(), session.findings);
 }
@@ -140,43 +142,35 @@ std::vector<ScanFile> list_scans(const fs::path& drive, const std::vector<std::o
     fs::path file = numbered(data, i, ".bin");
     if (!is_file(file)) file = numbered(data, i, ".txt");
     if (!is_file(file))
-      bad.add(numbered(data, i, ".bin").string() + ": is missing");
+      bad.add(say::of_file(numbered(data, i, ".bin").string(), say::kitti_scan_missing()));
     else if (!stamps[i])
-      bad.add(file.string() + ": has no time stamp");
+      bad.add(say::of_file(file.string(), say::kitti_no_stamp()));
     else
       scans.push_back({file, *stamps[i]});
   }
   const std::size_t files = files_in(data).size();
   if (files > stamps.size())
-    session.findings.push_back(
-        make_finding(Severity::Warning, "scans-without-stamp", data.string(),
-                     std::to_string(files - stamps.size()) + " files have no time stamp and are left out."));
-  bad.report(session.findings, "missing-scans", data.string(), "scans");
-  if (scans.empty()) throw Error(ErrorCode::Format, data.string(), "holds no scan with a time stamp");
+    session.findings.push_back(make_finding(Severity::Warning, "scans-without-stamp", data.string(),
+                                            say::kitti_without_stamp(files - stamps.size())));
+  bad.report(session.findings, "missing-scans", data.string(), say::left_out_scans);
+  if (scans.empty()) throw Error(ErrorCode::Format, data.string(), say::kitti_no_scan());
   keep_ascending(scans, "scan", data.string(), session.findings);
   return scans;
 }
 
 /// Whether scan and INS sample of one number are of one time: as many of both, and their own stamps never further apart
-/// than half a scan. Otherwise numbers were lost or given anew.
-bool numbers_agree(const std::vector<std::optional<std::int64_t>>& oxts,
-                   const std::vector<std::optional<std::int64_t>>& velodyne, std::string& why) {
+/// than half a scan. Otherwise numbers were lost or given anew, and this is said; empty where they agree.
+Message numbers_disagree(const std::vector<std::optional<std::int64_t>>& oxts,
+                         const std::vector<std::optional<std::int64_t>>& velodyne) {
   constexpr double kHalfAScan_s = 0.06;
-  if (oxts.size() != velodyne.size()) {
-    why = "There are " + std::to_string(velodyne.size()) + " stamps of scans and " + std::to_string(oxts.size()) +
-          " of the INS";
-    return false;
-  }
+  if (oxts.size() != velodyne.size()) return say::kitti_counts_differ(velodyne.size(), oxts.size());
   std::size_t apart = 0, both = 0;
   for (std::size_t i = 0; i < oxts.size(); ++i) {
     if (!oxts[i] || !velodyne[i]) continue;
     ++both;
     apart += std::abs(static_cast<double>(*velodyne[i] - *oxts[i]) * 1e-9) > kHalfAScan_s ? 1 : 0;
   }
-  if (apart == 0) return true;
-  why = "The stamps of " + std::to_string(apart) + " of " + std::to_string(both) +
-        " scans are further than half a scan from those of the INS of their number";
-  return false;
+  return apart == 0 ? Message() : say::kitti_stamps_apart(apart, both);
 }
 
 /// The scans of `sync` take the OXTS stamps of their numbers, where these are of one time; how far their own differ is
@@ -184,11 +178,9 @@ bool numbers_agree(const std::vector<std::optional<std::int64_t>>& oxts,
 std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std::optional<std::int64_t>>& oxts,
                                                           const std::vector<std::optional<std::int64_t>>& velodyne,
                                                           Session& session) {
-  std::string why;
-  if (!numbers_agree(oxts, velodyne, why)) {
-    session.findings.push_back(make_finding(
-        Severity::Warning, "stamps-not-by-number", "velodyne_points/timestamps.txt",
-        why + ": scans and INS samples of one number do not belong together, and go by their own stamps."));
+  if (Message why = numbers_disagree(oxts, velodyne); !why.empty()) {
+    session.findings.push_back(
+        make_finding(Severity::Warning, "stamps-not-by-number", "velodyne_points/timestamps.txt", std::move(why)));
     return velodyne;
   }
   std::vector<std::optional<std::int64_t>> stamps = velodyne;
@@ -201,10 +193,8 @@ std::vector<std::optional<std::int64_t>> stamps_by_number(const std::vector<std:
   if (differences_s.empty()) return stamps;
   const double median = median_of(differences_s);
   if (std::abs(median) > 1e-3)
-    session.findings.push_back(
-        make_finding(Severity::Note, "stamps-by-number", "velodyne_points/timestamps.txt",
-                     "Scans and INS samples of one number are taken together; their own stamps differ by " +
-                         std::to_string(median * 1e3) + " ms (median)."));
+    session.findings.push_back(make_finding(Severity::Note, "stamps-by-number", "velodyne_points/timestamps.txt",
+                                            say::kitti_by_number(Duration{median})));
   return stamps;
 }
 
@@ -242,21 +232,20 @@ void read_calibration(const fs::path& drive, Session& session) {
         if (tokens.empty() || (tokens[0] != "R:" && tokens[0] != "T:")) continue;
         auto& numbers = entries[std::string(tokens[0])];
         for (std::size_t i = 1; i < tokens.size(); ++i)
-          numbers.push_back(require_number(tokens[i], "an entry", file, lines.line_number()));
+          numbers.push_back(require_number(tokens[i], say::kitti_calibration_entry, file, lines.line_number()));
       }
       const auto &r = entries["R:"], &t = entries["T:"];
-      if (r.size() != 9 || t.size() != 3)
-        throw Error(ErrorCode::Format, file.string(), "expected R: with 9 and T: with 3 numbers");
+      if (r.size() != 9 || t.size() != 3) throw Error(ErrorCode::Format, file.string(), say::kitti_calibration());
       Eigen::Matrix3d rotation;
       rotation << r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8];
       double defect = 0.0;
       rotation = checked_rotation(rotation, file.string(), defect);
       session.nominal_ins_from_lidar = make_rigid(rotation, {t[0], t[1], t[2]}).inverse();
       session.files.push_back(file);
-      session.findings.push_back(make_finding(Severity::Note, "nominal-found", file.string(),
-                                              "A mounting is given beside the drive; it serves as the nominal."));
+      session.findings.push_back(make_finding(Severity::Note, "nominal-found", file.string(), say::kitti_nominal()));
     } catch (const Error& error) {
-      session.findings.push_back(make_finding(Severity::Warning, "nominal-unreadable", file.string(), error.what()));
+      session.findings.push_back(
+          make_finding(Severity::Warning, "nominal-unreadable", file.string(), message_of(error)));
     }
     return;
   }
@@ -271,15 +260,8 @@ int KittiRawReader::probe(const fs::path& path) const {
 
 Session KittiRawReader::open(const fs::path& path, Progress& progress) const {
   const std::vector<fs::path> drives = find_drives(path);
-  if (drives.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no KITTI drive: a folder with oxts/timestamps.txt, oxts/data and velodyne_points/data");
-  if (drives.size() > 1)
-    throw SeveralSessions(
-        path,
-        "holds " + std::to_string(drives.size()) +
-            " drives; name their folders, several of one vehicle where they belong together:" + list_of(drives),
-        drives);
+  if (drives.empty()) throw Error(ErrorCode::Format, path.string(), say::kitti_no_drive());
+  if (drives.size() > 1) throw SeveralSessions(path, say::kitti_several(drives.size(), lines_of(drives)), drives);
   const fs::path drive = drives.front();
   fs::path named = drive.lexically_normal();
   if (named.filename().empty() || named.filename() == ".") named = fs::absolute(drive).lexically_normal();

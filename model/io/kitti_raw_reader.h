@@ -19,9 +19,7 @@ namespace remount {
 class KittiRawReader final : public SessionReader {
  public:
   std::string_view id() const override { return "kitti-raw"; }
-  std::string_view description() const override {
-    return "KITTI raw drive: a folder <date>_drive_XXXX_sync or _extract with oxts/ and velodyne_points/";
-  }
+  Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
 };

@@ -9,6 +9,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/sessions.h"
 #include "model/io/text_file.h"
 
 namespace remount {
@@ -19,49 +20,26 @@ namespace {
 
 constexpr std::size_t kKnownHeadBytes = 4096;
 
-constexpr KnownFile kPcap{"a capture of network packets (pcap)",
-                          "Play it through the driver of the sensor, and record the points that it makes as a bag."};
-constexpr KnownFile kUbx{"u-blox's binary log (UBX)",
-                         "Convert it to NMEA with sentences GGA, GST and RMC, as u-center does, or to GPX."};
-constexpr KnownFile kNovatel{"NovAtel's binary log",
-                             "Convert it to ASCII with NovAtel Convert: INSPVAXA at 10 Hz or more is read."};
-constexpr KnownFile kNovatelAscii{"NovAtel's ASCII log without INSPVAXA or INSPVAA",
-                                  "Log one of the two: they have position and attitude of the INS."};
-constexpr KnownFile kSbf{"Septentrio's binary log (SBF)",
-                         "Convert it to NMEA with sentences GGA, GST, RMC and PSSN,HRP, or its INS solution to a CSV, "
-                         "and name the columns in a session.yaml."};
-constexpr KnownFile kSbet{
-    "a trajectory of Applanix (SBET)",
-    "Export it as a CSV with time, latitude, longitude, height, roll, pitch and heading, and name "
-    "the columns in a session.yaml."};
-constexpr KnownFile kNcom{"the binary log of an OxTS INS (NCOM)",
-                          "Export it as a CSV with NAVsolve, and name the columns in a session.yaml."};
-constexpr KnownFile kApplanix{"the raw log of an Applanix POS",
-                              "Process it, export the trajectory as a CSV, and name the columns in a session.yaml."};
-constexpr KnownFile kRinex{"GNSS observations (RINEX)",
-                           "Process them to positions first: NMEA or GPX is read, or a CSV that a session.yaml names."};
-constexpr KnownFile kRtcm{"GNSS corrections (RTCM 3)", "Positions are needed: log NMEA of the receiver."};
-constexpr KnownFile kKittiPoses{"poses of 12 numbers a line without times, as KITTI's odometry has them",
-                                "Put the time of each scan before its pose, as in TUM's format: seconds, x y z, "
-                                "quaternion x y z w."};
-constexpr KnownFile kLaz{"a compressed point cloud (LAZ)",
-                         "Unpack it to LAS, as laszip does; scans belong into a folder, each with its time, which a "
-                         "session.yaml describes."};
-constexpr KnownFile kCloud{
-    "a point cloud",
-    "One cloud is no drive: scans belong into a folder, each with its time, which a session.yaml "
-    "describes."};
-constexpr KnownFile kE57{"point clouds of a scanner (E57)",
-                         "Export each scan as PCD, PLY or LAS, and give them their times in a session.yaml."};
-constexpr KnownFile kLvx{"a recording of Livox Viewer (LVX)",
-                         "Convert it to a bag with Livox's ROS driver, which keeps the times of the points."};
-constexpr KnownFile kDamagedBag{"a bag by its name that does not begin as one",
-                                "It is damaged, or was not copied whole: copy it again from where it was recorded."};
-constexpr KnownFile kOldDatabase{"an SQLite database that is no bag by its name",
-                                 "Where it is a bag of ROS 2, call it .db3."};
-constexpr KnownFile kArchive{"an archive", "Unpack it, and open the folder that comes out."};
-constexpr KnownFile kHdf5{"an HDF5 file", "Export scans and poses from it to formats that are read."};
-constexpr KnownFile kKml{"a drawing for maps (KML)", "Export the track as GPX, with the times of its points."};
+constexpr KnownFile kPcap{say::known_pcap, say::known_pcap_remedy};
+constexpr KnownFile kUbx{say::known_ubx, say::known_ubx_remedy};
+constexpr KnownFile kNovatel{say::known_novatel, [] { return say::known_novatel_remedy(Frequency{10.0}); }};
+constexpr KnownFile kNovatelAscii{say::known_novatel_ascii, say::known_novatel_ascii_remedy};
+constexpr KnownFile kSbf{say::known_sbf, say::known_sbf_remedy};
+constexpr KnownFile kSbet{say::known_sbet, say::known_sbet_remedy};
+constexpr KnownFile kNcom{say::known_ncom, say::known_ncom_remedy};
+constexpr KnownFile kApplanix{say::known_applanix, say::known_applanix_remedy};
+constexpr KnownFile kRinex{say::known_rinex, say::known_rinex_remedy};
+constexpr KnownFile kRtcm{say::known_rtcm, say::known_rtcm_remedy};
+constexpr KnownFile kKittiPoses{say::known_kitti_poses, say::known_kitti_poses_remedy};
+constexpr KnownFile kLaz{say::known_laz, say::known_laz_remedy};
+constexpr KnownFile kCloud{say::known_cloud, say::known_cloud_remedy};
+constexpr KnownFile kE57{say::known_e57, say::known_e57_remedy};
+constexpr KnownFile kLvx{say::known_lvx, say::known_lvx_remedy};
+constexpr KnownFile kDamagedBag{say::known_damaged_bag, say::known_damaged_bag_remedy};
+constexpr KnownFile kOldDatabase{say::known_other_database, say::known_other_database_remedy};
+constexpr KnownFile kArchive{say::known_archive, say::known_archive_remedy};
+constexpr KnownFile kHdf5{say::known_hdf5, say::known_hdf5_remedy};
+constexpr KnownFile kKml{say::known_kml, say::known_kml_remedy};
 
 struct Magic {
   std::string_view bytes;

@@ -3,13 +3,14 @@
 
 #include <filesystem>
 #include <optional>
-#include <string_view>
+
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
 struct KnownFile {
-  std::string_view what;    ///< "a capture of network packets (pcap)"
-  std::string_view remedy;  ///< a sentence
+  Message (*what)();    ///< "a capture of network packets (pcap)"
+  Message (*remedy)();  ///< a sentence
 };
 
 /// By its first bytes, and where these say nothing, by its name. Nothing where neither is known. Never throws.

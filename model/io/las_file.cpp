@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "messages/clouds.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/time_stamp.h"
 
@@ -33,35 +34,31 @@ class HeaderReader {
   HeaderReader(std::string_view bytes, const std::filesystem::path& path) : bytes_(bytes), path_(path) {}
 
   LasHeader read() const {
-    if (!bytes_.starts_with("LASF")) fail(0, "expected \"LASF\"");
-    if (bytes_.size() < 227) fail(bytes_.size(), "ends within the header, expected at least 227 bytes");
+    if (!bytes_.starts_with("LASF")) fail(0, say::las_no_mark());
+    if (bytes_.size() < 227) fail(bytes_.size(), say::las_short_header(Bytes{227}));
     const int major = static_cast<int>(value(24, ScalarType::U8)), minor = static_cast<int>(value(25, ScalarType::U8));
-    if (major != 1 || minor > 4)
-      fail(24, "is LAS " + std::to_string(major) + "." + std::to_string(minor) + ", expected 1.0 to 1.4");
+    if (major != 1 || minor > 4) fail(24, say::las_version(major, minor));
     LasHeader header;
     const auto format = static_cast<std::size_t>(value(104, ScalarType::U8));
-    if ((format & 0xc0U) != 0)
-      throw Error(ErrorCode::Unsupported, path_.string(), "is compressed (LAZ): unpack it to LAS first");
-    if (format >= kLayouts.size()) fail(104, "point format " + std::to_string(format) + ", expected 0 to 10");
+    if ((format & 0xc0U) != 0) throw Error(ErrorCode::Unsupported, path_.string(), say::las_compressed());
+    if (format >= kLayouts.size()) fail(104, say::las_point_format(format));
     header.format = format;
     header.record_bytes = static_cast<std::size_t>(value(105, ScalarType::U16));
     if (header.record_bytes < kLayouts[format].bytes)
-      fail(105, "points of " + std::to_string(header.record_bytes) + " bytes, format " + std::to_string(format) +
-                    " has at least " + std::to_string(kLayouts[format].bytes));
+      fail(105, say::las_small_points(Bytes{header.record_bytes}, format, kLayouts[format].bytes));
     // Before 1.2 these bytes were a number of the flight, and all times seconds of a week.
     header.whole_gps_time = minor >= 2 && (static_cast<unsigned>(value(6, ScalarType::U16)) & 1U) != 0;
     header.points_at = static_cast<std::size_t>(value(96, ScalarType::U32));
     header.points = point_count(minor);
     if (header.points_at < 227 || header.points_at > bytes_.size() ||
         header.points > (bytes_.size() - header.points_at) / header.record_bytes)
-      fail(96, std::to_string(header.points) + " points of " + std::to_string(header.record_bytes) +
-                   " bytes from byte " + std::to_string(header.points_at) + " on, but the file has " +
-                   std::to_string(bytes_.size()) + " bytes");
+      fail(96, say::las_points_beyond_end(header.points, Bytes{header.record_bytes}, header.points_at,
+                                          Bytes{bytes_.size()}));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       header.scale[axis] = value(131 + 8 * axis, ScalarType::F64);
       header.offset[axis] = value(155 + 8 * axis, ScalarType::F64);
       if (!std::isfinite(header.offset[axis]) || !std::isfinite(header.scale[axis]) || header.scale[axis] == 0.0)
-        fail(131 + 8 * axis, "scale or offset is no finite number, or the scale is 0");
+        fail(131 + 8 * axis, say::las_scale());
     }
     return header;
   }
@@ -72,14 +69,14 @@ class HeaderReader {
   std::size_t point_count(int minor) const {
     const auto legacy = static_cast<std::size_t>(value(107, ScalarType::U32));
     if (minor < 4 || legacy > 0) return legacy;
-    if (bytes_.size() < 375) fail(bytes_.size(), "ends within the header, LAS 1.4 has 375 bytes");
+    if (bytes_.size() < 375) fail(bytes_.size(), say::las_short_header_14(Bytes{375}));
     const double count = value(247, ScalarType::U64);
-    if (count > static_cast<double>(bytes_.size())) fail(247, "more points than the file has bytes");
+    if (count > static_cast<double>(bytes_.size())) fail(247, say::las_too_many_points());
     return static_cast<std::size_t>(count);
   }
 
-  [[noreturn]] void fail(std::size_t byte, const std::string& what) const {
-    throw Error(ErrorCode::Format, path_.string() + ", byte " + std::to_string(byte), what);
+  [[noreturn]] void fail(std::size_t byte, Message what) const {
+    throw Error(ErrorCode::Format, path_.string() + ", byte " + std::to_string(byte), std::move(what));
   }
 
   std::string_view bytes_;
@@ -149,7 +146,8 @@ ReadCloud parse_las(std::string_view bytes, const std::filesystem::path& path, s
   }
   ReadCloud read = builder.finish(stamp_ns, path.string(), times);
   read.columns = "x y z intensity";
-  if (kLayouts[header.format].time_at > 0) read.columns += timed ? " gps_time" : " gps_time (one value for all points)";
+  if (kLayouts[header.format].time_at > 0) read.columns += " gps_time";
+  if (kLayouts[header.format].time_at > 0 && !timed) read.note = say::las_one_time;
   return read;
 }
 

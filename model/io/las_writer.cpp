@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "algorithms/core/error.h"
+#include "messages/clouds.h"
 #include "model/io/cloud_file.h"
 #include "model/io/output_file.h"
 #include "model/io/time_stamp.h"
@@ -64,7 +65,7 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, std::
   const bool timed = !cloud.time_from_stamp_s.empty();
   if ((timed && cloud.time_from_stamp_s.size() != cloud.size()) ||
       (!cloud.intensity.empty() && cloud.intensity.size() != cloud.size()))
-    throw Error(ErrorCode::Contract, path.string(), "the columns of the cloud differ in length");
+    throw Error(ErrorCode::Contract, path.string(), say::cloud_columns_differ());
   const std::size_t record_bytes = timed ? 28 : 20;
   std::string bytes = header_of(cloud, timed ? 1 : 0, static_cast<std::uint16_t>(record_bytes));
   bytes.resize(kHeaderBytes + cloud.size() * record_bytes, '\0');
@@ -73,7 +74,7 @@ void write_las(const std::filesystem::path& path, const PointCloud& cloud, std::
     for (int axis = 0; axis < 3; ++axis) {
       const double units = std::round(static_cast<double>(cloud.points[i][axis]) / kScale_m);
       if (!(std::abs(units) < static_cast<double>(std::numeric_limits<std::int32_t>::max())))
-        throw Error(ErrorCode::Contract, path.string(), "a point is farther away than LAS of this scale holds");
+        throw Error(ErrorCode::Contract, path.string(), say::las_too_far());
       put(bytes, at + 4 * static_cast<std::size_t>(axis), static_cast<std::int32_t>(units));
     }
     if (!cloud.intensity.empty())

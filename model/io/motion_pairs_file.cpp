@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "messages/poses.h"
 #include "model/impossible_motion.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
@@ -43,11 +44,9 @@ class PairsReader {
 
   void add(const std::vector<std::string_view>& fields, std::size_t line) {
     if (fields.size() != header_size_)
-      throw Error(ErrorCode::Format, at_line(path_, line),
-                  "has " + std::to_string(fields.size()) + " fields, the header has " + std::to_string(header_size_));
+      throw Error(ErrorCode::Format, at_line(path_, line), say::motions_fields(fields.size(), header_size_));
     if (found_.pairs.size() >= most_pairs_)
-      throw Error(ErrorCode::Format, at_line(path_, line),
-                  "more than " + std::to_string(most_pairs_) + " pairs, too many for a file of this size");
+      throw Error(ErrorCode::Format, at_line(path_, line), say::motions_too_many(most_pairs_));
     const int set = set_index(set_ < 0 ? "" : fields[static_cast<std::size_t>(set_)]);
     const int row = static_cast<int>(found_.pairs.size());
     Pair pair;
@@ -80,8 +79,7 @@ class PairsReader {
     const std::string_view text = fields[static_cast<std::size_t>(column)];
     const auto value = parse_integer(text);
     if (!value || *value < 0 || *value > 2000000000)
-      throw Error(ErrorCode::Format, at_line(path_, line),
-                  "the index is '" + std::string(text.substr(0, 40)) + "', expected a whole number from 0");
+      throw Error(ErrorCode::Format, at_line(path_, line), say::motions_index(std::string(text.substr(0, 40))));
     return static_cast<int>(*value);
   }
 
@@ -100,10 +98,9 @@ class PairsReader {
     const Eigen::Matrix3d printed = matrix.leftCols<3>();
     const double off = (printed * printed.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(off <= kRotationTolerance) || printed.determinant() < 0.0)
-      throw Error(ErrorCode::Format, at_line(path_, line), std::string(1, letter) + " holds no rotation");
+      throw Error(ErrorCode::Format, at_line(path_, line), say::motions_no_rotation(std::string(1, letter)));
     if (!is_possible_position(matrix.col(3)))
-      throw Error(ErrorCode::Format, at_line(path_, line),
-                  std::string(1, letter) + " moves by more than 1e9 m: is it in metres?");
+      throw Error(ErrorCode::Format, at_line(path_, line), say::motions_too_far(std::string(1, letter)));
     return make_rigid(nearest_rotation(printed), matrix.col(3));
   }
 
@@ -132,9 +129,9 @@ MotionPairs read_motion_pairs(const std::filesystem::path& path) {
     split_csv(line, fields);
     reader->add(fields, lines.line_number());
   }
-  if (!reader) throw Error(ErrorCode::Format, path.string(), "is empty, expected a header with P00..P23 and Q00..Q23");
+  if (!reader) throw Error(ErrorCode::Format, path.string(), say::motions_empty());
   MotionPairs found = reader->take();
-  if (found.pairs.empty()) throw Error(ErrorCode::Format, path.string(), "holds no pair below its header");
+  if (found.pairs.empty()) throw Error(ErrorCode::Format, path.string(), say::motions_no_pair());
   return found;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "algorithms/geometry/rotation.h"
+#include "messages/sessions.h"
 #include "model/io/number_text.h"
 #include "model/week_rollover.h"
 
@@ -17,7 +18,7 @@ void read_noise(const DocumentView& node, Session& session) {
     const auto value = node.find(key);
     if (!value) return;
     sigma = value->number() * unit;
-    if (sigma < 0.0) value->fail("a sigma is not negative");
+    if (sigma < 0.0) value->fail(say::native_negative_sigma());
   };
   read("position_sigma_m", 1.0, session.ins_position_white_sigma_m);
   read("attitude_sigma_deg", kPi / 180.0, session.ins_attitude_white_sigma_rad);
@@ -30,21 +31,21 @@ RigidTransform read_nominal(const DocumentView& node) {
   node.allow_only({"x_m", "y_m", "z_m", "yaw_deg", "pitch_deg", "roll_deg"});
   const auto angle = [&](const char* key) {
     const double degrees = node.at(key).number();
-    if (std::abs(degrees) > 360.0) node.at(key).fail(shortest(degrees) + " deg is outside -360 to 360 deg");
-    return degrees_to_radians(degrees);
+    constexpr Angle kLeast{-2.0 * kPi}, kMost{2.0 * kPi};
+    const Angle angle{degrees_to_radians(degrees)};
+    if (std::abs(degrees) > 360.0) node.at(key).fail(say::native_angle(angle, kLeast, kMost));
+    return angle.rad;
   };
   return rigid_from_six({node.at("x_m").number(), node.at("y_m").number(), node.at("z_m").number(), angle("yaw_deg"),
                          angle("pitch_deg"), angle("roll_deg")});
 }
 
-/// What is wrong with the stamps of a session that is refused for something else: both are seen in one go.
-std::string also_off(Session session) {
+/// With what is wrong with the stamps of a session that is refused for something else: both are seen in one go.
+Message with_what_is_off(Message refusal, Session session) {
   mend_week_rollover(session);
   for (const Finding& finding : session.findings)
-    if (finding.code == kWeekRollover)
-      return ". Besides, the stamps of " + finding.where +
-             " are turns of the GPS week (1024 weeks each) off, which is mended once the session can be read";
-  return {};
+    if (finding.code == kWeekRollover) return say::native_untimed_and_off(std::move(refusal), finding.where);
+  return refusal;
 }
 
 }  // namespace
@@ -57,10 +58,7 @@ void read_declared(const DocumentView& root, Session& session) {
 FoundPointTimes require_point_times(const DocumentView& timing, const TimedScanSource& scans, const Session& session) {
   const FoundPointTimes found = find_point_times(scans);
   if (found.usable || found.misfit || found.scan.empty()) return found;
-  timing.fail("per-point is declared, but " + found.problem + " in " + found.scan + ". " + expected_time_columns() +
-              " Or declare timing: sweep for a sensor that spins, instant for scans that are compensated, unknown "
-              "otherwise" +
-              also_off(session));
+  timing.fail(with_what_is_off(say::native_untimed(found.problem, found.scan, expected_time_columns()), session));
 }
 
 }  // namespace remount

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "algorithms/messages/render.h"
+#include "messages/sessions.h"
 #include "model/io/csv_table.h"
 #include "model/io/gnss_log_reader.h"
 #include "model/io/gpx_track.h"
@@ -29,16 +29,20 @@ namespace {
 
 constexpr std::string_view kFormat = "remount-session/1";
 
+[[noreturn]] void fail_choice(const DocumentView& node, std::vector<std::string> choices) {
+  node.fail(say::native_not_one_of(node.string().substr(0, 60), std::move(choices)));
+}
+
 /// The value of `node` among named choices.
 template <class Value>
 Value choice(const DocumentView& node, std::initializer_list<std::pair<std::string_view, Value>> choices) {
   const std::string text = node.string();
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& [name, value] : choices) {
     if (name == text) return value;
-    names += (names.empty() ? "" : ", ") + std::string(name);
+    names.emplace_back(name);
   }
-  node.fail("'" + text.substr(0, 60) + "' is not one of: " + names);
+  fail_choice(node, std::move(names));
 }
 
 double angle_unit(const DocumentView& node) {
@@ -47,7 +51,7 @@ double angle_unit(const DocumentView& node) {
 
 double positive(const DocumentView& node) {
   const double value = node.number();
-  if (value <= 0.0) node.fail("expected a number above 0");
+  if (value <= 0.0) node.fail(say::native_above_zero());
   return value;
 }
 
@@ -56,14 +60,14 @@ ColumnRef column(const DocumentView& node) {
   const std::string text = node.string();
   const auto index = parse_integer(text);
   if (!index) return {text, 0};
-  if (*index < 0 || *index > 10'000) node.fail("a column's index must be 0 to 10000");
+  if (*index < 0 || *index > 10'000) node.fail(say::native_column_index());
   return {"", static_cast<std::size_t>(*index)};
 }
 
 ColumnRef named_column(const DocumentView& node) {
   const auto name = node.find("name");
   const auto index = node.find("index");
-  if (name.has_value() == index.has_value()) node.fail("expected either 'name' or 'index'");
+  if (name.has_value() == index.has_value()) node.fail(say::native_either("name", "index"));
   return name ? ColumnRef{name->string(), 0} : column(*index);
 }
 
@@ -74,7 +78,7 @@ void read_time_column(const DocumentView& node, InsTableLayout& layout) {
       choice<std::int64_t>(node.at("unit"), {{"s", 1'000'000'000}, {"ms", 1'000'000}, {"us", 1'000}, {"ns", 1}});
   layout.time_scale = choice<TimeScale>(node.at("scale"), {{"unix", TimeScale::Unix}, {"gps", TimeScale::Gps}});
   if (const auto week = node.find("week")) {
-    if (layout.time_scale != TimeScale::Gps) week->fail("a week belongs to scale: gps");
+    if (layout.time_scale != TimeScale::Gps) week->fail(say::native_week());
     layout.gps_week = column(*week);
   }
 }
@@ -88,7 +92,7 @@ void read_position_columns(const DocumentView& columns, InsTableLayout& layout) 
     units[i] = angle_unit(node);
     (i++ == 0 ? layout.latitude : layout.longitude) = named_column(node);
   }
-  if (units[0] != units[1]) columns.fail("latitude and longitude must have the same unit");
+  if (units[0] != units[1]) columns.fail(say::native_same_unit());
   layout.position_unit_rad = units[0];
   const DocumentView& height = columns.at("height");
   if (height.is_map()) {
@@ -108,9 +112,7 @@ void read_attitude_columns(const DocumentView& columns, InsTableLayout& layout) 
     return;
   }
   const auto angles = attitude_convention_from_string(convention.string());
-  if (!angles)
-    convention.fail("'" + convention.string().substr(0, 60) +
-                    "' is not one of: enu-yaw, heading, novatel, quaternion-enu, quaternion-ned");
+  if (!angles) fail_choice(convention, {"enu-yaw", "heading", "novatel", "quaternion-enu", "quaternion-ned"});
   node.allow_only({"convention", "unit", "yaw", "pitch", "roll"});
   layout.attitude = *angles;
   layout.attitude_unit_rad = angle_unit(node);
@@ -144,8 +146,7 @@ void read_timing(const DocumentView& node, Session& session) {
                                                                {"sweep", ScanTiming::SweepAzimuth},
                                                                {"unknown", ScanTiming::Unknown}});
   const auto sweep = node.find("sweep");
-  if ((session.scan_timing == ScanTiming::SweepAzimuth) != sweep.has_value())
-    node.fail("'sweep' stands with timing: sweep and only there");
+  if ((session.scan_timing == ScanTiming::SweepAzimuth) != sweep.has_value()) node.fail(say::native_sweep());
   if (!sweep) return;
   sweep->allow_only({"period_s", "stamp_azimuth_deg", "clockwise", "certain", "direction_certain"});
   session.sweep.period_s = positive(sweep->at("period_s"));
@@ -162,7 +163,7 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
                                                             {"las", CloudFormat::Las},
                                                             {"kitti-bin", CloudFormat::KittiBin}});
   const fs::path directory = folder / node.at("directory").string();
-  if (!is_folder(directory)) node.at("directory").fail("there is no folder " + directory.string());
+  if (!is_folder(directory)) node.at("directory").fail(say::native_no_folder(directory.string()));
   const std::string stamps = node.at("stamps").string();
   std::vector<ScanFile> scans;
   if (stamps == "from-names") {
@@ -174,7 +175,7 @@ void read_scans(const DocumentView& node, const fs::path& folder, SessionSource&
       scans = scans_from_table(text, session.files.back(), directory, session.findings);
   }
   if (scans.empty() && source.only_new()) return;
-  if (scans.empty()) node.fail("no scan with a stamp is found in " + directory.string());
+  if (scans.empty()) node.fail(say::native_no_scan(directory.string()));
   keep_ascending(scans, "scan", directory.string(), session.findings);
   for (const ScanFile& scan : scans) session.files.push_back(scan.path);
   read_timing(node, session);
@@ -196,9 +197,7 @@ std::vector<StampedPose> read_poses(const DocumentView& node, const fs::path& fo
   node.allow_only({"file", "format"});
   const DocumentView& format = node.at("format");
   const auto pose_format = pose_format_from_string(format.string());
-  if (!pose_format)
-    format.fail("'" + format.string().substr(0, 60) +
-                "' is not one of: tum, eth-csv, aloam-csv, pose-lines, apollo-csv");
+  if (!pose_format) fail_choice(format, {"tum", "eth-csv", "aloam-csv", "pose-lines", "apollo-csv"});
   session.files.push_back(folder / node.at("file").string());
   const std::string text = source.table(session.files.back());
   if (text.empty() && source.only_new()) return {};
@@ -214,8 +213,8 @@ void read_ins(const DocumentView& node, const fs::path& folder, SessionSource& s
     if (!session.ins.empty()) return;
     for (const Finding& finding : session.findings)
       if (finding.code == "attitude-sparse" && finding.where == file.string())
-        node.at("file").fail(english(finding.explanation));
-    node.at("file").fail("has no attitude (PASHR or HDT): declare it as gnss");
+        node.at("file").fail(finding.explanation);
+    node.at("file").fail(say::native_no_attitude());
   }
   const InsTableLayout layout = read_layout(node.at("columns"));
   if (!layout.quaternion) session.ins_axes = axes_of(layout.attitude);
@@ -287,8 +286,7 @@ void require_streams(const DocumentView& root) {
   const bool sensors = std::any_of(kSensors.begin(), kSensors.end(), [&](auto key) { return root.has(key); });
   for (const auto& [first, second] : {std::pair{"scans", "lidar_poses"}, {"ins", "ins_poses"}}) {
     const int given = root.has(first) + root.has(second);
-    if (given != 1 && !(given == 0 && sensors))
-      root.fail(std::string("expected either '") + first + "' or '" + second + "'");
+    if (given != 1 && !(given == 0 && sensors)) root.fail(say::native_either(first, second));
   }
 }
 
@@ -315,12 +313,11 @@ namespace {
 
 /// What the manifest declares, checked as far as it concerns all streams.
 void check_manifest(const DocumentView& root) {
-  const std::string expected = "expected \"format: " + std::string(kFormat) + "\"";
-  if (!root.is_map()) root.fail("is no map of keys and values; " + expected + " and the rest of a session");
-  if (!root.has("format")) root.fail("the key \"format\" is missing; " + expected);
+  const std::string expected(kFormat);
+  if (!root.is_map()) root.fail(say::native_no_map(expected));
+  if (!root.has("format")) root.fail(say::native_format_missing(expected));
   const DocumentView& format = root.at("format");
-  if (format.string() != kFormat)
-    format.fail("is '" + format.string().substr(0, 60) + "', expected " + std::string(kFormat));
+  if (format.string() != kFormat) format.fail(say::native_other_format(format.string().substr(0, 60), expected));
   root.allow_only({"format", "name", "scans", "lidar_poses", "ins", "ins_poses", "ins_noise", "nominal", "clocks",
                    "imu", "gnss", "wheels", "barometer"});
   require_streams(root);
@@ -367,7 +364,7 @@ Session NativeSessionReader::open(const fs::path& path, Progress& progress) cons
   if (const auto node = root.find("clocks"))
     clocks = choice<ClockUse>(*node, {{"shared", ClockUse::Shared}, {"unsynchronised", ClockUse::Unsynchronised}});
   if (clocks == ClockUse::Unsynchronised && session.odometry_from_lidar.empty())
-    root.at("clocks").fail("clocks can be aligned only where lidar_poses are given");
+    root.at("clocks").fail(say::native_clocks());
   if (!session.scans) align_lidar_clock(session, clocks);
   return session;
 }

@@ -11,10 +11,7 @@ namespace remount {
 class NativeSessionReader final : public SessionReader {
  public:
   std::string_view id() const override { return "native"; }
-  std::string_view description() const override {
-    return "Remount session: a folder with session.yaml (or that file) that declares scans or LiDAR poses and an INS "
-           "table";
-  }
+  Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
   /// What `source` hands out of a session that still grows: items of the streams that trajectory alignment takes, in

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/core/parallel.h"
+#include "messages/sessions.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/document.h"
 #include "model/io/ins_table.h"
@@ -27,8 +28,8 @@ bool has_sensors(const Session& session) {
 
 void check_writable(const Session& session) {
   if (has_sensors(session)) return;
-  if (!has_ins(session)) throw Error(ErrorCode::Contract, session.name, "has no INS motion to write");
-  if (!has_lidar(session)) throw Error(ErrorCode::Contract, session.name, "has neither scans nor LiDAR poses to write");
+  if (!has_ins(session)) throw Error(ErrorCode::Contract, session.name, say::native_no_ins());
+  if (!has_lidar(session)) throw Error(ErrorCode::Contract, session.name, say::native_no_lidar());
 }
 
 AttitudeConvention convention_of(const Session& session) {
@@ -243,8 +244,7 @@ void write_native_session(const Session& session, const fs::path& folder, int th
 
 void write_kitti_raw_session(const Session& session, const fs::path& folder, int threads, Progress& progress) {
   check_writable(session);
-  if (session.ins.empty() || !session.scans)
-    throw Error(ErrorCode::Contract, session.name, "KITTI raw needs geodetic INS samples and scans");
+  if (session.ins.empty() || !session.scans) throw Error(ErrorCode::Contract, session.name, say::kitti_needs());
   const std::string date = [&] {
     std::string day = format_date_ns(session.scans->stamp_ns(0)).substr(0, 10);
     std::replace(day.begin(), day.end(), '-', '_');

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
+#include "messages/ins_logs.h"
+#include "messages/sessions.h"
 #include "model/assumed_tilt.h"
-#include "model/count_words.h"
 #include "model/io/input_file.h"
 #include "model/io/nmea_records.h"
 #include "model/io/text_file.h"
@@ -93,10 +93,10 @@ class NmeaAssembly {
       : records_(std::move(records)), path_(path), findings_(findings) {}
 
   NmeaLog made() {
-    records_.bad.report(findings_, "bad-nmea", path_.string(), "lines");
+    records_.bad.report(findings_, "bad-nmea", path_.string(), say::left_out_lines);
     if (records_.cut_line > 0)
-      findings_.push_back(make_finding(Severity::Warning, "log-cut", at_line(path_, records_.cut_line),
-                                       "The log ends within a sentence, which is left out."));
+      findings_.push_back(
+          make_finding(Severity::Warning, "log-cut", at_line(path_, records_.cut_line), say::nmea_cut()));
     take_attitudes();
     records_.keep_best_fixes();  // those of an INS and of an antenna are of two places
     report_one_stamp(records_.of_one_time, true, "gnss", path_.string(), findings_);
@@ -125,10 +125,7 @@ class NmeaAssembly {
     HeadingTimes times = places.times();
     attitudes_.headings = std::move(times.headings);
     if (times.order == HeadingOrder::Unknown)
-      findings_.push_back(make_finding(Severity::Warning, "heading-order", path_.string(),
-                                       "The log does not show whether a heading (HDT) stands before or behind the "
-                                       "position of its time: it is taken to stand behind. Otherwise headings "
-                                       "come one position too early."));
+      findings_.push_back(make_finding(Severity::Warning, "heading-order", path_.string(), say::nmea_heading_order()));
   }
 
   void take_measured(NmeaAttitudeKind kind) {
@@ -152,22 +149,18 @@ class NmeaAssembly {
       for (Eigen::Index axis = 1; axis < 3; ++axis)
         if (std::isnan(attitude.sigma_rad[axis])) attitude.sigma_rad[axis] = kHeadingSigma_rad;
     }
-    findings_.push_back(make_finding(Severity::Warning, "roll-assumed", path_.string(),
-                                     "The log has the heading and pitch of two antennas (" +
-                                         std::string(NmeaRecords::name(kind)) +
-                                         ") and no roll: it is taken to be zero, with an error of 3 degrees (1 sigma) "
-                                         "that lasts over the drive."));
+    findings_.push_back(
+        make_finding(Severity::Warning, "roll-assumed", path_.string(),
+                     say::nmea_roll_assumed(std::string(NmeaRecords::name(kind)), Angle{kAssumedTilt_rad})));
   }
 
   void tell_chosen(const std::string& chosen, const std::string& others, std::size_t other_fixes) const {
     if (others.empty() && other_fixes == 0) return;
-    const std::string unused =
-        other_fixes == 0 ? "; the attitudes of " + others + " are not used."
-                         : ", and the position with it; " +
-                               number_of(other_fixes, "other position is not used", "other positions are not used") +
-                               (others.empty() ? "." : ", nor the attitudes of " + others + ".");
     findings_.push_back(make_finding(Severity::Note, "attitude-chosen", path_.string(),
-                                     "The attitude is taken from " + chosen + unused));
+                                     other_fixes == 0 ? say::nmea_attitude_chosen(chosen, others)
+                                     : others.empty()
+                                         ? say::nmea_attitude_and_position(chosen, other_fixes)
+                                         : say::nmea_attitude_position_and_others(chosen, other_fixes, others)));
   }
 
   Eigen::Vector3d sigma_enu_m(const NmeaFix& fix) const {
@@ -211,16 +204,13 @@ class NmeaAssembly {
 
   void tell(const NmeaLog& log) const {
     if (records_.errors.empty())
-      findings_.push_back(make_finding(Severity::Note, "gnss-sigma-assumed", path_.string(),
-                                       "The log does not state errors (GST): what the quality of a fix usually means "
-                                       "is assumed."));
+      findings_.push_back(
+          make_finding(Severity::Note, "gnss-sigma-assumed", path_.string(), say::nmea_errors_assumed()));
     if (records_.without_geoid > 0)
-      findings_.push_back(make_finding(Severity::Note, "height-above-sea", path_.string(),
-                                       "Heights are above sea level, for the log does not give the geoid's."));
+      findings_.push_back(make_finding(Severity::Note, "height-above-sea", path_.string(), say::nmea_above_sea()));
     if (attitudes_.measured.empty() && !log.ins.empty())
       findings_.push_back(make_finding(Severity::Warning, "heading-alone", path_.string(),
-                                       "The log has a heading (HDT) and no roll and pitch: they are taken to be zero, "
-                                       "with an error of 3 degrees (1 sigma) that lasts over the drive."));
+                                       say::nmea_heading_alone(Angle{kAssumedTilt_rad})));
   }
 
   /// Positions between the first attitude and the last that got none; all where there is no INS.
@@ -235,14 +225,11 @@ class NmeaAssembly {
     std::int64_t longest_ns = 0;
     for (std::size_t i = 1; i < attitudes_.size(); ++i)
       longest_ns = std::max(longest_ns, attitudes_.time_ns(i) - attitudes_.time_ns(i - 1));
-    char longest_s[32];
-    std::snprintf(longest_s, sizeof longest_s, "%.2f", 1e-9 * static_cast<double>(longest_ns));
     findings_.push_back(
         make_finding(Severity::Warning, "attitude-sparse", path_.string(),
-                     std::to_string(missing) + " of " + std::to_string(records_.fixes.size()) +
-                         " positions have no attitude near them and are left out of the INS: the log has " +
-                         std::to_string(attitudes_.size()) + " attitudes, up to " + longest_s +
-                         " s apart, and none is interpolated over more than 0.25 s."));
+                     say::nmea_attitude_sparse(missing, records_.fixes.size(), attitudes_.size(),
+                                               Duration{1e-9 * static_cast<double>(longest_ns)},
+                                               Duration{1e-9 * static_cast<double>(kNearAttitude_ns)})));
   }
 
   NmeaRecords records_;

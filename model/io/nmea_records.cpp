@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "messages/general.h"
+#include "messages/ins_logs.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/input_file.h"
 #include "model/io/text_file.h"
@@ -118,7 +120,7 @@ void NmeaRecords::take_line(std::string_view line, bool at_end) {
     if (cut)
       cut_line = line_number_;
     else
-      add_bad(sentence.type, "the checksum is wrong");
+      add_bad(sentence.type, say::nmea_checksum_wrong());
     return;
   }
   // A sentence whose end is missing still has numbers, of which the last may have lost digits.
@@ -132,32 +134,25 @@ void NmeaRecords::take_line(std::string_view line, bool at_end) {
   if (cut && at_end) {
     cut_line = line_number_;
   } else if (cut) {
-    add_bad(sentence.type, "the checksum of a " + std::string(sentence.type) + " is missing, which the others have");
+    add_bad(sentence.type, say::nmea_checksum_missing(std::string(sentence.type)));
   } else if (kind == NmeaLine::Sentence) {
     if (known) usual->checksum = usual->checksum || checksum, usual->fields = sentence.fields.size();
-    if (!take(sentence)) add_bad(sentence.type, std::string(sentence.type) + " without usable values");
+    if (!take(sentence)) add_bad(sentence.type, say::nmea_no_values(std::string(sentence.type)));
   }
 }
 
-void NmeaRecords::add_bad(std::string_view type, const std::string& why) {
-  const std::string what = at_line(path_, line_number_) + ": " + why;
+void NmeaRecords::add_bad(std::string_view type, Message why) {
+  const Message what = say::of_file(at_line(path_, line_number_), std::move(why));
   bad.add(what);
   if (tells_date(type)) bad_dates_.add(what);
 }
 
 void NmeaRecords::require_fixes_and_date() const {
-  const auto first_of = [](const BadItems& items) {
-    return items.count() > 0 ? " First problem: " + items.first() : std::string();
-  };
-  if (fixes.empty())
-    throw Error(ErrorCode::Format, path_.string(), "holds no GGA sentence with a fix." + first_of(bad));
+  if (fixes.empty()) throw Error(ErrorCode::Format, path_.string(), bad.after(say::nmea_no_fix()));
   if (dated_) return;
   if (bad_dates_.count() > 0)
-    throw Error(
-        ErrorCode::Format, path_.string(),
-        "holds no date that can be used: the sentences that tell it (RMC, ZDA) are damaged." + first_of(bad_dates_));
-  throw Error(ErrorCode::Format, path_.string(),
-              "holds no date: GGA tells the time of day alone. Log RMC or ZDA as well");
+    throw Error(ErrorCode::Format, path_.string(), bad_dates_.after(say::nmea_date_damaged()));
+  throw Error(ErrorCode::Format, path_.string(), say::nmea_no_date());
 }
 
 // False where the sentence is of a kind that is read, and cannot be.

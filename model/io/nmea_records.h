@@ -100,7 +100,7 @@ class NmeaRecords {
   void reserve(std::string_view text);
   void take_lines(std::string_view text);
   void take_line(std::string_view line, bool at_end);
-  void add_bad(std::string_view type, const std::string& why);
+  void add_bad(std::string_view type, Message why);
   void require_fixes_and_date() const;
   bool take(const NmeaSentence& sentence);
   bool take_kind(const NmeaSentence& sentence);

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "messages/ins_logs.h"
 #include "model/io/attitude_convention.h"
 #include "model/io/input_file.h"
 #include "model/io/inspvax_log.h"
@@ -35,7 +36,7 @@ NovatelContents examine_novatel(const fs::path& path) {
 
 /// Reads every log and keeps the best; the others are named in a finding.
 void read_best_log(const NovatelContents& contents, Session& session) {
-  std::string others;
+  std::vector<std::string> others;
   double best_score = -1.0;
   std::vector<Finding> best_findings;
   fs::path best_path;
@@ -46,7 +47,7 @@ void read_best_log(const NovatelContents& contents, Session& session) {
     const double score = (intact ? 1e12 : 0.0) + static_cast<double>(log.ins.size());
     const bool better = score > best_score;
     const fs::path& other = better ? best_path : path;
-    if (!other.empty()) others += (others.empty() ? "" : ", ") + other.filename().string();
+    if (!other.empty()) others.push_back(other.filename().string());
     if (!better) continue;
     best_score = score;
     best_path = path;
@@ -56,9 +57,8 @@ void read_best_log(const NovatelContents& contents, Session& session) {
   session.files.push_back(best_path);
   session.findings.insert(session.findings.end(), best_findings.begin(), best_findings.end());
   if (!others.empty())
-    session.findings.push_back(make_finding(
-        Severity::Note, "ins-file-chosen", best_path.string(),
-        "Of several INSPVAX files this one has intact stamps and most samples; not used: " + others + "."));
+    session.findings.push_back(make_finding(Severity::Note, "ins-file-chosen", best_path.string(),
+                                            say::inspvax_log_chosen(std::move(others))));
 }
 
 const std::pair<fs::path, PoseFormat>& lidar_poses(const NovatelContents& contents, const fs::path& folder) {
@@ -68,13 +68,11 @@ const std::pair<fs::path, PoseFormat>& lidar_poses(const NovatelContents& conten
     if (!name_has_word(candidate.first, {"lidar", "odom", "laser", "mapped", "loam"})) continue;
     if (found)
       throw Error(ErrorCode::Unsupported, folder.string(),
-                  "holds several files of LiDAR poses: " + found->first.filename().string() + " and " +
-                      candidate.first.filename().string());
+                  say::inspvax_several_poses(found->first.filename().string(), candidate.first.filename().string()));
     found = &candidate;
   }
   if (found) return *found;
-  throw Error(ErrorCode::Unsupported, folder.string(),
-              "holds several pose files, none named after lidar, laser, odom, loam or mapped");
+  throw Error(ErrorCode::Unsupported, folder.string(), say::inspvax_no_named_poses());
 }
 
 }  // namespace
@@ -89,7 +87,7 @@ int NovatelReader::probe(const fs::path& path) const {
 Session NovatelReader::open(const fs::path& path, Progress& progress) const {
   progress.report("reading INS", 0, 2);
   const NovatelContents contents = examine_novatel(path);
-  if (contents.logs.empty()) throw Error(ErrorCode::Format, path.string(), "holds no INSPVAX log");
+  if (contents.logs.empty()) throw Error(ErrorCode::Format, path.string(), say::inspvax_no_log());
   Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
@@ -99,9 +97,8 @@ Session NovatelReader::open(const fs::path& path, Progress& progress) const {
   read_best_log(contents, session);
   progress.report("reading poses", 1, 2);
   if (contents.poses.empty()) {
-    session.findings.push_back(make_finding(Severity::Problem, "one-stream", path.string(),
-                                            "An INSPVAX log is half a session: put it into a folder with LiDAR poses, "
-                                            "or declare it with the scans in a session.yaml."));
+    session.findings.push_back(
+        make_finding(Severity::Problem, "one-stream", path.string(), say::inspvax_half_a_session()));
     return session;
   }
   const auto& [file, format] = lidar_poses(contents, path);

@@ -12,10 +12,7 @@ namespace remount {
 class NovatelReader final : public SessionReader {
  public:
   std::string_view id() const override { return "novatel-inspvax"; }
-  std::string_view description() const override {
-    return "NovAtel INSPVAX: an ASCII log (#INSPVAXA) or a CSV exported from a bag, in a folder with LiDAR poses "
-           "(A-LOAM CSV, TUM, ETH CSV)";
-  }
+  Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
 };

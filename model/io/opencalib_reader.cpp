@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "messages/sessions.h"
 #include "model/io/input_file.h"
 #include "model/io/pose_file.h"
 #include "model/io/pose_pairing.h"
@@ -68,14 +69,12 @@ OpencalibContents examine_opencalib(const fs::path& folder) {
   return contents;
 }
 
-void report_choice(const std::vector<fs::path>& files, const char* code, const char* role,
-                   std::vector<Finding>& findings) {
+void report_choice(const std::vector<fs::path>& files, const char* code,
+                   Message (*chosen)(std::vector<std::string> others), std::vector<Finding>& findings) {
   if (files.size() < 2) return;
-  std::string others;
-  for (std::size_t i = 1; i < files.size(); ++i) others += (i > 1 ? ", " : "") + files[i].filename().string();
-  findings.push_back(
-      make_finding(Severity::Note, code, files[0].string(),
-                   "Of several files this one is used for " + std::string(role) + "; not used: " + others + "."));
+  std::vector<std::string> others;
+  for (std::size_t i = 1; i < files.size(); ++i) others.push_back(files[i].filename().string());
+  findings.push_back(make_finding(Severity::Note, code, files[0].string(), chosen(std::move(others))));
 }
 
 void use_scans(OpencalibContents& contents, Session& session) {
@@ -106,15 +105,13 @@ int OpenCalibReader::probe(const fs::path& path) const {
 Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
   progress.report("reading poses", 0, 2);
   OpencalibContents contents = examine_opencalib(path);
-  if (contents.ins_poses.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no INS poses: lines of a stamp like 2021-10-26-16-21-29-468 and 12 numbers");
+  if (contents.ins_poses.empty()) throw Error(ErrorCode::Format, path.string(), say::opencalib_no_ins());
   Session session;
   session.name = (path.has_filename() ? path : path.parent_path()).filename().string();
   session.path = path;
   session.format = id();
   session.ins_axes.reset();
-  report_choice(contents.ins_poses, "ins-file-chosen", "the INS", session.findings);
+  report_choice(contents.ins_poses, "ins-file-chosen", say::opencalib_ins_chosen, session.findings);
   session.world_from_ins = read_pose_file(contents.ins_poses[0], PoseFormat::PoseLines, session.findings);
   session.files.push_back(contents.ins_poses[0]);
   progress.report("reading poses", 1, 2);
@@ -122,22 +119,18 @@ Session OpenCalibReader::open(const fs::path& path, Progress& progress) const {
   if (!contents.scans.empty() && (enough_scans || contents.lidar_poses.empty())) {
     if (!contents.lidar_poses.empty())
       session.findings.push_back(make_finding(Severity::Note, "scans-preferred", contents.scan_folder.string(),
-                                              "There are scans and LiDAR poses; the scans are used."));
+                                              say::opencalib_scans_preferred()));
     use_scans(contents, session);
     return session;
   }
-  if (contents.lidar_poses.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds INS poses, but neither PCD files named by their stamps nor LiDAR poses (*lidar*-pose*)");
-  report_choice(contents.lidar_poses, "lidar-file-chosen", "the LiDAR", session.findings);
+  if (contents.lidar_poses.empty()) throw Error(ErrorCode::Format, path.string(), say::opencalib_no_lidar());
+  report_choice(contents.lidar_poses, "lidar-file-chosen", say::opencalib_lidar_chosen, session.findings);
   session.odometry_from_lidar = read_pose_file(contents.lidar_poses[0], PoseFormat::PoseLines, session.findings);
   session.files.push_back(contents.lidar_poses[0]);
   if (!contents.scans.empty())
     session.findings.push_back(
         make_finding(Severity::Note, "lidar-poses-preferred", contents.lidar_poses[0].string(),
-                     "There are " + std::to_string(session.odometry_from_lidar.size()) + " LiDAR poses and only " +
-                         std::to_string(contents.scans.size()) +
-                         " scans; the poses are used. To use the scans, move the LiDAR poses away."));
+                     say::opencalib_poses_preferred(session.odometry_from_lidar.size(), contents.scans.size())));
   align_lidar_clock(session, ClockUse::Shared);
   return session;
 }

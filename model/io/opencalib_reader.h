@@ -15,10 +15,7 @@ namespace remount {
 class OpenCalibReader final : public SessionReader {
  public:
   std::string_view id() const override { return "opencalib"; }
-  std::string_view description() const override {
-    return "OpenCalib: a folder with pose lines (stamp and 12 numbers) of the INS, and PCD files named by their stamps "
-           "or LiDAR poses";
-  }
+  Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
 };

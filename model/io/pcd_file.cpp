@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "messages/clouds.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/input_file.h"
 #include "model/io/lzf.h"
@@ -39,27 +40,23 @@ struct Entries {
   std::size_t fields_line = 0;
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::size_t line, const std::string& what) {
-  throw Error(ErrorCode::Format, at_line(path, line), what);
+[[noreturn]] void fail(const std::filesystem::path& path, std::size_t line, Message what) {
+  throw Error(ErrorCode::Format, at_line(path, line), std::move(what));
 }
 
 std::int64_t header_integer(std::string_view text, std::string_view key, std::int64_t low, std::int64_t high,
                             const std::filesystem::path& path, std::size_t line) {
   const std::optional<std::int64_t> value = parse_integer(text);
   if (value && *value >= low && *value <= high) return *value;
-  fail(path, line,
-       std::string(key) + " holds '" + std::string(text.substr(0, 40)) + "', expected an integer from " +
-           std::to_string(low) + " to " + std::to_string(high));
+  fail(path, line, say::pcd_integer(std::string(key), std::string(text.substr(0, 40)), low, high));
 }
 
 void read_entry(Entries& entries, const std::vector<std::string_view>& tokens, const std::filesystem::path& path,
                 std::size_t line) {
   const std::string key = lower_case(tokens[0]);
-  if (tokens.size() > kMaxFields + 1)
-    fail(path, line,
-         "has " + std::to_string(tokens.size() - 1) + " columns, at most " + std::to_string(kMaxFields) + " are read");
+  if (tokens.size() > kMaxFields + 1) fail(path, line, say::pcd_too_many_columns(tokens.size() - 1, kMaxFields));
   const auto single = [&](std::int64_t high) {
-    if (tokens.size() != 2) fail(path, line, std::string(tokens[0]) + " expects one number");
+    if (tokens.size() != 2) fail(path, line, say::pcd_one_number(std::string(tokens[0])));
     return header_integer(tokens[1], tokens[0], 0, high, path, line);
   };
   constexpr std::int64_t kLarge = std::numeric_limits<std::int64_t>::max();
@@ -78,8 +75,7 @@ void read_entry(Entries& entries, const std::vector<std::string_view>& tokens, c
   } else if (key == "type") {
     entries.types.clear();
     for (std::size_t i = 1; i < tokens.size(); ++i) {
-      if (tokens[i].size() != 1)
-        fail(path, line, "TYPE holds '" + std::string(tokens[i].substr(0, 40)) + "', expected I, U or F");
+      if (tokens[i].size() != 1) fail(path, line, say::pcd_type(std::string(tokens[i].substr(0, 40))));
       entries.types.push_back(tokens[i][0]);
     }
   } else if (key == "width") {
@@ -89,7 +85,7 @@ void read_entry(Entries& entries, const std::vector<std::string_view>& tokens, c
   } else if (key == "points") {
     entries.points = single(kLarge);
   } else if (key != "version" && key != "viewpoint") {
-    fail(path, line, "'" + std::string(tokens[0].substr(0, 40)) + "' is not a line of a PCD header");
+    fail(path, line, say::pcd_unknown_line(std::string(tokens[0].substr(0, 40))));
   }
 }
 
@@ -114,16 +110,14 @@ ScalarType scalar_type(char type, std::int64_t size, const std::filesystem::path
     default:
       break;
   }
-  fail(path, line, std::string("TYPE ") + type + " with SIZE " + std::to_string(size) + " is not a number type");
+  fail(path, line, say::pcd_no_number_type(std::string(1, type), size));
 }
 
 void describe_fields(Header& header, const Entries& entries, const std::filesystem::path& path) {
   const std::size_t line = entries.fields_line, n = entries.fields.size();
-  if (n == 0) fail(path, header.data_line, "FIELDS is missing before DATA");
+  if (n == 0) fail(path, header.data_line, say::pcd_no_fields());
   if (entries.sizes.size() != n || entries.types.size() != n || (!entries.counts.empty() && entries.counts.size() != n))
-    fail(path, line,
-         "FIELDS names " + std::to_string(n) + " columns, but SIZE has " + std::to_string(entries.sizes.size()) +
-             ", TYPE " + std::to_string(entries.types.size()) + " and COUNT " + std::to_string(entries.counts.size()));
+    fail(path, line, say::pcd_fields_differ(n, entries.sizes.size(), entries.types.size(), entries.counts.size()));
   for (std::size_t i = 0; i < n; ++i) {
     CloudField field;
     field.name = entries.fields[i];
@@ -138,20 +132,19 @@ void describe_fields(Header& header, const Entries& entries, const std::filesyst
 
 void count_points(Header& header, const Entries& entries, const std::filesystem::path& path) {
   const std::int64_t height = entries.height.value_or(1);
-  if (!entries.points && !entries.width) fail(path, header.data_line, "neither POINTS nor WIDTH stands before DATA");
+  if (!entries.points && !entries.width) fail(path, header.data_line, say::pcd_no_points());
   const std::int64_t width = entries.width.value_or(*entries.points / std::max<std::int64_t>(height, 1));
   if (height != 0 && width > std::numeric_limits<std::int64_t>::max() / height)
-    fail(path, header.data_line, "WIDTH times HEIGHT does not fit 64 bits");
+    fail(path, header.data_line, say::pcd_too_many_points());
   const std::int64_t points = entries.points.value_or(width * height);
   // Some writers leave WIDTH or HEIGHT at 0: what follows is as many points as POINTS says.
   if (width * height != points && width * height != 0)
-    fail(path, header.data_line,
-         "POINTS is " + std::to_string(points) + ", but WIDTH times HEIGHT is " + std::to_string(width * height));
+    fail(path, header.data_line, say::pcd_points_differ(points, width * height));
   header.points = static_cast<std::size_t>(points);
 }
 
 Header read_header(std::string_view bytes, const std::filesystem::path& path) {
-  if (bytes.empty()) fail(path, 1, "is empty, expected a PCD header");
+  if (bytes.empty()) fail(path, 1, say::pcd_empty());
   Header header;
   Entries entries;
   LineReader lines(bytes.substr(0, kMaxHeaderBytes));
@@ -172,14 +165,14 @@ Header read_header(std::string_view bytes, const std::filesystem::path& path) {
     else if (encoding == "binary_compressed")
       header.encoding = Encoding::Compressed;
     else
-      fail(path, lines.line_number(), "DATA is '" + encoding + "', expected ascii, binary or binary_compressed");
+      fail(path, lines.line_number(), say::pcd_data(encoding));
     header.data_offset = lines.offset();
     header.data_line = lines.line_number();
     describe_fields(header, entries, path);
     count_points(header, entries, path);
     return header;
   }
-  fail(path, lines.line_number(), "no DATA line within the first " + std::to_string(kMaxHeaderBytes) + " bytes");
+  fail(path, lines.line_number(), say::pcd_no_data(Bytes{kMaxHeaderBytes}));
 }
 
 /// Fills a point from where `value(field index)` finds its numbers.
@@ -202,21 +195,17 @@ void read_ascii(CloudBuilder& builder, const Header& header, const CloudColumns&
     if (tokens.empty()) continue;
     const std::size_t number = header.data_line + lines.line_number();
     if (tokens.size() != header.values_per_point)
-      fail(path, number,
-           "has " + std::to_string(tokens.size()) + " values, expected " + std::to_string(header.values_per_point));
+      fail(path, number, say::pcd_values(tokens.size(), header.values_per_point));
     builder.add(raw_point(columns, [&](int field) {
       const CloudField& column = header.fields[static_cast<std::size_t>(field)];
       const std::optional<double> value = parse_any_number(tokens[column.offset]);
-      if (!value)
-        fail(path, number,
-             column.name + " is '" + std::string(tokens[column.offset].substr(0, 40)) + "', expected a number");
+      if (!value) fail(path, number, say::pcd_no_number(column.name, std::string(tokens[column.offset].substr(0, 40))));
       return *value;
     }));
     ++read;
   }
   if (read < header.points)
-    fail(path, header.data_line + lines.line_number(),
-         "ends after " + std::to_string(read) + " of " + std::to_string(header.points) + " points");
+    fail(path, header.data_line + lines.line_number(), say::pcd_ends_early(read, header.points));
 }
 
 /// Points one after the other (binary) or one column after the other (compressed).
@@ -233,21 +222,18 @@ void read_binary(CloudBuilder& builder, const Header& header, const CloudColumns
 
 std::string decompress(const Header& header, std::string_view data, const std::filesystem::path& path) {
   const auto place = path.string() + ": byte " + std::to_string(header.data_offset);
-  if (data.size() < 8) throw Error(ErrorCode::Format, place, "ends before the two sizes of the compressed data");
+  if (data.size() < 8) throw Error(ErrorCode::Format, place, say::pcd_no_sizes());
   const auto packed =
       static_cast<std::size_t>(read_scalar(data.data(), ScalarType::U32, std::endian::native == std::endian::big));
   const auto unpacked =
       static_cast<std::size_t>(read_scalar(data.data() + 4, ScalarType::U32, std::endian::native == std::endian::big));
   if (packed > data.size() - 8)
-    throw Error(
-        ErrorCode::Format, place,
-        "promises " + std::to_string(packed) + " compressed bytes, " + std::to_string(data.size() - 8) + " are there");
+    throw Error(ErrorCode::Format, place, say::pcd_compressed_bytes(packed, data.size() - 8));
   if (unpacked / header.bytes_per_point != header.points || unpacked % header.bytes_per_point != 0)
     throw Error(ErrorCode::Format, place,
-                "promises " + std::to_string(unpacked) + " bytes, expected " + std::to_string(header.points) +
-                    " points of " + std::to_string(header.bytes_per_point) + " bytes");
+                say::pcd_unpacked_bytes(Bytes{unpacked}, header.points, Bytes{header.bytes_per_point}));
   std::optional<std::string> decoded = lzf_decode(data.substr(8, packed), unpacked);
-  if (!decoded) throw Error(ErrorCode::Format, place, "the LZF stream is broken or has another length than promised");
+  if (!decoded) throw Error(ErrorCode::Format, place, say::pcd_broken_stream());
   return *std::move(decoded);
 }
 
@@ -266,9 +252,7 @@ ReadCloud parse_pcd(std::string_view bytes, const std::filesystem::path& path, s
       (header.encoding == Encoding::Compressed ? lzf_max_output(data.size()) / header.bytes_per_point
                                                : (data.size() + 1) / smallest);
   if (header.points > fitting)
-    fail(path, header.data_line,
-         "promises " + std::to_string(header.points) + " points, the " + std::to_string(data.size()) +
-             " bytes that follow hold at most " + std::to_string(fitting));
+    fail(path, header.data_line, say::pcd_points_beyond_end(header.points, Bytes{data.size()}, fitting));
   if (header.points == 0) return {};
   std::string decoded;
   if (header.encoding == Encoding::Compressed) decoded = decompress(header, data, path);

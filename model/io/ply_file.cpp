@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "messages/clouds.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/input_file.h"
 
@@ -37,8 +38,8 @@ struct PlyHeader {
   std::size_t lines = 0;
 };
 
-[[noreturn]] void fail_ply(const std::filesystem::path& path, std::size_t line, const std::string& what) {
-  throw Error(ErrorCode::Format, at_line(path, line), what);
+[[noreturn]] void fail_ply(const std::filesystem::path& path, std::size_t line, Message what) {
+  throw Error(ErrorCode::Format, at_line(path, line), std::move(what));
 }
 
 ScalarType scalar_type(std::string_view name, const std::filesystem::path& path, std::size_t line) {
@@ -52,14 +53,13 @@ ScalarType scalar_type(std::string_view name, const std::filesystem::path& path,
   if (name == "uint64" || name == "ulong") return ScalarType::U64;
   if (name == "float" || name == "float32") return ScalarType::F32;
   if (name == "double" || name == "float64") return ScalarType::F64;
-  fail_ply(path, line, "'" + std::string(name.substr(0, 40)) + "' is not a PLY number type");
+  fail_ply(path, line, say::ply_no_number_type(std::string(name.substr(0, 40))));
 }
 
 void add_property(Element& element, const std::vector<std::string_view>& tokens, const std::filesystem::path& path,
                   std::size_t line) {
   Property property;
-  if (element.properties.size() >= kMaxProperties)
-    fail_ply(path, line, "more than " + std::to_string(kMaxProperties) + " properties in one element");
+  if (element.properties.size() >= kMaxProperties) fail_ply(path, line, say::ply_too_many_properties(kMaxProperties));
   if (tokens.size() == 5 && tokens[1] == "list") {
     property.list = scalar_type(tokens[2], path, line);
     property.field.type = scalar_type(tokens[3], path, line);
@@ -70,7 +70,7 @@ void add_property(Element& element, const std::vector<std::string_view>& tokens,
     property.field.type = scalar_type(tokens[1], path, line);
     element.smallest_row += size_of(property.field.type);
   } else {
-    fail_ply(path, line, "expected 'property <type> <name>' or 'property list <type> <type> <name>'");
+    fail_ply(path, line, say::ply_property());
   }
   property.field.name = lower_case(tokens.back());
   element.properties.push_back(std::move(property));
@@ -88,25 +88,23 @@ void read_header_line(PlyHeader& header, const std::vector<std::string_view>& to
     else if (encoding == "binary_big_endian")
       header.encoding = PlyEncoding::Big;
     else
-      fail_ply(path, line,
-               "format is '" + std::string(encoding.substr(0, 40)) +
-                   "', expected ascii, binary_little_endian or binary_big_endian");
+      fail_ply(path, line, say::ply_format(std::string(encoding.substr(0, 40))));
   } else if (tokens[0] == "element") {
     const std::optional<std::int64_t> count = tokens.size() == 3 ? parse_integer(tokens[2]) : std::nullopt;
-    if (!count || *count < 0) fail_ply(path, line, "expected 'element <name> <count>'");
+    if (!count || *count < 0) fail_ply(path, line, say::ply_element());
     header.elements.push_back({std::string(tokens[1]), static_cast<std::size_t>(*count), {}, false, 0});
   } else if (tokens[0] == "property") {
-    if (header.elements.empty()) fail_ply(path, line, "a property stands before the first element");
+    if (header.elements.empty()) fail_ply(path, line, say::ply_property_alone());
     add_property(header.elements.back(), tokens, path, line);
   } else {
-    fail_ply(path, line, "'" + std::string(tokens[0].substr(0, 40)) + "' is not a line of a PLY header");
+    fail_ply(path, line, say::ply_unknown_line(std::string(tokens[0].substr(0, 40))));
   }
 }
 
 PlyHeader read_ply_header(std::string_view bytes, const std::filesystem::path& path) {
   LineReader lines(bytes.substr(0, kMaxPlyHeaderBytes));
   std::string_view line;
-  if (!lines.next(line) || trimmed(line) != "ply") fail_ply(path, 1, "does not begin with 'ply'");
+  if (!lines.next(line) || trimmed(line) != "ply") fail_ply(path, 1, say::ply_no_mark());
   PlyHeader header;
   bool format = false;
   std::vector<std::string_view> tokens;
@@ -114,7 +112,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::filesystem::path& p
     split_blanks(line, tokens);
     if (tokens.empty()) continue;
     if (tokens[0] == "end_header") {
-      if (!format) fail_ply(path, lines.line_number(), "the header has no 'format' line");
+      if (!format) fail_ply(path, lines.line_number(), say::ply_no_format());
       header.data_offset = lines.offset();
       header.lines = lines.line_number();
       return header;
@@ -122,8 +120,7 @@ PlyHeader read_ply_header(std::string_view bytes, const std::filesystem::path& p
     format = format || tokens[0] == "format";
     read_header_line(header, tokens, path, lines.line_number());
   }
-  fail_ply(path, lines.line_number(),
-           "no 'end_header' within the first " + std::to_string(kMaxPlyHeaderBytes) + " bytes");
+  fail_ply(path, lines.line_number(), say::ply_no_end(Bytes{kMaxPlyHeaderBytes}));
 }
 
 /// Walks the data of all elements; `values` of a row hold one number for each property (0 for lists).
@@ -158,15 +155,13 @@ class RowReader {
   void read_text(const Element& element, std::vector<double>& values) {
     std::string_view line;
     do {
-      if (!lines_.next(line)) throw Error(ErrorCode::Format, place(), "ends within element '" + element.name + "'");
+      if (!lines_.next(line)) throw Error(ErrorCode::Format, place(), say::ply_ends_early(element.name));
       split_blanks(line, tokens_);
     } while (tokens_.empty());
     std::size_t at = 0;
     const auto next = [&] {
       const std::optional<double> value = at < tokens_.size() ? parse_any_number(tokens_[at]) : std::nullopt;
-      if (!value)
-        throw Error(ErrorCode::Format, place(),
-                    "value " + std::to_string(at + 1) + " of the line is missing or no number");
+      if (!value) throw Error(ErrorCode::Format, place(), say::ply_no_value(at + 1));
       ++at;
       return *value;
     };
@@ -193,7 +188,7 @@ class RowReader {
 
   double next_scalar(ScalarType type, const Element& element) {
     if (size_of(type) > data_.size() - offset_)
-      throw Error(ErrorCode::Format, place(), "ends within element '" + element.name + "'");
+      throw Error(ErrorCode::Format, place(), say::ply_ends_early(element.name));
     const bool swap = (header_.encoding == PlyEncoding::Big) != (std::endian::native == std::endian::big);
     const double value = read_scalar(data_.data() + offset_, type, swap);
     offset_ += size_of(type);
@@ -202,7 +197,7 @@ class RowReader {
 
   std::size_t list_length(double length, std::size_t rest, std::size_t unit) const {
     if (!(length >= 0.0) || length > static_cast<double>(rest / unit))
-      throw Error(ErrorCode::Format, place(), "a list promises more values than the file holds");
+      throw Error(ErrorCode::Format, place(), say::ply_list_too_long());
     return static_cast<std::size_t>(length);
   }
 
@@ -246,14 +241,13 @@ ReadCloud parse_ply(std::string_view bytes, const std::filesystem::path& path, s
   for (const Element& element : header.elements) {
     if (element.count > rows.fitting_rows(element))
       throw Error(ErrorCode::Format, rows.place(),
-                  "element '" + element.name + "' promises " + std::to_string(element.count) +
-                      " rows, the file holds at most " + std::to_string(rows.fitting_rows(element)));
+                  say::ply_rows_beyond_end(element.name, element.count, rows.fitting_rows(element)));
     if (element.name == "vertex")
       return read_vertices(rows, element, header.encoding != PlyEncoding::Ascii, path, stamp_ns, times);
     if (element.properties.empty()) continue;
     for (std::size_t i = 0; i < element.count; ++i) rows.read(element, skipped);
   }
-  throw Error(ErrorCode::Format, path.string(), "has no element 'vertex'");
+  throw Error(ErrorCode::Format, path.string(), say::ply_no_vertices());
 }
 
 }  // namespace remount

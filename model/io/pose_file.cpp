@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "messages/files.h"
+#include "messages/poses.h"
+#include "messages/sessions.h"
 #include "model/impossible_motion.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
@@ -27,11 +30,11 @@ constexpr std::array<std::int64_t, 5> kFixedTypes{48, 49, 50, 56, 69};
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
-std::string_view unit_name_of(std::int64_t unit_ns) {
-  return unit_ns == kSecond_ns  ? "seconds"
-         : unit_ns == 1'000'000 ? "milliseconds"
-         : unit_ns == 1'000     ? "microseconds"
-                                : "nanoseconds";
+Message unit_words(std::int64_t unit_ns) {
+  return unit_ns == kSecond_ns  ? say::pose_unit_seconds()
+         : unit_ns == 1'000'000 ? say::pose_unit_milliseconds()
+         : unit_ns == 1'000     ? say::pose_unit_microseconds()
+                                : say::pose_unit_nanoseconds();
 }
 
 void split_pose_line(std::string_view line, PoseFormat format, std::vector<std::string_view>& fields) {
@@ -76,30 +79,29 @@ class LineParser {
  private:
   std::string_view field(std::size_t i) const {
     if (i < fields_.size()) return fields_[i];
-    throw Error(ErrorCode::Format, at_line(path_, line_),
-                "has " + std::to_string(fields_.size()) + " fields, expected more than " + std::to_string(i));
+    throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_fields(fields_.size(), i));
   }
   double number(std::size_t i) const {
-    const double value = require_number(field(i), "field " + std::to_string(i + 1), path_, line_);
+    const double value = require_number(
+        field(i), [&] { return say::pose_field(i + 1); }, path_, line_);
     if (std::abs(value) < kFarthestPosition_m) return value;
-    throw Error(ErrorCode::Format, at_line(path_, line_), "field " + std::to_string(i + 1) + " is beyond 1e9");
+    throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_field_beyond(i + 1));
   }
   std::int64_t stamp(std::string_view text) const {
     if (const auto stamp_ns = parse_time_ns(text, time_unit_ns_)) return *stamp_ns;
     throw Error(ErrorCode::Format, at_line(path_, line_),
-                "'" + std::string(text.substr(0, 40)) + "' is no time in " + std::string(unit_name_of(time_unit_ns_)));
+                say::pose_no_time(std::string(text.substr(0, 40)), unit_words(time_unit_ns_)));
   }
   std::int64_t host_stamp() const {
     const auto seconds = parse_integer(field(columns_.time)), nanoseconds = parse_integer(field(*columns_.nanoseconds));
     if (!seconds || !nanoseconds || *seconds < 0 || *seconds > 9'000'000'000 || *nanoseconds < 0 ||
         *nanoseconds >= 1'000'000'000)
-      throw Error(ErrorCode::Format, at_line(path_, line_), "header.stamp holds no seconds and nanoseconds");
+      throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_no_stamp_in_parts());
     return *seconds * 1'000'000'000 + *nanoseconds;
   }
   RigidTransform posed(const Eigen::Quaterniond& quaternion, const Eigen::Vector3d& position) const {
     if (std::abs(quaternion.norm() - 1.0) > 0.01)
-      throw Error(ErrorCode::Format, at_line(path_, line_),
-                  "the quaternion has length " + std::to_string(quaternion.norm()) + ", expected 1");
+      throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_quaternion_length(quaternion.norm()));
     return make_rigid(quaternion.normalized().toRotationMatrix(), position);
   }
   StampedPose parse_apollo() {
@@ -108,20 +110,17 @@ class LineParser {
     const auto type = parse_integer(field(apollo_columns_[1]));
     if (!type)
       throw Error(ErrorCode::Format, at_line(path_, line_),
-                  "'" + std::string(field(apollo_columns_[1]).substr(0, 40)) +
-                      "' is no position type, expected a whole number");
+                  say::pose_no_position_type(std::string(field(apollo_columns_[1]).substr(0, 40))));
     not_fixed_ += std::find(kFixedTypes.begin(), kFixedTypes.end(), *type) == kFixedTypes.end();
     return {stamp(field(apollo_columns_[0])),
             posed({values[0], values[1], values[2], values[3]}, {values[4], values[5], values[6]})};
   }
   StampedPose parse_matrix() {
     if (fields_.size() != 13)
-      throw Error(ErrorCode::Format, at_line(path_, line_),
-                  "has " + std::to_string(fields_.size()) + " fields, expected a time stamp and 12 numbers");
+      throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_line_fields(fields_.size()));
     const auto stamp = parse_date_ns(fields_[0]);
     if (!stamp)
-      throw Error(ErrorCode::Format, at_line(path_, line_),
-                  "'" + std::string(fields_[0].substr(0, 40)) + "' is no time like 2021-10-26-16-21-29-468");
+      throw Error(ErrorCode::Format, at_line(path_, line_), say::pose_no_date(std::string(fields_[0].substr(0, 40))));
     Eigen::Matrix3d rotation;
     Eigen::Vector3d position;
     for (int row = 0; row < 3; ++row) {
@@ -294,14 +293,10 @@ std::int64_t time_unit_of(PoseFormat format, const PoseColumns& columns, const L
   if (columns.time_unit_ns != 0) return columns.time_unit_ns;
   const auto [stamps, whole] = first_stamps(format, columns, lines);
   const std::optional<std::int64_t> unit_ns = unit_of_stamps_ns(stamps);
-  if (!unit_ns && whole && !stamps.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "the unit of its times cannot be told by their size: name it in a first line, as in '# timestamp [ns] "
-                "tx ty tz qx qy qz qw'");
+  if (!unit_ns && whole && !stamps.empty()) throw Error(ErrorCode::Format, path.string(), say::pose_unit_open());
   if (unit_ns.value_or(kSecond_ns) != kSecond_ns)
     findings.push_back(
-        make_finding(Severity::Note, "stamps-unit", path.string(),
-                     "By their size the times are taken to be " + std::string(unit_name_of(*unit_ns)) + "."));
+        make_finding(Severity::Note, "stamps-unit", path.string(), say::pose_unit_by_size(unit_words(*unit_ns))));
   return unit_ns.value_or(kSecond_ns);
 }
 
@@ -324,7 +319,7 @@ void read_head(PoseFormat format, const fs::path& path, LineParser& parser, Line
                std::vector<Finding>& findings) {
   std::string_view line;
   if (format == PoseFormat::AloamCsv) {
-    if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty");
+    if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), say::file_empty());
     parser.set_columns(aloam_columns(line, path), kSecond_ns);
   } else if (format == PoseFormat::ApolloCsv) {
     LineReader ahead = lines;
@@ -342,9 +337,8 @@ void read_head(PoseFormat format, const fs::path& path, LineParser& parser, Line
 void tell_not_fixed(const std::vector<StampedPose>& poses, std::size_t not_fixed, const fs::path& path,
                     std::vector<Finding>& findings) {
   if (not_fixed > 0)
-    findings.push_back(make_finding(Severity::Warning, "rtk-lost", path.string(),
-                                    std::to_string(not_fixed) + " of " + std::to_string(poses.size()) +
-                                        " positions are not fixed by their position type."));
+    findings.push_back(
+        make_finding(Severity::Warning, "rtk-lost", path.string(), say::pose_not_fixed(not_fixed, poses.size())));
 }
 
 }  // namespace
@@ -372,14 +366,11 @@ std::vector<StampedPose> parse_poses(std::string_view text, const fs::path& path
     }
   }
   if (poses.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no usable pose (" + std::string(to_string(format)) + ")." +
-                    (bad.count() ? " First problem: " + bad.first() : ""));
-  bad.report(findings, "bad-poses", path.string(), "lines");
+    throw Error(ErrorCode::Format, path.string(), bad.after(say::pose_none_usable(std::string(to_string(format)))));
+  bad.report(findings, "bad-poses", path.string(), say::left_out_lines);
   if (parser.worst_defect() > kNotableDefect)
     findings.push_back(make_finding(Severity::Warning, "rotation-not-orthonormal", path.string(),
-                                    "Rotations were off by up to " + std::to_string(parser.worst_defect()) +
-                                        " in an entry; the nearest rotation is used."));
+                                    say::pose_not_orthonormal(parser.worst_defect())));
   if (format == PoseFormat::ApolloCsv) tell_not_fixed(poses, parser.not_fixed(), path, findings);
   keep_ascending(poses, "pose", path.string(), findings);
   return poses;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algorithms/trajectory/clock_alignment.h"
+#include "messages/poses.h"
 #include "model/io/stream_tools.h"
 #include "model/week_rollover.h"
 
@@ -23,11 +24,9 @@ double overlap_share(const RotationStream& a, const RotationStream& b) {
   return shorter > 0 ? static_cast<double>(common) / static_cast<double>(shorter) : 0.0;
 }
 
-std::string describe(const ClockAlignment& alignment) {
-  char text[160];
-  std::snprintf(text, sizeof text, "INS time = LiDAR time %+.4f s (sigma %.4f s, correlation %.3f, next best %.3f)",
-                alignment.offset_s, alignment.sigma_s, alignment.correlation, alignment.runner_up);
-  return text;
+Message describe(const ClockAlignment& alignment) {
+  return say::clock_by_rates(Duration{alignment.offset_s}, Duration{alignment.sigma_s}, alignment.correlation,
+                             alignment.runner_up);
 }
 
 }  // namespace
@@ -43,30 +42,22 @@ void align_lidar_clock(Session& session, ClockUse clocks) {
   if (!clear) {
     if (needed)
       session.findings.push_back(
-          overlapping ? make_finding(Severity::Warning, "clock-ambiguous", "clocks",
-                                     "Rates of rotation alone do not tell by how much the clocks of the LiDAR poses "
-                                     "and the INS differ: " +
-                                         alignment.why +
-                                         ". The stamps stay as they are; a small offset is estimated with the "
-                                         "mounting.")
-                      : make_finding(Severity::Problem, "clock-ambiguous", "clocks",
-                                     "The LiDAR poses cannot be brought to INS time: " + alignment.why +
-                                         ". Their stamps stay as they are; record a drive with several turns."));
+          overlapping
+              ? make_finding(Severity::Warning, "clock-ambiguous", "clocks", say::clock_not_told(alignment.why))
+              : make_finding(Severity::Problem, "clock-ambiguous", "clocks", say::clock_not_aligned(alignment.why)));
     return;
   }
   // Moving by what may be chance makes clocks worse that agree; a coarse estimate does not show that they do.
   const double tolerance_s = needed ? std::min(2.0 * alignment.sigma_s, kAgreeing_s) : kSharedTolerance_s;
   if (overlapping && std::abs(alignment.offset_s) < tolerance_s) {
-    session.findings.push_back(make_finding(
-        Severity::Note, "clock-offset", "clocks",
-        "The two clocks agree; by the rates of rotation, " + describe(alignment) + ". Nothing was moved."));
+    session.findings.push_back(
+        make_finding(Severity::Note, "clock-offset", "clocks", say::clock_agrees(describe(alignment))));
     return;
   }
   const std::int64_t offset_ns = std::llround(alignment.offset_s * 1e9);
   for (StampedPose& pose : session.odometry_from_lidar) pose.stamp_ns += offset_ns;
-  session.findings.push_back(
-      make_finding(needed ? Severity::Note : Severity::Warning, "clock-aligned", "clocks",
-                   "The LiDAR poses were moved to INS time by the rates of rotation: " + describe(alignment) + "."));
+  session.findings.push_back(make_finding(needed ? Severity::Note : Severity::Warning, "clock-aligned", "clocks",
+                                          say::clock_moved(describe(alignment))));
 }
 
 }  // namespace remount

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/poses.h"
 #include "model/io/input_file.h"
 #include "model/io/pose_file.h"
 #include "model/io/pose_pairing.h"
@@ -29,27 +30,27 @@ std::vector<PoseFile> pose_files_in(const fs::path& folder) {
   return found;
 }
 
-std::string names_of_files(const std::vector<PoseFile>& files) {
-  std::string text;
+/// A line each, for messages.
+std::vector<std::string> names_of_files(const std::vector<PoseFile>& files) {
+  std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min<std::size_t>(files.size(), 20); ++i)
-    text += "\n  " + files[i].path.filename().string();
-  return text;
+    names.push_back("  " + files[i].path.filename().string());
+  return names;
 }
 
 const PoseFile& only_one(const std::vector<PoseFile>& files, bool (*wanted)(const fs::path&), const fs::path& folder,
-                         const char* words) {
+                         Message words) {
   const PoseFile* found = nullptr;
   for (const PoseFile& file : files) {
     if (!wanted(file.path)) continue;
     if (found)
       throw Error(ErrorCode::Unsupported, folder.string(),
-                  "holds several pose files named after " + std::string(words) +
-                      "; put each pair into a folder of its own:" + names_of_files(files));
+                  say::pose_several_files(std::move(words), names_of_files(files)));
     found = &file;
   }
   if (found) return *found;
   throw Error(ErrorCode::Unsupported, folder.string(),
-              "holds no pose file named after " + std::string(words) + ", found:" + names_of_files(files));
+              say::pose_no_file_of_name(std::move(words), names_of_files(files)));
 }
 
 }  // namespace
@@ -82,18 +83,16 @@ Session PoseSessionReader::open(const fs::path& path, Progress& progress) const 
   session.ins_axes.reset();
   if (is_file(path)) {
     const auto format = recognise_pose_file(path);
-    if (!format) throw Error(ErrorCode::Format, path.string(), "is no pose file");
+    if (!format) throw Error(ErrorCode::Format, path.string(), say::pose_no_file());
     auto& poses = is_ins(path) ? session.world_from_ins : session.odometry_from_lidar;
     poses = read_pose_file(path, *format, session.findings);
     session.files.push_back(path);
-    session.findings.push_back(
-        make_finding(Severity::Problem, "one-stream", path.string(),
-                     "One pose file is half a session: put it into a folder with the poses of the other sensor."));
+    session.findings.push_back(make_finding(Severity::Problem, "one-stream", path.string(), say::pose_one_file()));
     return session;
   }
   const std::vector<PoseFile> files = pose_files_in(path);
-  const PoseFile& ins = only_one(files, is_ins, path, "ins, imu, gnss, hand, vicon or body");
-  const PoseFile& lidar = only_one(files, is_lidar, path, "lidar, camera, cam, odom or laser");
+  const PoseFile& ins = only_one(files, is_ins, path, say::pose_names_of_ins());
+  const PoseFile& lidar = only_one(files, is_lidar, path, say::pose_names_of_lidar());
   progress.report("reading poses", 0, 2);
   session.world_from_ins = read_pose_file(ins.path, ins.format, session.findings);
   session.ins_axes = axes_of(ins.format);

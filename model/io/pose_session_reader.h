@@ -12,11 +12,7 @@ namespace remount {
 class PoseSessionReader final : public SessionReader {
  public:
   std::string_view id() const override { return "poses"; }
-  std::string_view description() const override {
-    return "Pose files: a folder with two (TUM, ETH CSV, A-LOAM CSV, pose lines), one named ins/imu/hand/vicon/body, "
-           "one "
-           "lidar/camera/cam/odom/laser; or a single one to inspect";
-  }
+  Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
 };

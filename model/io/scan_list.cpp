@@ -1,5 +1,7 @@
 #include "model/io/scan_list.h"
 
+#include "messages/general.h"
+#include "messages/sessions.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
 #include "model/io/time_stamp.h"
@@ -42,9 +44,9 @@ std::vector<ScanFile> scans_from_names(const std::vector<fs::path>& files, const
     if (const auto stamp = stamp_from_name(file.stem().string()))
       scans.push_back({file, *stamp});
     else
-      bad.add(file.string() + ": the name is no time stamp (nanoseconds, seconds or 2021-10-26-16-21-29-468)");
+      bad.add(say::of_file(file.string(), say::scans_name_no_stamp()));
   }
-  bad.report(findings, "bad-scan-names", directory.string(), "files");
+  bad.report(findings, "bad-scan-names", directory.string(), say::left_out_files);
   std::stable_sort(scans.begin(), scans.end(),
                    [](const ScanFile& a, const ScanFile& b) { return a.stamp_ns < b.stamp_ns; });
   return scans;
@@ -67,13 +69,13 @@ std::vector<ScanFile> scans_from_table(std::string_view text, const fs::path& ta
     const auto stamp = fields.size() == header.size() ? parse_integer(fields[stamp_column]) : std::nullopt;
     const fs::path file = stamp ? directory / std::string(fields[file_column]) : fs::path();
     if (!stamp)
-      bad.add(at_line(table, lines.line_number()) + ": expected a file's name and its stamp in nanoseconds");
+      bad.add(say::of_file(at_line(table, lines.line_number()), say::scans_table_line()));
     else if (!is_file(file))
-      bad.add(file.string() + ": is missing or no regular file");
+      bad.add(say::of_file(file.string(), say::scans_not_regular()));
     else
       scans.push_back({file, *stamp});
   }
-  bad.report(findings, "missing-scans", table.string(), "scans");
+  bad.report(findings, "missing-scans", table.string(), say::left_out_scans);
   return scans;
 }
 

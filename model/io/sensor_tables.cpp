@@ -7,6 +7,8 @@
 
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/ins_logs.h"
+#include "messages/sessions.h"
 #include "model/io/csv_table.h"
 #include "model/io/input_file.h"
 #include "model/io/number_text.h"
@@ -33,23 +35,21 @@ class Row {
   void take(std::string_view line, std::size_t number) {
     line_ = number;
     split_csv(line, fields_);
-    if (fields_.size() != header_.size())
-      fail("has " + std::to_string(fields_.size()) + " fields, expected " + std::to_string(header_.size()));
+    if (fields_.size() != header_.size()) fail(say::csv_fields(fields_.size(), header_.size()));
   }
-  [[noreturn]] void fail(const std::string& what) const { throw Error(ErrorCode::Format, at_line(path_, line_), what); }
+  [[noreturn]] void fail(Message what) const { throw Error(ErrorCode::Format, at_line(path_, line_), std::move(what)); }
 
   bool has(std::string_view column) const { return header_.has(column); }
   std::int64_t stamp_ns() const {
     const std::string_view text = field("time_ns");
     const auto stamp = parse_integer(text);
-    if (!stamp) fail("time_ns is '" + std::string(text.substr(0, 40)) + "', expected nanoseconds since 1970");
+    if (!stamp) fail(say::sensor_no_time(std::string(text.substr(0, 40))));
     return *stamp;
   }
   double number(std::string_view column) const {
     const double value = require_number(field(column), column, path_, line_);
     if (means_not_known(value))
-      fail(std::string(column) + " is '" + std::string(field(column).substr(0, 40)) +
-           "', which stands for a value that was not known");
+      fail(say::log_not_known(Message::verbatim(std::string(column)), std::string(field(column).substr(0, 40))));
     return value;
   }
   Eigen::Vector3d numbers(const std::array<std::string_view, 3>& columns) const {
@@ -82,7 +82,7 @@ std::vector<Sample> parse_table(std::string_view text, const fs::path& path, con
   text = without_cut_line(text, path.string(), findings);
   LineReader lines(text);
   std::string_view line;
-  if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), "is empty, expected a line of column names");
+  if (!lines.next(line)) throw Error(ErrorCode::Format, path.string(), say::csv_no_header());
   const CsvHeader header(line);
   header.require("time_ns", path);
   for (const std::string_view column : columns) header.require(column, path);
@@ -98,10 +98,8 @@ std::vector<Sample> parse_table(std::string_view text, const fs::path& path, con
       bad.add(error);
     }
   }
-  if (samples.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no usable line." + (bad.count() ? " First problem: " + bad.first() : ""));
-  bad.report(findings, "bad-" + sensor, path.string(), "lines");
+  if (samples.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::csv_no_usable_line()));
+  bad.report(findings, "bad-" + sensor, path.string(), say::left_out_lines);
   if constexpr (std::is_same_v<Sample, GnssFix>) keep_near(samples, path.string(), findings);
   keep_ascending(samples, sensor, path.string(), findings);
   return samples;
@@ -122,7 +120,7 @@ Eigen::Matrix3d covariance(const Row& row) {
     covariance(1, 2) = covariance(2, 1) = beside[2];
   }
   const Eigen::Vector3d variances = symmetric_eigen(covariance).eigenvalues();
-  if (!(variances.minCoeff() > 0.0)) row.fail("the covariance is not positive definite; state the receiver's own");
+  if (!(variances.minCoeff() > 0.0)) row.fail(say::sensor_covariance());
   return covariance;
 }
 
@@ -158,11 +156,10 @@ std::vector<GnssFix> read_gnss_table(const fs::path& path, std::vector<Finding>&
 std::vector<GnssFix> parse_gnss_table(std::string_view text, const fs::path& path, std::vector<Finding>& findings) {
   return parse_table<GnssFix>(text, path, "gnss", all({kPlace, kVariances}), findings, [&](const Row& row) {
     if (row.has(kCovariances[0]) != row.has(kCovariances[1]) || row.has(kCovariances[0]) != row.has(kCovariances[2]))
-      row.fail("cov_east_north_m2, cov_east_up_m2 and cov_north_up_m2 stand together or not at all");
+      row.fail(say::sensor_covariances_together());
     const Eigen::Vector3d place = row.numbers(kPlace);
     GnssFix fix{row.stamp_ns(), degrees_to_radians(place[0]), degrees_to_radians(place[1]), place[2], covariance(row)};
-    if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
-      row.fail("latitude, longitude or height is not possible");
+    if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m)) row.fail(say::log_place_impossible());
     return fix;
   });
 }

@@ -15,8 +15,8 @@ namespace remount {
 class SessionReader {
  public:
   virtual ~SessionReader() = default;
-  virtual std::string_view id() const = 0;           ///< "kitti-raw"
-  virtual std::string_view description() const = 0;  ///< one line for help and file dialogs
+  virtual std::string_view id() const = 0;  ///< "kitti-raw"
+  virtual Message description() const = 0;  ///< one line for help and file dialogs
   /// How sure, from the content and not only from names: 0 (no) to 100 (certain). Reads little. Throws Error(Io) where
   /// it cannot be seen what lies there; what cannot be read is not recognised.
   virtual int probe(const std::filesystem::path& path) const = 0;

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/sessions.h"
 #include "model/impossible_motion.h"
 #include "model/io/bag/bag_reader.h"
 #include "model/io/gnss_log_reader.h"
@@ -23,6 +24,16 @@
 #include "model/week_rollover.h"
 
 namespace remount {
+
+// What each reads stands in one room of the catalogue: here, so that no reader needs it for this alone.
+Message NativeSessionReader::description() const { return say::format_native(); }
+Message KittiRawReader::description() const { return say::format_kitti_raw(); }
+Message OpenCalibReader::description() const { return say::format_opencalib(); }
+Message NovatelReader::description() const { return say::format_novatel(); }
+Message SmartlocReader::description() const { return say::format_smartloc(); }
+Message GnssLogReader::description() const { return say::format_gnss_log(); }
+Message PoseSessionReader::description() const { return say::format_poses(); }
+Message BagReader::description() const { return say::format_bag(); }
 
 const std::vector<std::unique_ptr<SessionReader>>& session_readers() {
   static const std::vector<std::unique_ptr<SessionReader>> readers = [] {
@@ -54,9 +65,7 @@ void refuse_unreadable(const std::filesystem::path& path) {
 
 Session SessionReader::open_topics(const std::filesystem::path& path, const TopicChoice& topics,
                                    Progress& progress) const {
-  if (!topics.empty())
-    throw Error(ErrorCode::Contract, path.string(),
-                "is a session of format " + std::string(id()) + ", which has no topics to choose from");
+  if (!topics.empty()) throw Error(ErrorCode::Contract, path.string(), say::session_no_topics(std::string(id())));
   return open(path, progress);
 }
 
@@ -87,23 +96,29 @@ std::vector<std::filesystem::path> sessions_below(const std::filesystem::path& f
   return found;
 }
 
-/// What lies there, where it is known without being a session: of a file itself, of a folder the first such file.
-/// Empty where nothing is known.
-std::string known_words(const std::filesystem::path& path) {
+/// What can be read, a line each.
+std::vector<Message> format_lines() {
+  std::vector<Message> lines;
+  for (const auto& reader : session_readers()) lines.push_back(say::session_format_line("  ", reader->description()));
+  return lines;
+}
+
+/// That it is no session, with what lies there where that is known: of a file itself, of a folder the first such file.
+Message no_session_words(const std::filesystem::path& path) {
   constexpr std::size_t kMostLookedAt = 200;
   if (!is_folder(path)) {
     const auto known = known_file(path);
-    if (!known) return {};
-    return "is no session that Remount knows: it is " + std::string(known->what) + ". " + std::string(known->remedy);
+    return known ? say::session_unknown_file(known->what(), known->remedy(), format_lines())
+                 : say::session_unknown(format_lines());
   }
   std::size_t looked_at = 0;
   for (const std::filesystem::path& file : files_in(path)) {
     if (looked_at++ == kMostLookedAt) break;
     if (const auto known = known_file(file))
-      return "is no session that Remount knows. It holds " + std::string(known->what) + " (" +
-             printable(file.filename().string(), LineBreaks::Escaped) + "). " + std::string(known->remedy);
+      return say::session_unknown_folder(known->what(), printable(file.filename().string(), LineBreaks::Escaped),
+                                         known->remedy(), format_lines());
   }
-  return {};
+  return say::session_unknown(format_lines());
 }
 
 /// The reader that is surest of what lies there. Throws Error where none recognises it.
@@ -111,23 +126,17 @@ const SessionReader& reader_of(const std::filesystem::path& path, const Progress
   std::error_code error;
   if (!status_of(path))
     throw Error(ErrorCode::Io, path.string(),
-                std::filesystem::is_symlink(path, error) ? "is a symbolic link that leads nowhere" : "does not exist");
+                std::filesystem::is_symlink(path, error) ? say::session_dangling_link() : say::session_missing());
   if (const SessionReader* best = surest_reader(path)) return *best;
   if (const auto sessions = sessions_below(path, progress); !sessions.empty()) {
     // Files beside others that may not be read: half of a session, likely.
     if (std::any_of(sessions.begin(), sessions.end(), is_file)) refuse_unreadable(path);
-    throw SeveralSessions(path, "is no session itself; open those of one vehicle below it:" + list_of(sessions),
-                          sessions);
+    throw SeveralSessions(path, say::session_several_below(lines_of(sessions)), sessions);
   }
   refuse_unreadable(path);
   if (std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0)
-    throw Error(ErrorCode::Format, path.string(), "is empty (0 bytes), expected the log or manifest of a session");
-  std::string known;
-  for (const auto& reader : session_readers()) known += "\n  " + std::string(reader->description());
-  const std::string words = known_words(path);
-  throw Error(ErrorCode::Unsupported, path.string(),
-              words.empty() ? "is no session that Remount knows. It looks for:" + known
-                            : words + " Remount looks for:" + known);
+    throw Error(ErrorCode::Format, path.string(), say::session_empty_file(Bytes{0}));
+  throw Error(ErrorCode::Unsupported, path.string(), no_session_words(path));
 }
 
 /// What no reader can judge while it reads line by line, alike for all of them.

@@ -26,6 +26,16 @@ class SeveralSessions : public Error {
 };
 
 /// The first of the paths, a line each, for a message.
+inline std::vector<std::string> lines_of(const std::vector<std::filesystem::path>& paths) {
+  constexpr std::size_t kShown = 20;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < paths.size() && i < kShown; ++i)
+    lines.push_back("  " + printable(paths[i].string(), LineBreaks::Escaped));
+  if (paths.size() > kShown) lines.push_back("  …");
+  return lines;
+}
+
+/// The same as one text, each line behind a line feed.
 inline std::string list_of(const std::vector<std::filesystem::path>& paths) {
   constexpr std::size_t kShown = 20;
   std::string list;

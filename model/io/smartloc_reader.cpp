@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "algorithms/geometry/rotation.h"
+#include "messages/ins_logs.h"
+#include "messages/sessions.h"
 #include "model/io/input_file.h"
 #include "model/io/several_sessions.h"
 #include "model/io/stream_tools.h"
@@ -42,21 +44,18 @@ void for_lines(const fs::path& path, std::string_view keyword, BadItems& bad, Ta
 
 std::int64_t stamp_ns(const std::vector<std::string_view>& tokens, const fs::path& path, std::size_t line) {
   const auto stamp = tokens.size() > 1 ? parse_seconds_ns(tokens[1]) : std::nullopt;
-  if (!stamp) throw Error(ErrorCode::Format, at_line(path, line), "expected a time in seconds after the keyword");
+  if (!stamp) throw Error(ErrorCode::Format, at_line(path, line), say::smartloc_no_time());
   return *stamp;
 }
 
-Vector3d vector(const std::vector<std::string_view>& tokens, std::size_t first, std::string_view what,
-                const fs::path& path, std::size_t line) {
+Vector3d vector(const std::vector<std::string_view>& tokens, std::size_t first, Message (*what)(), const fs::path& path,
+                std::size_t line) {
   if (tokens.size() < first + 3)
-    throw Error(ErrorCode::Format, at_line(path, line),
-                "has " + std::to_string(tokens.size()) + " columns, expected at least " + std::to_string(first + 3));
+    throw Error(ErrorCode::Format, at_line(path, line), say::smartloc_columns(tokens.size(), first + 3));
   Vector3d v;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double value = require_number(tokens[first + axis], what, path, line);
-    if (means_not_known(value))
-      throw Error(ErrorCode::Format, at_line(path, line),
-                  std::string(what) + " is a number that stands for a value that was not known");
+    if (means_not_known(value)) throw Error(ErrorCode::Format, at_line(path, line), say::log_not_known_number(what()));
     v[static_cast<Eigen::Index>(axis)] = value;
   }
   return v;
@@ -66,15 +65,13 @@ void read_odometry(const fs::path& path, Session& session) {
   BadItems bad;
   for_lines(path, "odom3", bad, [&](const std::vector<std::string_view>& tokens, std::size_t line) {
     const std::int64_t stamp = stamp_ns(tokens, path, line);
-    const double speed_mps = vector(tokens, 2, "velocity", path, line).x();
-    const Vector3d rate = vector(tokens, 5, "turn rate", path, line);
+    const double speed_mps = vector(tokens, 2, say::smartloc_velocity, path, line).x();
+    const Vector3d rate = vector(tokens, 5, say::smartloc_turn_rate, path, line);
     session.wheels.push_back({stamp, speed_mps, speed_mps});
     session.imu.push_back({stamp, rate, Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())});
   });
-  if (session.wheels.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no usable odom3 line." + (bad.count() ? " First problem: " + bad.first() : ""));
-  bad.report(session.findings, "bad-odometry", path.string(), "lines");
+  if (session.wheels.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::smartloc_no_odometry()));
+  bad.report(session.findings, "bad-odometry", path.string(), say::left_out_lines);
   keep_ascending(session.wheels, "wheels", path.string(), session.findings);
   std::vector<Finding> told_already;
   keep_ascending(session.imu, "imu", path.string(), told_already);
@@ -86,19 +83,17 @@ void read_truth(const fs::path& path, Session& session) {
   const GeographicLib::Geocentric earth = GeographicLib::Geocentric::WGS84();
   for_lines(path, "point3", bad, [&](const std::vector<std::string_view>& tokens, std::size_t line) {
     const std::int64_t stamp = stamp_ns(tokens, path, line);
-    const Vector3d point_in_earth = vector(tokens, 2, "position", path, line);
+    const Vector3d point_in_earth = vector(tokens, 2, say::smartloc_position, path, line);
     double latitude_deg = 0.0, longitude_deg = 0.0, height_m = 0.0;
     earth.Reverse(point_in_earth.x(), point_in_earth.y(), point_in_earth.z(), latitude_deg, longitude_deg, height_m);
     const GnssFix fix{stamp, degrees_to_radians(latitude_deg), degrees_to_radians(longitude_deg), height_m,
                       kTruthSigma_m * kTruthSigma_m * Eigen::Matrix3d::Identity()};
     if (!plausible_geodetic(fix.latitude_rad, fix.longitude_rad, fix.height_m))
-      throw Error(ErrorCode::Format, at_line(path, line), "the position is not near the Earth's surface");
+      throw Error(ErrorCode::Format, at_line(path, line), say::smartloc_far_from_earth());
     session.gnss.push_back(fix);
   });
-  if (session.gnss.empty())
-    throw Error(ErrorCode::Format, path.string(),
-                "holds no usable point3 line." + (bad.count() ? " First problem: " + bad.first() : ""));
-  bad.report(session.findings, "bad-truth", path.string(), "lines");
+  if (session.gnss.empty()) throw Error(ErrorCode::Format, path.string(), bad.after(say::smartloc_no_truth()));
+  bad.report(session.findings, "bad-truth", path.string(), say::left_out_lines);
   keep_near(session.gnss, path.string(), session.findings);
   keep_ascending(session.gnss, "gnss", path.string(), session.findings);
   session.files.push_back(path);
@@ -137,10 +132,7 @@ int SmartlocReader::probe(const fs::path& path) const { return inputs_at(path).e
 Session SmartlocReader::open(const fs::path& given, Progress& progress) const {
   const std::vector<fs::path> inputs = inputs_at(given);
   if (inputs.size() > 1)
-    throw SeveralSessions(given,
-                          "holds " + std::to_string(inputs.size()) + " drives; name one of them, as " +
-                              inputs.front().filename().string(),
-                          inputs);
+    throw SeveralSessions(given, say::smartloc_several(inputs.size(), inputs.front().filename().string()), inputs);
   const fs::path path = inputs.empty() ? given : inputs.front();
   Session session;
   const std::string file = path.filename().string();
@@ -149,16 +141,13 @@ Session SmartlocReader::open(const fs::path& given, Progress& progress) const {
   session.format = id();
   progress.report("reading odometry", 0, 2);
   read_odometry(path, session);
-  session.findings.push_back(make_finding(Severity::Note, "one-speed", path.string(),
-                                          "There is one speed of the vehicle and none of its wheels: both wheels have "
-                                          "it, and their difference tells nothing about turning."));
+  session.findings.push_back(make_finding(Severity::Note, "one-speed", path.string(), say::smartloc_one_speed()));
   progress.report("reading ground truth", 1, 2);
   const fs::path truth = path.parent_path() / (session.name + std::string(kTruth));
   if (is_file(truth)) {
     read_truth(truth, session);
     session.findings.push_back(make_finding(Severity::Note, "truth-as-gnss", truth.string(),
-                                            "The positions are the data set's ground truth, not a receiver's; their "
-                                            "covariance is not stated, a sigma of 0.1 m is assumed."));
+                                            say::smartloc_truth_as_gnss(Length{kTruthSigma_m})));
   }
   return session;
 }

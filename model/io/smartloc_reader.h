@@ -16,11 +16,7 @@ namespace remount {
 class SmartlocReader final : public SessionReader {
  public:
   std::string_view id() const override { return "smartloc"; }
-  std::string_view description() const override {
-    return "smartLoc: NAME_Input.txt with odom3 lines (wheel speed, turn rate), or a folder with one, and NAME_GT.txt "
-           "beside "
-           "it";
-  }
+  Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
 };

@@ -4,19 +4,16 @@
 #include <set>
 
 #include "algorithms/geometry/rotation.h"
-#include "model/count_words.h"
+#include "messages/files.h"
+#include "messages/general.h"
+#include "messages/poses.h"
+#include "messages/sessions.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/input_file.h"
 #include "model/io/sweep_misfit.h"
 
 namespace remount {
 namespace {
-
-/// "scans" as "scan", "INS files" as "INS file".
-std::string singular(std::string noun) {
-  if (noun.ends_with('s')) noun.pop_back();
-  return noun;
-}
 
 /// 1843 to 2096: differences of two stamps within fit 64 bits.
 constexpr std::int64_t kLatestStamp_ns = 4'000'000'000'000'000'000;
@@ -63,13 +60,18 @@ bool lost_digits(const LineEnd& line, const LineEnd& fewest) {
 
 }  // namespace
 
+Message message_of(const Error& error) {
+  return error.where().empty() ? error.what_happened() : say::of_file(error.where(), error.what_happened());
+}
+
+Message BadItems::after(Message sentence) const {
+  if (count_ == 0) return sentence;
+  return Message::sequence({std::move(sentence), say::file_first_problem(first_)});
+}
+
 void BadItems::report(std::vector<Finding>& findings, const std::string& code, const std::string& where,
-                      const std::string& noun) const {
-  if (count_ == 0) return;
-  findings.push_back(make_finding(Severity::Warning, code, where,
-                                  std::to_string(count_) + " " + (count_ == 1 ? singular(noun) : noun) +
-                                      " cannot be used and " + (count_ == 1 ? "is" : "are") +
-                                      " left out. First: " + first_));
+                      Message (*left_out)(Count count, Message first)) const {
+  if (count_ > 0) findings.push_back(make_finding(Severity::Warning, code, where, left_out(count_, first_)));
 }
 
 std::string_view without_cut_line(std::string_view text, const std::string& path, std::vector<Finding>& findings) {
@@ -93,15 +95,14 @@ std::string_view without_cut_line(std::string_view text, const std::string& path
   const LineEnd cut = end_of(line);
   if (compared < kFewest || (cut.fields >= fewest.fields && !lost_digits(cut, fewest))) return text;
   const auto number = 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-  findings.push_back(make_finding(Severity::Warning, "log-cut", at_line(path, number),
-                                  "The log ends within a line, which is left out."));
+  findings.push_back(make_finding(Severity::Warning, "log-cut", at_line(path, number), say::stream_cut()));
   return text.substr(0, last);
 }
 
 namespace {
 
 template <class Item>
-void keep_near_median(std::vector<Item>& items, const std::string& code, const char* one, const char* many,
+void keep_near_median(std::vector<Item>& items, const std::string& code, Message (*lie_far)(Count count, Angle most),
                       const std::string& where, std::vector<Finding>& findings) {
   if (items.empty()) return;
   const double first_longitude = items.front().longitude_rad;
@@ -119,12 +120,8 @@ void keep_near_median(std::vector<Item>& items, const std::string& code, const c
     return std::abs(item.latitude_rad - latitude) > kFarthest_rad ||
            std::abs(wrap_angle_rad(item.longitude_rad - longitude)) > kFarthest_rad;
   });
-  if (items.empty()) throw Error(ErrorCode::Format, where, "the positions lie all over the Earth: is that one drive?");
-  if (far > 0)
-    findings.push_back(make_finding(Severity::Warning, code, where,
-                                    number_of(far, one, many) +
-                                        " more than 2 degrees of latitude or longitude from the rest: left "
-                                        "out."));
+  if (items.empty()) throw Error(ErrorCode::Format, where, say::stream_all_over_the_earth());
+  if (far > 0) findings.push_back(make_finding(Severity::Warning, code, where, lie_far(far, Angle{kFarthest_rad})));
 }
 
 /// Of two items with one stamp: whether the later is clearly better by what it says of itself. A little better is no
@@ -147,20 +144,18 @@ bool is_better(const InsSample& later, const InsSample& first) {
 }  // namespace
 
 void keep_near(std::vector<InsSample>& ins, const std::string& where, std::vector<Finding>& findings) {
-  keep_near_median(ins, "ins-far-away", "sample lies", "samples lie", where, findings);
+  keep_near_median(ins, "ins-far-away", say::stream_far_samples, where, findings);
 }
 
 void keep_near(std::vector<GnssFix>& fixes, const std::string& where, std::vector<Finding>& findings) {
-  keep_near_median(fixes, "gnss-far-away", "fix lies", "fixes lie", where, findings);
+  keep_near_median(fixes, "gnss-far-away", say::stream_far_fixes, where, findings);
 }
 
 void report_one_stamp(std::size_t count, bool best, const std::string& code, const std::string& where,
                       std::vector<Finding>& findings) {
   if (count == 0) return;
-  findings.push_back(
-      make_finding(Severity::Note, code + "-duplicate-stamps", where,
-                   number_of(count, "entry repeats the stamp before it", "entries repeat the stamp before them") +
-                       (best ? "; the best of each is used." : "; the first of each is used.")));
+  findings.push_back(make_finding(Severity::Note, code + "-duplicate-stamps", where,
+                                  best ? say::stream_repeats_best(count) : say::stream_repeats_first(count)));
 }
 
 template <class Item>
@@ -168,12 +163,10 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
                     std::vector<Finding>& findings) {
   const std::size_t impossible = std::erase_if(
       items, [](const Item& item) { return item.stamp_ns > kLatestStamp_ns || item.stamp_ns < -kLatestStamp_ns; });
-  if (items.empty() && impossible > 0)
-    throw Error(ErrorCode::Format, where, "no entry has a possible time, expected nanoseconds since 1970");
+  if (items.empty() && impossible > 0) throw Error(ErrorCode::Format, where, say::stream_no_possible_time());
   if (impossible > 0)
-    findings.push_back(make_finding(Severity::Warning, code + "-impossible-stamps", where,
-                                    number_of(impossible, "entry has", "entries have") +
-                                        " no possible time (expected nanoseconds since 1970): left out."));
+    findings.push_back(
+        make_finding(Severity::Warning, code + "-impossible-stamps", where, say::stream_impossible_times(impossible)));
   std::size_t duplicates = 0, reversed = 0, replaced = 0, kept = 0;  // in place: there may be millions
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::int64_t stamp = items[i].stamp_ns;
@@ -194,9 +187,8 @@ void keep_ascending(std::vector<Item>& items, const std::string& code, const std
   items.erase(items.begin() + static_cast<std::ptrdiff_t>(kept), items.end());
   report_one_stamp(duplicates, replaced > 0, code, where, findings);
   if (reversed > 0)
-    findings.push_back(make_finding(
-        Severity::Warning, code + "-reversed-stamps", where,
-        number_of(reversed, "entry goes", "entries go") + " back in time: left out. Check the clock of the recorder."));
+    findings.push_back(
+        make_finding(Severity::Warning, code + "-reversed-stamps", where, say::stream_reversed(reversed)));
 }
 
 template void keep_ascending(std::vector<InsSample>&, const std::string&, const std::string&, std::vector<Finding>&);
@@ -210,9 +202,7 @@ template void keep_ascending(std::vector<BarometerSample>&, const std::string&, 
                              std::vector<Finding>&);
 
 const ScanFile& FileScanSource::at(std::size_t scan) const {
-  if (scan >= files_.size())
-    throw Error(ErrorCode::Contract, "",
-                "scan " + std::to_string(scan) + " of " + std::to_string(files_.size()) + " does not exist");
+  if (scan >= files_.size()) throw Error(ErrorCode::Contract, "", say::scans_no_such(scan, files_.size()));
   return files_[scan];
 }
 
@@ -234,9 +224,7 @@ PointCloud TimedScanSource::load(std::size_t scan) const {
   constexpr std::size_t kMany = 256;
   const bool untimed = cloud.time_from_stamp_s.empty() || (cloud.size() >= kMany && !has_point_times(cloud));
   if (times_ == TimesOfPoints::Required && !cloud.points.empty() && untimed)
-    throw Error(ErrorCode::Format, name(scan),
-                "its points have no times, or all the same, while those of other scans have: it would be used as if it "
-                "had been measured at once");
+    throw Error(ErrorCode::Format, name(scan), say::scans_one_untimed());
   return cloud;
 }
 
@@ -252,11 +240,9 @@ double scan_interval_s(const TimedScanSource& scans) {
   return static_cast<double>(steps[steps.size() / 2]) * 1e-9;
 }
 
-std::string no_times_words(const ReadCloud& read) {
-  return std::string(read.cloud.time_from_stamp_s.empty()
-                         ? "the points have no times"
-                         : "the times of the points are all the same, or few for all points") +
-         " (columns: " + read.columns + ")";
+Message no_times_words(const ReadCloud& read) {
+  return read.cloud.time_from_stamp_s.empty() ? say::times_none(read.columns_words())
+                                              : say::times_all_the_same(read.columns_words());
 }
 
 }  // namespace
@@ -267,9 +253,9 @@ FoundPointTimes find_point_times(const TimedScanSource& scans) {
   for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3) && !found.usable; ++i) {
     try {
       const ReadCloud read = scans.read(i);
-      const std::string coarse = coarse_times(read);
+      const Message coarse = coarse_times(read);
       const bool timed = coarse.empty() && has_point_times(read.cloud);
-      const std::string misfit = timed ? sweep_misfit(read, interval_s) : std::string();
+      const Message misfit = timed ? sweep_misfit(read, interval_s) : Message();
       found.usable = timed && misfit.empty();
       if (found.usable) found.count = times_count(read.cloud);
       if (found.misfit || read.cloud.points.empty() || (!found.scan.empty() && misfit.empty())) continue;
@@ -284,11 +270,7 @@ FoundPointTimes find_point_times(const TimedScanSource& scans) {
   return found;
 }
 
-std::string expected_time_columns() {
-  std::string names;
-  for (const std::string_view name : kTimeColumns) names += (names.empty() ? "" : ", ") + std::string(name);
-  return "Columns of times that are known: " + names + ", also behind scalar_.";
-}
+Message expected_time_columns() { return say::times_known_columns({std::begin(kTimeColumns), std::end(kTimeColumns)}); }
 
 void report_no_point_times(TimedScanSource& scans, Session& session) {
   const FoundPointTimes found = find_point_times(scans);
@@ -296,23 +278,18 @@ void report_no_point_times(TimedScanSource& scans, Session& session) {
   scans.use_times(TimesOfPoints::Unused);
   if (found.misfit) {
     session.findings.push_back(
-        make_finding(Severity::Warning, "point-times-misfit", found.scan,
-                     "The times of the points are of no sweep and are not used: " + found.problem + "."));
+        make_finding(Severity::Warning, "point-times-misfit", found.scan, say::times_of_no_sweep(found.problem)));
     return;
   }
-  session.findings.push_back(make_finding(
-      Severity::Warning, "no-point-times", found.scan.empty() ? scans.name(0) : found.scan,
-      "When the points were measured is not known: " + (found.problem.empty() ? "no scan can be read" : found.problem) +
-          "."));
+  session.findings.push_back(
+      make_finding(Severity::Warning, "no-point-times", found.scan.empty() ? scans.name(0) : found.scan,
+                   say::times_not_known(found.problem.empty() ? say::times_no_scan_readable() : found.problem)));
 }
 
 void report_point_clock(const TimedScanSource& scans, std::vector<Finding>& findings) {
   for (std::size_t i = 0; i < std::min<std::size_t>(scans.size(), 3); ++i) try {
       if (scans.read(i).points_have_another_clock)
-        findings.push_back(make_finding(
-            Severity::Warning, "point-clock", scans.name(i),
-            "The times of the points are of another clock than the scan's stamp (more than a second apart): the first "
-            "point is taken to be of the stamp. A time offset of up to one turn may remain."));
+        findings.push_back(make_finding(Severity::Warning, "point-clock", scans.name(i), say::times_another_clock()));
       return;
     } catch (const Error&) {
       continue;  // becomes known when the scan is used
@@ -320,12 +297,10 @@ void report_point_clock(const TimedScanSource& scans, std::vector<Finding>& find
 }
 
 Eigen::Matrix3d checked_rotation(const Eigen::Matrix3d& logged, const std::string& where, double& defect) {
-  if (!logged.allFinite()) throw Error(ErrorCode::Format, where, "the rotation holds numbers that are not finite");
+  if (!logged.allFinite()) throw Error(ErrorCode::Format, where, say::pose_not_finite());
   const Eigen::Matrix3d rotation = nearest_rotation(logged);
   defect = (rotation - logged).cwiseAbs().maxCoeff();
-  if (defect > 0.1)
-    throw Error(ErrorCode::Format, where,
-                "the nine numbers are no rotation: an entry is off by " + std::to_string(defect));
+  if (defect > 0.1) throw Error(ErrorCode::Format, where, say::pose_no_rotation(defect));
   return rotation;
 }
 

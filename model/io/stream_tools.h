@@ -17,22 +17,29 @@ inline Finding make_finding(Severity severity, std::string code, std::string whe
   return {severity, std::move(code), std::move(where), std::move(explanation)};
 }
 
+/// Where it was and what happened, as one message.
+Message message_of(const Error& error);
+
 /// Collects what is wrong with single lines or files of a stream that is usable as a whole: one finding for all.
 class BadItems {
  public:
-  void add(const Error& error) { add(error.what()); }
-  void add(std::string first_message) {
-    if (count_++ == 0) first_ = std::move(first_message);
+  void add(const Error& error) {
+    if (count_++ == 0) first_ = message_of(error);
+  }
+  void add(Message problem) {
+    if (count_++ == 0) first_ = std::move(problem);
   }
   std::size_t count() const { return count_; }
-  const std::string& first() const { return first_; }
-  /// Adds nothing where there was nothing wrong.
+  const Message& first() const { return first_; }
+  /// A sentence, followed by the first problem where there is one.
+  Message after(Message sentence) const;
+  /// Adds nothing where there was nothing wrong. @param left_out says it of so many, and of the first problem
   void report(std::vector<Finding>& findings, const std::string& code, const std::string& where,
-              const std::string& noun) const;
+              Message (*left_out)(Count count, Message first)) const;
 
  private:
   std::size_t count_ = 0;
-  std::string first_;
+  Message first_;
 };
 
 /// The text of a table without its last line where that was cut: it lacks its end, and has fewer fields than the lines
@@ -125,12 +132,12 @@ struct FoundPointTimes {
   bool misfit = false;                      ///< there are times, but they cannot be of one sweep
   TimesCount count = TimesCount::Forwards;  ///< of those that are usable; or open
   std::string scan;                         ///< the first that could be read; empty where none could
-  std::string problem;  ///< what is wrong with its times, and its columns: "the points have no times (columns: x y z)"
+  Message problem;  ///< what is wrong with its times, and its columns: "the points have no times (columns: x y z)"
 };
 FoundPointTimes find_point_times(const TimedScanSource& scans);
 
 /// "Columns of times are called time, t, ...": a sentence for where none is known.
-std::string expected_time_columns();
+Message expected_time_columns();
 
 /// Makes the timing of the session unknown, as its scans have no times and may be compensated or not, with the warning
 /// "no-point-times"; "point-times-misfit" where there are times that are of no sweep.

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <string_view>
 #include <vector>
 
 #include "algorithms/cloud/sweep_order.h"
+#include "messages/sessions.h"
 #include "model/io/cloud_fields.h"
 #include "model/io/input_file.h"
 
@@ -17,14 +17,15 @@ namespace remount {
 namespace {
 
 /// As messages name it: the first of those that are known among "x y z time".
-std::string name_of_time_column(const std::string& columns) {
+Message time_column_words(const std::string& columns) {
   std::vector<std::string_view> names;
   split_blanks(columns, names);
   for (const std::string_view known : kTimeColumns)
     for (const std::string_view name : names)
       for (const std::string_view prefix : {"", "scalar_", "sf_"})
-        if (name.starts_with(prefix) && name.substr(prefix.size()) == known) return std::string(name);
-  return "of times";
+        if (name.starts_with(prefix) && name.substr(prefix.size()) == known)
+          return say::times_column(std::string(name));
+  return say::times_unnamed_column();
 }
 
 /// The step of times that are all multiples of one too coarse for a sweep; 0 where they are not. 32-bit floats have 24
@@ -47,16 +48,13 @@ double coarse_step_s(const std::vector<float>& times_s) {
 
 }  // namespace
 
-std::string coarse_times(const ReadCloud& read) {
+Message coarse_times(const ReadCloud& read) {
   const double step_s = coarse_step_s(read.cloud.time_from_stamp_s);
   if (!(step_s > 0.0)) return {};
-  char text[120];
-  std::snprintf(text, sizeof text,
-                " comes in steps of %.3f s: 32-bit floats cannot hold seconds of the day or the week", step_s);
-  return "column " + name_of_time_column(read.columns) + text;
+  return say::times_coarse(time_column_words(read.columns), Duration{step_s});
 }
 
-std::string sweep_misfit(const ReadCloud& read, double interval_s) {
+Message sweep_misfit(const ReadCloud& read, double interval_s) {
   // Clouds of two sensors that are not in step span up to two turns; a recording may leave scans out.
   constexpr double kLongest = 2.1, kShortest = 0.25, kShortestTurn_s = 0.025;
   const std::vector<float>& times_s = read.cloud.time_from_stamp_s;
@@ -65,9 +63,7 @@ std::string sweep_misfit(const ReadCloud& read, double interval_s) {
   const double span_s = static_cast<double>(*high) - static_cast<double>(*low);
   const bool short_turn = span_s < kShortest * interval_s && span_s < kShortestTurn_s && looks_around(read.cloud);
   if (span_s <= kLongest * interval_s && !short_turn) return {};
-  char text[120];
-  std::snprintf(text, sizeof text, " spans %.3f s in a scan, while scans are %.3f s apart", span_s, interval_s);
-  return "column " + name_of_time_column(read.columns) + text;
+  return say::times_span(time_column_words(read.columns), Duration{span_s}, Duration{interval_s});
 }
 
 TimesCount times_count(const PointCloud& cloud) {

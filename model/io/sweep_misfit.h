@@ -13,11 +13,11 @@ namespace remount {
 /// looks all around, so much less that it is no turn; empty where they can be of one
 /// sweep. "column time spans 1.000 s in a scan, while scans are 0.100 s apart"
 /// @param interval_s 0 where it is not known
-std::string sweep_misfit(const ReadCloud& read, double interval_s);
+Message sweep_misfit(const ReadCloud& read, double interval_s);
 
 /// What is wrong with times that are all multiples of a step too coarse for a sweep; empty where they are not. "column
 /// gps_time comes in steps of 0.031 s: 32-bit floats cannot hold seconds of the day or the week"
-std::string coarse_times(const ReadCloud& read);
+Message coarse_times(const ReadCloud& read);
 
 /// Open where the points, by their times, would go around the other way than they are stored, or, where their order
 /// tells nothing, counter-clockwise.

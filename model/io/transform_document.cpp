@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "messages/poses.h"
+
 namespace remount {
 namespace {
 
@@ -23,10 +25,8 @@ Eigen::Matrix3d rotation_from_angles_deg(const DocumentView& view) {
       {degrees_to_radians(deg[0]), degrees_to_radians(deg[1]), degrees_to_radians(deg[2])});
 }
 
-void check_agrees(const DocumentView& view, double difference, std::string_view what) {
-  if (difference > kTolerance)
-    view.fail(std::string(what) + " differs from the matrix by " + shortest(difference) +
-              "; the file contradicts itself");
+void check_agrees(const DocumentView& view, double difference, Message (*what)()) {
+  if (difference > kTolerance) view.fail(say::transform_contradicts(what(), difference));
 }
 
 }  // namespace
@@ -56,16 +56,16 @@ DocumentNode transform_document(const RigidTransform& a_from_b) {
 
 RigidTransform matrix_from_document(const DocumentView& view) {
   const std::vector<DocumentView> rows = view.items();
-  if (rows.size() != 4) view.fail("expected four rows of four numbers");
+  if (rows.size() != 4) view.fail(say::transform_four_rows());
   Eigen::Matrix4d matrix;
   for (int row = 0; row < 4; ++row)
     matrix.row(row) = Eigen::Map<const Eigen::RowVector4d>(rows[static_cast<std::size_t>(row)].numbers(4).data());
   if ((matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > kTolerance)
-    view.fail("the last row must be 0, 0, 0, 1");
+    view.fail(say::transform_last_row());
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
   const double error = (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(error <= kTolerance)) view.fail("the rotation is not orthonormal (off by " + shortest(error) + ")");
-  if (rotation.determinant() < 0.0) view.fail("the rotation is a reflection (its determinant is -1)");
+  if (!(error <= kTolerance)) view.fail(say::transform_not_orthonormal(error));
+  if (rotation.determinant() < 0.0) view.fail(say::transform_reflection());
   return make_rigid(cleaned(rotation), matrix.topRightCorner<3, 1>());
 }
 
@@ -73,7 +73,7 @@ Eigen::Matrix3d rotation_from_quaternion_xyzw(const DocumentView& view) {
   const std::vector<double> q = view.numbers(4);
   const Eigen::Quaterniond quaternion(q[3], q[0], q[1], q[2]);
   if (!(std::abs(quaternion.norm() - 1.0) <= kTolerance))
-    view.fail("expected a unit quaternion in the order x, y, z, w; its length is " + shortest(quaternion.norm()));
+    view.fail(say::transform_quaternion_length(quaternion.norm()));
   return quaternion.normalized().toRotationMatrix();
 }
 
@@ -86,15 +86,15 @@ RigidTransform transform_from_document(const DocumentView& view) {
   const RigidTransform a_from_b = matrix_from_document(view.at("matrix"));
   if (view.has("translation_m"))
     check_agrees(view.at("translation_m"), (vector_of(view.at("translation_m")) - a_from_b.translation()).norm(),
-                 "the translation");
+                 say::transform_the_translation);
   if (view.has("quaternion_xyzw"))
     check_agrees(view.at("quaternion_xyzw"),
                  (rotation_from_quaternion_xyzw(view.at("quaternion_xyzw")) - a_from_b.linear()).cwiseAbs().maxCoeff(),
-                 "the quaternion");
+                 say::transform_the_quaternion);
   if (view.has("yaw_pitch_roll_deg"))
     check_agrees(view.at("yaw_pitch_roll_deg"),
                  (rotation_from_angles_deg(view.at("yaw_pitch_roll_deg")) - a_from_b.linear()).cwiseAbs().maxCoeff(),
-                 "the yaw-pitch-roll");
+                 say::transform_the_angles);
   return a_from_b;
 }
 

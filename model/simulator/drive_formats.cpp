@@ -1,6 +1,7 @@
 #include "model/simulator/drive_formats.h"
 
 #include "algorithms/core/error.h"
+#include "messages/simulation.h"
 #include "model/io/native_session_writer.h"
 #include "model/simulator/bag_drive.h"
 #include "model/simulator/peer_formats.h"
@@ -14,9 +15,7 @@ namespace {
 /// What readers of KITTI take for granted; they tell from the scans which way the sensor turns.
 void check_fits_kitti(const SimulatedDrive& drive) {
   if (drive.session.scan_timing == ScanTiming::Instant)
-    throw Error(ErrorCode::Contract, "kitti-raw",
-                "drives of this format are taken to be distorted by motion; simulate with motion_distortion, or write "
-                "the native format");
+    throw Error(ErrorCode::Contract, "kitti-raw", say::simulation_kitti_not_distorted());
 }
 
 void write_native(const SimulatedDrive& drive, const fs::path& folder, int threads, Progress& progress) {

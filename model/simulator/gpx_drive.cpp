@@ -1,5 +1,6 @@
 // A GPX track of the GNSS antenna.
 #include "algorithms/core/error.h"
+#include "messages/simulation.h"
 #include "model/io/native_session_writer.h"
 #include "model/io/number_text.h"
 #include "model/io/output_file.h"
@@ -12,9 +13,7 @@ namespace fs = std::filesystem;
 
 void write_gpx_drive(const SimulatedDrive& drive, const fs::path& folder, int, Progress&) {
   const Session& session = drive.session;
-  if (session.gnss.empty())
-    throw Error(ErrorCode::Contract, "gpx",
-                "this format holds the fixes of a GNSS receiver and nothing else; simulate with a gnss_rate_hz");
+  if (session.gnss.empty()) throw Error(ErrorCode::Contract, "gpx", say::simulation_gpx_without_fixes());
   std::string track =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<gpx version=\"1.1\" creator=\"Remount\" "
       "xmlns=\"http://www.topografix.com/GPX/1/1\">\n<trk><name>" +

@@ -7,6 +7,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "messages/simulation.h"
 #include "model/io/cloud_file.h"
 #include "model/io/inspvax_log.h"
 #include "model/io/native_session_writer.h"
@@ -26,9 +27,7 @@ namespace {
 
 /// "2011-09-26 13:02:25.964389445" as OpenCalib writes it, "2011-09-26-13-02-25-964".
 std::string name_from_stamp(std::int64_t stamp_ns) {
-  if (stamp_ns % 1'000'000 != 0)
-    throw Error(ErrorCode::Contract, "opencalib",
-                "stamps of this format are of milliseconds; simulate with rates and offsets that give such");
+  if (stamp_ns % 1'000'000 != 0) throw Error(ErrorCode::Contract, "opencalib", say::simulation_opencalib_stamps());
   std::string text = format_date_ns(stamp_ns).substr(0, 23);
   std::replace_if(
       text.begin(), text.end(), [](char c) { return c == ' ' || c == ':' || c == '.'; }, '-');
@@ -140,9 +139,7 @@ void write_smartloc_drive(const SimulatedDrive& drive, const fs::path& folder, i
   const Session& session = drive.session;
   const Scene* scene = scene_of(session.scans);
   if (!scene || session.wheels.empty() || session.imu.empty())
-    throw Error(
-        ErrorCode::Contract, "smartloc",
-        "this format holds wheel speeds and turn rates and nothing else; simulate a vehicle with wheels and IMU");
+    throw Error(ErrorCode::Contract, "smartloc", say::simulation_smartloc_without_sensors());
   const SimulationOptions& options = scene->options();
   const Eigen::Matrix3d vehicle_from_imu = (drive.sensors.vehicle_from_ins * drive.sensors.ins_from_imu).linear();
   constexpr double kSideways2 = 9e-4;  // (m/s)^2; as the data set has it for a car

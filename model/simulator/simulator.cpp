@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
+#include "messages/parameters.h"
+#include "messages/simulation.h"
 #include "model/simulator/ins_model.h"
 #include "model/simulator/lidar_model.h"
 
@@ -15,18 +17,22 @@ constexpr double kLongestDrive_m = 200'000.0;
 constexpr double kMostSamples = 2e7;  ///< of one sensor
 
 void check(const SimulationOptions& options) {
-  std::vector<std::string> problems = option_problems(options);
-  if (options.duration_s * options.speed_mps > kLongestDrive_m) problems.push_back("the drive is longer than 200 km");
-  for (const auto& [rate_hz, sensor] :
-       {std::pair{options.ins_rate_hz, "INS"}, {options.imu.rate_hz, "IMU"}, {options.wheels.rate_hz, "wheel"}})
-    if (options.duration_s * rate_hz > kMostSamples)
-      problems.push_back(std::string("the drive has more than 20 million ") + sensor + " samples");
-  if (!options.ins_from_lidar.matrix().allFinite()) problems.push_back("ins_from_lidar is not finite");
-  if (!options.imu.ins_from_imu.matrix().allFinite()) problems.push_back("ins_from_imu is not finite");
+  std::vector<Message> problems;
+  for (auto& problem : option_problems(options)) problems.emplace_back(std::move(problem));
+  if (options.duration_s * options.speed_mps > kLongestDrive_m)
+    problems.push_back(say::simulation_drive_too_long(Length{kLongestDrive_m}));
+  const auto has_too_many = [&](double rate_hz) { return options.duration_s * rate_hz > kMostSamples; };
+  if (has_too_many(options.ins_rate_hz)) problems.push_back(say::simulation_too_many_ins());
+  if (has_too_many(options.imu.rate_hz)) problems.push_back(say::simulation_too_many_imu());
+  if (has_too_many(options.wheels.rate_hz)) problems.push_back(say::simulation_too_many_wheel());
+  if (!options.ins_from_lidar.matrix().allFinite())
+    problems.push_back(say::simulation_mounting_not_finite("ins_from_lidar"));
+  if (!options.imu.ins_from_imu.matrix().allFinite())
+    problems.push_back(say::simulation_mounting_not_finite("ins_from_imu"));
   if (problems.empty()) return;
-  std::string text;
-  for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
-  throw Error(ErrorCode::Contract, "simulation options", text);
+  Message all = problems.front();
+  for (std::size_t i = 1; i < problems.size(); ++i) all = say::option_and(std::move(all), problems[i]);
+  throw Error(ErrorCode::Contract, "simulation options", std::move(all));
 }
 
 std::string scenario_name(ScenarioKind scenario) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/simulation.h"
 #include "model/io/document.h"
 #include "model/io/output_file.h"
 #include "model/io/transform_document.h"
@@ -99,9 +100,9 @@ DocumentNode truth(const SimulatedDrive& drive, const DriveFormat& format) {
 void require_empty(const fs::path& folder) {
   std::error_code failure;
   if (!fs::exists(folder, failure)) return;
-  if (!fs::is_directory(folder, failure)) throw Error(ErrorCode::Io, folder.string(), "is not a folder");
+  if (!fs::is_directory(folder, failure)) throw Error(ErrorCode::Io, folder.string(), say::simulation_no_folder());
   if (!fs::is_empty(folder, failure) || failure)
-    throw Error(ErrorCode::Io, folder.string(), "is not empty; name a new folder, so that no recording is overwritten");
+    throw Error(ErrorCode::Io, folder.string(), say::simulation_folder_not_empty());
 }
 
 }  // namespace
@@ -120,7 +121,7 @@ void write_drive(const SimulatedDrive& drive, const fs::path& folder, const std:
   const std::vector<DriveFormat>& formats = drive_format_list();
   const auto chosen =
       std::find_if(formats.begin(), formats.end(), [&](const DriveFormat& one) { return one.id == format; });
-  if (chosen == formats.end()) throw Error(ErrorCode::Contract, format, "is not a format that drives are written in");
+  if (chosen == formats.end()) throw Error(ErrorCode::Contract, format, say::simulation_no_such_format());
   if (chosen->check) chosen->check(drive);
   require_empty(folder);
   make_directories(folder);

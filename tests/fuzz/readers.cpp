@@ -59,9 +59,9 @@ std::string read_project(const fs::path& path) {
 std::string read_result(const fs::path& path) { return to_yaml(result_document(load_result(path))); }
 
 std::string read_mounting(const fs::path& path) {
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
   std::string text = matrix_text(read_any_mounting(path, &doubts).ins_from_lidar);
-  for (const std::string& doubt : doubts) text += doubt;
+  for (const Message& doubt : doubts) text += english(doubt);
   return text;
 }
 

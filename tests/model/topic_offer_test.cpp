@@ -26,7 +26,7 @@ class topic_offer : public ::testing::Test {
   }
   static std::string why(const TopicOffer& offer, const std::string& name, std::string_view role) {
     const TopicUse* use = find(offer, name).use(role);
-    return use ? use->why : "it cannot be that";
+    return use ? english(use->why) : "it cannot be that";
   }
   static TopicChoice suggested(const TopicOffer& offer) {
     std::vector<SessionTopic> topics;
@@ -75,8 +75,8 @@ TEST_F(topic_offer, says_of_every_topic_what_it_can_be_and_why_or_why_not) {
   EXPECT_EQ(why(offer, "/lidar/odometry", "ins"), "its name speaks of another sensor than an INS");
   EXPECT_FALSE(find(offer, "/lidar/odometry").use("ins")->unasked);
   EXPECT_TRUE(find(offer, "/tf_static").use(kNominalRole));
-  EXPECT_EQ(find(offer, "/tf").unusable, "transforms that change with time are not read");
-  EXPECT_EQ(find(offer, "/camera").unusable, "messages of this type are not read");
+  EXPECT_EQ(english(find(offer, "/tf").unusable), "transforms that change with time are not read");
+  EXPECT_EQ(english(find(offer, "/camera").unusable), "messages of this type are not read");
   for (const OfferedTopic& topic : offer.topics) {
     EXPECT_NE(topic.uses.empty(), topic.unusable.empty()) << topic.topic.name << " is one of the two";
     EXPECT_EQ(topic.uses.size(), topic.topic.can_be.size()) << topic.topic.name;

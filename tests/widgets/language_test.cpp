@@ -138,7 +138,7 @@ TEST_F(chinese, sentences_of_the_model_are_recognised_by_pattern) {
 TEST_F(chinese, what_no_reader_knows_is_told_line_by_line) {
   QString said = QStringLiteral("is no session that Remount knows. It looks for:");
   for (const auto& reader : session_readers())
-    said += QStringLiteral("\n  ") + QString::fromUtf8(reader->description());
+    said += QStringLiteral("\n  ") + QString::fromStdString(english(reader->description()));
   const QStringList lines = model_text(said).split('\n');
   ASSERT_EQ(lines.size(), std::ssize(session_readers()) + 1);
   for (const QString& line : lines)
@@ -210,8 +210,8 @@ TEST(languages, every_export_format_is_named_and_says_its_direction) {
   std::set<QString> known;
   for (const char* phrase : model_phrases()) known.insert(QString::fromUtf8(phrase));
   for (const auto& format : exporters())
-    for (const std::string_view text : {format->description(), format->direction()})
-      EXPECT_TRUE(known.contains(QString::fromUtf8(text))) << "add to widgets/file_phrases.cpp: " << text;
+    for (const std::string& text : {english(format->description()), english(format->direction())})
+      EXPECT_TRUE(known.contains(QString::fromStdString(text))) << "add to widgets/file_phrases.cpp: " << text;
 }
 
 TEST(languages, every_option_is_named_and_explained) {

@@ -70,7 +70,7 @@ std::shared_ptr<const BagFile> open_only_bag(const fs::path& folder, Progress& p
   const std::vector<fs::path> bags = bags_in(folder);
   if (bags.empty()) throw Error(ErrorCode::Format, folder.string(), say::bag_folder_without_bag());
   if (bags.size() == 1) return open_bag(bags[0], progress);
-  throw SeveralSessions(folder, say::bag_folder_of_several(bags.size(), list_of(bags)), bags);
+  throw SeveralSessions(folder, say::bag_folder_of_several(bags.size(), lines_of(bags)), bags);
 }
 
 std::shared_ptr<const BagFile> open_parts(const fs::path& folder, Progress& progress) {

@@ -20,10 +20,7 @@ namespace remount {
 class BagReader final : public SessionReader {
  public:
   std::string_view id() const override { return "ros-bag"; }
-  std::string_view description() const override {
-    return "ROS bag: .bag (ROS 1), .mcap or .db3 (ROS 2), or a folder that holds one; PointCloud2 or Livox scans, and "
-           "INSPVAX, Odometry, poses, or NavSatFix with Imu";
-  }
+  Message description() const override;
   int probe(const std::filesystem::path& path) const override;
   Session open(const std::filesystem::path& path, Progress& progress) const override;
   Session open_topics(const std::filesystem::path& path, const TopicChoice& topics, Progress& progress) const override;

@@ -6,6 +6,7 @@
 
 #include "algorithms/core/median.h"
 #include "messages/bags.h"
+#include "messages/sessions.h"
 #include "model/io/bag/cloud_message.h"
 #include "model/io/stream_tools.h"
 
@@ -65,7 +66,7 @@ void visit_all(const BagFile& bag, const std::vector<Taker>& takers, std::vector
   }
   for (std::size_t i = 0; i < takers.size(); ++i)
     bad[i].report(findings, "bad-messages", bag.files().front().string() + ": " + bag.topics()[takers[i].topic].name,
-                  "messages");
+                  say::left_out_messages);
 }
 
 /// Puts items back into the order of their topic, and gives those without stamps the recorder's where none has one.

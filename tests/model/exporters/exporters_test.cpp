@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/exporters/exporter.h"
 #include "model/session_frames.h"
 
@@ -69,7 +70,7 @@ TEST(exporters, every_format_says_its_direction) {
     EXPECT_EQ(inverse, format->id() == "kitti" || format->id() == "opencalib") << format->id();
     const bool has_comments = format->id() != "opencalib" && format->id() != "json";
     const std::string text = format->write(result_with(x), {});
-    EXPECT_EQ(text.find(format->direction()) != std::string::npos, has_comments) << text;
+    EXPECT_EQ(text.find(english(format->direction())) != std::string::npos, has_comments) << text;
   }
   EXPECT_THROW(exporter("nothing"), Error);
 }
@@ -80,7 +81,7 @@ TEST(exporters, what_is_not_observed_is_said_in_the_file) {
   file.result.observed[2] = false;
   file.result.covariance.row(2).setConstant(std::nan(""));
   ASSERT_EQ(export_warnings(file.result).size(), 1U);
-  EXPECT_NE(export_warnings(file.result)[0].find("z"), std::string::npos);
+  EXPECT_NE(english(export_warnings(file.result)[0]).find("z"), std::string::npos);
   for (const char* id : {"kitti", "yaml", "matrix", "ros1", "ros2", "autoware", "apollo", "apollo-rfu", "urdf"})
     EXPECT_NE(exporter(id).write(file, {}).find("WARNING: not observed"), std::string::npos) << id;
   file.result.status = Status::Inconsistent;
@@ -190,7 +191,7 @@ class exported_nominals : public ::testing::Test {
   }
 
   std::filesystem::path folder_;
-  std::vector<std::string> doubts_;
+  std::vector<Message> doubts_;
 };
 
 TEST_F(exported_nominals, are_recognised_in_every_format_whatever_the_frames_are_called) {
@@ -224,7 +225,7 @@ TEST_F(exported_nominals, of_apollo_itself_are_read_as_documented_and_the_doubt_
       "  rotation: {x: 0, y: 0, z: 0.70710678118654757, w: 0.70710678118654757}\n  translation: {x: 0, y: 1, z: 0.5}\n";
   EXPECT_NEAR(read("novatel.yaml", foreign).translation().y(), 1.0, 1e-12) << "axes as in the log";
   ASSERT_EQ(doubts_.size(), 1U);
-  EXPECT_NE(doubts_[0].find("apollo-rfu:FILE"), std::string::npos) << doubts_[0];
+  EXPECT_NE(english(doubts_[0]).find("apollo-rfu:FILE"), std::string::npos) << doubts_[0];
   EXPECT_NEAR(exporter("apollo-rfu").read(foreign, "f").translation().x(), 1.0, 1e-12);
 }
 
@@ -232,7 +233,7 @@ TEST_F(exported_nominals, are_turned_to_the_axes_of_the_log_where_both_are_known
   const RigidTransform flu = rigid_from_six({1, 0, 0.5, 0, 0, 0});
   ResultFile novatel = result_with(forward_left_up_from(InsAxes::RightForwardUp).inverse() * flu);
   novatel.ins_axes = InsAxes::RightForwardUp;
-  std::vector<std::string> doubts;
+  std::vector<Message> doubts;
   const auto read_in = [&](const std::string& text, const std::optional<InsAxes>& axes) {
     doubts.clear();
     return in_axes_of(read_any_mounting(write("n.yaml", text)), axes, doubts);
@@ -240,7 +241,7 @@ TEST_F(exported_nominals, are_turned_to_the_axes_of_the_log_where_both_are_known
   const std::string result = exporter("yaml").write(novatel, {});
   EXPECT_LT((read_in(result, InsAxes::ForwardLeftUp).matrix() - flu.matrix()).norm(), 1e-12);
   ASSERT_EQ(doubts.size(), 1U);
-  EXPECT_NE(doubts[0].find("turned to those of the log"), std::string::npos) << doubts[0];
+  EXPECT_NE(english(doubts[0]).find("turned to those of the log"), std::string::npos) << doubts[0];
   EXPECT_LT((read_in(result, InsAxes::RightForwardUp).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);
   EXPECT_TRUE(doubts.empty());
   EXPECT_LT((read_in(result, {}).matrix() - novatel.result.ins_from_lidar.matrix()).norm(), 1e-12);

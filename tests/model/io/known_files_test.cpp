@@ -60,7 +60,7 @@ TEST(known_files, are_named_and_the_way_to_a_session_is_told) {
     const std::filesystem::path written = folder.write(name, bytes);
     const auto known = known_file(written);
     ASSERT_TRUE(known) << name;
-    EXPECT_TRUE(contains(known->what, said)) << name << ": " << known->what;
+    EXPECT_TRUE(contains(english(known->what()), said)) << name << ": " << known->what();
     EXPECT_TRUE(known->remedy.ends_with('.')) << name;
     EXPECT_ERROR(open(written), said);
     EXPECT_ERROR(open(written), std::string(known->remedy));

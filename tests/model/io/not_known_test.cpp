@@ -135,7 +135,7 @@ TEST(not_known, fixes_far_from_all_others_are_left_out) {
   std::vector<Finding> findings;
   keep_near(fixes, "a", findings);
   EXPECT_EQ(fixes.size(), 19U);
-  EXPECT_TRUE(contains(said_of(findings, "gnss-far-away"), "1 fix lies more than 2 degrees"));
+  EXPECT_TRUE(contains(said_of(findings, "gnss-far-away"), "1 fix lies more than 2 deg"));
 }
 
 TEST(not_known, of_one_stamp_the_better_counts_where_it_says_so) {

@@ -200,7 +200,8 @@ TEST(several_sessions, are_named_so_that_they_can_be_opened) {
 TEST(open_session, says_what_each_reader_looks_for) {
   const TemporaryFolder folder;
   const std::string message = error_of([&] { open(folder.path()); });
-  for (const auto& reader : session_readers()) EXPECT_TRUE(contains(message, reader->description())) << message;
+  for (const auto& reader : session_readers())
+    EXPECT_TRUE(contains(message, english(reader->description()))) << message;
   EXPECT_ERROR(open(folder.path() / "missing"), "missing: does not exist");
   EXPECT_ERROR(open("/dev/zero"), "/dev/zero: is a device, expected a regular file");
 }

@@ -4,6 +4,7 @@
 
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/messages/render.h"
+#include "messages/sessions.h"
 #include "tests/model/io/temporary_folder.h"
 
 namespace remount {
@@ -104,10 +105,10 @@ TEST(stream_tools, one_bad_item_is_spoken_of_in_the_singular) {
   std::vector<Finding> findings;
   BadItems bad;
   bad.add(std::string("a.bin: is missing"));
-  bad.report(findings, "missing-scans", "data", "scans");
+  bad.report(findings, "missing-scans", "data", say::left_out_scans);
   EXPECT_EQ(english(findings.back().explanation), "1 scan cannot be used and is left out. First: a.bin: is missing");
   bad.add(std::string("b.bin: is missing"));
-  bad.report(findings, "missing-scans", "data", "scans");
+  bad.report(findings, "missing-scans", "data", say::left_out_scans);
   EXPECT_EQ(english(findings.back().explanation), "2 scans cannot be used and are left out. First: a.bin: is missing");
 }
 

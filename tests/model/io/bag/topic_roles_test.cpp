@@ -28,7 +28,7 @@ class topic_roles : public ::testing::Test {
     Progress progress;
     const std::optional<TopicOffer> offer = offer_topics(path(), progress);
     for (const OfferedTopic& offered : offer->topics)
-      if (offered.topic.name == name) return offered.use(role) ? offered.use(role)->why : "it cannot be that";
+      if (offered.topic.name == name) return offered.use(role) ? english(offered.use(role)->why) : "it cannot be that";
     return "is not listed";
   }
   static std::string said(const Session& session, const std::string& code) {
