@@ -45,10 +45,11 @@ class Lines {
   void add_streams(const Session& session, const SessionReport& report) {
     add_stream(session.scans ? say::session_scans() : say::session_lidar_poses(), report.lidar);
     add_stream(session.ins.empty() ? say::session_ins_poses() : say::session_ins_samples(), report.ins);
-    for (const auto& [name, stream] : {std::pair{say::session_imu, &report.imu},
-                                       {say::session_gnss, &report.gnss},
-                                       {say::session_wheels, &report.wheels},
-                                       {say::session_barometer, &report.barometer}})
+    const std::pair<Message (*)(), const StreamReport*> others[] = {{say::session_imu, &report.imu},
+                                                                    {say::session_gnss, &report.gnss},
+                                                                    {say::session_wheels, &report.wheels},
+                                                                    {say::session_barometer, &report.barometer}};
+    for (const auto& [name, stream] : others)
       if (stream->count > 0) add_stream(name(), *stream);
     if (report.ins.count == 0) return;  // there is nothing to lie within, and no motion that is known
     add(1, say::session_covered(report.lidar_covered, report.lidar.count));
