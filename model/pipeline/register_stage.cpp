@@ -30,7 +30,7 @@ std::vector<LidarBox> moving_boxes(const KeyframeObjects& scan) {
   return boxes;
 }
 
-void reject(Pair& pair, const std::string& reason) {
+void reject(Pair& pair, const Message& reason) {
   if (pair.decided_by == DecidedBy::User) return;
   pair.state = PairState::Rejected;
   pair.decided_by = DecidedBy::Program;

@@ -342,7 +342,7 @@ void Page::write_settings() {
 }
 
 std::string Page::write() {
-  html_ = "<!DOCTYPE html>\n<html lang=\"" + (style_.language == Language::Chinese ? "zh-CN" : "en") +
+  html_ = "<!DOCTYPE html>\n<html lang=\"" + std::string(style_.language == Language::Chinese ? "zh-CN" : "en") +
           "\"><head><meta charset=\"utf-8\"><title>" + words(say::report_title()) + "</title><style>" + kCss +
           "</style></head>\n<body>\n";
   write_verdict();

@@ -191,11 +191,8 @@ TEST_F(chinese, plots_speak_it_with_the_names_of_sessions_as_they_are) {
 }
 
 TEST(languages, every_method_is_named_and_says_what_it_needs) {
-  std::set<QString> known;
-  for (const char* phrase : model_phrases()) known.insert(QString::fromUtf8(phrase));
   for (const CalibrationMethod& method : calibration_methods()) {
-    EXPECT_TRUE(known.contains(QString::fromStdString(std::string(method.title))))
-        << "add to widgets/method_phrases.cpp: " << method.title;
+    EXPECT_NE(render(method.title, Language::Chinese), english(method.title)) << method.id;
     EXPECT_NE(render(method.needs, Language::Chinese), english(method.needs)) << method.id;
   }
 }
