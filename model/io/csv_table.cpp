@@ -25,7 +25,7 @@ int CsvHeader::find(std::string_view name) const {
 
 std::size_t CsvHeader::require(std::string_view name, const std::filesystem::path& path) const {
   if (const int index = find(name); index >= 0) return static_cast<std::size_t>(index);
-  for (const auto& [separator, words] : {std::pair{';', say::csv_semicolons}, {'\t', say::csv_tabs}})
+  for (const auto& [separator, words] : {std::pair{';', &say::csv_semicolons}, {'\t', &say::csv_tabs}})
     if (names_.size() == 1 && names_[0].find(separator) != std::string::npos)
       throw Error(ErrorCode::Format, at_line(path, 1), words());
   std::vector<std::string> names;

@@ -61,9 +61,9 @@ TEST(known_files, are_named_and_the_way_to_a_session_is_told) {
     const auto known = known_file(written);
     ASSERT_TRUE(known) << name;
     EXPECT_TRUE(contains(english(known->what()), said)) << name << ": " << known->what();
-    EXPECT_TRUE(known->remedy.ends_with('.')) << name;
+    EXPECT_TRUE(english(known->remedy()).ends_with('.')) << name;
     EXPECT_ERROR(open(written), said);
-    EXPECT_ERROR(open(written), std::string(known->remedy));
+    EXPECT_ERROR(open(written), english(known->remedy()));
     // The same within a folder that has nothing else.
     const TemporaryFolder alone;
     alone.write(name, bytes);
