@@ -35,13 +35,4 @@ inline std::vector<std::string> lines_of(const std::vector<std::filesystem::path
   return lines;
 }
 
-/// The same as one text, each line behind a line feed.
-inline std::string list_of(const std::vector<std::filesystem::path>& paths) {
-  constexpr std::size_t kShown = 20;
-  std::string list;
-  for (std::size_t i = 0; i < paths.size() && i < kShown; ++i)
-    list += "\n  " + printable(paths[i].string(), LineBreaks::Escaped);
-  return paths.size() > kShown ? list + "\n  …" : list;
-}
-
 }  // namespace remount

@@ -66,7 +66,7 @@ TEST(exporters, every_format_says_its_direction) {
     EXPECT_FALSE(format->description().empty());
     EXPECT_FALSE(format->file_name().empty());
     EXPECT_EQ(&exporter(format->id()), format.get());
-    const bool inverse = format->direction().find("ins to lidar") != std::string_view::npos;
+    const bool inverse = english(format->direction()).find("ins to lidar") != std::string_view::npos;
     EXPECT_EQ(inverse, format->id() == "kitti" || format->id() == "opencalib") << format->id();
     const bool has_comments = format->id() != "opencalib" && format->id() != "json";
     const std::string text = format->write(result_with(x), {});
