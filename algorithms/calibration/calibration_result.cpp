@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "messages/parameters.h"
+
 namespace remount {
 namespace {
 constexpr std::array<std::string_view, 7> kStatusNames{"ok",           "degenerate",   "too_few_pairs", "not_converged",
@@ -14,6 +16,19 @@ std::optional<Status> status_from_string(std::string_view text) {
   for (std::size_t i = 0; i < kStatusNames.size(); ++i)
     if (kStatusNames[i] == text) return static_cast<Status>(i);
   return std::nullopt;
+}
+
+Message parameter_word(std::size_t i) {
+  constexpr std::array<Message (*)(), 6> kWords{say::parameter_x,   say::parameter_y,     say::parameter_z,
+                                                say::parameter_yaw, say::parameter_pitch, say::parameter_roll};
+  return kWords.at(i)();
+}
+
+std::vector<Message> parameter_words(const std::array<bool, 6>& which, bool value, std::size_t count) {
+  std::vector<Message> words;
+  for (std::size_t i = 0; i < count; ++i)
+    if (which[i] == value) words.push_back(parameter_word(i));
+  return words;
 }
 
 std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count) {

@@ -38,7 +38,7 @@ struct Candidate {
   double frobenius_sum =
       0.0;  ///< E(X) = sum over accepted pairs of ||P X - X Q||_F, translation over characteristic length
   bool in_range = true;
-  std::string out_of_range;  ///< which parameters, in words; empty where in_range
+  Message out_of_range;  ///< which parameters, as outside_range says; empty where in_range
   /// How much less than this one the best X of the range can have for its sum of squares at most, as a share; NaN where
   /// nothing was proved.
   double certified_gap = std::numeric_limits<double>::quiet_NaN();
@@ -103,7 +103,13 @@ struct CalibrationResult {
   }
 };
 
-/// "x, y, yaw": names of those of the first `count` parameters that are `value` in `which`; empty for none.
+/// Parameter i of kParameterNames in words.
+Message parameter_word(std::size_t i);
+
+/// Those of the first `count` parameters that are `value` in `which`, in words.
+std::vector<Message> parameter_words(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
+
+/// "x, y, yaw": the same for files; empty for none.
 std::string parameter_names(const std::array<bool, 6>& which, bool value, std::size_t count = 6);
 
 /// Whether X may be used at all: the status is ok or degenerate and something is observed.

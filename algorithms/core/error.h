@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "algorithms/messages/render.h"
+#include "messages/general.h"
 
 namespace remount {
 
@@ -31,6 +32,8 @@ class Error : public std::runtime_error {
   ErrorCode code() const { return code_; }
   const std::string& where() const { return where_; }
   const Message& what_happened() const { return what_happened_; }
+  /// What happened, and where.
+  Message message() const { return where_.empty() ? what_happened_ : say::of_file(where_, what_happened_); }
 
  private:
   ErrorCode code_;
