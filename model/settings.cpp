@@ -10,8 +10,8 @@ namespace remount {
 std::vector<std::string> Settings::check() const {
   std::vector<std::string> problems;
   visit_sections(*this, [&](std::string_view section, const auto& options) {
-    for (const std::string& problem : option_problems(options))
-      problems.push_back(std::string(section) + "." + problem);
+    for (const Message& problem : option_problems(options))
+      problems.push_back(std::string(section) + "." + english(problem));
   });
   const auto ordered = [&](const char* name, double minimum, double maximum, const char* unit) {
     if (minimum <= maximum) return;
@@ -53,7 +53,7 @@ void require_valid(const Settings& settings) {
 }
 
 std::string nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range) {
-  const std::string outside = nominal_ins_from_lidar ? outside_range(*nominal_ins_from_lidar, range) : "";
+  const std::string outside = nominal_ins_from_lidar ? english(outside_range(*nominal_ins_from_lidar, range)) : "";
   if (outside.empty()) return {};
   return "lies outside the search range: " + outside + ". Correct it, or widen the search range.";
 }

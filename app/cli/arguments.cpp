@@ -50,7 +50,7 @@ void check_typed(SearchRange& range, std::size_t parameter, double minimum, doub
                   typed(bounds[2 * parameter].second)};
   for (const double value : {minimum, maximum})
     if (value < info.minimum || value > info.maximum)
-      throw Error(ErrorCode::Contract, where, std::string(info.name) + " " + outside_bounds(info, value));
+      throw Error(ErrorCode::Contract, where, std::string(info.name) + " " + english(outside_bounds(info, value)));
   if (minimum > maximum)
     throw Error(ErrorCode::Contract, where,
                 std::string(info.name) + ": the minimum " + shortest(minimum) + " exceeds the maximum " +

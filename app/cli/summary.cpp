@@ -64,7 +64,7 @@ std::string pairs(const ResultFile& file) {
   const CalibrationResult& result = file.result;
   std::string text = format("pairs: %d proposed, %d accepted, %d rejected\n", result.pairs_proposed,
                             result.pairs_accepted, result.pairs_rejected);
-  for (const std::string& line : pair_lines(file)) text += "  " + line + "\n";
+  for (const Message& line : pair_lines(file)) text += "  " + english(line) + "\n";
   return text;
 }
 

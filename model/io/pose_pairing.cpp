@@ -46,11 +46,11 @@ void align_lidar_clock(Session& session, ClockUse clocks) {
           overlapping ? make_finding(Severity::Warning, "clock-ambiguous", "clocks",
                                      "Rates of rotation alone do not tell by how much the clocks of the LiDAR poses "
                                      "and the INS differ: " +
-                                         alignment.why +
+                                         english(alignment.why) +
                                          ". The stamps stay as they are; a small offset is estimated with the "
                                          "mounting.")
                       : make_finding(Severity::Problem, "clock-ambiguous", "clocks",
-                                     "The LiDAR poses cannot be brought to INS time: " + alignment.why +
+                                     "The LiDAR poses cannot be brought to INS time: " + english(alignment.why) +
                                          ". Their stamps stay as they are; record a drive with several turns."));
     return;
   }

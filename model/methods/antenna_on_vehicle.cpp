@@ -107,7 +107,7 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   output.session_uses_sweep.assign(input.sessions.size(), false);
   if (!fit.found) {
     result.status = progress.cancelled() ? Status::Cancelled : Status::TooFewPairs;
-    result.message = progress.cancelled() ? "Cancelled." : "The drive cannot be integrated: " + fit.why + ".";
+    result.message = progress.cancelled() ? "Cancelled." : "The drive cannot be integrated: " + english(fit.why) + ".";
     return output;
   }
   fill(fit, input, result);

@@ -109,8 +109,8 @@ void keep_in_range(const SearchRange& whole, bool nominal_known, CalibrationResu
   if (!is_usable(result)) return;
   const SearchRange range = range_of(result, whole);
   if (!nominal_known) result.ins_from_lidar = unobserved_in_range(result, range);
-  const std::string outside = outside_range(result.ins_from_lidar, range);
-  if (!outside.empty()) refuse_out_of_range(outside, result);
+  Message outside = outside_range(result.ins_from_lidar, range);
+  if (!outside.empty()) refuse_out_of_range(std::move(outside), result);
 }
 
 namespace {

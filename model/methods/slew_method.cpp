@@ -154,7 +154,7 @@ std::vector<RigidTransform> turn_poses(const Session& session, const Settings& s
   if (turn.failed > 0)
     findings.push_back({Severity::Warning, "turn-scans", session.name,
                         std::to_string(turn.failed) + " of " + std::to_string(stamps_ns.size()) +
-                            " scans of the turn could not be aligned: " + turn.first_failure + "."});
+                            " scans of the turn could not be aligned: " + english(turn.first_failure) + "."});
   for (const StampedPose& pose : turn.first_from_lidar) poses.push_back(pose.pose);
   return poses;
 }

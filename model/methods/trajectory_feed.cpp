@@ -101,7 +101,7 @@ void TrajectoryFeed::keep_poses(const Session& session, const std::vector<Odomet
   SessionOdometry& odometry = odometry_.back();
   for (const OdometryPose& pose : poses) {
     if (!pose.aligned && odometry.unaligned++ == 0)
-      odometry.first_unaligned = scan_name_at(*session.scans, pose.stamp_ns) + ": " + pose.problem;
+      odometry.first_unaligned = scan_name_at(*session.scans, pose.stamp_ns) + ": " + english(pose.problem);
     odometry.undetermined += pose.undetermined.empty() ? 0 : 1;
     odometry.poses.push_back(pose);
   }

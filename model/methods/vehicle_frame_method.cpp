@@ -64,7 +64,7 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
       if (pose.aligned)
         poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
       else
-        fail(scan_name_at(*session.scans, pose.stamp_ns) + ": " + pose.problem);
+        fail(scan_name_at(*session.scans, pose.stamp_ns) + ": " + english(pose.problem));
   };
   for (std::size_t i = 0; i < session.scans->size() && !progress.cancelled(); ++i) {
     progress.report("LiDAR odometry", i, session.scans->size());

@@ -29,7 +29,7 @@ std::vector<LidarBox> moving_boxes(const KeyframeObjects& scan) {
   return boxes;
 }
 
-void reject(Pair& pair, const std::string& reason) {
+void reject(Pair& pair, const Message& reason) {
   if (pair.decided_by == DecidedBy::User) return;
   pair.state = PairState::Rejected;
   pair.decided_by = DecidedBy::Program;
@@ -139,7 +139,7 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
         pair.registration = result.quality;
       } catch (const Error& error) {
         pair.registration.attempted = true;
-        pair.registration.failure = error.what();
+        pair.registration.failure = error.message();
       }
       if (!pair.registration.failure.empty()) reject(pair, pair.registration.failure);
     }

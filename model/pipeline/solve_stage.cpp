@@ -148,7 +148,7 @@ void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& optio
   judge_again("Nothing is known: how the scans are bent by motion makes more of a difference than X can bear.", result);
 }
 
-void judge_again(const std::string& nothing_known, CalibrationResult& result) {
+void judge_again(const Message& nothing_known, CalibrationResult& result) {
   if (!std::ranges::all_of(result.observed, [](bool observed) { return observed; })) result.status = Status::Degenerate;
   result.message = is_usable(result) ? solved_message(result) : nothing_known;
 }

@@ -15,7 +15,7 @@ constexpr double kLongestDrive_m = 200'000.0;
 constexpr double kMostSamples = 2e7;  ///< of one sensor
 
 void check(const SimulationOptions& options) {
-  std::vector<std::string> problems = option_problems(options);
+  std::vector<std::string> problems = english(option_problems(options));
   if (options.duration_s * options.speed_mps > kLongestDrive_m) problems.push_back("the drive is longer than 200 km");
   for (const auto& [rate_hz, sensor] :
        {std::pair{options.ins_rate_hz, "INS"}, {options.imu.rate_hz, "IMU"}, {options.wheels.rate_hz, "wheel"}})
