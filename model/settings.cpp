@@ -41,12 +41,6 @@ std::vector<Message> Settings::check() const {
   return problems;
 }
 
-Message in_one(const std::vector<Message>& problems) {
-  Message all;
-  for (const Message& problem : problems) all = all.empty() ? problem : say::settings_and(std::move(all), problem);
-  return all;
-}
-
 void require_valid(const Settings& settings) {
   const std::vector<Message> problems = settings.check();
   if (!problems.empty()) throw Error(ErrorCode::Contract, "settings", in_one(problems));

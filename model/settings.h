@@ -94,9 +94,6 @@ struct Settings {
   std::vector<Message> check() const;
 };
 
-/// Several problems, which are there, one after the other.
-Message in_one(const std::vector<Message>& problems);
-
 /// Throws Error(Contract) that names every problem.
 void require_valid(const Settings& settings);
 

@@ -94,7 +94,7 @@ struct OptionReader {
             view.integer(static_cast<std::int64_t>(info.minimum), static_cast<std::int64_t>(info.maximum)));
       } else if constexpr (std::is_floating_point_v<T>) {
         const double number = snapped_to_bounds(info, view.number());
-        if (number < info.minimum || number > info.maximum) view.fail(outside_bounds(info, number));
+        if (number < info.minimum || number > info.maximum) view.fail(english(outside_bounds(info, number)));
         value = number;
       } else {
         value = view.string();

@@ -1,10 +1,11 @@
 #include "algorithms/calibration/motion_agreement.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
+#include "messages/calibration.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
@@ -62,32 +63,20 @@ void judge_motions(const JointProblem& problem, const std::vector<Pair>& pairs, 
                    const SolveOptions& options, const Progress& progress, CalibrationResult& result) {
   constexpr double kApart_m = 0.3, kApartShare = 0.15, kScale = 0.002, kSigmas = 5.0;
   const MotionAgreement motions = motion_agreement(pairs, details.joint.ins_from_lidar);
-  char text[280];
   if (motions.apart_m > std::max(kApart_m, kApartShare * motions.travel_m)) {
     if (!is_solved_result(result)) return;
     result.status = Status::Inconsistent;
-    std::snprintf(text, sizeof text,
-                  "LiDAR and INS contradict each other under every mounting: their motions differ by %.2f m on ways of "
-                  "%.2f m.",
-                  motions.apart_m, motions.travel_m);
-    result.message = text;
-    claim_nothing("the motions of LiDAR and INS contradict each other", result);
-    result.advice = {
-        "Look at clock and attitude of the INS. Where the LiDAR gave poses instead of scans, look whether they are "
-        "what "
-        "they are taken for: of this drive, in metres, and from the LiDAR to the world."};
+    result.message = say::motions_contradict({motions.apart_m}, {motions.travel_m});
+    claim_nothing(say::unknown_motions_contradict(), result);
+    result.advice = {say::look_at_ins_and_poses()};
     return;
   }
   const double scale_error = std::abs(motions.lidar_per_ins - 1.0);
   if (!is_solved_result(result) || !(scale_error > std::max(kScale, kSigmas * motions.lidar_per_ins_sigma))) return;
   const Rescaled fitting = rescaled(problem, pairs, details, motions.lidar_per_ins, progress);
-  add_doubt(difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), "the distances of LiDAR and INS differ",
-            options, result);
-  std::snprintf(text, sizeof text,
-                "The LiDAR moves %.4f times as far as the INS: one of them measures distances wrongly, which biases X; "
-                "the sigmas include it. Correct the scale, or use the method trajectory, which estimates it.",
-                fitting.lidar_per_ins);
-  result.advice.emplace_back(text);
+  add_doubt(difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), say::unknown_distances_differ(), options,
+            result);
+  result.advice.push_back(say::distances_bias_x(fitting.lidar_per_ins));
 }
 
 }  // namespace remount

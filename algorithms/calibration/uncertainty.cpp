@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "algorithms/calibration/bootstrap.h"
@@ -12,6 +11,8 @@
 #include "algorithms/calibration/open_rotation.h"
 #include "algorithms/calibration/session_agreement.h"
 #include "algorithms/calibration/shared_errors.h"
+#include "messages/calibration.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
@@ -136,13 +137,7 @@ Eigen::MatrixXd responses_to_common_errors(const PairwiseInput& input, const Joi
 
 void add_disagreement_advice(CalibrationResult& result) {
   if (!(result.session_disagreement > kSessionsContradict)) return;
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "The sessions contradict one another %.1f times as much as their errors explain; what the pairs say counts "
-      "the less. Look for one whose INS or clock is worse, and calibrate without it.",
-      result.session_disagreement);
-  result.advice.push_back(text);
+  result.advice.push_back(say::sessions_contradict(result.session_disagreement));
 }
 
 Matrix6d inverse(const Matrix6d& matrix) { return matrix.ldlt().solve(Matrix6d::Identity()); }
@@ -231,23 +226,20 @@ Matrix6d describe_uncertainty(const PairwiseInput& input, const std::vector<Pair
 void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const PairwiseDetails& details,
                 CalibrationResult& result) {
   Matrix6d covariance = believed;
-  if (!result.observed[2] && !result.measured[2])
-    result.advice.emplace_back("A height measured by tape goes into measured.z_m, its sigma into measured.z_sigma_m.");
+  if (!result.observed[2] && !result.measured[2]) result.advice.push_back(say::tape_goes_into());
   // A tape that is right does not contradict pairs that are known to be biased.
   if (input.clock_bias) covariance += *input.clock_bias * input.clock_bias->transpose();
   const Vector6d by_north = turned_by_north(details.joint.ins_from_lidar, north_sigma_of(input.sessions));
   covariance += by_north * by_north.transpose();
   for (const Contradiction& one :
        contradictions(input.measured, details.joint.ins_from_lidar, details.joint.covariance, covariance)) {
-    add_doubt(one.doubt, "what was measured contradicts the drive", input.options, result);
+    add_doubt(one.doubt, say::unknown_measured_contradicts(), input.options, result);
     result.advice.push_back(one.text);
   }
-  if (!by_north.isZero(0.0)) add_doubt(by_north, kNorthUnknown, input.options, result);
+  if (!by_north.isZero(0.0)) add_doubt(by_north, say::unknown_north(), input.options, result);
   if (!input.clock_bias) return;
-  add_doubt(*input.clock_bias, "the clocks of lidar and INS differ", input.options, result);
-  result.advice.emplace_back(
-      "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset to auto "
-      "or yes: X is then no longer biased.");
+  add_doubt(*input.clock_bias, say::unknown_clocks_differ(), input.options, result);
+  result.advice.push_back(say::clocks_bias_x());
 }
 
 }  // namespace remount

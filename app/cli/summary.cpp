@@ -96,7 +96,7 @@ void add_sharpness(const std::vector<NamedSharpness>& list, Lines& lines) {
 void add_pairs(const ResultFile& file, Lines& lines) {
   const CalibrationResult& result = file.result;
   lines.add(say::summary_pairs(result.pairs_proposed, result.pairs_accepted, result.pairs_rejected));
-  for (const auto& line : pair_lines(file)) lines.add_indented(line);
+  for (const Message& line : pair_lines(file)) lines.add_indented(line);
 }
 
 /// The offset of the clocks, of each session where there are several, and whether X is solved with it.

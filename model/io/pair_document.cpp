@@ -47,7 +47,7 @@ DocumentNode registration_document(const RegistrationQuality& quality) {
   node.add("overlap", DocumentNode::number(quality.overlap));
   node.add("information", triangle(quality.information));
   node.add("failure", DocumentNode::string(english(quality.failure)));
-  if (!quality.undetermined.empty()) node.add("undetermined", DocumentNode::string(quality.undetermined));
+  if (!quality.undetermined.empty()) node.add("undetermined", DocumentNode::string(english(quality.undetermined)));
   return node;
 }
 

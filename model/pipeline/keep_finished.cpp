@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/trajectory/pair.h"
+#include "messages/pairs.h"
 #include "messages/pipeline.h"
 #include "model/preliminary.h"
 #include "model/result_file.h"
@@ -15,9 +16,7 @@ constexpr const char* kCancelled = "cancelled";  // code of the finding
 bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
 
 // A registration that was interrupted, or never begun.
-bool not_reached(const Pair& pair) {
-  return !pair.registration.attempted || pair.registration.failure == kRegistrationCancelled;
-}
+bool not_reached(const Pair& pair) { return !pair.registration.attempted || is_cancelled(pair.registration); }
 
 // What a whole calibration would have done besides.
 std::vector<Message> missing_steps(const PipelineInput& input, const PipelineOutput& output) {
@@ -41,8 +40,8 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
     } else if (not_reached(pair) && (pair.state != PairState::Rejected || pair.registration.attempted)) {
       pair.state = PairState::Rejected;
       pair.decided_by = DecidedBy::Program;
-      pair.reason = kPairNotReached;
-      if (pair.registration.attempted) pair.registration.failure = kPairNotReached;
+      pair.reason = say::pair_not_reached();
+      if (pair.registration.attempted) pair.registration.failure = pair.reason;
     }
   }
   output.findings.push_back({Severity::Warning, kCancelled, "calibration",
