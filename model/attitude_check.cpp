@@ -8,6 +8,7 @@
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/symmetric_eigen.h"
+#include "messages/checks.h"
 #include "model/attitude_columns.h"
 #include "model/inverted_poses.h"
 #include "model/io/attitude_convention.h"
@@ -90,45 +91,33 @@ Eigen::Matrix3d degrees_were_radians(const Eigen::Matrix3d& rotation) {
 
 struct Alternative {
   Eigen::Matrix3d (*convention)(const Eigen::Matrix3d&);
-  const char* words;
+  Message (*words)();
 };
 constexpr std::array<Alternative, 5> kAlternatives{{
-    {other_way_up,
-     "NED instead of ENU (or the other way round), or a heading from north instead of a yaw from east (this looks like "
-     "a compass heading)"},
-    {yaw_was_heading, "a heading from north instead of a yaw from east (this looks like a compass heading)"},
-    {inverse, "the inverse rotation"},
-    {scalar_was_last, "a quaternion whose scalar part stands at the other end"},
-    {scalar_was_first, "a quaternion whose scalar part stands at the other end"},
+    {other_way_up, say::attitude_as_other_way_up},
+    {yaw_was_heading, say::attitude_as_heading},
+    {inverse, say::attitude_as_inverse},
+    {scalar_was_last, say::attitude_as_other_scalar},
+    {scalar_was_first, say::attitude_as_other_scalar},
 }};
-constexpr const char *kYawWasPitch = "yaw and pitch exchanged", *kYawWasRoll = "yaw and roll exchanged";
 /// Of angles in columns only; axes forward, left, up.
 constexpr std::array<Alternative, 4> kColumnAlternatives{{
-    {yaw_was_pitch<AttitudeConvention::EnuYaw>, kYawWasPitch},
-    {yaw_was_pitch<AttitudeConvention::Heading>, kYawWasPitch},
-    {yaw_was_roll<AttitudeConvention::EnuYaw>, kYawWasRoll},
-    {yaw_was_roll<AttitudeConvention::Heading>, kYawWasRoll},
+    {yaw_was_pitch<AttitudeConvention::EnuYaw>, say::attitude_yaw_was_pitch},
+    {yaw_was_pitch<AttitudeConvention::Heading>, say::attitude_yaw_was_pitch},
+    {yaw_was_roll<AttitudeConvention::EnuYaw>, say::attitude_yaw_was_roll},
+    {yaw_was_roll<AttitudeConvention::Heading>, say::attitude_yaw_was_roll},
 }};
 constexpr std::array<Alternative, 2> kUnitAlternatives{{
-    {degrees_were_radians<AttitudeConvention::EnuYaw>, ""},
-    {degrees_were_radians<AttitudeConvention::Heading>, ""},
+    {degrees_were_radians<AttitudeConvention::EnuYaw>, nullptr},
+    {degrees_were_radians<AttitudeConvention::Heading>, nullptr},
 }};
 
 /// What would make the heading follow the direction of travel.
 struct Explanation {
   double follows = 0.0;
   const char* code = nullptr;
-  std::string text;
+  Message words;
 };
-
-std::string follows_as(const char* words) {
-  return std::string("The heading of the INS does not follow the direction of travel, but it would as ") + words +
-         ": correct the convention of the attitude. No mounting can be right with this one.";
-}
-std::string follows_with(const char* words) {
-  return std::string("The heading of the INS does not follow the direction of travel, but it would with ") + words +
-         ": correct the columns of the attitude. No mounting can be right with these.";
-}
 
 /// Poses of the INS with latitude and longitude exchanged; none where they cannot be.
 std::vector<StampedPose> poses_with_places_exchanged(const Session& session) {
@@ -144,11 +133,11 @@ std::vector<StampedPose> poses_with_places_exchanged(const Session& session) {
 /// On level ground several fit; tilts, and the shape of the path, tell them apart.
 Explanation best_explanation(const Session& session, const std::vector<TravelStep>& steps) {
   Explanation best;
-  const auto offer = [&](double follows, const char* code, auto&& text) {
-    if (follows > best.follows) best = {follows, code, text()};
+  const auto offer = [&](double follows, const char* code, auto&& words) {
+    if (follows > best.follows) best = {follows, code, words()};
   };
   for (const Alternative& one : kAlternatives)
-    offer(agreement(steps, one.convention), kAttitudeConvention, [&] { return follows_as(one.words); });
+    offer(agreement(steps, one.convention), kAttitudeConvention, [&] { return say::attitude_convention(one.words()); });
   if (session.ins.empty()) return best;
   const Eigen::Matrix3d axes_from_level = forward_left_up_from(session.ins_axes).linear().transpose();
   const auto level = [&](auto* convention) {
@@ -159,23 +148,17 @@ Explanation best_explanation(const Session& session, const std::vector<TravelSte
   // Where the road is straight, no rotation at all follows it, too; so does what passes for yaw and hardly changes.
   const double unmoved =
       agreement(steps, [](const Eigen::Matrix3d&) { return Eigen::Matrix3d(Eigen::Matrix3d::Identity()); });
-  const auto offer_moving = [&](const Alternative& one, const char* code, auto&& text) {
+  const auto offer_moving = [&](const Alternative& one, const char* code, auto&& words) {
     const double follows = agreement(steps, level(one.convention));
-    if (1.0 - follows < kFarBetter * (1.0 - unmoved)) offer(follows, code, text);
+    if (1.0 - follows < kFarBetter * (1.0 - unmoved)) offer(follows, code, words);
   };
   for (const Alternative& one : kColumnAlternatives)
-    offer_moving(one, kAttitudeColumns, [&] { return follows_with(one.words); });
-  for (const Alternative& one : kUnitAlternatives)
-    offer_moving(one, kAttitudeUnit, [] {
-      return "The heading of the INS does not follow the direction of travel, but it would if its angles were 57.3 "
-             "times larger: these are radians that were taken for degrees.";
-    });
+    offer_moving(one, kAttitudeColumns, [&] { return say::attitude_columns(one.words()); });
+  for (const Alternative& one : kUnitAlternatives) offer_moving(one, kAttitudeUnit, say::attitude_unit);
   const std::vector<TravelStep> exchanged = travel_steps(poses_with_places_exchanged(session));
   if (2 * exchanged.size() > steps.size())
-    offer(agreement(exchanged, [](const Eigen::Matrix3d& same) { return same; }), kPositionColumns, [] {
-      return "The direction of travel does not follow the heading of the INS, but it would with latitude and longitude "
-             "exchanged.";
-    });
+    offer(agreement(exchanged, [](const Eigen::Matrix3d& same) { return same; }), kPositionColumns,
+          say::position_columns);
   return best;
 }
 
@@ -188,12 +171,9 @@ void judge_heading(const Session& session, const std::vector<TravelStep>& steps,
   const Explanation best = best_explanation(session, steps);
   // Side slip of a vehicle that turns on the spot is no better explained by any other attitude.
   if (best.follows > kFollows && (declared < kAgainst || 1.0 - best.follows < kFarBetter * (1.0 - declared)))
-    findings.push_back({Severity::Problem, best.code, session.name, best.text});
+    findings.push_back({Severity::Problem, best.code, session.name, best.words});
   else if (steps.size() >= kManySteps && declared < kAtRandom)
-    findings.push_back({Severity::Warning, "heading-against-travel", session.name,
-                        "The heading of the INS does not follow the direction of travel: check the convention of the "
-                        "attitude, and whether what is taken for yaw is it. A vehicle that moves sideways at will may "
-                        "look so too."});
+    findings.push_back({Severity::Warning, "heading-against-travel", session.name, say::heading_against_travel()});
 }
 
 /// The reader has compared the units of the angles with the direction of travel: that is the cause, then.
@@ -217,9 +197,7 @@ std::vector<Finding> attitude_findings(const Session& session, const MetricPoses
   double up = 0.0;
   for (const StampedPose pose : poses) up += pose.pose.linear()(2, 2) / static_cast<double>(poses.size());
   if (!session.ins.empty() && up < kDown)
-    findings.push_back({Severity::Warning, "attitude-upside-down", session.name,
-                        "The z axis of the INS points down, where its axes are declared with z up: is it mounted so? "
-                        "Otherwise check the convention of the attitude (ENU or NED, roll by 180 degrees)."});
+    findings.push_back({Severity::Warning, "attitude-upside-down", session.name, say::attitude_upside_down()});
   // Where yaw is something else, slopes and forces prove nothing.
   if (findings.empty())
     if (std::optional<Finding> finding = attitude_column_finding(session, poses))
@@ -237,21 +215,15 @@ void blame_attitude(const std::vector<Finding>& findings, CalibrationResult& res
   if ((!convention && !columns && !inverted) || result.status == Status::Cancelled) return;
   if (result.status == Status::Ok || result.status == Status::Degenerate) {
     result.status = Status::Inconsistent;
-    result.message = inverted ? "The poses contradict the travel of the vehicle: their inverses follow it."
-                     : convention
-                         ? "The INS contradicts itself: its heading follows its travel only under another convention."
-                         : "The INS contradicts itself: a column of its log is not what it is taken for.";
+    result.message = inverted     ? say::result_of_inverted_poses()
+                     : convention ? say::result_of_convention()
+                                  : say::result_of_columns();
     result.advice.clear();
   }
-  claim_nothing(inverted ? "the poses are inverted" : "the INS contradicts itself", result);
-  result.advice.insert(result.advice.begin(),
-                       inverted ? "Before anything else invert the poses that the findings name: they are from the "
-                                  "world to the body, expected from the body to the world."
-                       : convention
-                           ? "Before anything else correct the convention of the INS attitude: its heading does "
-                             "not follow the direction of travel, and would under another one (see the findings)."
-                           : "Before anything else correct columns, signs and units of the INS log (see the "
-                             "findings).");
+  claim_nothing(inverted ? say::poses_are_inverted() : say::ins_contradicts_itself(), result);
+  result.advice.insert(result.advice.begin(), inverted     ? say::invert_poses_first()
+                                              : convention ? say::correct_convention_first()
+                                                           : say::correct_columns_first());
 }
 
 }  // namespace remount

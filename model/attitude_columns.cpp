@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "algorithms/trajectory/motion_track.h"
+#include "messages/checks.h"
 #include "model/assumed_tilt.h"
 #include "model/session_frames.h"
 #include "model/travel_steps.h"
@@ -207,20 +208,18 @@ unsigned suspects(const std::optional<Misfits>& misfits) {
 }
 
 /// Of several that fit, the one that happens most easily.
-const char* words_of(unsigned found) {
+Message words_of(unsigned found) {
   const auto among = [&](unsigned mixup) { return (found >> mixup & 1U) != 0; };
-  if (among(kPitchNegated) && among(kRollNegated)) return "one of them counted the other way, or both exchanged";
-  if (among(kPitchNegated)) return "pitch counted the other way";
-  if (among(kRollNegated)) return "roll counted the other way";
-  if (among(kExchanged) || among(kExchanged | kPitchNegated | kRollNegated)) return "pitch and roll exchanged";
-  if (among(kPitchNegated | kRollNegated)) return "pitch and roll both counted the other way";
-  return "pitch and roll exchanged, and one of them counted the other way";
+  if (among(kPitchNegated) && among(kRollNegated)) return say::tilt_one_or_exchanged();
+  if (among(kPitchNegated)) return say::tilt_pitch_negated();
+  if (among(kRollNegated)) return say::tilt_roll_negated();
+  if (among(kExchanged) || among(kExchanged | kPitchNegated | kRollNegated)) return say::tilt_exchanged();
+  if (among(kPitchNegated | kRollNegated)) return say::tilt_both_negated();
+  return say::tilt_exchanged_and_negated();
 }
 
-Finding finding_of(unsigned found, const char* witness, const std::string& where) {
-  return {Severity::Problem, kAttitudeColumns, where,
-          std::string("Pitch and roll of the INS contradict ") + witness + "; with " + words_of(found) +
-              " they would agree: look which columns they are, and which way they count."};
+Finding finding_of(unsigned found, Message witness, const std::string& where) {
+  return {Severity::Problem, kAttitudeColumns, where, say::tilt_columns(std::move(witness), words_of(found))};
 }
 
 }  // namespace
@@ -244,16 +243,16 @@ std::optional<Finding> attitude_column_finding(const Session& session, const Met
   const bool any = (by_slope | by_force | by_turns) != 0;
   if (!any || common == 0) return std::nullopt;  // witnesses that contradict each other prove nothing
   return finding_of(common,
-                    by_slope != 0   ? "the slope of its path"
-                    : by_force != 0 ? "the forces that the IMU feels"
-                                    : "the turns of the LiDAR",
+                    by_slope != 0   ? say::tilt_by_slope()
+                    : by_force != 0 ? say::tilt_by_force()
+                                    : say::tilt_by_turns(),
                     session.name);
 }
 
 std::optional<Finding> attitude_column_finding(const std::vector<SharedTurn>& turns, const std::string& where) {
   const unsigned found = suspects(misfits_of_turns(turns));
   if (found == 0) return std::nullopt;
-  return finding_of(found, "the turns of the LiDAR", where);
+  return finding_of(found, say::tilt_by_turns(), where);
 }
 
 }  // namespace remount

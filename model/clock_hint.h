@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -13,21 +14,21 @@ struct TimeSpan {
 
 /// "the LiDAR's times end 8.000 s before the INS data begin, and the beginnings are 18.000 s apart. GPS time is 18 s
 /// ahead of UTC ...": for spans without a common instant. `lidar` and `ins` are on clocks that should be one.
-std::string time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins);
+Message time_spans_apart(const TimeSpan& lidar, const TimeSpan& ins);
 
 /// "GPS time is 18 s ahead of UTC ...": where a difference of clocks is that of two time scales to within `slack_s`;
 /// empty where it is not.
-std::string leap_second_hint(double difference_s, double slack_s);
+Message leap_second_hint(double difference_s, double slack_s);
 
 /// Why a clock is known to be `apart_s` from the LiDAR's (time zone, leap seconds, since power-on), by which the first
 /// stamps need not differ; empty where nothing is.
-std::string cause_of_apart_clocks(std::int64_t lidar_stamp_ns, std::int64_t other_stamp_ns, double apart_s);
+Message cause_of_apart_clocks(std::int64_t lidar_stamp_ns, std::int64_t other_stamp_ns, double apart_s);
 
 /// Where a stream begins and ends by the same leap seconds before or after the other, which it should share its clock
 /// with: what to suspect, and by how much; empty where the ends differ otherwise.
-std::string shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins);
+Message shifted_by_leap_seconds(const TimeSpan& lidar, const TimeSpan& ins);
 
 /// "the beginnings are 18.000 s apart. GPS time is 18 s ahead of UTC ...": the same of any two streams.
-std::string clock_difference(const TimeSpan& stream, const TimeSpan& reference);
+Message clock_difference(const TimeSpan& stream, const TimeSpan& reference);
 
 }  // namespace remount

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "messages/checks.h"
 #include "algorithms/core/median.h"
 #include "algorithms/trajectory/cubic_between.h"
-#include "model/checks/check_text.h"
 
 namespace remount {
 namespace {
@@ -111,14 +111,8 @@ void leave_out_repeats(const std::vector<std::size_t>& measured, std::vector<Sam
 void add_finding(const HeldSteps& held, bool attitudes_too, Session& session) {
   session.findings.push_back(
       {Severity::Warning, kPositionsInterpolated, "INS",
-       check_text(
-           attitudes_too
-               ? "Position and attitude stand still for %.3f s at a time (%.0f samples) and then jump, by %.2f m "
-                 "where the vehicle drives. Only the first sample of each is used; the motion between these is "
-                 "interpolated."
-               : "The position stands still for %.3f s at a time (%.0f samples) and then jumps, by %.2f m where "
-                 "the vehicle drives. Only the first of each is used; positions between these are interpolated.",
-           held.hold_s, held.samples, held.jump)});
+       (attitudes_too ? say::ins_poses_interpolated : say::ins_positions_interpolated)(Duration{held.hold_s}, held.samples,
+                                                                                      Length{held.jump})});
 }
 
 }  // namespace

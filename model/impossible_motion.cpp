@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
-#include "model/count_words.h"
+#include "messages/checks.h"
 #include "model/io/stream_tools.h"
 
 namespace remount {
@@ -69,23 +68,22 @@ bool is_possible(const Session& session) {
          all_together(session.odometry_from_lidar);
 }
 
-constexpr const char* kFarPoses = "positions beyond 1e9 m, or 250 km from the rest";
-constexpr const char* kNoPlaces = "no latitude, longitude and height on the earth";
-constexpr const char* kNoMeasurements = "values beyond a million, or none at all";
+/// What is impossible about samples.
+using What = Message (*)();
 
-void report_left_out(std::size_t count, const char* stream, const char* what, Session& session) {
+void report_left_out(std::size_t count, const char* stream, What what, Session& session) {
   if (count == 0) return;
-  session.findings.push_back(make_finding(Severity::Warning, "off-earth", stream,
-                                          number_of(count, "sample is", "samples are") +
-                                              " beyond anything that a vehicle reaches (" + what + "): left out."));
+  session.findings.push_back(
+      make_finding(Severity::Warning, "off-earth", stream, say::samples_off_earth(count, what())));
 }
 
 template <class Item>
-void keep_possible(std::vector<Item>& items, const char* stream, const char* what, Session& session) {
+void keep_possible(std::vector<Item>& items, const char* stream, What what, Session& session) {
   report_left_out(std::erase_if(items, [](const Item& item) { return !is_possible(item); }), stream, what, session);
 }
 
-void keep_possible(std::vector<StampedPose>& poses, const char* stream, Session& session) {
+/// @param none_possible what is said where none of them is
+void keep_possible(std::vector<StampedPose>& poses, const char* stream, What none_possible, Session& session) {
   if (poses.empty()) return;
   std::size_t left_out = std::erase_if(poses, [](const StampedPose& pose) { return !is_possible(pose); });
   if (!poses.empty() && !all_together(poses)) {
@@ -94,12 +92,8 @@ void keep_possible(std::vector<StampedPose>& poses, const char* stream, Session&
       return !((pose.pose.translation() - middle).norm() < kFarthestFromRest_m);
     });
   }
-  if (poses.empty())
-    throw Error(ErrorCode::Format, path_or_name(session),
-                std::string("no position of the ") + stream +
-                    " lies on the earth (all are beyond 1e9 m, or hundreds of kilometres apart): look what is logged "
-                    "for a position, and in which unit");
-  report_left_out(left_out, stream, kFarPoses, session);
+  if (poses.empty()) throw Error(ErrorCode::Format, path_or_name(session), none_possible());
+  report_left_out(left_out, stream, say::off_earth_far_poses, session);
 }
 
 }  // namespace
@@ -115,15 +109,15 @@ bool is_possible_motion(const RigidTransform& motion) {
 void leave_out_impossible(Session& session) {
   if (is_possible(session)) return;
   const bool had_ins = !session.ins.empty();
-  keep_possible(session.ins, "INS", kNoPlaces, session);
+  keep_possible(session.ins, "INS", say::off_earth_no_places, session);
   if (had_ins && session.ins.empty())
-    throw Error(ErrorCode::Format, path_or_name(session), "no position of the INS lies on the earth");
-  keep_possible(session.world_from_ins, "INS", session);
-  keep_possible(session.odometry_from_lidar, "LiDAR", session);
-  keep_possible(session.gnss, "GNSS", kNoPlaces, session);
-  keep_possible(session.imu, "IMU", kNoMeasurements, session);
-  keep_possible(session.wheels, "wheels", kNoMeasurements, session);
-  keep_possible(session.barometer, "barometer", kNoMeasurements, session);
+    throw Error(ErrorCode::Format, path_or_name(session), say::no_ins_place_on_earth());
+  keep_possible(session.world_from_ins, "INS", say::no_ins_pose_on_earth, session);
+  keep_possible(session.odometry_from_lidar, "LiDAR", say::no_lidar_pose_on_earth, session);
+  keep_possible(session.gnss, "GNSS", say::off_earth_no_places, session);
+  keep_possible(session.imu, "IMU", say::off_earth_no_measurements, session);
+  keep_possible(session.wheels, "wheels", say::off_earth_no_measurements, session);
+  keep_possible(session.barometer, "barometer", say::off_earth_no_measurements, session);
 }
 
 std::vector<std::shared_ptr<const Session>> possible_sessions(std::vector<std::shared_ptr<const Session>> sessions) {

@@ -3,11 +3,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/rigid_transform.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/checks.h"
 #include "model/travel_steps.h"
 
 namespace remount {
@@ -65,11 +65,8 @@ std::vector<Finding> inverted_pose_findings(const Session& session) {
   std::vector<Finding> findings;
   const bool ins = session.ins.empty() && are_inverted(session.world_from_ins);
   const bool lidar = are_inverted(session.odometry_from_lidar);
-  const std::string why =
-      " seem to be inverted, from the world to the body: as they are they keep to no axis of a vehicle that travels, "
-      "their inverses do. Invert each of them (rotation R transposed, position -R transposed times p).";
-  if (ins) findings.push_back({Severity::Problem, kPosesInverted, session.name, "The poses of the INS" + why});
-  if (lidar) findings.push_back({Severity::Problem, kPosesInverted, session.name, "The poses of the LiDAR" + why});
+  if (ins) findings.push_back({Severity::Problem, kPosesInverted, session.name, say::ins_poses_inverted()});
+  if (lidar) findings.push_back({Severity::Problem, kPosesInverted, session.name, say::lidar_poses_inverted()});
   return findings;
 }
 

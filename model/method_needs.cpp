@@ -4,46 +4,42 @@
 #include <array>
 
 #include "algorithms/core/error.h"
+#include "messages/drives.h"
 
 namespace remount {
 namespace {
 
-constexpr const char* kNoLidar = "holds neither scans nor LiDAR poses";
-constexpr const char* kNoIns = "holds no motion of an INS with attitude";
-
-std::string lack_for_pairs(const Session& session) {
-  return !has_lidar(session) ? kNoLidar : !has_ins(session) ? kNoIns : "";
+Message lack_for_pairs(const Session& session) {
+  return !has_lidar(session) ? say::lacks_lidar() : !has_ins(session) ? say::lacks_ins() : Message();
 }
 
-std::string lack_for_trajectory(const Session& session) {
-  if (!has_lidar(session)) return kNoLidar;
-  if (!has_ins(session) && session.gnss.size() < 2)
-    return "holds neither an INS nor GNSS fixes to align the trajectory of the LiDAR with";
+Message lack_for_trajectory(const Session& session) {
+  if (!has_lidar(session)) return say::lacks_lidar();
+  if (!has_ins(session) && session.gnss.size() < 2) return say::lacks_reference();
   return {};
 }
 
-std::string_view limit_of_trajectory(const Session& session) {
-  return has_ins(session) ? std::string_view() : "the antenna's lever arm alone";
+Message limit_of_trajectory(const Session& session) { return has_ins(session) ? Message() : say::lever_arm_alone(); }
+
+Message lack_for_vehicle_frame(const Session& session) {
+  return has_antenna_only(session) ? Message() : lack_of_sensor_drive(session);
 }
 
-std::string lack_for_vehicle_frame(const Session& session) {
-  return has_antenna_only(session) ? std::string() : lack_of_sensor_drive(session);
+Message limit_of_vehicle_frame(const Session& session) {
+  return has_antenna_only(session) ? say::antenna_place_alone() : Message();
 }
 
-std::string_view limit_of_vehicle_frame(const Session& session) {
-  return has_antenna_only(session) ? "the antenna's place alone" : std::string_view();
+Message lack_for_fusion(const Session& session) {
+  if (!has_scans(session)) return say::lacks_scans_for_odometry();
+  return has_ins(session) ? Message() : say::lacks_ins();
 }
 
-std::string lack_for_fusion(const Session& session) {
-  return !has_scans(session) ? "has no scans; the multi-sensor odometry needs them" : !has_ins(session) ? kNoIns : "";
-}
-
-std::string lack_for_slew(const Session& session) { return has_lidar(session) ? "" : kNoLidar; }
+Message lack_for_slew(const Session& session) { return has_lidar(session) ? Message() : say::lacks_lidar(); }
 
 using Sessions = std::vector<std::shared_ptr<const Session>>;
 
 /// What one of several sessions lacks: an antenna alone has nothing to say beside a sensor.
-std::string lack_among(const Sessions& sessions, const Session& session, MethodChoice method) {
+Message lack_among(const Sessions& sessions, const Session& session, MethodChoice method) {
   const bool beside_sensor =
       method == MethodChoice::VehicleFrame && has_antenna_only(session) &&
       !std::all_of(sessions.begin(), sessions.end(), [](const auto& one) { return has_antenna_only(*one); });
@@ -70,24 +66,22 @@ bool has_antenna_only(const Session& session) {
          session.wheels.size() > 1 && session.imu.size() > 1;
 }
 
-std::string lack_of_sensor_drive(const Session& session) {
-  if (session.wheels.size() < 2) return "has no wheel speeds, by which the vehicle's frame is found";
-  if (!has_scans(session) && session.odometry_from_lidar.size() < 2) return "has neither scans nor poses of the sensor";
+Message lack_of_sensor_drive(const Session& session) {
+  if (session.wheels.size() < 2) return say::lacks_wheels();
+  if (!has_scans(session) && session.odometry_from_lidar.size() < 2) return say::lacks_sensor();
   // Turn rates from attitudes need three.
   if (session.imu.size() < 2 && std::max(session.ins.size(), session.world_from_ins.size()) < 3)
-    return "has neither an IMU nor an INS: nothing tells how it turns";
+    return say::lacks_turn_rates();
   return {};
 }
 
 const MethodNeeds& needs_of(MethodChoice method) {
   static const std::array<MethodNeeds, kMethodIds.size()> needs{
-      {{"scans or LiDAR poses, and an INS with attitude", lack_for_pairs},
-       {"scans or LiDAR poses, and an INS or GNSS fixes", lack_for_trajectory, limit_of_trajectory},
-       {"wheel speeds, an IMU or INS, and scans or poses of the sensor", lack_for_vehicle_frame,
-        limit_of_vehicle_frame},
-       {"scans, and an INS with attitude", lack_for_fusion},
-       {"three recordings of a LiDAR: ground, swept arm, full turn", lack_for_slew, nullptr,
-        "if it is a recording of an excavator"}}};
+      {{say::needs_of_pairwise(), lack_for_pairs},
+       {say::needs_of_trajectory(), lack_for_trajectory, limit_of_trajectory},
+       {say::needs_of_vehicle_frame(), lack_for_vehicle_frame, limit_of_vehicle_frame},
+       {say::needs_of_fusion_odometry(), lack_for_fusion},
+       {say::needs_of_slew(), lack_for_slew, nullptr, say::proviso_of_slew()}}};
   return needs.at(static_cast<std::size_t>(method));
 }
 
@@ -102,26 +96,27 @@ std::vector<MethodFit> method_fits(const Session& session) {
   return fits;
 }
 
-std::string methods_that_take(const std::vector<std::shared_ptr<const Session>>& sessions) {
-  std::string names;
-  for (std::size_t i = 0; i < kMethodIds.size(); ++i)
-    if (needs_of(method_at(i)).proviso.empty() && takes_all(method_at(i), sessions))
-      names += (names.empty() ? "--method " : " or ") + std::string(kMethodIds[i]);
-  return names;
+Message methods_that_take(const std::vector<std::shared_ptr<const Session>>& sessions) {
+  Message methods;
+  for (std::size_t i = 0; i < kMethodIds.size(); ++i) {
+    if (!needs_of(method_at(i)).proviso.empty() || !takes_all(method_at(i), sessions)) continue;
+    Message method = Message::verbatim(std::string(kMethodIds[i]));
+    methods = methods.empty() ? std::move(method) : say::either_method(std::move(methods), std::move(method));
+  }
+  return methods;
 }
 
 void require_served(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions) {
   for (const auto& session : sessions) {
-    const std::string lack = lack_among(sessions, *session, method);
+    const Message lack = lack_among(sessions, *session, method);
     if (lack.empty()) continue;
-    const std::string others = methods_that_take(sessions);
+    const Message others = methods_that_take(sessions);
+    const bool slews = method != MethodChoice::Slew && takes_all(MethodChoice::Slew, sessions);
     // One half of a recording, given instead of the folder that has both, is what is seen most.
-    const std::string instead =
-        !others.empty() ? "; it can be calibrated with " + others
-        : method != MethodChoice::Slew && takes_all(MethodChoice::Slew, sessions)
-            ? "; name a folder or a session.yaml that has it, too, or choose --method slew for an excavator"
-            : "; name a folder or a session.yaml that has it, too";
-    throw Error(ErrorCode::Unsupported, path_or_name(*session), lack + instead);
+    throw Error(ErrorCode::Unsupported, path_or_name(*session),
+                !others.empty() ? say::served_by_others(lack, others)
+                : slews         ? say::served_with_rest_or_slew(lack)
+                                : say::served_with_rest(lack));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/trajectory/pairing.h"
+#include "messages/parameters.h"
 #include "model/assumed_tilt.h"
 #include "model/pipeline/drive_motion.h"
 
@@ -70,7 +71,8 @@ void judge_supposing(double times, SpuriousInformation information, double indep
     covariance += beyond_first_order(result.ins_from_lidar, covariance, tilt_rad);
   }
   judge_parameters(covariance, summary, options, result);
-  if (north_rad > 0.0) add_doubt(turned_by_north(result.ins_from_lidar, north_rad), kNorthUnknown, options, result);
+  if (north_rad > 0.0)
+    add_doubt(turned_by_north(result.ins_from_lidar, north_rad), say::unknown_north(), options, result);
 }
 
 }  // namespace

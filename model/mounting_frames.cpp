@@ -1,21 +1,23 @@
 #include "model/mounting_frames.h"
 
+#include "messages/drives.h"
 #include "model/method_needs.h"
 
 namespace remount {
 namespace {
 
-std::string place_in_words(const std::string& reference) {
-  if (reference == "ins") return "the INS frame";
-  if (reference == "vehicle") return "the vehicle's frame (middle of the rear axle, on the ground)";
-  if (reference == "machine") return "the machine's frame (on the slew axis)";
-  if (reference == "antenna") return "the LiDAR's own axes about the antenna";
-  return "the frame \"" + reference + "\"";
+Message frame_in_words(const std::string& reference) {
+  if (reference == "ins") return say::frame_ins();
+  if (reference == "vehicle") return say::frame_vehicle();
+  if (reference == "machine") return say::frame_machine();
+  if (reference == "antenna") return say::frame_antenna();
+  return say::frame_named(reference);
 }
 
-std::string thing_in_words(const std::string& calibrated) {
-  if (calibrated == "lidar") return "the LiDAR";
-  return calibrated.empty() ? "the sensor" : "the " + calibrated;
+Message thing_in_words(const std::string& calibrated) {
+  if (calibrated == "lidar") return say::thing_lidar();
+  if (calibrated == "antenna") return say::thing_antenna();
+  return calibrated.empty() ? say::thing_sensor() : say::thing_named(calibrated);
 }
 
 MountingFrames start_of_method(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions) {
@@ -25,41 +27,35 @@ MountingFrames start_of_method(MethodChoice method, const std::vector<std::share
   return {"vehicle", antenna ? "antenna" : "lidar"};
 }
 
-std::string placed_and_found(const MountingFrames& nominal, MethodChoice method, const MountingFrames& found) {
-  return "places " + in_words(nominal) + ", and the method '" +
-         std::string(kMethodIds.at(static_cast<std::size_t>(method))) + "' finds " + in_words(found);
-}
+std::string id_of(MethodChoice method) { return std::string(kMethodIds.at(static_cast<std::size_t>(method))); }
 
 }  // namespace
 
 MountingFrames frames_of(const CalibrationResult& result) { return {result.reference_frame, result.calibrated}; }
 
-std::string in_words(const MountingFrames& frames) {
-  return thing_in_words(frames.calibrated) + " in " + place_in_words(frames.reference);
+Message in_words(const MountingFrames& frames) {
+  return say::placed_in(thing_in_words(frames.calibrated), frame_in_words(frames.reference));
 }
 
-std::string frame_problem(const MountingFrames& nominal, MethodChoice method,
-                          const std::vector<std::shared_ptr<const Session>>& sessions) {
+Message frame_problem(const MountingFrames& nominal, MethodChoice method,
+                      const std::vector<std::shared_ptr<const Session>>& sessions) {
   const MountingFrames start = start_of_method(method, sessions);
   if (nominal.reference == start.reference && (nominal.calibrated.empty() || nominal.calibrated == start.calibrated))
     return {};
-  return placed_and_found(nominal, method, start) +
-         ": the numbers of one are wrong in the other. Give a nominal mounting in that frame, or none.";
+  return say::nominal_of_other_frame(in_words(nominal), id_of(method), in_words(start));
 }
 
-std::string unused_declaration(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions) {
+Message unused_declaration(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions) {
   if (starts_from_ins(method)) return {};
-  return "The nominal mounting of the session " + placed_and_found({}, method, start_of_method(method, sessions)) +
-         ": it is not used. Give a nominal mounting in that frame, or none.";
+  return say::nominal_of_session_unused(in_words({}), id_of(method), in_words(start_of_method(method, sessions)));
 }
 
 bool starts_from_ins(MethodChoice method) { return start_of_method(method, {}).reference == "ins"; }
 
-std::string not_in_ins_frame(const MountingFrames& frames) {
+Message not_in_ins_frame(const MountingFrames& frames) {
   const MountingFrames asked;
   if (frames.reference == asked.reference && frames.calibrated == asked.calibrated) return {};
-  return "places " + in_words(frames) + ", and " + in_words(asked) +
-         " is asked for: the numbers of one are wrong in the other.";
+  return say::mounting_not_in_ins_frame(in_words(frames), in_words(asked));
 }
 
 }  // namespace remount

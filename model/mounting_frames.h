@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "algorithms/messages/message.h"
 #include "model/session.h"
 #include "model/settings.h"
 
@@ -19,21 +20,21 @@ struct MountingFrames {
 MountingFrames frames_of(const CalibrationResult& result);
 
 /// What is placed where, for people: "the LiDAR in the INS frame".
-std::string in_words(const MountingFrames& frames);
+Message in_words(const MountingFrames& frames);
 
 /// What a session declares, for a method that does not start from it: a sentence; empty where it does.
-std::string unused_declaration(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions);
+Message unused_declaration(MethodChoice method, const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// Why a mounting in these frames cannot be where a method starts from, as the end of a sentence about it; empty where
 /// it can.
-std::string frame_problem(const MountingFrames& nominal, MethodChoice method,
-                          const std::vector<std::shared_ptr<const Session>>& sessions);
+Message frame_problem(const MountingFrames& nominal, MethodChoice method,
+                      const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// Whether a method starts from what places the LiDAR in the INS frame, as sessions do that declare their mounting.
 bool starts_from_ins(MethodChoice method);
 
 /// Why a mounting in these frames cannot stand where one of the LiDAR in the INS frame is asked for, as the end of a
 /// sentence about it; empty where it can.
-std::string not_in_ins_frame(const MountingFrames& frames);
+Message not_in_ins_frame(const MountingFrames& frames);
 
 }  // namespace remount

@@ -1,9 +1,7 @@
 #include "model/nominal_check.h"
 
-#include <cstdio>
-#include <string>
-
 #include "algorithms/geometry/rotation.h"
+#include "messages/checks.h"
 
 namespace remount {
 namespace {
@@ -27,13 +25,11 @@ void report_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar,
   if (!nominal_ins_from_lidar || !is_usable(result)) return;
   const RigidTransform &nominal = *nominal_ins_from_lidar, &x = result.ins_from_lidar;
   if (!far_apart(nominal, x)) return;
-  char text[400];
-  std::snprintf(text, sizeof text, "The result lies %.1f deg and %.2f m from the nominal mounting. %s",
-                radians_to_degrees(rotation_angle_between_rad(nominal, x)), distance_m(nominal, x),
-                far_apart(nominal.inverse(), x)
-                    ? "The LiDAR sits otherwise than assumed, or the nominal has other axes or signs."
-                    : "The inverse of the nominal is near: was lidar_from_ins given for ins_from_lidar?");
-  findings.push_back({Severity::Warning, kNominalFar, "nominal mounting", text});
+  const Angle turn{rotation_angle_between_rad(nominal, x)};
+  const Length distance{distance_m(nominal, x)};
+  findings.push_back(
+      {Severity::Warning, kNominalFar, "nominal mounting",
+       far_apart(nominal.inverse(), x) ? say::nominal_far(turn, distance) : say::nominal_inverse(turn, distance)});
 }
 
 }  // namespace remount

@@ -1,6 +1,7 @@
 #include "model/obstacle_report.h"
 
 #include "algorithms/core/error.h"
+#include "messages/drives.h"
 #include "model/pipeline/scan_store.h"
 #include "model/session_frames.h"
 
@@ -25,12 +26,9 @@ ObstacleComparison compare_obstacles_of_scan(const std::shared_ptr<const Session
                                              const RigidTransform& nominal_ins_from_lidar,
                                              const RigidTransform& calibrated_ins_from_lidar, const Settings& settings,
                                              const ObstacleOptions& options) {
-  if (!session->scans)
-    throw Error(ErrorCode::Unsupported, session->name, "holds LiDAR poses and no scans: no obstacles can be found");
+  if (!session->scans) throw Error(ErrorCode::Unsupported, session->name, say::obstacles_without_scans());
   if (scan >= session->scans->size())
-    throw Error(
-        ErrorCode::Contract, session->name,
-        "has no scan " + std::to_string(scan) + "; its scans are 0 to " + std::to_string(session->scans->size() - 1));
+    throw Error(ErrorCode::Contract, session->name, say::no_such_scan(scan, session->scans->size() - 1));
   const PointCloud cloud = load_compensated(session, scan, calibrated_ins_from_lidar, settings);
   const Eigen::Vector3f hint =
       (calibrated_ins_from_lidar.linear().transpose() * Eigen::Vector3d::UnitZ()).cast<float>();

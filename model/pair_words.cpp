@@ -3,63 +3,82 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <map>
+#include <initializer_list>
+#include <iterator>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "algorithms/core/median.h"
+#include "algorithms/messages/catalogue.h"
 #include "algorithms/messages/render.h"
+#include "messages/pairs.h"
 #include "model/session_frames.h"
 
 namespace remount {
 namespace {
 
-constexpr std::string_view kOpen = "does not determine ", kContradicts = "contradicts the INS motion",
-                           kSlid = "aligned ";
-
-/// The words between commas, but for commas in brackets; without "(axes of the lidar)".
-std::vector<std::string> parts_of(std::string list) {
-  list = list.substr(0, list.find(" (axes"));
-  std::vector<std::string> parts(1);
-  bool in_brackets = false;
-  for (const char letter : list) {
-    in_brackets = letter == '[' || (in_brackets && letter != ']');
-    if (letter == ',' && !in_brackets)
-      parts.emplace_back();
-    else if (letter != ' ' || !parts.back().empty())
-      parts.back() += letter;
-  }
-  return parts;
-}
-
 struct OpenDirections {
   std::vector<Eigen::Vector3d> shifts, turns;  ///< in the lidar's axes
-  bool known = true;                           ///< every part was understood
+  bool known = true;                           ///< every one was understood
 };
 
-std::optional<Eigen::Vector3d> bracketed(const std::string& part) {
-  const std::size_t bracket = part.find('[');
+/// What stands in that place; null where the message has none of that kind.
+template <class Value>
+const Value* value_at(const Message& message, std::string_view place) {
+  const Argument* argument = message.argument(place);
+  return argument == nullptr ? nullptr : std::get_if<Value>(&argument->value);
+}
+
+bool is_one_of(const Message& message, std::initializer_list<Message> others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&](const Message& other) { return message.code() == other.code(); });
+}
+
+/// The vector of a direction between axes.
+std::optional<Eigen::Vector3d> vector_of(const Message& direction) {
+  constexpr std::array<std::string_view, 3> kPlaces{"x", "y", "z"};
   Eigen::Vector3d v;
-  if (bracket == std::string::npos || std::sscanf(part.c_str() + bracket, "[%lf, %lf, %lf]", &v[0], &v[1], &v[2]) != 3)
-    return std::nullopt;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto* number = value_at<Quantity>(direction, kPlaces[static_cast<std::size_t>(axis)]);
+    if (number == nullptr) return std::nullopt;
+    v[axis] = number->value;
+  }
   return v;
 }
 
-OpenDirections open_directions_of(const std::string& list) {
-  constexpr std::array<std::string_view, 3> kShifts{"x", "y", "z"}, kTurns{"roll", "pitch", "yaw"};
+void add_direction(const Message& direction, OpenDirections& open) {
+  constexpr std::array<Message (*)(), 3> kShifts{say::open_shift_x, say::open_shift_y, say::open_shift_z},
+      kTurns{say::open_turn_x, say::open_turn_y, say::open_turn_z};
+  const auto is = [&](Message (*axis)()) { return direction.code() == axis().code(); };
+  const auto shift = std::find_if(kShifts.begin(), kShifts.end(), is),
+             turn = std::find_if(kTurns.begin(), kTurns.end(), is);
+  const bool along = is_one_of(direction, {say::open_shift_along(0.0, 0.0, 0.0)}),
+             about = is_one_of(direction, {say::open_turn_about(0.0, 0.0, 0.0)});
+  const auto between = along || about ? vector_of(direction) : std::nullopt;
+  if (shift != kShifts.end())
+    open.shifts.emplace_back(Eigen::Vector3d::Unit(shift - kShifts.begin()));
+  else if (turn != kTurns.end())
+    open.turns.emplace_back(Eigen::Vector3d::Unit(turn - kTurns.begin()));
+  else if (between)
+    (along ? open.shifts : open.turns).push_back(*between);
+  else
+    open.known = false;
+}
+
+/// @return nothing where the reason is of another kind
+std::optional<OpenDirections> open_directions_of(const Message& reason) {
   OpenDirections open;
-  for (const std::string& part : parts_of(list)) {
-    const auto shift = std::find(kShifts.begin(), kShifts.end(), part),
-               turn = std::find(kTurns.begin(), kTurns.end(), part);
-    if (shift != kShifts.end())
-      open.shifts.emplace_back(Eigen::Vector3d::Unit(shift - kShifts.begin()));
-    else if (turn != kTurns.end())
-      open.turns.emplace_back(Eigen::Vector3d::Unit(turn - kTurns.begin()));
-    else if (const auto along = bracketed(part))
-      (part.starts_with("the shift") ? open.shifts : open.turns).push_back(*along);
-    else
-      open.known = false;
+  if (reason.code() == kVerbatim) {  // of an older file, where accepted pairs had no other reasons
+    open.known = false;
+    return open;
   }
+  const auto* words = value_at<Message>(reason, "directions");
+  if (words == nullptr) return std::nullopt;
+  const auto* list = value_at<std::vector<Message>>(*words, "directions");
+  if (list == nullptr || list->empty()) open.known = false;
+  if (list != nullptr)
+    for (const Message& direction : *list) add_direction(direction, open);
   return open;
 }
 
@@ -76,130 +95,122 @@ int axis_along(const Eigen::Vector3d& direction) {
   return -1;
 }
 
-std::string shifts_in_words(const std::vector<Eigen::Vector3d>& shifts) {
+Message shifts_in_words(const std::vector<Eigen::Vector3d>& shifts) {
   const auto level = std::count_if(shifts.begin(), shifts.end(),
                                    [](const Eigen::Vector3d& shift) { return std::abs(shift.normalized().z()) < 0.5; });
-  if (shifts.size() == 3) return "any shift";
-  if (shifts.size() == 2 && level == 2) return "any shift over the ground";
-  if (shifts.size() == 2) return "the shift in two directions";
+  if (shifts.size() == 3) return say::unseen_any_shift();
+  if (shifts.size() == 2) return level == 2 ? say::unseen_any_shift_level() : say::unseen_shift_two();
   switch (axis_along(shifts.front())) {
     case 0:
-      return "the shift along the street";
+      return say::unseen_shift_along();
     case 1:
-      return "the shift across the street";
+      return say::unseen_shift_across();
     case 2:
-      return "the height";
+      return say::unseen_height();
     default:
-      return "the shift in one direction";
+      return say::unseen_shift_one();
   }
 }
 
-std::string turns_in_words(const std::vector<Eigen::Vector3d>& turns) {
-  constexpr std::array<const char*, 3> kNames{"roll", "pitch", "yaw"};
-  if (turns.size() > 1) return turns.size() == 3 ? "any turn" : "turns about two axes";
+Message turns_in_words(const std::vector<Eigen::Vector3d>& turns) {
+  constexpr std::array<Message (*)(), 3> kNames{say::open_turn_x, say::open_turn_y, say::open_turn_z};
+  if (turns.size() > 1) return turns.size() == 3 ? say::unseen_any_turn() : say::unseen_turns_two();
   const int axis = axis_along(turns.front());
-  return axis < 0 ? "the turn about one axis" : kNames[static_cast<std::size_t>(axis)];
+  return axis < 0 ? say::unseen_turn_one() : kNames[static_cast<std::size_t>(axis)]();
 }
 
 /// What is counted together, and how a line tells it.
 struct CountedKind {
+  Message words;
   int count = 0;
-  std::string words;
   bool differ = false;  ///< the words are those of the first; others have other numbers
   std::vector<double> residuals_m;
 };
-using CountedKinds = std::map<std::string, CountedKind>;
+using CountedKinds = std::vector<CountedKind>;
 
-/// Reasons differ in their numbers: "overlap 0.21 is below 0.30" and so on.
-std::string without_numbers(const std::string& reason) {
-  const auto is_digit = [&](std::size_t i) { return i < reason.size() && reason[i] >= '0' && reason[i] <= '9'; };
-  std::string kind;
-  for (std::size_t i = 0; i < reason.size(); ++i) {
-    const bool sign = (reason[i] == '.' || reason[i] == '-') && is_digit(i + 1) &&
-                      (kind.empty() || kind.back() == '#' || kind.back() == ' ');
-    if (!is_digit(i) && !sign)
-      kind += reason[i];
-    else if (kind.empty() || kind.back() != '#')
-      kind += '#';
-  }
-  return kind;
+CountedKind& kind_of(CountedKinds& kinds, const Message& words, bool (*alike)(const Message&, const Message&)) {
+  const auto found =
+      std::find_if(kinds.begin(), kinds.end(), [&](const CountedKind& kind) { return alike(kind.words, words); });
+  return found != kinds.end() ? *found : kinds.emplace_back(CountedKind{.words = words});
+}
+
+bool are_equal(const Message& a, const Message& b) { return a == b; }
+
+/// Reasons differ in their numbers; of mere words nothing but themselves is known.
+bool are_of_one_kind(const Message& a, const Message& b) {
+  return a.code() == kVerbatim ? a == b : a.code() == b.code();
 }
 
 void count_rejected(const PairRecord& pair, CountedKinds& kinds) {
-  const std::string reason = english(pair.reason);
-  const bool contradicts = reason.starts_with(kContradicts), slid = reason.starts_with(kSlid);
-  CountedKind& kind = kinds[contradicts ? std::string(kContradicts)
-                            : slid      ? std::string(kSlid)
-                                        : without_numbers(reason)];
-  if (kind.count++ == 0)
-    kind.words = contradicts ? "scans and INS tell different motions"
-                 : slid      ? "the scans show too little and were aligned in the wrong place"
-                             : reason;
-  kind.differ = !contradicts && !slid && (kind.differ || reason != kind.words);
+  const bool contradicts =
+      is_one_of(pair.reason, {say::pair_contradicts_ins({}, {}, 0.0), say::pair_contradicts_ins_screw({}, {}, 0.0)});
+  const bool slid = is_one_of(pair.reason, {say::pair_slid({}, {}, {})});
+  const Message words = contradicts ? say::pairs_tell_different_motions()
+                        : slid      ? say::pairs_aligned_in_wrong_place()
+                                    : pair.reason;
+  CountedKind& kind = kind_of(kinds, words, are_of_one_kind);
+  ++kind.count;
+  kind.differ = kind.differ || kind.words != words;
   if (contradicts || slid) kind.residuals_m.push_back(pair.residual_translation_m);
 }
 
-std::vector<CountedKind> by_count(const CountedKinds& kinds) {
-  std::vector<CountedKind> list;
-  for (const auto& [key, kind] : kinds) list.push_back(kind);
-  std::stable_sort(list.begin(), list.end(),
-                   [](const CountedKind& a, const CountedKind& b) { return a.count > b.count; });
-  return list;
+void count_accepted(const PairRecord& pair, const ResultFile& file, CountedKinds& kinds) {
+  if (pair.decided_by != DecidedBy::Program) return;
+  const Message directions = not_shown_by(pair.reason, file);
+  if (!directions.empty()) ++kind_of(kinds, say::pairs_do_not_show(directions), are_equal).count;
 }
 
-std::string line_of(const CountedKind& kind, const char* state) {
-  std::string text = std::to_string(kind.count) + " " + state + (kind.differ ? ", for instance: " : ": ") + kind.words;
+Message words_of(const CountedKind& kind) {
   std::vector<double> residuals_m = kind.residuals_m;
-  if (residuals_m.empty()) return text;
+  if (residuals_m.empty()) return kind.words;
   const double middle_m = median_of(std::move(residuals_m));
-  char by[48];
-  std::snprintf(by, sizeof by, kind.count > 1 ? ", half of them by more than %.2g m" : ", by %.2g m", middle_m);
-  return std::isfinite(middle_m) ? text + by : text;
+  if (!std::isfinite(middle_m)) return kind.words;
+  return (kind.count > 1 ? say::pairs_half_by_more : say::pairs_by)(kind.words, {middle_m});
+}
+
+using OtherLine = Message (*)(Count);
+
+/// Lines of one state, from the most pairs to the fewest.
+void add_lines(CountedKinds kinds, std::size_t most, Message (*line)(Count, Message),
+               Message (*instance)(Count, Message), OtherLine other_line, std::vector<Message>& lines) {
+  std::stable_sort(kinds.begin(), kinds.end(),
+                   [](const CountedKind& a, const CountedKind& b) { return a.count > b.count; });
+  int others = 0;
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    if (i < most)
+      lines.push_back((kinds[i].differ ? instance : line)(kinds[i].count, words_of(kinds[i])));
+    else
+      others += kinds[i].count;
+  if (others > 0) lines.push_back(other_line(others));
 }
 
 }  // namespace
 
-std::string not_shown_by(const std::string& reason, const ResultFile& file) {
-  const std::size_t at = reason.find(kOpen);
-  if (at == std::string::npos) return {};
-  OpenDirections open = open_directions_of(reason.substr(at + kOpen.size()));
-  if (!open.known) return "every direction of motion";
+Message not_shown_by(const Message& reason, const ResultFile& file) {
+  std::optional<OpenDirections> open = open_directions_of(reason);
+  if (!open) return {};
   const bool axes_known = is_usable(file.result) && file.result.reference_frame == "ins" && file.ins_axes;
-  if (!axes_known) return "every direction of motion";
-  for (auto* list : {&open.shifts, &open.turns})
+  if (!open->known || !axes_known) return say::unseen_every_direction();
+  for (auto* list : {&open->shifts, &open->turns})
     for (Eigen::Vector3d& direction : *list)
       direction = forward_left_up(file.result.ins_from_lidar.linear() * direction, *file.ins_axes);
-  if (open.shifts.size() == 3 && open.turns.size() == 3) return "any motion at all";
-  if (open.turns.empty()) return shifts_in_words(open.shifts);
-  if (open.shifts.empty()) return turns_in_words(open.turns);
-  return shifts_in_words(open.shifts) + " and " + turns_in_words(open.turns);
+  if (open->shifts.size() == 3 && open->turns.size() == 3) return say::unseen_any_motion();
+  if (open->turns.empty()) return shifts_in_words(open->shifts);
+  if (open->shifts.empty()) return turns_in_words(open->turns);
+  return say::unseen_both(shifts_in_words(open->shifts), turns_in_words(open->turns));
 }
 
-std::vector<std::string> pair_lines(const ResultFile& file, std::size_t most_kinds) {
+std::vector<Message> pair_lines(const ResultFile& file, std::size_t most_kinds) {
   CountedKinds accepted, rejected;
   for (const PairRecord& pair : file.pairs) {
     if (pair.state == PairState::Rejected) count_rejected(pair, rejected);
-    if (pair.state != PairState::Accepted || pair.decided_by != DecidedBy::Program) continue;
-    const std::string words = not_shown_by(english(pair.reason), file);
-    if (words.empty()) continue;
-    ++accepted[words].count;
-    accepted[words].words = "the scans do not show " + words;
+    if (pair.state == PairState::Accepted) count_accepted(pair, file, accepted);
   }
-  std::vector<std::string> lines;
-  for (const auto& [kinds, state] :
-       {std::pair(&accepted, "of the accepted"), std::pair(&rejected, "of the rejected")}) {
-    const std::vector<CountedKind> list = by_count(*kinds);
-    int others = 0;
-    for (std::size_t i = 0; i < list.size(); ++i)
-      if (i < most_kinds)
-        lines.push_back(line_of(list[i], state));
-      else
-        others += list[i].count;
-    if (others > 0)
-      lines.push_back(std::to_string(others) + " " + state + ": " +
-                      (kinds == &accepted ? "the scans do not show other motions" : "other reasons") +
-                      " (see the result file)");
-  }
+  std::vector<Message> lines;
+  add_lines(std::move(accepted), most_kinds, say::pairs_of_accepted, say::pairs_of_accepted, say::pairs_other_accepted,
+            lines);
+  add_lines(std::move(rejected), most_kinds, say::pairs_of_rejected, say::pairs_of_rejected_such_as,
+            say::pairs_other_rejected, lines);
   return lines;
 }
 

@@ -122,7 +122,7 @@ struct SessionScans {
   MapScans scans;                   ///< local: level axes of the INS data, the origin at the first keyframe's INS
   std::size_t points_recorded = 0;  ///< before they were thinned
   std::size_t unreadable = 0;       ///< scans
-  std::string first_failure;        ///< where and why; empty where all were read
+  Message first_failure;            ///< where and why; empty where all were read
 };
 /// Holds at most about `most_points`, thinned alike in every scan. Empty where the session has LiDAR poses and no
 /// scans, or where cancelled. Throws Error where no scan can be read.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <vector>
 
 #include "algorithms/geometry/geodesy.h"
+#include "messages/checks.h"
 #include "model/io/input_file.h"
 #include "model/io/stream_tools.h"
 #include "model/north_hypotheses.h"
@@ -48,12 +48,6 @@ std::optional<bool> lies_on_utm(const Session& session) {
                      [&](const StampedPose& pose) { return apart_m(pose.pose.translation(), there) < kSameRegion_m; });
 }
 
-std::string north_text(const char* format, double first, double second = 0.0) {
-  char text[480];
-  std::snprintf(text, sizeof text, format, first, second);
-  return text;
-}
-
 /// Of another grid: its scale is not known, and its convergence is what the fixes say.
 void turn_attitudes(double by_rad, Session& session) {
   for (StampedPose& pose : session.world_from_ins)
@@ -82,24 +76,15 @@ void correct(const NorthHypothesis& taken, const std::optional<GridFix>& place, 
 
 void report_taken(const NorthHypothesis& taken, Session& session) {
   const std::string where = path_or_name(session);
-  const double convergence_deg = radians_to_degrees(taken.correction_rad);
+  const Angle convergence{taken.correction_rad};
   if (taken.world == PoseWorld::Utm && taken.correction_rad != 0.0) {
-    session.findings.push_back(make_finding(
-        Severity::Warning, "utm-true-north", where,
-        north_text("Positions are of the UTM grid and attitudes relative to true north, which are %.2f degrees apart "
-                   "there: attitudes were turned to the grid by that, and distances divided by the grid's scale.",
-                   convergence_deg)));
-  } else if (taken.world == PoseWorld::Utm) {
     session.findings.push_back(
-        make_finding(Severity::Note, "utm-grid-north", where,
-                     "Positions are of the UTM grid, and attitudes are taken to be relative to its north, too; "
-                     "distances were divided by the grid's scale."));
+        make_finding(Severity::Warning, "utm-true-north", where, say::utm_true_north(convergence)));
+  } else if (taken.world == PoseWorld::Utm) {
+    session.findings.push_back(make_finding(Severity::Note, "utm-grid-north", where, say::utm_grid_north()));
   } else if (taken.correction_rad != 0.0) {
-    session.findings.push_back(make_finding(
-        Severity::Warning, "utm-true-north", where,
-        north_text("By the fixes, positions are of a grid whose north is %.2f degrees from the true one, to which "
-                   "attitudes are relative: they were turned to the grid by that.",
-                   convergence_deg)));
+    session.findings.push_back(
+        make_finding(Severity::Warning, "utm-true-north", where, say::grid_true_north(convergence)));
   }
 }
 
@@ -107,17 +92,12 @@ void report_doubt(const NorthHypothesis& taken, bool by_travel, bool by_numbers,
   constexpr double kNoDoubt_rad = 0.02 * kPi / 180.0;
   if (doubt_rad < kNoDoubt_rad) return;
   session.ins_north_sigma_rad = doubt_rad;
-  const char* const text =
-      by_numbers && taken.world == PoseWorld::OtherGrid
-          ? "Positions have the numbers of a grid that need not be UTM, and are left as they are. Which north the "
-            "attitudes count from, that of the grid or the true one, is not known: yaw is uncertain by %.2f degrees, "
-            "which its sigma includes."
-      : by_travel ? "Which north the attitudes count from was judged by the direction of travel, and may be another: "
-                    "yaw is uncertain by %.2f degrees, which its sigma includes."
-                  : "Which north the attitudes count from, that of the grid or the true one, is not known: yaw is "
-                    "uncertain by %.2f degrees, which its sigma includes.";
+  const Angle doubt{doubt_rad};
   session.findings.push_back(make_finding(Severity::Warning, "north-unknown", path_or_name(session),
-                                          north_text(text, radians_to_degrees(doubt_rad))));
+                                          by_numbers && taken.world == PoseWorld::OtherGrid
+                                              ? say::north_unknown_on_grid(doubt)
+                                          : by_travel ? say::north_by_travel(doubt)
+                                                      : say::north_unknown(doubt)));
 }
 
 /// Neither numbers nor fixes say where the drive is: a constant angle between heading and travel may be a convergence.
@@ -132,12 +112,9 @@ void settle_without_place(const std::optional<HeadingApart>& heading, Session& s
   const double share = named ? 0.5 : 0.2;
   const double grid = share * kConvergences, own = (1.0 - share) * setup_density(apart_rad, heading->sigma_rad);
   session.ins_north_sigma_rad = apart_rad * std::sqrt(grid / (grid + own));
-  session.findings.push_back(make_finding(
-      Severity::Warning, "north-unknown", path_or_name(session),
-      north_text("The heading of the INS keeps %.2f degrees from the direction of travel. Either the INS is turned so "
-                 "in the vehicle, or positions are of a grid (UTM) and attitudes relative to true north, which the "
-                 "data do not tell: yaw is uncertain by %.2f degrees, which its sigma includes.",
-                 radians_to_degrees(heading->apart_rad), radians_to_degrees(session.ins_north_sigma_rad))));
+  session.findings.push_back(
+      make_finding(Severity::Warning, "north-unknown", path_or_name(session),
+                   say::north_or_mounting(Angle{heading->apart_rad}, Angle{session.ins_north_sigma_rad})));
 }
 
 }  // namespace

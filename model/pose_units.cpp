@@ -10,6 +10,7 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/geometry/earth_radius.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/checks.h"
 #include "model/session.h"
 
 namespace remount {
@@ -87,19 +88,10 @@ void refuse_foreign_units(const Session& session) {
   const std::vector<StampedPose>& poses = session.world_from_ins;
   if (poses.size() < 2) return;
   const std::string where = path_or_name(session);
-  if (are_earth_centred(poses))
-    throw Error(
-        ErrorCode::Format, where,
-        "the positions of the INS look like earth-centred coordinates (ECEF), x, y and z from the middle of the "
-        "earth: convert them to metres east, north and up of the start, or give latitude and longitude in a "
-        "session.yaml");
+  if (are_earth_centred(poses)) throw Error(ErrorCode::Format, where, say::poses_earth_centred());
   const Pace pace = pace_of(poses);
-  for (const auto& [unit, radians] : {std::pair{"degrees", kPi / 180.0}, std::pair{"radians", 1.0}})
-    if (are_angles(session, pace, radians))
-      throw Error(ErrorCode::Format, where,
-                  std::string("the positions of the INS look like ") + unit +
-                      ", latitude and longitude where x and y in metres are expected: convert them to metres, or "
-                      "declare them as latitude and longitude in a session.yaml");
+  if (are_angles(session, pace, kPi / 180.0)) throw Error(ErrorCode::Format, where, say::poses_in_degrees());
+  if (are_angles(session, pace, 1.0)) throw Error(ErrorCode::Format, where, say::poses_in_radians());
 }
 
 }  // namespace remount

@@ -1,19 +1,20 @@
 #include "model/preliminary.h"
 
+#include "algorithms/messages/render.h"
+#include "messages/results.h"
+
 namespace remount {
-namespace {
-
-constexpr const char* kPreliminary =
-    "Preliminary: the calibration was cancelled before its end, and its sigmas do not hold.";
-
-}  // namespace
 
 void mark_preliminary(CalibrationResult& result) {
   result.status = Status::Degenerate;  // whoever looks at the status alone is to look again
-  result.message = kPreliminary;
-  result.advice.insert(result.advice.begin(), "Calibrate again, to the end.");
+  result.message = say::result_preliminary();
+  result.advice.insert(result.advice.begin(), say::result_calibrate_again());
 }
 
-bool is_preliminary(const CalibrationResult& result) { return result.message == kPreliminary; }
+bool is_preliminary(const CalibrationResult& result) {
+  const Message preliminary = say::result_preliminary();
+  // Files hold the words.
+  return result.message == preliminary || result.message == Message::verbatim(english(preliminary));
+}
 
 }  // namespace remount

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
+#include "messages/projects.h"
 #include "model/checks/data_check.h"
 #include "model/deciding_notes.h"
 #include "model/io/atomic_save.h"
@@ -80,7 +81,8 @@ DocumentNode ground_document(const ObservedGround& ground) {
 ObservedGround ground_from_document(const DocumentView& view) {
   ObservedGround ground;
   ground.up_in_lidar = Eigen::Map<const Eigen::Vector3d>(view.at("up_in_lidar").numbers(3).data()).eval();
-  if (!(std::abs(ground.up_in_lidar.norm() - 1.0) < 1e-6)) view.at("up_in_lidar").fail("expected a unit vector");
+  if (!(std::abs(ground.up_in_lidar.norm() - 1.0) < 1e-6))
+    view.at("up_in_lidar").fail(say::project_expected_unit_vector());
   ground.lidar_height_m = view.at("lidar_height_m").number();
   ground.height_sigma_m = view.at("height_sigma_m").number();
   ground.up_sigma_rad = view.at("up_sigma_rad").number();
@@ -99,7 +101,7 @@ DocumentNode sweep_document(const SweepModel& sweep) {
 SweepModel sweep_from_document(const DocumentView& view) {
   SweepModel sweep;
   sweep.period_s = view.at("period_s").number();
-  if (!(sweep.period_s > 0.0)) view.at("period_s").fail("expected a number above 0");
+  if (!(sweep.period_s > 0.0)) view.at("period_s").fail(say::project_expected_above_zero());
   sweep.stamp_azimuth_rad = view.at("stamp_azimuth_rad").number();
   sweep.clockwise = view.at("clockwise").boolean();
   sweep.by_order = view.at("by_order").boolean();
@@ -194,14 +196,14 @@ void read_calibration(const DocumentView& view, Project& project) {
     output.pairs.push_back(pair_from_document(item, output.keyframes.size()));
 }
 
-void add_setting_changes(const Settings& then, const Settings& now, std::vector<std::string>& changes) {
+void add_setting_changes(const Settings& then, const Settings& now, std::vector<Message>& changes) {
   const DocumentNode before = settings_document(then), after = settings_document(now);
   for (std::size_t s = 0; s < before.items.size(); ++s)
     for (std::size_t i = 0; i < before.items[s].items.size(); ++i) {
       const std::string &section = before.keys[s], &name = before.items[s].keys[i];
       const std::string &old_value = before.items[s].items[i].text, &new_value = after.items[s].items[i].text;
       if (old_value != new_value && affects_result(section, name))
-        changes.push_back(section + "." + name + " " + old_value + ", now " + new_value);
+        changes.push_back(say::change_of_setting(section + "." + name, old_value, new_value));
     }
 }
 
@@ -211,7 +213,7 @@ TopicChoice topics_from(const DocumentView& session) {
   for (const DocumentView& item : session.at("topics").items()) try {
       add_topic_choice(topics, item.string());
     } catch (const Error& error) {
-      item.fail(english(error.what_happened()));
+      item.fail(error.what_happened());
     }
   return topics;
 }
@@ -222,27 +224,25 @@ CalibrationBasis basis_of(const PipelineInput& input) {
   return {input.sessions.size(), input.settings, input.nominal_ins_from_lidar};
 }
 
-std::vector<std::string> changes_since(const CalibrationBasis& calibration, const CalibrationBasis& now) {
-  std::vector<std::string> changes;
+std::vector<Message> changes_since(const CalibrationBasis& calibration, const CalibrationBasis& now) {
+  std::vector<Message> changes;
   if (calibration.session_count != now.session_count)
-    changes.push_back(std::to_string(calibration.session_count) +
-                      (calibration.session_count == 1 ? " session, now " : " sessions, now ") +
-                      std::to_string(now.session_count));
+    changes.push_back(say::change_of_sessions(calibration.session_count, now.session_count));
   const auto &then = calibration.nominal_ins_from_lidar, &present = now.nominal_ins_from_lidar;
   if (then.has_value() != present.has_value())
-    changes.emplace_back(present ? "nominal mounting unknown, now given" : "nominal mounting given, now unknown");
+    changes.push_back(present ? say::change_nominal_given() : say::change_nominal_gone());
   else if (then && difference(*then, *present).norm() > 1e-9)
-    changes.emplace_back("another nominal mounting");
+    changes.push_back(say::change_another_nominal());
   add_setting_changes(calibration.settings, now.settings, changes);
   return changes;
 }
 
 bool affects_result(std::string_view section, std::string_view name) { return section != "run" || name != "cache_mb"; }
 
-std::vector<std::string> Project::changes_since_calibration() const {
+std::vector<Message> Project::changes_since_calibration() const {
   if (!output) return {};
-  std::vector<std::string> changes = changes_since(basis, {sessions.size(), settings, nominal_ins_from_lidar});
-  if (solution_pending) changes.emplace_back("decisions about pairs that the solution does not answer in full");
+  std::vector<Message> changes = changes_since(basis, {sessions.size(), settings, nominal_ins_from_lidar});
+  if (solution_pending) changes.push_back(say::change_of_decisions());
   return changes;
 }
 
@@ -273,14 +273,15 @@ Project load_project(const std::filesystem::path& path) {
   const DocumentView root(document, path.string());
   const std::string format = root.at("format").string();
   if (format != kFormat && format != kFormerFormat)
-    root.at("format").fail("is \"" + format.substr(0, 60) + "\", expected \"" + std::string(kFormat) + "\"" +
-                           (format.starts_with("remount-project/") ? "; a later version of Remount wrote it" : ""));
+    root.at("format").fail((format.starts_with("remount-project/")
+                                ? say::file_of_later_version
+                                : say::file_of_other_format)(format.substr(0, 60), std::string(kFormat)));
   root.allow_only({"format", "version", "sessions", "settings", "nominal_ins_from_lidar", "verdicts", "calibration"});
   Project project;
   const std::filesystem::path folder = folder_of(path);
   for (const DocumentView& item : root.at("sessions").items()) {
     const std::filesystem::path session = item.at("path").string();
-    if (session.empty()) item.at("path").fail("is empty");
+    if (session.empty()) item.at("path").fail(say::project_session_empty());
     project.sessions.push_back((folder / session).lexically_normal());
     project.topics.push_back(topics_from(item));
   }

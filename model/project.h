@@ -21,9 +21,9 @@ struct CalibrationBasis {
 };
 CalibrationBasis basis_of(const PipelineInput& input);
 
-/// In words, one for each, what is set now and was not so for the calibration ("pairing.max_gap_s 1.5, now 2.5"); empty
+/// One for each, what is set now and was not so for the calibration ("pairing.max_gap_s 1.5, now 2.5"); empty
 /// where the calibration would come out the same again.
-std::vector<std::string> changes_since(const CalibrationBasis& calibration, const CalibrationBasis& now);
+std::vector<Message> changes_since(const CalibrationBasis& calibration, const CalibrationBasis& now);
 
 /// Whether a result may come out otherwise where this option is another: how much memory is used is none of its
 /// matters.
@@ -45,7 +45,7 @@ struct Project {
   TopicChoice topics_of(std::size_t session) const { return session < topics.size() ? topics[session] : TopicChoice{}; }
 
   /// changes_since of what is set in the project, and a pending solution; empty without a calibration.
-  std::vector<std::string> changes_since_calibration() const;
+  std::vector<Message> changes_since_calibration() const;
 };
 
 /// Saves atomically; sessions below or beside the project's folder are written relative to it, so that the folder can

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "algorithms/core/error.h"
+#include "messages/results.h"
 #include "model/io/message_document.h"
 #include "model/io/method_document.h"
 #include "model/io/parse_document.h"
@@ -42,25 +43,25 @@ std::vector<Finding> findings_of(const DocumentView& root) {
 /// The six sigmas in the order of kParameterNames, NaN for null.
 std::array<double, 6> sigma_of(const DocumentView& view) {
   const auto translation = view.at("translation_m").items(), rotation = view.at("rotation_deg").items();
-  if (translation.size() != 3) view.at("translation_m").fail("expected three entries: x, y, z");
-  if (rotation.size() != 3) view.at("rotation_deg").fail("expected three entries: roll, pitch, yaw");
+  if (translation.size() != 3) view.at("translation_m").fail(say::result_expected_translation());
+  if (rotation.size() != 3) view.at("rotation_deg").fail(say::result_expected_rotation());
   std::array<double, 6> sigma{};
   for (std::size_t i = 0; i < 3; ++i) {
     sigma[i] = number_or(translation[i], kNan);
     sigma[5 - i] = degrees_to_radians(number_or(rotation[i], kNan));
   }
   for (const double value : sigma)
-    if (value < 0.0) view.fail("a sigma is negative");
+    if (value < 0.0) view.fail(say::result_negative_sigma());
   return sigma;
 }
 
 Matrix6d covariance_of(const DocumentView& view) {
   const std::vector<DocumentView> rows = view.at("matrix").items();
-  if (rows.size() != 6) view.at("matrix").fail("expected six rows");
+  if (rows.size() != 6) view.at("matrix").fail(say::result_expected_rows());
   Matrix6d covariance;
   for (std::size_t row = 0; row < 6; ++row) {
     const std::vector<DocumentView> entries = rows[row].items();
-    if (entries.size() != 6) rows[row].fail("expected six entries");
+    if (entries.size() != 6) rows[row].fail(say::result_expected_entries());
     for (std::size_t column = 0; column < 6; ++column)
       covariance(static_cast<int>(row), static_cast<int>(column)) = number_or(entries[column], kNan);
   }
@@ -72,7 +73,7 @@ void read_uncertainty(const DocumentView& root, CalibrationResult& result) {
   const std::array<double, 6> sigma = sigma_of(root.at("sigma"));
   for (std::size_t i = 0; i < 6; ++i) {
     if (std::isfinite(sigma[i]) && !result.observed[i])
-      root.at("sigma").fail("gives a number for " + std::string(kParameterNames[i]) + ", which is not observed");
+      root.at("sigma").fail(say::result_sigma_of_unobserved(std::string(kParameterNames[i])));
     if (result.observed[i]) result.covariance(static_cast<int>(i), static_cast<int>(i)) = sigma[i] * sigma[i];
   }
   if (root.has("covariance")) result.covariance = covariance_of(root.at("covariance"));
@@ -150,11 +151,11 @@ void read_provenance(const DocumentView& view, ResultFile& file) {
 ResultFile result_from_document(const DocumentView& root) {
   const std::string format = root.at("format").string();
   if (format != kResultFormat && format != kFormerResultFormat)
-    root.at("format").fail("expected \"" + std::string(kResultFormat) + "\", found \"" + format + "\"");
+    root.at("format").fail(say::result_of_other_format(std::string(kResultFormat), format));
   ResultFile file;
   CalibrationResult& result = file.result;
   const auto status = status_from_string(root.at("status").string());
-  if (!status) root.at("status").fail("\"" + root.at("status").string() + "\" is not a status that is known here");
+  if (!status) root.at("status").fail(say::result_unknown_status(root.at("status").string()));
   result.status = *status;
   if (root.has("method")) file.method = root.at("method").string();
   if (root.has("reference_frame")) result.reference_frame = root.at("reference_frame").string();

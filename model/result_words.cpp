@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "messages/results.h"
 
 namespace remount {
 
@@ -20,37 +21,28 @@ bool is_aligned_together(const CalibrationResult& result) {
                      [](const Candidate& candidate) { return candidate.source == "joint clouds"; });
 }
 
-std::string disagreement_words(const CalibrationResult& result) {
+Message disagreement_words(const CalibrationResult& result) {
   constexpr double kWorthSaying = 1.05;
   if (!is_usable(result) || !(result.session_disagreement >= kWorthSaying)) return {};
-  char text[120];
-  std::snprintf(text, sizeof text,
-                "The sessions scatter %.1f times as much as their errors explain; the sigmas include it.",
-                result.session_disagreement);
-  return text;
+  return say::result_sessions_scatter(result.session_disagreement);
 }
 
-std::string_view clock_use_words(const TimeOffset& clock) {
-  return clock.applied ? "applied" : clock.in_sigma ? "an unknown of X, in its sigmas" : "not applied";
+Message clock_use_words(const TimeOffset& clock) {
+  return clock.applied    ? say::result_clock_applied()
+         : clock.in_sigma ? say::result_clock_unknown_of_x()
+                          : say::result_clock_not_applied();
 }
 
-std::vector<std::string> clock_words(const CalibrationResult& result) {
+std::vector<Message> clock_words(const CalibrationResult& result) {
   const TimeOffset& clock = result.time_offset;
   if (!std::isfinite(clock.offset_s)) return {};
-  const auto line = [](const std::string& what, double offset_s, double sigma_s) {
-    const double shown_ms = std::round(1e5 * offset_s) / 100.0 + 0.0;  // no "-0.00"
-    char numbers[80];
-    std::snprintf(numbers, sizeof numbers, ": %.2f ms (sigma %.2f ms)", shown_ms, 1e3 * sigma_s);
-    return what + numbers;
-  };
   const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   const bool several = offsets_s.size() > 1 && sigmas_s.size() == offsets_s.size();
-  std::vector<std::string> lines{
-      line(several ? "clock offset INS - LiDAR, mean of the sessions" : "clock offset INS - LiDAR", clock.offset_s,
-           clock.sigma_s) +
-      ", " + std::string(clock_use_words(clock))};
+  const Duration offset{clock.offset_s}, sigma{clock.sigma_s};
+  std::vector<Message> lines{several ? say::result_clock_of_sessions(offset, sigma, clock_use_words(clock))
+                                     : say::result_clock(offset, sigma, clock_use_words(clock))};
   for (std::size_t s = 0; several && s < offsets_s.size(); ++s)
-    lines.push_back(line("clock offset of session " + std::to_string(s + 1), offsets_s[s], sigmas_s[s]));
+    lines.push_back(say::result_clock_of_session(s + 1, Duration{offsets_s[s]}, Duration{sigmas_s[s]}));
   return lines;
 }
 

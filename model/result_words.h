@@ -1,8 +1,6 @@
 // What is said of a result in every place that shows it.
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
@@ -19,12 +17,12 @@ bool has_mounting(const CalibrationResult& result);
 bool is_aligned_together(const CalibrationResult& result);
 
 /// That the sessions' own answers scatter more than their errors explain; empty where they do not, or nothing is known.
-std::string disagreement_words(const CalibrationResult& result);
+Message disagreement_words(const CalibrationResult& result);
 
 /// How an offset between the clocks that was found is used: "applied", "an unknown of X, in its sigmas", "not applied".
-std::string_view clock_use_words(const TimeOffset& clock);
+Message clock_use_words(const TimeOffset& clock);
 
 /// The offset of the clocks with its sigma and how it is used, where it is known; of several sessions each.
-std::vector<std::string> clock_words(const CalibrationResult& result);
+std::vector<Message> clock_words(const CalibrationResult& result);
 
 }  // namespace remount

@@ -8,6 +8,8 @@
 
 #include "algorithms/core/progress.h"
 #include "algorithms/core/stamps.h"
+#include "algorithms/messages/catalogue.h"
+#include "algorithms/messages/message.h"
 #include "model/method_needs.h"
 #include "model/motion_outlook.h"
 #include "model/session.h"
@@ -40,13 +42,24 @@ struct SessionReport {
   std::vector<MethodFit> methods;   ///< which of them the streams serve
   bool usable = false;              ///< enough for a calibration to be tried, by whatever method of a vehicle
   MotionOutlook outlook;            ///< what of X the motion can tell
+
+  bool serves(MethodChoice method) const;
+  /// Whether a method takes what is there; one for other machines than vehicles does not count.
+  bool serves_a_vehicle() const;
 };
 
 /// Reads at most three scans.
 SessionReport report_session(const Session& session, Progress& progress);
 
-/// For people, several lines.
-std::string describe(const Session& session, const SessionReport& report);
+/// A line of what is said of a session. Deeper ones belong to the one before.
+struct ReportLine {
+  int depth = 0;
+  Message words;
+};
+std::vector<ReportLine> report_lines(const Session& session, const SessionReport& report);
+
+/// The same as text, indented.
+std::string describe(const Session& session, const SessionReport& report, Language language = Language::English);
 
 /// "2011-09-26 13:02:25.951 UTC".
 std::string utc_text(std::int64_t stamp_ns);

@@ -15,6 +15,7 @@
 #include "algorithms/calibration/vehicle_frame_options.h"
 #include "algorithms/cloud/objects.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/messages/message.h"
 #include "algorithms/odometry/fusion_options.h"
 #include "algorithms/odometry/lidar_odometry_options.h"
 #include "algorithms/registration/registration_options.h"
@@ -90,7 +91,7 @@ struct Settings {
 
   /// Every problem, prefixed by its section ("range.x_min_m ..."); includes settings that contradict each other: a
   /// minimum above its maximum.
-  std::vector<std::string> check() const;
+  std::vector<Message> check() const;
 };
 
 /// Throws Error(Contract) that names every problem.
@@ -98,6 +99,6 @@ void require_valid(const Settings& settings);
 
 /// What is wrong with starting from this nominal: which parameter lies outside the search range, in m and degrees.
 /// Empty where nothing is, or where there is no nominal.
-std::string nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range);
+Message nominal_problem(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range);
 
 }  // namespace remount

@@ -7,6 +7,8 @@
 #include <type_traits>
 
 #include "algorithms/core/error.h"
+#include "messages/general.h"
+#include "messages/projects.h"
 #include "model/io/parse_document.h"
 
 namespace remount {
@@ -88,10 +90,14 @@ std::optional<bool> switch_of_before(const DocumentView& view, const std::vector
   return text == "true";
 }
 
+Message with_place(const Error& error) {
+  return error.where().empty() ? error.what_happened() : say::of_file(error.where(), error.what_happened());
+}
+
 /// Reads those members of an option struct that a map mentions.
 struct OptionReader {
   DocumentView section;
-  std::vector<std::string>& problems;
+  std::vector<Message>& problems;
   std::vector<std::string_view> known{};
 
   template <class T>
@@ -127,7 +133,7 @@ struct OptionReader {
     try {
       assign(section.at(info.name));
     } catch (const Error& error) {
-      problems.push_back(error.what());
+      problems.push_back(with_place(error));
     }
   }
 
@@ -135,30 +141,23 @@ struct OptionReader {
     // Settings of former versions that changed nothing but the sample of a bootstrap: files that hold them stay
     // readable.
     constexpr std::array<std::string_view, 2> kRetired{"bootstrap_samples", "seed"};
-    std::string list;
-    for (const std::string_view name : known) list += (list.empty() ? "" : ", ") + std::string(name);
+    const std::vector<std::string> names(known.begin(), known.end());
     for (const auto& [key, view] : section.entries()) {
       if (std::find(known.begin(), known.end(), key) != known.end()) continue;
       if (std::find(kRetired.begin(), kRetired.end(), key) != kRetired.end()) continue;
       try {
-        view.fail("is not a setting; known here are " + list);
+        view.fail(say::settings_unknown_key(names));
       } catch (const Error& error) {
-        problems.push_back(error.what());
+        problems.push_back(with_place(error));
       }
     }
   }
 };
 
-[[noreturn]] void throw_problems(const std::vector<std::string>& problems) {
-  std::string text;
-  for (const std::string& problem : problems) text += (text.empty() ? "" : "\n") + problem;
-  throw Error(ErrorCode::Format, "", text);
-}
-
 /// Each value for itself; whether they go together is asked once all of them are known.
 Settings read_values(const DocumentView& document, const Settings& base) {
   Settings settings = base;
-  std::vector<std::string> problems;
+  std::vector<Message> problems;
   std::vector<std::string> sections;
   if (!document.is_null()) {
     const auto entries = document.entries();
@@ -172,21 +171,19 @@ Settings read_values(const DocumentView& document, const Settings& base) {
         std::decay_t<decltype(options)>::visit(options, reader);
         reader.report_unknown_keys();
       } catch (const Error& error) {
-        problems.push_back(error.what());
+        problems.push_back(with_place(error));
       }
     });
-    std::string list;
-    for (const std::string& name : sections) list += (list.empty() ? "" : ", ") + name;
     for (const auto& [key, view] : entries) {
       if (std::find(sections.begin(), sections.end(), key) != sections.end()) continue;
       try {
-        view.fail("is not a section of settings; known are " + list);
+        view.fail(say::settings_unknown_section(sections));
       } catch (const Error& error) {
-        problems.push_back(error.what());
+        problems.push_back(with_place(error));
       }
     }
   }
-  if (!problems.empty()) throw_problems(problems);
+  if (!problems.empty()) throw Error(ErrorCode::Format, "", say::settings_problems(std::move(problems)));
   return settings;
 }
 
@@ -204,12 +201,8 @@ DocumentNode settings_document(const Settings& settings, bool comments) {
 
 Settings settings_from_document(const DocumentView& document, const Settings& base) {
   const Settings settings = read_values(document, base);
-  const std::vector<std::string> contradictions = settings.check();
-  if (!contradictions.empty()) {
-    std::string text;
-    for (const std::string& problem : contradictions) text += (text.empty() ? "" : "; ") + problem;
-    document.fail(text);
-  }
+  const std::vector<Message> contradictions = settings.check();
+  if (!contradictions.empty()) document.fail(in_one(contradictions));
   return settings;
 }
 
@@ -245,8 +238,7 @@ void apply_setting(Settings& settings, std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   const std::size_t dot = assignment.substr(0, equals).find('.');
   if (equals == std::string_view::npos || dot == std::string_view::npos)
-    throw Error(ErrorCode::Contract, where,
-                "expected section.key=value; \"remount-cli settings\" prints all of them with what they take");
+    throw Error(ErrorCode::Contract, where, say::settings_expected_assignment());
   DocumentNode document = DocumentNode::map();
   document.add(std::string(assignment.substr(0, dot)), DocumentNode::map())
       .add(std::string(assignment.substr(dot + 1, equals - dot - 1)),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "algorithms/core/error.h"
+#include "messages/projects.h"
 
 namespace remount {
 
@@ -11,13 +12,11 @@ void add_topic_choice(TopicChoice& choice, std::string_view text) {
   const std::string role(text.substr(0, equals));
   const bool known = std::find(kTopicRoles.begin(), kTopicRoles.end(), role) != kTopicRoles.end();
   if (equals == std::string_view::npos || equals + 1 == text.size() || !known) {
-    std::string roles;
-    for (const std::string_view name : kTopicRoles) roles += (roles.empty() ? "" : ", ") + std::string(name);
     throw Error(ErrorCode::Contract, std::string(text.substr(0, 80)),
-                "expected ROLE=TOPIC with a role of " + roles + "; the topic none leaves a role out");
+                say::topic_choice_expected({kTopicRoles.begin(), kTopicRoles.end()}));
   }
   if (!choice.emplace(role, text.substr(equals + 1)).second)
-    throw Error(ErrorCode::Contract, std::string(text.substr(0, 80)), role + " has a topic already");
+    throw Error(ErrorCode::Contract, std::string(text.substr(0, 80)), say::topic_chosen_twice(role));
 }
 
 }  // namespace remount

@@ -1,5 +1,7 @@
 #include "model/topic_document.h"
 
+#include "messages/projects.h"
+
 namespace remount {
 
 TopicChoice topic_choice_from_document(const DocumentView& view, TopicChoice changed) {
@@ -9,7 +11,7 @@ TopicChoice topic_choice_from_document(const DocumentView& view, TopicChoice cha
     changed.erase(role);
     if (topic.is_null()) continue;
     const std::string name = topic.string();
-    if (name.empty()) topic.fail("is empty, expected a topic of a bag, or \"none\" to leave the role out");
+    if (name.empty()) topic.fail(say::topic_choice_empty());
     changed.emplace(role, name);
   }
   return changed;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "messages/checks.h"
 #include "model/io/stream_tools.h"
 #include "model/travel_direction.h"
 
@@ -38,10 +39,8 @@ bool z_points_down(const MetricPoses& world_from_ins) {
 
 void leave_axes_open(Session& session) {
   session.ins_axes.reset();
-  session.findings.push_back(make_finding(
-      Severity::Note, "ins-axes-down", path_or_name(session),
-      "The z axis of the INS points down, as in axes x forward, y right, z down. The result is in the axes of the log; "
-      "they are not called by a name, and an export that would turn them is refused."));
+  session.findings.push_back(
+      make_finding(Severity::Note, "ins-axes-down", path_or_name(session), say::ins_axes_down()));
 }
 
 }  // namespace
@@ -54,13 +53,11 @@ void settle_axes(Session& session) {
   const std::optional<InsAxes> told = travel ? axes_by_travel(*travel) : std::nullopt;
   if (!told || session.ins_axes == told || may_be_reverse(*travel, session.ins_axes, *told)) return;
   const std::string axes(to_string(*told));
-  session.findings.push_back(session.ins_axes
-                                 ? make_finding(Severity::Warning, "ins-axes-by-travel", path_or_name(session),
-                                                "By the direction of travel the axes of the INS are " + axes +
-                                                    ", not " + std::string(to_string(*session.ins_axes)) +
-                                                    ". The result is in the axes of the log, and is called by these.")
-                                 : make_finding(Severity::Note, "ins-axes-by-travel", path_or_name(session),
-                                                "By the direction of travel the axes of the INS are " + axes + "."));
+  session.findings.push_back(
+      session.ins_axes
+          ? make_finding(Severity::Warning, "ins-axes-by-travel", path_or_name(session),
+                         say::ins_axes_against_travel(axes, std::string(to_string(*session.ins_axes))))
+          : make_finding(Severity::Note, "ins-axes-by-travel", path_or_name(session), say::ins_axes_by_travel(axes)));
   session.ins_axes = told;
   session.ins_axes_by_travel = true;
 }

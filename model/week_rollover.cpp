@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "messages/checks.h"
 #include "model/io/stream_tools.h"
 #include "model/io/time_stamp.h"
 
@@ -66,9 +67,7 @@ Finding week_rollover_finding(std::int64_t moved_ns, const std::string& where) {
   const std::int64_t weeks =
       1024 * std::abs(std::llround(static_cast<double>(moved_ns) / static_cast<double>(kTurn_ns)));
   return make_finding(Severity::Warning, kWeekRollover, where,
-                      "The stamps are " + std::to_string(weeks) + " weeks " + (moved_ns > 0 ? "before" : "after") +
-                          " those they belong to: the week number of GPS begins anew every 1024 weeks, and a receiver "
-                          "with old firmware takes one turn for another. They were moved by that.");
+                      moved_ns > 0 ? say::weeks_early(weeks) : say::weeks_late(weeks));
 }
 
 void mend_week_rollover(Session& session) {

@@ -7,6 +7,7 @@
 
 #include "algorithms/calibration/antenna_tilt.h"
 #include "algorithms/core/median.h"
+#include "messages/calibration.h"
 
 namespace remount {
 namespace {
@@ -326,12 +327,12 @@ bool converge(const WheelImuSignals& sensed, const std::vector<StampedPosition>&
     const std::vector<Point> points =
         points_of(sensed, positions, vehicle_from_imu, tilt, window_s, running.bias_radps, fit.distance_m, progress);
     if (progress.cancelled()) {
-      fit.why = "cancelled";
+      fit.why = say::antenna_cancelled();
       return false;
     }
     fit.positions = points.size();
     if (points.size() < kFewest) {
-      fit.why = "only " + std::to_string(points.size()) + " positions lie within the wheel speeds and yaw rates";
+      fit.why = say::antenna_few_positions(points.size());
       return false;
     }
     if (running.state.windows.empty()) running.state.windows = placed(points);
@@ -386,7 +387,7 @@ AntennaFit fit_antenna(const WheelImuSignals& sensed, const std::vector<StampedP
   fit.end_error_raw_m = raw.end_error_m;
   if (progress.cancelled()) {
     fit.found = false;
-    fit.why = "cancelled";
+    fit.why = say::antenna_cancelled();
   }
   return fit;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "algorithms/messages/message.h"
 #include "algorithms/trajectory/wheel_integration.h"
 
 namespace remount {
@@ -17,7 +18,7 @@ struct StampedPosition {
 
 struct AntennaFit {
   bool found = false;
-  std::string why;                                                 ///< in words where it is not
+  Message why;                                                     ///< in words where it is not
   Eigen::Vector2d antenna_in_vehicle_m = Eigen::Vector2d::Zero();  ///< x forward, y left of the rear axle's centre
   Eigen::Matrix2d covariance_m2 = Eigen::Matrix2d::Zero();
   double yaw_rate_bias_radps = 0.0, yaw_rate_bias_sigma_radps = 0.0;

@@ -38,7 +38,7 @@ struct Candidate {
   double frobenius_sum =
       0.0;  ///< E(X) = sum over accepted pairs of ||P X - X Q||_F, translation over characteristic length
   bool in_range = true;
-  std::string out_of_range;  ///< which parameters, in words; empty where in_range
+  Message out_of_range;  ///< which parameters, as outside_range says; empty where in_range
   /// How much less than this one the best X of the range can have for its sum of squares at most, as a share; NaN where
   /// nothing was proved.
   double certified_gap = std::numeric_limits<double>::quiet_NaN();

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/calibration_result.h"
+#include "messages/calibration.h"
 
 namespace remount {
 namespace {
@@ -29,6 +29,12 @@ std::array<Value, 6> values(const MeasuredOptions& o) {
           angle(o.yaw_deg, o.yaw_sigma_deg),
           angle(o.pitch_deg, o.pitch_sigma_deg),
           angle(o.roll_deg, o.roll_sigma_deg)};
+}
+
+Message name_of(const MeasuredRow& known) {
+  return known.of == MeasuredRow::Of::GroundHeight ? say::measured_ground_height()
+         : known.of == MeasuredRow::Of::GroundTilt ? say::measured_ground_tilt()
+                                                   : say::measured_parameter(parameter_word(known.parameter));
 }
 
 double shorter_way(double angle_rad) { return std::remainder(angle_rad, 2.0 * kPi); }
@@ -101,18 +107,11 @@ std::vector<Contradiction> contradictions(const Measured& measured, const RigidT
     if (!(score > kContradicts)) continue;
     const bool angle =
         known.of == MeasuredRow::Of::GroundTilt || (known.of == MeasuredRow::Of::Parameter && known.parameter >= 3);
-    const std::string name =
-        known.of == MeasuredRow::Of::GroundHeight ? "The ground in the scans with the height of the INS"
-        : known.of == MeasuredRow::Of::GroundTilt ? "The tilt of the ground in the scans"
-                                                  : "The measured " + std::string(kParameterNames[known.parameter]);
-    char text[240];
-    std::snprintf(text, sizeof text,
-                  "%s contradicts the drive by %.1f sigma (%.4f %s are left): check the measurement and its sigma.",
-                  name.c_str(), score, angle ? radians_to_degrees(known.residual) : known.residual,
-                  angle ? "deg" : "m");
     const double scatter = std::sqrt((score * score - 1.0) * said2);
     const double drawn = std::abs(known.residual) * joint2 / left_joint;
-    out.push_back({text, reach * (std::max(scatter, drawn) / said2)});
+    out.push_back({angle ? say::measured_angle_contradicts(name_of(known), score, Angle{known.residual})
+                         : say::measured_length_contradicts(name_of(known), score, Length{known.residual}),
+                   reach * (std::max(scatter, drawn) / said2)});
   }
   return out;
 }

@@ -8,6 +8,7 @@
 
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -91,7 +92,7 @@ class Measured {
 
 /// A measurement against which the drive speaks.
 struct Contradiction {
-  std::string text;  ///< "The measured z contradicts the drive by 4.1 sigma ..."
+  Message text;  ///< "The measured z contradicts the drive by 4.1 sigma ..."
   /// To be added to the covariance as doubt doubt', for nobody knows which is wrong: errors of both that explain their
   /// distance (the Birge ratio), or how far the measurement drew X away from the pairs, whichever is more.
   Vector6d doubt = Vector6d::Zero();

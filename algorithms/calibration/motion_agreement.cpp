@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/pair_equation.h"
+#include "messages/calibration.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
@@ -36,17 +37,10 @@ Rescaled rescaled(const JointProblem& problem, std::vector<Pair> pairs, const Pa
 }
 
 void refuse_apart(const MotionAgreement& motions, CalibrationResult& result) {
-  char text[280];
-  std::snprintf(text, sizeof text,
-                "LiDAR and INS contradict each other under every mounting: their motions differ by %.2f m on ways of "
-                "%.2f m.",
-                motions.apart_m, motions.travel_m);
   result.status = Status::Inconsistent;
-  result.message = text;
-  claim_nothing("the motions of LiDAR and INS contradict each other", result);
-  result.advice = {
-      "Look at clock and attitude of the INS. Where the LiDAR gave poses instead of scans, look whether they are what "
-      "they are taken for: of this drive, in metres, and from the LiDAR to the world."};
+  result.message = say::motions_contradict({motions.apart_m}, {motions.travel_m});
+  claim_nothing(say::unknown_motions_contradict(), result);
+  result.advice = {say::look_at_ins_and_poses()};
 }
 
 }  // namespace
@@ -77,18 +71,11 @@ double lidar_per_ins_way(const std::vector<Pair>& pairs) {
 bool refuse_other_unit(const std::vector<Pair>& pairs, CalibrationResult& result) {
   const double lidar_per_ins = lidar_per_ins_way(pairs);
   if (lidar_per_ins == 1.0 || result.status == Status::Cancelled) return false;
-  const bool lidar_longer = lidar_per_ins > 1.0;
-  char text[280];
-  std::snprintf(text, sizeof text,
-                "The motions of the %s are %.4g times as long as those of the %s: one of the two is not in metres.",
-                lidar_longer ? "LiDAR" : "INS", lidar_longer ? lidar_per_ins : 1.0 / lidar_per_ins,
-                lidar_longer ? "INS" : "LiDAR");
   result.status = Status::Inconsistent;
-  result.message = text;
-  claim_nothing("LiDAR and INS are of different scales", result);
-  result.advice = {
-      "Look at the units of the LiDAR's poses, or of the points of its scans, and of the INS's positions: centimetres "
-      "for metres are 100 times as long, millimetres 1000 times, feet 3.28 times."};
+  result.message = lidar_per_ins > 1.0 ? say::motions_of_another_unit_lidar_longer(lidar_per_ins)
+                                       : say::motions_of_another_unit_ins_longer(1.0 / lidar_per_ins);
+  claim_nothing(say::unknown_other_scales(), result);
+  result.advice = {say::look_at_units_of_motions()};
   return true;
 }
 
@@ -126,14 +113,9 @@ void judge_motions(const JointProblem& problem, const std::vector<Pair>& pairs, 
   const double scale_error = std::abs(motions.lidar_per_ins - 1.0);
   if (!(scale_error > std::max(kScale, kSigmas * motions.lidar_per_ins_sigma))) return;
   const Rescaled fitting = rescaled(problem, pairs, details, motions.lidar_per_ins, progress);
-  add_doubt(difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), "the distances of LiDAR and INS differ",
-            options, result);
-  char text[280];
-  std::snprintf(text, sizeof text,
-                "The LiDAR moves %.4f times as far as the INS: one of them measures distances wrongly, which biases X; "
-                "the sigmas include it. Correct the scale, or use the method trajectory, which estimates it.",
-                fitting.lidar_per_ins);
-  result.advice.emplace_back(text);
+  add_doubt(difference(details.joint.ins_from_lidar, fitting.ins_from_lidar), say::unknown_distances_differ(), options,
+            result);
+  result.advice.push_back(say::distances_bias_x(fitting.lidar_per_ins));
 }
 
 }  // namespace remount

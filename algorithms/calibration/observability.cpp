@@ -3,22 +3,24 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
 #include "algorithms/core/symmetric_eigen.h"
+#include "messages/calibration.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
 
-constexpr std::array<const char*, 6> kDirectionWords{
-    "x (forward)",           "y (left)", "z (height)", "rotation about x (roll)", "rotation about y (pitch)",
-    "rotation about z (yaw)"};
+constexpr std::array<Message (*)(), 6> kDirectionWords{say::direction_x,    say::direction_y,     say::direction_z,
+                                                       say::direction_roll, say::direction_pitch, say::direction_yaw};
 
-std::string direction_names(const Vector6d& direction) {
-  std::string names;
+Message direction_names(const Vector6d& direction) {
+  Message names;
   for (int i = 0; i < 6; ++i) {
     if (std::abs(direction[i]) < 0.4) continue;
-    names += (names.empty() ? "" : " with ") + std::string(kDirectionWords[static_cast<std::size_t>(i)]);
+    Message name = kDirectionWords[static_cast<std::size_t>(i)]();
+    names = names.empty() ? std::move(name) : say::direction_with(std::move(names), std::move(name));
   }
   return names;
 }
@@ -26,23 +28,16 @@ std::string direction_names(const Vector6d& direction) {
 // Height, roll and pitch show in how an INS leans: one that is taken to be level shows none of them.
 bool needs_tilt(const Vector6d& direction) { return direction.segment<3>(2).cwiseAbs().maxCoeff() >= 0.4; }
 
-std::string direction_words(const Vector6d& direction, bool observed, const MotionSummary& motion) {
-  const std::string names = direction_names(direction);
-  char text[240];
-  if (observed) {
-    std::snprintf(text, sizeof text, "%s: observed", names.c_str());
-  } else if (motion.tilt_assumed && needs_tilt(direction)) {
-    std::snprintf(text, sizeof text, "%s: not known, roll and pitch of the INS are assumed, not measured",
-                  names.c_str());
-  } else {
-    const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
-    const bool flat = motion.largest_tilt_rad < degrees_to_radians(1.0);
-    std::snprintf(text, sizeof text, "%s: not observable, %s", names.c_str(),
-                  straight ? "the drive hardly turned"
-                  : flat   ? "flat driving"
-                           : "too little motion for it");
-  }
-  return text;
+Message direction_words(const Vector6d& direction, bool observed, const MotionSummary& motion) {
+  Message names = direction_names(direction);
+  if (observed) return say::direction_observed(std::move(names));
+  if (motion.tilt_assumed && needs_tilt(direction))
+    return say::direction_not_known(std::move(names), say::unknown_tilt_assumed());
+  const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
+  const bool flat = motion.largest_tilt_rad < degrees_to_radians(1.0);
+  return say::direction_not_observable(std::move(names), straight ? say::hardly_turned()
+                                                         : flat   ? say::flat_driving()
+                                                                  : say::too_little_motion());
 }
 
 void sort_directions(CalibrationResult& result) {
@@ -53,37 +48,23 @@ void sort_directions(CalibrationResult& result) {
 // `observed` in the order x, y, z, yaw, pitch, roll.
 void add_advice(const std::array<bool, 6>& observed, const MotionSummary& motion, CalibrationResult& result) {
   const bool straight = motion.largest_rotation_rad < degrees_to_radians(3.0);
-  // Of two that the same motion shows, those that this drive does not.
-  const auto missing = [&](std::size_t first, const char* one, std::size_t second, const char* other,
-                           const std::string& both) -> std::string {
-    if (!observed[first] && !observed[second]) return both + " need ";
-    return (observed[first] ? other : one) + std::string(" needs ");
-  };
-  if (!observed[0] || !observed[1])
-    result.advice.push_back(missing(0, "x", 1, "y", "x and y") +
-                            (straight ? "turns: drive a figure of eight or two tight turns in each direction."
-                                      : "more rotation: drive tighter turns, in both directions."));
+  if (std::vector<Message> level = parameter_words(observed, false, 2); !level.empty()) {
+    const std::size_t number = level.size();
+    result.advice.push_back((straight ? say::need_turns : say::need_rotation)(std::move(level), number));
+  }
   // Many slopes average the guess; what they show so is still poor.
   const bool tilt_vague =
       motion.tilt_assumed && (!(observed[2] && observed[4] && observed[5]) ||
                               std::max(*result.sigma(4), *result.sigma(5)) > degrees_to_radians(0.5));
-  if (tilt_vague)
-    result.advice.emplace_back(
-        "The log has a heading and neither roll nor pitch: how the INS leans is assumed, and height, pitch and roll of "
-        "the mounting hardly follow from it, if at all. Log roll and pitch as well, or give what you measured with "
-        "--measured: z, pitch and roll, or the height of the INS above the ground.");
-  if (!observed[2] && !tilt_vague)
-    result.advice.push_back(
-        "Height z needs pitch or roll: drive over a ramp, a kerb with one wheel or a bumpy road while turning. Until "
-        "then files hold the nominal z, or 0 where none was given; where it matters, measure it by tape and give it "
-        "with --measured.");
+  if (tilt_vague) result.advice.push_back(say::need_tilt_vague());
+  if (!observed[2] && !tilt_vague) result.advice.push_back(say::need_pitch_or_roll());
   // Of an INS that is taken to be level no travel shows pitch.
   const bool pitch_missing = !observed[4] && !tilt_vague;
   if (!observed[3] || pitch_missing)
-    result.advice.push_back((pitch_missing ? missing(3, "Yaw", 4, "Pitch", "Yaw and pitch") : "Yaw needs ") +
-                            "travel: drive at least a few tens of metres with good INS quality.");
-  if (!observed[5] && !tilt_vague)
-    result.advice.push_back("Roll needs turns or slopes: a straight drive does not show it.");
+    result.advice.push_back(!pitch_missing ? say::need_travel_yaw()
+                            : observed[3]  ? say::need_travel_pitch()
+                                           : say::need_travel_yaw_pitch());
+  if (!observed[5] && !tilt_vague) result.advice.push_back(say::need_slopes_roll());
 }
 
 // After the covariance has grown: what is no longer observed by it.
@@ -237,14 +218,14 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
     direction.sigma = std::isfinite(direction.sigma) || sigma < 1.0 ? sigma : direction.sigma;
     direction.observed = direction.sigma < 1.0;
     direction.words = direction.observed && !by_drive && is_any_measured(result)
-                          ? direction_names(direction.direction) + ": known by what was measured"
+                          ? say::direction_measured(direction_names(direction.direction))
                           : direction_words(direction.direction, direction.observed, motion);
   }
   sort_directions(result);
   add_advice(result.observed, motion, result);
 }
 
-void claim_nothing(const std::string& reason, CalibrationResult& result) {
+void claim_nothing(const Message& reason, CalibrationResult& result) {
   result.observed.fill(false);
   result.covariance.setConstant(std::numeric_limits<double>::quiet_NaN());
   result.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
@@ -252,7 +233,7 @@ void claim_nothing(const std::string& reason, CalibrationResult& result) {
     if (!direction.observed) continue;
     direction.sigma = std::numeric_limits<double>::infinity();
     direction.observed = false;
-    direction.words = direction_names(direction.direction) + ": not known, " + reason;
+    direction.words = say::direction_not_known(direction_names(direction.direction), reason);
   }
   sort_directions(result);
 }
@@ -261,11 +242,10 @@ bool is_any_measured(const CalibrationResult& result) {
   return std::find(result.measured.begin(), result.measured.end(), true) != result.measured.end();
 }
 
-std::string solved_message(const CalibrationResult& result) {
-  const std::string missing = parameter_names(result.observed, false);
-  if (!missing.empty()) return "Solved, but for what is not observed: " + missing + ".";
-  return is_any_measured(result) ? "Solved; all six parameters are known, with what was measured."
-                                 : "Solved; all six parameters are observed.";
+Message solved_message(const CalibrationResult& result) {
+  std::vector<Message> missing = parameter_words(result.observed, false);
+  if (!missing.empty()) return say::solved_but_for(std::move(missing));
+  return is_any_measured(result) ? say::solved_all_known() : say::solved_all_observed();
 }
 
 bool yaw_is_open(const CalibrationResult& result) {
@@ -278,8 +258,7 @@ void widen_angles(const Eigen::Vector3d& off_rad, const SolveOptions& options, C
   withdraw_unobserved(options, result);
 }
 
-void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
-               CalibrationResult& result) {
+void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result) {
   const Vector6d limits = observation_limits(options);
   result.covariance += parameter_covariance(result.ins_from_lidar, doubt * doubt.transpose());
   withdraw_unobserved(options, result);
@@ -287,7 +266,7 @@ void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOpti
     if (!direction.observed) continue;
     direction.sigma = std::hypot(direction.sigma, limits.cwiseInverse().cwiseProduct(direction.direction).dot(doubt));
     direction.observed = direction.sigma < 1.0;
-    if (!direction.observed) direction.words = direction_names(direction.direction) + ": not known, " + reason;
+    if (!direction.observed) direction.words = say::direction_not_known(direction_names(direction.direction), reason);
   }
   sort_directions(result);
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 #include <vector>
 
 #include "algorithms/calibration/calibration_result.h"
@@ -63,9 +62,6 @@ Matrix6d weak_prior(bool nominal_known);
 /// turns X about the origin of the INS, lever arm and all.
 Matrix6d assumed_tilt_covariance(const RigidTransform& ins_from_lidar, double tilt_rad);
 
-/// Why yaw is not known where two norths may be apart.
-inline constexpr const char* kNorthUnknown = "positions and attitudes of the INS may count from different norths";
-
 /// How far X is off, under `perturbed`, where the north of attitudes is off by `north_rad` against that of positions:
 /// it turns about the vertical through the origin of the INS, lever arm and all.
 Vector6d turned_by_north(const RigidTransform& ins_from_lidar, double north_rad);
@@ -92,8 +88,7 @@ void judge_parameters(const Matrix6d& covariance, const MotionSummary& motion, c
 
 /// Widens a judged result by an error of X under `perturbed` that the pairs do not show. What is no longer observed by
 /// it says why: "x (forward): not known, `reason`".
-void add_doubt(const Vector6d& doubt, const std::string& reason, const SolveOptions& options,
-               CalibrationResult& result);
+void add_doubt(const Vector6d& doubt, const Message& reason, const SolveOptions& options, CalibrationResult& result);
 
 /// Widens yaw, pitch and roll of a judged result by as much as they may be off, each for itself. The directions stay:
 /// they are turns about axes of the INS, and not of what the angles count from.
@@ -103,13 +98,13 @@ void widen_angles(const Eigen::Vector3d& off_rad, const SolveOptions& options, C
 bool is_any_measured(const CalibrationResult& result);
 
 /// What a judged result that observes something says of itself: solved, and by what, or but for what.
-std::string solved_message(const CalibrationResult& result);
+Message solved_message(const CalibrationResult& result);
 
 /// Whether a judged result does not tell yaw, without which X lies anywhere on an arc.
 bool yaw_is_open(const CalibrationResult& result);
 
 /// Withdraws every parameter and direction of a judged result.
-void claim_nothing(const std::string& reason, CalibrationResult& result);
+void claim_nothing(const Message& reason, CalibrationResult& result);
 
 /// (x, y, z, yaw, pitch, roll) of X in m and rad, the order of kParameterNames; and X of them.
 std::array<double, 6> parameters_of(const RigidTransform& ins_from_lidar);

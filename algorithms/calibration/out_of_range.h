@@ -1,19 +1,16 @@
 // A solution outside the search range, the same for every method.
 #pragma once
 
-#include <string>
-
 #include "algorithms/calibration/calibration_result.h"
+#include "messages/calibration.h"
 
 namespace remount {
 
-/// Status, message and advice. @param outside as outside_range() words it; not empty
-inline void refuse_out_of_range(const std::string& outside, CalibrationResult& result) {
+/// Status, message and advice. @param outside as outside_range() says it; not empty
+inline void refuse_out_of_range(Message outside, CalibrationResult& result) {
   result.status = Status::OutOfRange;
-  result.message = "The solution lies outside the search range: " + outside + ".";
-  result.advice.insert(result.advice.begin(),
-                       "Widen the search range where it is too narrow. Where it is right, the data contradict it: "
-                       "check axes and units of the INS, and whether the LiDAR is the one that the range is for.");
+  result.message = say::outside_search_range(std::move(outside));
+  result.advice.insert(result.advice.begin(), say::widen_search_range());
 }
 
 }  // namespace remount

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/pair_equation.h"
 #include "algorithms/trajectory/screw.h"
+#include "messages/pairs.h"
 
 namespace remount {
 namespace {
@@ -13,17 +13,14 @@ namespace {
 // Normal score of a chi-square distance of six degrees of freedom (Fisher). docs/maths/pairwise.md (P9)
 double sigma_equivalent(double distance2) { return std::sqrt(2.0 * distance2) - std::sqrt(11.0); }
 
-std::string outlier_reason(const Pair& pair, double score) {
-  char text[200];
-  std::snprintf(text, sizeof text, "contradicts the INS motion by %.3f m, %.3f deg (%.1f sigma)%s",
-                pair.residual_translation_m, radians_to_degrees(pair.residual_rotation_rad), score,
-                pair.screw.passed ? "" : "; turn or advance of INS and LiDAR differ");
-  return text;
+Message outlier_reason(const Pair& pair, double score) {
+  return (pair.screw.passed ? say::pair_contradicts_ins : say::pair_contradicts_ins_screw)(
+      {pair.residual_translation_m}, {pair.residual_rotation_rad}, score);
 }
 
 // Also a good pair may leave something open; nothing is taken from it there.
-std::string open_directions(const Pair& pair) {
-  return pair.registration.undetermined.empty() ? "" : "does not determine " + pair.registration.undetermined;
+Message open_directions(const Pair& pair) {
+  return pair.registration.undetermined.empty() ? Message() : say::pair_leaves_open(pair.registration.undetermined);
 }
 
 // Whether scans that leave directions open were aligned at a place where they never were: along an open direction a
@@ -36,11 +33,8 @@ bool slid_away(const Pair& pair) {
           pair.residual_rotation_rad > kFar_rad);
 }
 
-std::string slid_reason(const Pair& pair) {
-  char text[120];
-  std::snprintf(text, sizeof text, "aligned %.3f m, %.3f deg from where the INS was; does not determine ",
-                pair.residual_translation_m, radians_to_degrees(pair.residual_rotation_rad));
-  return text + pair.registration.undetermined;
+Message slid_reason(const Pair& pair) {
+  return say::pair_slid({pair.residual_translation_m}, {pair.residual_rotation_rad}, pair.registration.undetermined);
 }
 
 void set_residual(const RigidTransform& ins_from_lidar, Pair& pair) {

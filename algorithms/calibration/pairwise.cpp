@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/joint_problem.h"
 #include "algorithms/calibration/motion_agreement.h"
@@ -16,6 +15,9 @@
 #include "algorithms/calibration/session_agreement.h"
 #include "algorithms/calibration/uncertainty.h"
 #include "algorithms/search/candidates.h"
+#include "messages/calibration.h"
+#include "messages/pairs.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
@@ -121,17 +123,14 @@ void trim_candidates(int limit, CalibrationResult& result) {
 
 bool is_solved(Status status) { return status == Status::Ok || status == Status::Degenerate; }
 
-void set_status(const PairwiseInput& input, const std::string& lost, CalibrationResult& result) {
+void set_status(const PairwiseInput& input, const Message& lost, CalibrationResult& result) {
   const auto observed = static_cast<int>(std::count(result.observed.begin(), result.observed.end(), true));
-  const std::string outside = outside_range(result.ins_from_lidar, input.range);
+  Message outside = outside_range(result.ins_from_lidar, input.range);
   if (observed == 0) {
     result.status = Status::Degenerate;
-    result.message = input.clock_bias ? "Nothing is known: the clocks of lidar and INS differ by more than X can bear."
-                     : lost.empty()
-                         ? "Nothing is observed: the motion of this drive does not determine any component of X."
-                         : lost;
+    result.message = input.clock_bias ? say::nothing_known_clocks() : lost.empty() ? say::nothing_observed() : lost;
   } else if (!outside.empty()) {
-    refuse_out_of_range(outside, result);
+    refuse_out_of_range(std::move(outside), result);
   } else {
     result.status = observed < 6 ? Status::Degenerate : Status::Ok;
     result.message = solved_message(result);
@@ -139,20 +138,17 @@ void set_status(const PairwiseInput& input, const std::string& lost, Calibration
 }
 
 void claim_nothing_unconverged(const PairwiseInput& input, CalibrationResult& result) {
-  claim_nothing("the solution did not converge", result);
+  claim_nothing(say::unknown_not_converged(), result);
   if (result.status == Status::OutOfRange) return;
   result.status = Status::NotConverged;
-  result.message = "The joint solution did not converge.";
-  result.advice.insert(result.advice.begin(),
-                       input.nominal_ins_from_lidar
-                           ? "Look at the clocks of LiDAR and INS, at the pairs and at the nominal mounting: they do "
-                             "not fit together."
-                           : "Look at the clocks of LiDAR and INS and at the pairs: they do not fit together.");
+  result.message = say::joint_not_converged();
+  result.advice.insert(result.advice.begin(), input.nominal_ins_from_lidar ? say::look_at_clocks_pairs_nominal()
+                                                                           : say::look_at_clocks_pairs());
 }
 
 CalibrationResult cancelled(CalibrationResult result) {
   result.status = Status::Cancelled;
-  result.message = "Cancelled.";
+  result.message = say::calibration_cancelled();
   return result;
 }
 
@@ -160,11 +156,8 @@ CalibrationResult too_few(std::vector<Pair>& pairs, std::size_t usable) {
   CalibrationResult result;
   count_pairs(pairs, result);
   result.status = Status::TooFewPairs;
-  result.message = "Only " + std::to_string(usable) +
-                   (usable == 1 ? " usable pair; at least " : " usable pairs; at least ") +
-                   std::to_string(kFewestPairs) + " are needed.";
-  result.advice.push_back(
-      "Drive longer, take keyframes closer together, or relax the limits of pairing and registration.");
+  result.message = say::too_few_usable_pairs(usable, kFewestPairs);
+  result.advice.push_back(say::drive_longer());
   refuse_other_unit(pairs, result);
   return result;
 }
@@ -203,10 +196,10 @@ JointProblem solve_and_judge(const Context& context, const RigidTransform& start
 }
 
 // "2 (tuesday)", counted as users do.
-std::string title_of_session(const PairwiseInput& input, int session) {
+Message title_of_session(const PairwiseInput& input, int session) {
   const auto index = static_cast<std::size_t>(session);
-  const std::string number = std::to_string(session + 1);
-  return index < input.session_names.size() ? number + " (" + input.session_names[index] + ")" : number;
+  return index < input.session_names.size() ? say::session_named(session + 1, input.session_names[index])
+                                            : say::session_number(session + 1);
 }
 
 // Where all other sessions agree against one, its pairs are rejected and the others solved alone. Returns what each
@@ -220,10 +213,6 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
   std::vector<SessionAnswer> answers = session_answers(problem, details, progress);
   const std::optional<OutlierSession> outlier = outlier_session(answers, input.options);
   if (!outlier || progress.cancelled()) return answers;
-  char text[200];
-  std::snprintf(text, sizeof text,
-                "its session contradicts all others, which agree (with it they scatter %.1f times their errors)",
-                outlier->disagreement);
   std::erase_if(usable, [&](int i) {
     Pair& pair = pairs[static_cast<std::size_t>(i)];
     if (input.nodes[static_cast<std::size_t>(pair.keyframe_a)].session != outlier->session) return false;
@@ -231,14 +220,12 @@ std::vector<SessionAnswer> leave_out_outlier_session(const Context& context, std
     pair.state = PairState::Rejected;
     pair.decided_by = DecidedBy::Program;
     pair.weight = 0.0;
-    pair.reason = text;
+    pair.reason = say::pair_of_outlier_session(outlier->disagreement);
     return true;
   });
   const RigidTransform start = perturbed(details.joint.ins_from_lidar, outlier->common);
   problem = solve_and_judge(context, start, usable, pairs, details);
-  result.advice.push_back("Session " + title_of_session(input, outlier->session) +
-                          " was left out: the others agree with each other and contradict it. Look at its INS, its "
-                          "clock, and whether the lidar was moved.");
+  result.advice.push_back(say::session_contradicts_others(title_of_session(input, outlier->session)));
   return session_answers(problem, details, progress);
 }
 
@@ -248,8 +235,7 @@ bool chance_few(const std::vector<Pair>& pairs) {
   constexpr double kLeastShare = 0.05;
   int accepted = 0, judged = 0;
   for (const Pair& pair : pairs) {
-    if (pair.state == PairState::Rejected && (pair.decided_by == DecidedBy::User || pair.reason == kPairNotReached))
-      continue;
+    if (pair.state == PairState::Rejected && (pair.decided_by == DecidedBy::User || is_not_reached(pair))) continue;
     ++judged;
     accepted += pair.state == PairState::Accepted ? 1 : 0;
   }
@@ -258,21 +244,18 @@ bool chance_few(const std::vector<Pair>& pairs) {
 
 // Without a nominal, X may lie far from where it was linearised: what is stated of the parameters then holds at one
 // place only. Returns why nothing is known; empty where something is.
-std::string claim_nothing_where_lost(const std::vector<Pair>& pairs, CalibrationResult& result) {
+Message claim_nothing_where_lost(const std::vector<Pair>& pairs, CalibrationResult& result) {
   if (chance_few(pairs)) {
-    claim_nothing("too few of the pairs go together", result);
-    result.advice.emplace_back(
-        "Without a nominal mounting, what so few pairs agree on may be chance: give one (some 10 degrees are enough).");
-    return "Nothing is known: hardly any pairs go together.";
+    claim_nothing(say::unknown_too_few_together(), result);
+    result.advice.push_back(say::chance_few_need_nominal());
+    return say::nothing_known_pairs();
   }
   if (yaw_is_open(result)) {
-    claim_nothing("without a nominal yaw is open", result);
-    result.advice.emplace_back(
-        "Without a nominal mounting nothing can be said while yaw is not observed (where roll is open, yaw turns with "
-        "it): give one (some 10 degrees are enough), or drive longer, with turns to both sides.");
-    return "Nothing is known: without a nominal mounting yaw is open, and everything else depends on it.";
+    claim_nothing(say::unknown_yaw_open(), result);
+    result.advice.push_back(say::open_yaw_needs_nominal());
+    return say::nothing_known_yaw();
   }
-  return "";
+  return {};
 }
 
 // Two mountings in one calibration have no common X; a session that is bad in itself can be left out.
@@ -281,17 +264,14 @@ void report_rejected_sessions(const Context& context, const std::vector<int>& us
   const SessionVerdicts verdicts =
       judge_sessions(context.input, pairs, usable, context.prior.expected, context.progress);
   for (const RejectedSession& one : verdicts.rejected) {
-    const std::string title = title_of_session(context.input, one.session);
-    result.advice.push_back(
-        "Session " + title +
-        (one.coherent ? " agrees with itself on another mounting than the rest and was left out: was the lidar moved, "
-                        "or is it another vehicle? Calibrate it on its own."
-                      : " was left out: its INS motion and its registrations contradict each other."));
+    const Message title = title_of_session(context.input, one.session);
+    result.advice.push_back(one.coherent ? say::session_of_other_mounting(title)
+                                         : say::session_contradicts_itself(title));
     // One against one: nobody can tell which is right.
     if (one.coherent && verdicts.kept < 2 && is_solved(result.status)) {
       result.status = Status::Inconsistent;
-      result.message = "The sessions say different mountings: session " + title + " against the rest.";
-      claim_nothing("the sessions say different mountings", result);
+      result.message = say::sessions_of_other_mountings(title);
+      claim_nothing(say::unknown_mountings_differ(), result);
     }
   }
 }
@@ -348,7 +328,7 @@ CalibrationResult solve_pairwise(const PairwiseInput& input, std::vector<Pair>& 
   const Matrix6d believed = describe_uncertainty(input, pairs, problem, answers, details, progress, result);
   // What the drive lacks is told from a solution that holds; more turns would not make another one.
   if (!details.joint.converged) result.advice.resize(advised);
-  const std::string lost = input.nominal_ins_from_lidar ? "" : claim_nothing_where_lost(pairs, result);
+  const Message lost = input.nominal_ins_from_lidar ? Message() : claim_nothing_where_lost(pairs, result);
   if (!std::all_of(result.observed.begin(), result.observed.end(), [](bool seen) { return seen; }))
     result.ins_from_lidar =
         solve_with_held(problem, details, result.observed, input.nominal_ins_from_lidar.value_or(prior_x), progress);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/core/decompositions.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/symmetric_eigen.h"
+#include "messages/calibration.h"
 
 namespace remount {
 namespace {
@@ -36,11 +36,11 @@ Matrix4d right_product(const Vector4d& q) {
   return m;
 }
 
-std::string axis_words(const Vector3d& axis) {
+Message axis_words(const Vector3d& axis) {
   int largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
-  if (std::abs(axis[largest]) < 0.9) return "a slanted axis";
-  return largest == 2 ? "the vertical (yaw)" : largest == 1 ? "the transverse axis (pitch)" : "the long axis (roll)";
+  if (std::abs(axis[largest]) < 0.9) return say::axis_slanted();
+  return largest == 2 ? say::axis_vertical() : largest == 1 ? say::axis_transverse() : say::axis_long();
 }
 
 void describe(const std::vector<TurnPair>& turns, const std::vector<double>& weights, double noise_rad,
@@ -69,17 +69,9 @@ void describe(const std::vector<TurnPair>& turns, const std::vector<double>& wei
     if (along_main && !result.rotation_about_main_axis_observed) continue;
     result.covariance_rad2 += v * v.transpose() * noise * noise / std::max(observed.eigenvalues()[i], 1e-300);
   }
-  char text[240];
-  if (!result.solved)
-    std::snprintf(text, sizeof text, "The turns are too small to show the rotation between the two sensors.");
-  else if (!result.rotation_about_main_axis_observed)
-    std::snprintf(text, sizeof text,
-                  "All turns are about %s: the rotation about it is not observed, the other two angles are.",
-                  axis_words(result.main_axis_in_a).c_str());
-  else
-    std::snprintf(text, sizeof text, "All three angles are observed: %.2f deg of turn across the main axis.",
-                  radians_to_degrees(result.other_axes_turn_rad));
-  result.words = text;
+  result.words = !result.solved                              ? say::rotation_small_turns()
+                 : !result.rotation_about_main_axis_observed ? say::rotation_one_axis(axis_words(result.main_axis_in_a))
+                                                             : say::rotation_all_angles({result.other_axes_turn_rad});
 }
 
 }  // namespace
@@ -87,7 +79,7 @@ void describe(const std::vector<TurnPair>& turns, const std::vector<double>& wei
 RotationEquationResult solve_rotation_equation(const std::vector<TurnPair>& turns, double noise_rad) {
   RotationEquationResult result;
   if (turns.empty()) {
-    result.words = "There is no turn to compare.";
+    result.words = say::rotation_no_turn();
     return result;
   }
   std::vector<double> weights(turns.size(), 1.0);

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -27,7 +27,7 @@ struct RotationEquationResult {
   double other_axes_turn_rad = 0.0;                           ///< and about the axes across it
   Eigen::Matrix3d covariance_rad2 = Eigen::Matrix3d::Zero();  ///< of Exp(phi) a_from_b, axes a; observed part only
   bool rotation_about_main_axis_observed = false;
-  std::string words;  ///< what is observed and what is not
+  Message words;  ///< what is observed and what is not
 };
 
 /// Weighted null vector by SVD, re-weighted where turns disagree (Cauchy). Where only turns about one axis are there,

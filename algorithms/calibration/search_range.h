@@ -1,10 +1,9 @@
 // Where X is looked for.
 #pragma once
 
-#include <string>
-
 #include "algorithms/core/options.h"
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -42,6 +41,6 @@ struct SearchRange {
 };
 
 /// Parameters of X outside the range, in words ("x 6.20 m above 5.00 m"); empty where inside.
-std::string outside_range(const RigidTransform& ins_from_lidar, const SearchRange& range);
+Message outside_range(const RigidTransform& ins_from_lidar, const SearchRange& range);
 
 }  // namespace remount

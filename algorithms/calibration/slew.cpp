@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <map>
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/slew_details.h"
 #include "algorithms/core/error.h"
+#include "messages/calibration.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
@@ -19,23 +20,16 @@ using Eigen::Vector3d;
 
 constexpr double kMostLean_rad = degrees_to_radians(30.0);  // of the rough up direction
 
-std::string text_of(const char* pattern, auto... values) {
-  char text[400];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
 void require_valid(const SlewOptions& options) {
-  std::string all;
-  for (const std::string& problem : option_problems(options)) all += (all.empty() ? "" : "; ") + problem;
-  if (!all.empty()) throw Error(ErrorCode::Contract, "slew options", all);
+  if (Message all = in_one(option_problems(options)); !all.empty())
+    throw Error(ErrorCode::Contract, "slew options", std::move(all));
 }
 
-void refuse(Status status, std::string message, std::string advice, SlewResult& result) {
+void refuse(Status status, Message message, Message advice, SlewResult& result) {
   result.calibration.status = status;
   result.calibration.message = std::move(message);
   result.calibration.advice.push_back(std::move(advice));
-  claim_nothing("the recordings were refused", result.calibration);
+  claim_nothing(say::unknown_recordings_refused(), result.calibration);
 }
 
 /// What the frame is made of.
@@ -114,7 +108,7 @@ bool fit_ground_plane(const SlewData& data, const SlewOptions& options, const Pr
   constexpr double kLeastExtent_m = 0.5;
   if (result.ground.found && result.ground.short_extent_m < kLeastExtent_m) {
     result.ground.found = false;
-    result.ground.why = "the ground that is seen is a strip: its tilt is a guess";
+    result.ground.why = say::slew_ground_strip();
   }
   return result.ground.found;
 }
@@ -129,47 +123,32 @@ bool arm_is_missing(const SlewData& data, const Vector3d& up, const SlewOptions&
   result.arm = fit_plane(data.arm_points, fit, spots_of(data.arm_points), progress);
   constexpr std::size_t kFewest = 50;
   constexpr double kLeastLong_m = 0.5, kLeastShort_m = 0.2;
-  std::string why = result.arm.why;
+  Message why = result.arm.why;
   if (result.arm.found && result.arm.inliers < kFewest)
-    why = text_of("only %zu moving points lie in one upright plane", result.arm.inliers);
+    why = say::slew_few_arm_points(result.arm.inliers);
   else if (result.arm.found && (result.arm.long_extent_m < kLeastLong_m || result.arm.short_extent_m < kLeastShort_m))
-    why = text_of("what moved spans only %.2f by %.2f m (root mean square)", result.arm.long_extent_m,
-                  result.arm.short_extent_m);
+    why = say::slew_small_arm({result.arm.long_extent_m}, {result.arm.short_extent_m});
   if (why.empty()) return false;
   result.arm.found = false;
-  refuse(Status::Degenerate, "The plane of the arm is missing: " + why + ". Without it the machine's yaw is unknown.",
-         "Record the arm while it is swept up and down over its whole range with the slew angle held, in view of the "
-         "LiDAR.",
-         result);
+  refuse(Status::Degenerate, say::slew_no_arm(std::move(why)), say::slew_record_arm(), result);
   return true;
 }
 
 bool turn_is_unusable(const SlewOptions& options, SlewResult& result) {
   const CircleFit& circle = result.circle;
-  const std::string advice = "Record one full turn of the machine at an even, slow rate, and stay clear of it.";
   if (!circle.found) {
-    refuse(Status::TooFewPairs, "The turn gives no circle: " + circle.why + ".", advice, result);
+    refuse(Status::TooFewPairs, say::slew_no_circle(circle.why), say::slew_record_turn(), result);
     return true;
   }
-  const double arc_deg = radians_to_degrees(circle.arc_rad);
-  if (arc_deg < options.min_arc_deg) {
-    refuse(
-        Status::Degenerate,
-        text_of("The turn covers an arc of %.0f deg and at least %.0f deg are needed: centre and plane of a short arc "
-                "hang on its noise.",
-                arc_deg, options.min_arc_deg),
-        advice, result);
+  const double least_arc_rad = degrees_to_radians(options.min_arc_deg);
+  if (circle.arc_rad < least_arc_rad) {
+    refuse(Status::Degenerate, say::slew_short_arc({circle.arc_rad}, {least_arc_rad}), say::slew_record_turn(), result);
     return true;
   }
   const double residual_m = std::hypot(circle.in_plane_rms_m, circle.off_plane_rms_m);
   if (circle.radius_m < 10.0 * residual_m && circle.radius_m < 0.5) {
-    refuse(
-        Status::Degenerate,
-        text_of("The LiDAR runs on a circle of %.3f m radius with residuals of %.3f m: it sits too near the slew axis "
-                "for its circle to have a plane.",
-                circle.radius_m, residual_m),
-        "Mount the LiDAR farther from the slew axis, or use a registration with smaller errors (finer voxels).",
-        result);
+    refuse(Status::Degenerate, say::slew_small_circle({circle.radius_m}, {residual_m}), say::slew_mount_farther(),
+           result);
     return true;
   }
   return false;
@@ -185,36 +164,24 @@ bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
   result.ground_to_turn_sigma_rad = std::sqrt(std::max(0.0, 0.5 * spread.trace()));
   if (options.first_plane != FirstPlane::Ground) return false;
   // A turn that is too noisy would let any ground pass.
-  if (result.ground_to_turn_sigma_rad > 0.5 * degrees_to_radians(options.max_plane_angle_deg)) {
-    refuse(
-        Status::Degenerate,
-        text_of("Whether the ground is square to the slew axis cannot be told: the angle between ground and turn has "
-                "a sigma of %.2f deg, and %.2f deg are allowed.",
-                radians_to_degrees(result.ground_to_turn_sigma_rad), options.max_plane_angle_deg),
-        "Record one full turn of the machine at an even, slow rate, and stay clear of it.", result);
+  const double allowed_rad = degrees_to_radians(options.max_plane_angle_deg);
+  const Angle sigma{result.ground_to_turn_sigma_rad};
+  if (sigma.rad > 0.5 * allowed_rad) {
+    refuse(Status::Degenerate, say::slew_ground_vague(sigma, {allowed_rad}), say::slew_record_turn(), result);
     return true;
   }
-  const double limit_rad =
-      std::max(degrees_to_radians(options.max_plane_angle_deg), 3.5 * result.ground_to_turn_sigma_rad);
-  if (result.ground_to_turn_rad <= limit_rad) return false;
-  refuse(
-      Status::Inconsistent,
-      text_of("The ground is tilted by %.2f deg (sigma %.2f) against the plane in which the LiDAR turned, and %.2f deg "
-              "are allowed: it is not square to the slew axis.",
-              radians_to_degrees(result.ground_to_turn_rad), radians_to_degrees(result.ground_to_turn_sigma_rad),
-              options.max_plane_angle_deg),
-      "Repeat on level, even ground, or take the plane of the turn (slew.first_plane = turn).", result);
+  if (result.ground_to_turn_rad <= std::max(allowed_rad, 3.5 * sigma.rad)) return false;
+  refuse(Status::Inconsistent, say::slew_ground_tilted({result.ground_to_turn_rad}, sigma, {allowed_rad}),
+         say::slew_repeat_on_level(), result);
   return true;
 }
 
 bool arm_leans(const Vector3d& up, const SlewOptions& options, SlewResult& result) {
   result.arm_square_error_rad = std::asin(std::clamp(result.arm.normal.dot(up), -1.0, 1.0));
-  if (std::abs(result.arm_square_error_rad) <= degrees_to_radians(options.max_square_error_deg)) return false;
-  refuse(Status::Inconsistent,
-         text_of("The plane of the arm leans by %.2f deg from square to the first plane, and %.2f deg are allowed: the "
-                 "slew angle moved, or what moved is not the arm.",
-                 radians_to_degrees(std::abs(result.arm_square_error_rad)), options.max_square_error_deg),
-         "Record the arm again with the slew angle held, and nobody moving near the machine.", result);
+  const double lean_rad = std::abs(result.arm_square_error_rad);
+  const double allowed_rad = degrees_to_radians(options.max_square_error_deg);
+  if (lean_rad <= allowed_rad) return false;
+  refuse(Status::Inconsistent, say::slew_arm_leans({lean_rad}, {allowed_rad}), say::slew_record_arm_again(), result);
   return true;
 }
 
@@ -236,8 +203,7 @@ void fill_calibration(const Pieces& pieces, const Matrix6d& covariance, const So
     *values[i] = fallback[i];
     result.covariance.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
     result.covariance.col(i).setConstant(std::numeric_limits<double>::quiet_NaN());
-    result.advice.push_back(std::string(kParameterNames[at]) +
-                            " is not known well enough: record longer, and move the LiDAR away from the slew axis.");
+    result.advice.push_back(say::slew_not_known_well(parameter_word(at)));
   }
   if (!all) result.ins_from_lidar = rigid_from_six(six);
   result.status = all ? Status::Ok : Status::Degenerate;
@@ -251,7 +217,7 @@ void fit_turn(const SlewData& data, SlewResult& result) {
   CircleFit& circle = result.circle;
   if (circle.found && !result.axis.found) {
     circle.found = false;
-    circle.why = "the LiDAR moves, but its attitude does not turn";
+    circle.why = say::slew_attitude_stands();
   }
   // The height of the origin is that of the circle: known as well as its poses lie in a plane.
   const double height2 = circle.axis.dot(circle.centre_covariance_m2 * circle.axis);
@@ -263,15 +229,14 @@ void fit_turn(const SlewData& data, SlewResult& result) {
 bool are_usable(const SlewData& data, const SlewOptions& options, const Progress& progress, Pieces& pieces,
                 SlewResult& result) {
   const auto cancelled = [&] {
-    if (progress.cancelled()) refuse(Status::Cancelled, "Cancelled.", "Start again.", result);
+    if (progress.cancelled()) refuse(Status::Cancelled, say::calibration_cancelled(), say::slew_start_again(), result);
     return progress.cancelled();
   };
   const bool needs_ground = options.first_plane == FirstPlane::Ground || options.origin == MachineOrigin::Ground;
   const bool ground = fit_ground_plane(data, options, progress, result);
   if (cancelled() || turn_is_unusable(options, result)) return false;
   if (needs_ground && !ground) {
-    refuse(Status::Degenerate, "The plane of the ground is missing: " + result.ground.why + ".",
-           "Record the ground around the machine, or take the plane of the turn (slew.first_plane = turn).", result);
+    refuse(Status::Degenerate, say::slew_no_ground(result.ground.why), say::slew_record_ground(), result);
     return false;
   }
   if (ground && ground_is_tilted(options, result)) return false;
@@ -334,9 +299,8 @@ SlewResult solve_slew(const SlewData& data, const std::optional<RigidTransform>&
   Pieces pieces;
   if (!are_usable(data, options, progress, pieces, result)) return result;
   fill_calibration(pieces, covariance_of(pieces, options, result), solve, nominal_machine_from_lidar, calibration);
-  calibration.message = text_of("Machine from LiDAR by %s, the arm's plane and a turn of %.0f deg.",
-                                options.first_plane == FirstPlane::Ground ? "the ground" : "the plane of the turn",
-                                radians_to_degrees(result.circle.arc_rad));
+  calibration.message =
+      (options.first_plane == FirstPlane::Ground ? say::slew_by_ground : say::slew_by_turn)({result.circle.arc_rad});
   calibration.translation_rms_m = std::hypot(result.circle.in_plane_rms_m, result.circle.off_plane_rms_m);
   name_slew_quantities(result);
   draw_slew(data, result);

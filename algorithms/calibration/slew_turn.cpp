@@ -8,6 +8,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/registration/registration.h"
+#include "messages/calibration.h"
 
 namespace remount {
 namespace {
@@ -67,7 +68,7 @@ TurnTrajectory turn_trajectory(const std::vector<std::int64_t>& stamps_ns, const
     try {
       scan = std::make_shared<const PreparedCloud>(load(i), options, std::vector<bool>{}, progress);
     } catch (const Error& error) {
-      if (turn.failed++ == 0) turn.first_failure = error.what();
+      if (turn.failed++ == 0) turn.first_failure = error.message();
       continue;
     }
     if (progress.cancelled()) break;
@@ -92,8 +93,7 @@ TurnTrajectory turn_trajectory(const std::vector<std::int64_t>& stamps_ns, const
                       rotation_angle_between_rad(whole.target_from_source, guess) < degrees_to_radians(5.0);
     if (!fits(whole) || !near) {
       if (turn.failed++ == 0)
-        turn.first_failure =
-            whole.quality.failure.empty() ? "it moved far from where the scan before it leads" : whole.quality.failure;
+        turn.first_failure = whole.quality.failure.empty() ? say::slew_scan_far() : whole.quality.failure;
       // The next one may fit again: it starts from here, by the scan before alone.
       step = first_from_before.inverse() * guess;
     } else {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <string>
 #include <vector>
 
 #include "algorithms/cloud/point_cloud.h"
 #include "algorithms/core/progress.h"
+#include "algorithms/messages/message.h"
 #include "algorithms/registration/registration_options.h"
 #include "algorithms/trajectory/ins_sample.h"
 
@@ -19,7 +19,7 @@ struct TurnTrajectory {
   std::vector<StampedPose> first_from_lidar;  ///< of the scans that could be aligned, the first one included
   std::vector<std::size_t> scans;             ///< which scans these are
   std::size_t failed = 0;                     ///< scans that fitted neither the first nor the one before
-  std::string first_failure;
+  Message first_failure;
 };
 
 /// Aligns each scan to the first one, so that errors do not add up; the scan before gives the start, and stands in

@@ -7,6 +7,7 @@
 #include "algorithms/calibration/trajectory_refusal.h"
 #include "algorithms/calibration/trajectory_start.h"
 #include "algorithms/core/error.h"
+#include "messages/calibration.h"
 
 namespace remount {
 namespace {
@@ -278,9 +279,7 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
                                   const SolveOptions& judged_by, const Progress& progress) {
   TrajectoryOutcome outcome;
   if (std::none_of(problem.sessions.begin(), problem.sessions.end(), says_something)) {
-    outcome.answer = without_numbers(
-        Status::TooFewPairs, "Too little data: at least " + std::to_string(kFewestEpochs) +
-                                 " poses of the LiDAR with INS poses or GNSS fixes over a few metres are needed.");
+    outcome.answer = without_numbers(Status::TooFewPairs, say::trajectory_too_little(kFewestEpochs));
     return outcome;
   }
   const TrajectoryProblem usable = usable_part(problem);
@@ -291,7 +290,7 @@ TrajectoryOutcome solve_alignment(const TrajectoryProblem& problem, const Trajec
     solve_about_x(usable, options, judged_by, progress, prior, outcome.solution);
   outcome.answer = describe_trajectory(usable, options, judged_by, outcome.solution, prior, true);
   if (progress.cancelled()) {
-    outcome.answer = without_numbers(Status::Cancelled, "Cancelled.");
+    outcome.answer = without_numbers(Status::Cancelled, say::calibration_cancelled());
     return outcome;
   }
   const bool aligned = outcome.solution.converged && !contradict(usable, options, outcome.solution);

@@ -8,6 +8,8 @@
 #include "algorithms/calibration/open_rotation.h"
 #include "algorithms/calibration/trajectory_spread.h"
 #include "algorithms/calibration/uncertainty.h"
+#include "messages/calibration.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
@@ -147,7 +149,7 @@ void describe_x(const Evidence& evidence, bool thorough, TrajectoryAnswer& answe
   set_bootstrap(parameter_covariance(result.ins_from_lidar, scatter), result);
   const Matrix6d joint = (apparent + evidence.prior.information.topLeftCorner<6, 6>()).inverse();
   for (const Contradiction& one : contradictions(measured, result.ins_from_lidar, joint, covariance)) {
-    add_doubt(one.doubt, "what was measured contradicts the drive", evidence.judged_by, result);
+    add_doubt(one.doubt, say::unknown_measured_contradicts(), evidence.judged_by, result);
     result.advice.push_back(one.text);
   }
 }
@@ -211,16 +213,10 @@ void describe_antenna(const Evidence& evidence, const JudgedAntenna& judged, Tra
   scatter.topLeftCorner<3, 3>() = judged.scatter;
   set_bootstrap(scatter, result);
   for (ObservabilityDirection& direction : result.directions)
-    if (direction.direction.tail<3>().norm() > 0.5)
-      direction.words = "rotation: not observable, the positions of an antenna have no axes";
-  if (!result.observed[0] || !result.observed[1])
-    result.advice.emplace_back("The lever arm's x and y need turns: drive a figure of eight.");
-  if (!result.observed[2])
-    result.advice.emplace_back(
-        "The lever arm's z needs pitch or roll: drive over a ramp or a bumpy road, or measure it by tape.");
-  result.advice.emplace_back(
-      "GNSS positions show where the antenna is from the LiDAR and nothing about attitude: for all six parameters "
-      "record an INS with attitude or a GNSS with two antennas.");
+    if (direction.direction.tail<3>().norm() > 0.5) direction.words = say::direction_of_antenna();
+  if (!result.observed[0] || !result.observed[1]) result.advice.push_back(say::lever_arm_needs_turns());
+  if (!result.observed[2]) result.advice.push_back(say::lever_arm_needs_tilt());
+  result.advice.push_back(say::positions_show_no_attitude());
 }
 
 // Heading of the first session's odometry frame in ENU, from the covariance of its first pose.
@@ -291,14 +287,12 @@ void set_status(bool with_ins, TrajectoryAnswer& answer) {
   const auto observed = std::count(result.observed.begin(), result.observed.end(), true);
   result.status = observed == 6 ? Status::Ok : Status::Degenerate;
   if (observed == 0) {
-    result.message = "Nothing is observed: the motion of this drive does not determine any component of X.";
+    result.message = say::nothing_observed();
   } else if (with_ins) {
     result.message = solved_message(result);
   } else {
-    const std::string missing = parameter_names(result.observed, false, 3);
-    result.message = "Solved for the lever arm of the antenna" +
-                     (missing.empty() ? std::string() : ", of which is not observed: " + missing) +
-                     "; positions alone do not show the LiDAR's attitude.";
+    std::vector<Message> missing = parameter_words(result.observed, false, 3);
+    result.message = missing.empty() ? say::lever_arm_solved() : say::lever_arm_solved_but_for(std::move(missing));
   }
 }
 
@@ -332,7 +326,7 @@ TrajectoryAnswer describe_trajectory(const TrajectoryProblem& problem, const Tra
   TrajectoryEquations equations(problem, options, weighted, solution.noise, prior.information);
   if (!equations.solvable()) {
     answer.result.status = Status::NotConverged;
-    answer.result.message = "The trajectory could not be aligned: its equations have no solution.";
+    answer.result.message = say::trajectory_no_solution();
     return answer;
   }
   SharedMatrix information = equations.information();

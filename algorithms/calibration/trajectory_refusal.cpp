@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
+
+#include "messages/calibration.h"
 
 namespace remount {
 namespace {
@@ -48,35 +50,29 @@ double found_metres_per_unit(const TrajectoryProblem& problem, const TrajectoryS
 }
 
 TrajectoryAnswer not_aligned() {
-  TrajectoryAnswer answer = without_numbers(Status::NotConverged, "The trajectories could not be aligned.");
-  answer.result.advice.emplace_back(
-      "Look at the odometry: is it of this drive, and do its stamps agree with those of the INS or the GNSS?");
+  TrajectoryAnswer answer = without_numbers(Status::NotConverged, say::trajectory_not_aligned());
+  answer.result.advice.push_back(say::look_at_odometry());
   return answer;
 }
 
 TrajectoryAnswer of_another_scale(const TrajectoryProblem& problem, double ins_per_lidar_way) {
   const bool ins_longer = ins_per_lidar_way > 1.0, own = over_scans(problem);
-  const char* const ins = has_ins(problem) ? "INS" : "GNSS";
-  char text[240];
-  std::snprintf(text, sizeof text, "The way of the %s is %.2f times as long as that of the %s: %s.",
-                ins_longer ? ins : "LiDAR", ins_longer ? ins_per_lidar_way : 1.0 / ins_per_lidar_way,
-                ins_longer ? "LiDAR" : ins,
-                own ? "the odometry over the scans slipped, or one of the two is not in metres"
-                    : "poses of the LiDAR are not in metres, or are of another drive");
-  TrajectoryAnswer answer = without_numbers(Status::Inconsistent, text);
-  answer.result.advice.emplace_back(
-      own ? "Look at the units of the positions and of the points of the scans. Where these are metres, the "
-            "surroundings hold no scan along the way: record where there is structure, or use another method."
-          : "Look at the units of the LiDAR's poses, and at how points of scans are scaled.");
+  Message longer = has_ins(problem) ? say::way_of_ins() : say::way_of_gnss(), shorter = say::way_of_lidar();
+  if (!ins_longer) std::swap(longer, shorter);
+  TrajectoryAnswer answer = without_numbers(
+      Status::Inconsistent,
+      (own ? say::way_longer_slipped : say::way_longer_not_metres)(
+          std::move(longer), ins_longer ? ins_per_lidar_way : 1.0 / ins_per_lidar_way, std::move(shorter)));
+  answer.result.advice.push_back(own ? say::look_at_units_of_scans() : say::look_at_units_of_poses());
   return answer;
 }
 
 }  // namespace
 
-TrajectoryAnswer without_numbers(Status status, const std::string& message) {
+TrajectoryAnswer without_numbers(Status status, Message message) {
   TrajectoryAnswer answer;
   answer.result.status = status;
-  answer.result.message = message;
+  answer.result.message = std::move(message);
   return answer;
 }
 

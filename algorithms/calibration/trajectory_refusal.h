@@ -2,14 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "algorithms/calibration/trajectory_answer.h"
 
 namespace remount {
 
 /// An answer that claims nothing.
-TrajectoryAnswer without_numbers(Status status, const std::string& message);
+TrajectoryAnswer without_numbers(Status status, Message message);
 
 /// What refuses a solution: trajectories that did not come together, or of which one is of another unit. Of what did
 /// come together only the scale of the odometry that was found says so, for in tight turns a LiDAR far from the INS

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "algorithms/calibration/bootstrap.h"
@@ -13,6 +12,8 @@
 #include "algorithms/calibration/open_rotation.h"
 #include "algorithms/calibration/session_agreement.h"
 #include "algorithms/calibration/shared_errors.h"
+#include "messages/calibration.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
@@ -137,13 +138,7 @@ Eigen::MatrixXd responses_to_common_errors(const PairwiseInput& input, const Joi
 
 void add_disagreement_advice(CalibrationResult& result) {
   if (!(result.session_disagreement > kSessionsContradict)) return;
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "The sessions contradict one another %.1f times as much as their errors explain; what the pairs say counts "
-      "the less. Look for one whose INS or clock is worse, and calibrate without it.",
-      result.session_disagreement);
-  result.advice.push_back(text);
+  result.advice.push_back(say::sessions_contradict(result.session_disagreement));
 }
 
 void add_advice_on_few(double by_few, int pairs, CalibrationResult& result) {
@@ -253,15 +248,13 @@ void add_doubts(const PairwiseInput& input, const Matrix6d& believed, const Pair
   covariance += by_north * by_north.transpose();
   for (const Contradiction& one :
        contradictions(input.measured, details.joint.ins_from_lidar, details.joint.covariance, covariance)) {
-    add_doubt(one.doubt, "what was measured contradicts the drive", input.options, result);
+    add_doubt(one.doubt, say::unknown_measured_contradicts(), input.options, result);
     result.advice.push_back(one.text);
   }
-  if (!by_north.isZero(0.0)) add_doubt(by_north, kNorthUnknown, input.options, result);
+  if (!by_north.isZero(0.0)) add_doubt(by_north, say::unknown_north(), input.options, result);
   if (!input.clock_bias) return;
-  add_doubt(*input.clock_bias, "the clocks of lidar and INS differ", input.options, result);
-  result.advice.emplace_back(
-      "The clocks of lidar and INS differ, which biases X; the sigmas include it. Set solve.apply_time_offset to auto "
-      "or yes: X is then no longer biased.");
+  add_doubt(*input.clock_bias, say::unknown_clocks_differ(), input.options, result);
+  result.advice.push_back(say::clocks_bias_x());
 }
 
 }  // namespace remount

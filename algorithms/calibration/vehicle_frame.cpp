@@ -3,13 +3,15 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/vehicle_frame_start.h"
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/motion_track.h"
+#include "messages/calibration.h"
+#include "messages/parameters.h"
 
 namespace remount {
 namespace {
@@ -21,12 +23,10 @@ constexpr int kFewestIntervals = 8;
 constexpr double kTyre = 0.015;  // share by which the wheels' way may be wrong where nobody asks for their scale
 
 void require_valid(const VehicleFrameOptions& options) {
-  std::string all;
-  for (const std::string& problem : option_problems(options)) all += (all.empty() ? "" : "; ") + problem;
+  std::vector<Message> problems = option_problems(options);
   if (options.scale == ScaleMode::Estimated && options.estimate_wheel_scale)
-    all += std::string(all.empty() ? "" : "; ") +
-           "the scale of the sensor and that of the wheels cannot both be estimated: one of them says what a metre is";
-  if (!all.empty()) throw Error(ErrorCode::Contract, "vehicle-frame options", all);
+    problems.push_back(say::vehicle_frame_two_scales());
+  if (!problems.empty()) throw Error(ErrorCode::Contract, "vehicle-frame options", in_one(std::move(problems)));
 }
 
 // Stretches of one drive between poses of the sensor, cut by way or by turn.
@@ -206,40 +206,27 @@ void conclude(const VehicleFrameSolution& solution, VehicleFrameResult& result) 
   CalibrationResult& calibration = result.calibration;
   if (!solution.converged) {
     calibration.status = Status::NotConverged;
-    calibration.message =
-        "The solution did not converge: wheels, IMU and the sensor's poses do not fit together. "
-        "Check their time stamps and units.";
-    claim_nothing("the solution did not converge", calibration);
+    calibration.message = say::vehicle_frame_not_converged();
+    claim_nothing(say::unknown_not_converged(), calibration);
     return;
   }
   state_vehicle_frame(result.intervals, calibration);
 }
 
-// "2.50 times as long as".
-std::string times_as_long(double ratio) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.2f times as long as", ratio);
-  return text;
-}
-
 // Poses that are said to be in metres and are not: no tyre is wrong by so much. Empty where they may be.
-std::string other_scale(double metres_per_unit, const VehicleFrameOptions& options) {
+Message other_scale(double metres_per_unit, const VehicleFrameOptions& options) {
   constexpr double kBeyondTyres = 1.15;
   const double limit = options.estimate_wheel_scale ? kBeyondTyres * kBeyondTyres : kBeyondTyres;
   if (options.scale != ScaleMode::Known || std::abs(std::log(metres_per_unit)) < std::log(limit)) return {};
-  return metres_per_unit > 1.0 ? "The way of the wheels is " + times_as_long(metres_per_unit) +
-                                     " that by the sensor's poses: one of the two is not in metres."
-                               : "The way by the sensor's poses is " + times_as_long(1.0 / metres_per_unit) +
-                                     " that of the wheels: one of the two is not in metres.";
+  return metres_per_unit > 1.0 ? say::vehicle_frame_wheels_longer(metres_per_unit)
+                               : say::vehicle_frame_poses_longer(1.0 / metres_per_unit);
 }
 
-void refuse_scale(const std::string& why, CalibrationResult& calibration) {
-  claim_nothing("the sensor's poses and the wheels are of different scales", calibration);
+void refuse_scale(Message why, CalibrationResult& calibration) {
+  claim_nothing(say::unknown_scales_differ(), calibration);
   calibration.status = Status::Inconsistent;
-  calibration.message = why;
-  calibration.advice = {
-      "Look at the units of the wheel speeds and of the sensor's poses. Where the poses have no scale, as those of one "
-      "camera, let it be estimated (vehicle_frame.scale)."};
+  calibration.message = std::move(why);
+  calibration.advice = {say::vehicle_frame_look_at_units()};
 }
 
 VehicleFrameResult too_few(std::size_t intervals) {
@@ -247,12 +234,8 @@ VehicleFrameResult too_few(std::size_t intervals) {
   result.calibration.reference_frame = "vehicle";
   result.calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
   result.calibration.status = Status::TooFewPairs;
-  result.calibration.message =
-      "Only " + std::to_string(intervals) + " intervals of the drive have poses of the sensor, " +
-      "wheel speeds and IMU rates at the same time; at least " + std::to_string(kFewestIntervals) + " are needed.";
-  result.calibration.advice.push_back(
-      "Check that the streams overlap in time (one clock) and that the vehicle moves; drive at least 100 m with "
-      "turns.");
+  result.calibration.message = say::vehicle_frame_too_few(intervals, kFewestIntervals);
+  result.calibration.advice.push_back(say::vehicle_frame_check_streams());
   return result;
 }
 
@@ -261,10 +244,7 @@ VehicleFrameResult too_few(std::size_t intervals) {
 void state_vehicle_frame(int intervals, CalibrationResult& calibration) {
   const auto observed = std::count(calibration.observed.begin(), calibration.observed.end(), true);
   calibration.status = observed == 6 ? Status::Ok : Status::Degenerate;
-  char text[240];
-  std::snprintf(text, sizeof text, "Vehicle from sensor by %d intervals of wheels and IMU; %s.", intervals,
-                observed == 6 ? "all six parameters are observed" : "some parameters are not observed");
-  calibration.message = text;
+  calibration.message = (observed == 6 ? say::vehicle_frame_all : say::vehicle_frame_some)(intervals);
 }
 
 std::vector<VehicleInterval> vehicle_intervals(const std::vector<VehicleDrive>& drives,
@@ -294,8 +274,8 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
   CalibrationResult& calibration = result.calibration;
   calibration.reference_frame = "vehicle";
   calibration.bootstrap_sigma.fill(std::numeric_limits<double>::quiet_NaN());
-  if (const std::string why = other_scale(start.metres_per_unit, options); !why.empty()) {
-    refuse_scale(why, calibration);
+  if (Message why = other_scale(start.metres_per_unit, options); !why.empty()) {
+    refuse_scale(std::move(why), calibration);
     return result;
   }
   progress.report("solving vehicle frame", 0, 0);
@@ -307,8 +287,8 @@ VehicleFrameResult solve_vehicle_frame(const std::vector<VehicleDrive>& drives,
           : first;
   if (first.cancelled || progress.cancelled()) {
     calibration.status = Status::Cancelled;
-    calibration.message = "Cancelled.";
-    claim_nothing("the solution was cancelled", calibration);
+    calibration.message = say::calibration_cancelled();
+    claim_nothing(say::unknown_cancelled(), calibration);
     return result;
   }
   calibration.ins_from_lidar = with_unobserved_angles(solution.state.vehicle_from_sensor,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "algorithms/core/error.h"
+#include "messages/motion.h"
 
 namespace remount {
 
@@ -53,17 +54,15 @@ bool is_possible(const Knots& knots) {
 }
 
 void check(const PointCloud& cloud, std::span<const float> times_s) {
-  const auto complain = [](const std::string& what) { throw Error(ErrorCode::Contract, "motion compensation", what); };
-  if (times_s.size() != cloud.size())
-    complain(std::to_string(times_s.size()) + " times for " + std::to_string(cloud.size()) + " points");
+  const auto complain = [](Message what) { throw Error(ErrorCode::Contract, "motion compensation", std::move(what)); };
+  if (times_s.size() != cloud.size()) complain(say::point_times_of_others(times_s.size(), cloud.size()));
   float low = 0.0f, high = 0.0f;
   for (const float time_s : times_s) {
-    if (!std::isfinite(time_s)) complain("the time of a point is not finite");
+    if (!std::isfinite(time_s)) complain(say::point_time_not_finite());
     low = std::min(low, time_s);
     high = std::max(high, time_s);
   }
-  if (high - low > kLongestSweep_s)
-    complain("the times of the points spread over " + std::to_string(high - low) + " s");
+  if (high - low > kLongestSweep_s) complain(say::point_times_far_apart({static_cast<double>(high - low)}));
 }
 
 }  // namespace

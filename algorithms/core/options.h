@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#include "messages/parameters.h"
 
 namespace remount {
 
@@ -19,21 +21,13 @@ struct OptionInfo {
   double maximum = 0.0;
 };
 
-/// "-4 rad (-229.183 deg) is outside -3.14159 to 3.14159 rad (-180 to 180 deg)": degrees as well, since people type
-/// those.
-inline std::string outside_bounds(const OptionInfo& info, double value) {
-  constexpr double kToDeg = 57.295779513082323;
-  const bool angle = info.unit == "rad";
+/// "-4 rad (-229.183 deg) is outside -3.14159 rad to 3.14159 rad (-180 deg to 180 deg)": degrees as well, since people
+/// type those.
+inline Message outside_bounds(const OptionInfo& info, double value) {
+  if (info.unit == "rad") return say::option_angle_outside({value}, {info.minimum}, {info.maximum});
   std::string unit(info.unit);
   if (!unit.empty()) unit.insert(unit.begin(), ' ');
-  char text[320];
-  if (angle)
-    std::snprintf(text, sizeof text, "%.6g rad (%.6g deg) is outside %.6g to %.6g rad (%.6g to %.6g deg)", value,
-                  value * kToDeg, info.minimum, info.maximum, info.minimum * kToDeg, info.maximum * kToDeg);
-  else
-    std::snprintf(text, sizeof text, "%.6g%s is outside %.6g to %.6g%s", value, unit.c_str(), info.minimum,
-                  info.maximum, unit.c_str());
-  return text;
+  return say::option_outside(value, std::move(unit), info.minimum, info.maximum);
 }
 
 /// An enumeration as an option: `index` refers to `names`.
@@ -47,29 +41,37 @@ struct ChoiceRef {
 /// `visitor.choice(OptionInfo, member, names)` for each enumeration.
 namespace detail {
 struct OptionChecker {
-  std::vector<std::string>& problems;
+  std::vector<Message>& problems;
   template <class T>
   void operator()(const OptionInfo& info, const T& value) {
     if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
       const double number = static_cast<double>(value);
       if (!std::isfinite(number) || number < info.minimum || number > info.maximum)
-        problems.push_back(std::string(info.name) + " = " + outside_bounds(info, number));
+        problems.push_back(say::option_problem(std::string(info.name), outside_bounds(info, number)));
     }
   }
   template <class T>
   void choice(const OptionInfo& info, const T& value, const std::vector<std::string_view>& names) {
     if (static_cast<std::size_t>(value) >= names.size())
-      problems.push_back(std::string(info.name) + " is not one of its choices");
+      problems.push_back(say::option_no_choice(std::string(info.name)));
   }
 };
 }  // namespace detail
 
 /// Every problem of an option struct, not only the first; empty where it is valid.
 template <class Options>
-std::vector<std::string> option_problems(const Options& options) {
-  std::vector<std::string> problems;
+std::vector<Message> option_problems(const Options& options) {
+  std::vector<Message> problems;
   Options::visit(options, detail::OptionChecker{problems});
   return problems;
+}
+
+/// Several problems as one message; empty where there is none.
+inline Message in_one(std::vector<Message> problems) {
+  Message all;
+  for (Message& problem : problems)
+    all = all.empty() ? std::move(problem) : say::option_and(std::move(all), std::move(problem));
+  return all;
 }
 
 }  // namespace remount

@@ -9,6 +9,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/geometry/lasting_errors.h"
+#include "messages/motion.h"
 
 namespace remount {
 namespace {
@@ -160,7 +161,7 @@ CircleFit fit_circle(const std::vector<Vector3d>& points_m) {
   CircleFit fit;
   constexpr std::size_t kFewest = 8;
   if (points_m.size() < kFewest) {
-    fit.why = "only " + std::to_string(points_m.size()) + " poses";
+    fit.why = say::circle_few_poses(points_m.size());
     return fit;
   }
   std::vector<bool> used(points_m.size(), true);
@@ -192,7 +193,7 @@ CircleFit fit_circle(const std::vector<Vector3d>& points_m) {
     used = kept;
   }
   if (plane.spread2[1] <= 1e-12 || !std::isfinite(circle.radius)) {
-    fit.why = "the positions lie on a line or in one place";
+    fit.why = say::circle_on_a_line();
     return fit;
   }
   describe(points_m, used, plane, circle, fit);

@@ -5,12 +5,13 @@
 #include <vector>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
 struct CircleFit {
   bool found = false;
-  std::string why;  ///< in words where it is not
+  Message why;  ///< where it is not
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit length; the points run around it counter-clockwise
   double radius_m = 0.0;

@@ -14,7 +14,7 @@ UtmGrid::UtmGrid(double latitude_rad, double longitude_rad) {
     GeographicLib::UTMUPS::Forward(radians_to_degrees(latitude_rad), radians_to_degrees(longitude_rad), zone_, north_,
                                    easting_m, northing_m);
   } catch (const std::exception& problem) {
-    throw Error(ErrorCode::Contract, "INS position", problem.what());
+    throw Error(ErrorCode::Contract, "INS position", Message::verbatim(problem.what()));
   }
 }
 
@@ -27,7 +27,7 @@ GridFix UtmGrid::project(double latitude_rad, double longitude_rad) const {
     GeographicLib::UTMUPS::Forward(radians_to_degrees(latitude_rad), radians_to_degrees(longitude_rad), zone, north,
                                    fix.easting_m, fix.northing_m, convergence_deg, fix.point_scale, zone_);
   } catch (const std::exception& problem) {
-    throw Error(ErrorCode::Contract, "INS position", problem.what());
+    throw Error(ErrorCode::Contract, "INS position", Message::verbatim(problem.what()));
   }
   // The southern hemisphere's false northing is the only difference between the two halves of a zone.
   if (zone_ > 0 && north != north_) fix.northing_m += north ? 1.0e7 : -1.0e7;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "algorithms/core/error.h"
+#include "messages/motion.h"
 
 namespace remount {
 
@@ -15,7 +16,7 @@ struct LocalLevel::Cartesian {
 LocalLevel::LocalLevel(double latitude_rad, double longitude_rad, double height_m) {
   const double latitude_deg = radians_to_degrees(latitude_rad), longitude_deg = radians_to_degrees(longitude_rad);
   if (!(std::abs(latitude_deg) <= 90.0) || !std::isfinite(longitude_deg) || !std::isfinite(height_m))
-    throw Error(ErrorCode::Contract, "local level", "the origin is not on the globe");
+    throw Error(ErrorCode::Contract, "local level", say::origin_off_globe());
   cartesian_ = std::make_unique<Cartesian>(Cartesian{{latitude_deg, longitude_deg, height_m}});
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "algorithms/core/median.h"
+#include "messages/motion.h"
 
 namespace remount {
 namespace {
@@ -137,12 +138,12 @@ PlaneFit fit_plane(const std::vector<Vector3d>& points_m, const PlaneFitOptions&
   PlaneFit fit;
   constexpr std::size_t kFewest = 10;
   if (points_m.size() < kFewest) {
-    fit.why = "only " + std::to_string(points_m.size()) + " points";
+    fit.why = say::plane_few_points(points_m.size());
     return fit;
   }
   const std::optional<TrialPlane> start = best_of_trials(points_m, options, progress);
   if (!start) {
-    fit.why = progress.cancelled() ? "cancelled" : "no plane of the expected direction";
+    fit.why = progress.cancelled() ? say::fit_cancelled() : say::plane_of_other_direction();
     return fit;
   }
   TrialPlane plane = *start;
@@ -154,14 +155,14 @@ PlaneFit fit_plane(const std::vector<Vector3d>& points_m, const PlaneFitOptions&
     limit_m = limit_of(plane, points_m, options.inlier_m);
     sum = moments_of(plane, points_m, limit_m);
     if (sum.inliers < kFewest) {
-      fit.why = "only " + std::to_string(sum.inliers) + " points lie in one plane";
+      fit.why = say::plane_few_inliers(sum.inliers);
       return fit;
     }
     eigen.compute(sum.scatter / sum.weight);
     plane = {eigen.eigenvectors().col(0), sum.mean};
   }
   if (!allowed(plane.normal, options)) {
-    fit.why = "no plane of the expected direction";
+    fit.why = say::plane_of_other_direction();
     return fit;
   }
   fit.found = true;

@@ -8,6 +8,7 @@
 #include "algorithms/core/options.h"
 #include "algorithms/core/progress.h"
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -25,7 +26,7 @@ struct PlaneFitOptions {
 
 struct PlaneFit {
   bool found = false;
-  std::string why;                                       ///< in words where it is not
+  Message why;                                           ///< where it is not
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();     ///< unit length, towards the origin of the points' frame
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();    ///< mean of the points that belong to it
   Eigen::Vector3d long_axis = Eigen::Vector3d::UnitX();  ///< in the plane, along its greater extent

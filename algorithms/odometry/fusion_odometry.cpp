@@ -9,6 +9,7 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/odometry/fusion_step_parts.h"
 #include "algorithms/registration/registration.h"
+#include "messages/odometry.h"
 
 namespace remount {
 namespace {
@@ -59,15 +60,14 @@ FusionOdometry::FusionOdometry(const FusionMounting& mounting, SensorStreams str
       reckoning_(std::move(streams.imu), std::move(streams.wheels), mounting.vehicle_from_imu, options.track_width_m),
       threads_(threads),
       errors_(options) {
-  std::string all;
-  for (const std::string& problem : option_problems(options)) all += (all.empty() ? "" : "; ") + problem;
-  if (!all.empty()) throw Error(ErrorCode::Contract, "multi-sensor odometry", all);
+  if (Message all = in_one(option_problems(options)); !all.empty())
+    throw Error(ErrorCode::Contract, "multi-sensor odometry", std::move(all));
   std::erase_if(imu_, [](const ImuSample& sample) { return !sample.specific_force_mps2.allFinite(); });
 }
 
 FusedScan FusionOdometry::add(const OdometryScan& scan) {
   if (last_ && scan.stamp_ns <= last_->stamp_ns)
-    throw Error(ErrorCode::Contract, "multi-sensor odometry", "a scan is not later than the one before");
+    throw Error(ErrorCode::Contract, "multi-sensor odometry", say::odometry_scan_not_later());
   if (!last_) {
     FusedScan result;
     start(scan, result);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "algorithms/core/progress.h"
+#include "algorithms/messages/message.h"
 #include "algorithms/odometry/ackermann.h"
 #include "algorithms/odometry/fusion_options.h"
 #include "algorithms/odometry/joint_step.h"
@@ -53,7 +54,7 @@ struct FusedScan {
   int line_features = 0, plane_features = 0;  ///< found in the scan
   int line_matches = 0, plane_matches = 0;
   double residual_m = std::numeric_limits<double>::quiet_NaN();  ///< root mean square distance of features from the map
-  std::string undetermined;         ///< what the scan does not tell of the motion, in words; empty where it tells all
+  Message undetermined;             ///< what the scan does not tell of the motion; empty where it tells all
   double wheel_disagreement = 0.0;  ///< of the wheels with the rest, in sigma: slip above about three
   bool dead_reckoned = false, levelled = false, height_measured = false;  ///< terms that took part
   bool usable = false;                                                    ///< false: the prediction was kept

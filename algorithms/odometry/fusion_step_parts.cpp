@@ -8,6 +8,7 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/geometry/earth_radius.h"
 #include "algorithms/registration/undetermined.h"
+#include "messages/pairs.h"
 
 namespace remount {
 namespace {
@@ -40,12 +41,6 @@ std::optional<Value> slope(Ask&& ask, std::int64_t stamp_ns) {
     spread += (time_s - mean_s) * (time_s - mean_s);
   }
   return Value(sum / spread);
-}
-
-// What registration says of its sensor.
-std::string of_the_vehicle(std::string words) {
-  const auto at = words.find("lidar");
-  return at == std::string::npos ? words : words.replace(at, 5, "vehicle");
 }
 
 }  // namespace
@@ -197,7 +192,7 @@ HeardFeatures heard_features(const FeatureMatches& matches, const RigidTransform
   const std::size_t count = matches.lines.size() + matches.planes.size();
   result.none = count < kLeastMatches;
   if (result.none) {
-    result.undetermined = "all";
+    result.undetermined = say::open_all();
     return result;
   }
   const double share = std::min(1.0, options.independent_features / static_cast<double>(count));
@@ -228,7 +223,7 @@ HeardFeatures heard_features(const FeatureMatches& matches, const RigidTransform
   }
   const UndeterminedDirections open = undetermined_directions(elements);
   result.none = open.all();
-  result.undetermined = of_the_vehicle(open.words());
+  if (!open.empty()) result.undetermined = say::open_of_vehicle(open.directions());
   Vector6d scale;
   scale << 1.0, 1.0, 1.0, open.lever_m, open.lever_m, open.lever_m;
   Matrix6d axes = Matrix6d::Zero();

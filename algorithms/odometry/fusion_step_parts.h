@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/messages/message.h"
 #include "algorithms/odometry/ackermann.h"
 #include "algorithms/odometry/fusion_options.h"
 #include "algorithms/odometry/joint_step.h"
@@ -80,7 +81,7 @@ double rms_distance_m(const FeatureMatches& matches);
 /// What the features of a scan can tell of its motion, and their weights.
 struct HeardFeatures {
   Matrix6d heard = Matrix6d::Identity();  ///< see FeatureTerm
-  std::string undetermined;               ///< in words
+  Message undetermined;                   ///< what they do not tell
   bool none = false;
   std::vector<double> line_weights, plane_weights;  ///< 1/m
 };

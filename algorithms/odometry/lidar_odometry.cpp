@@ -7,6 +7,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/core/symmetric_eigen.h"
+#include "messages/odometry.h"
 
 namespace remount {
 
@@ -166,7 +167,7 @@ OdometryPose LidarOdometry::accept(const Scan& scan, const Attempt& best, const 
   pose.overlap = quality.overlap;
   pose.problem = quality.failure;
   pose.aligned = best.aligned();
-  pose.undetermined = pose.aligned ? quality.undetermined : std::string();
+  pose.undetermined = pose.aligned ? quality.undetermined : Message();
   const Eigen::Matrix3d lidar_from_map = best.result.target_from_source.linear().transpose();
   if (pose.aligned) pose.odometry_from_lidar = best.odometry_from_lidar;
   pose.covariance = covariance_of(pose.aligned ? quality.information : Matrix6d(Matrix6d::Zero()), lidar_from_map);
@@ -216,8 +217,7 @@ std::vector<OdometryPose> LidarOdometry::push(const PointCloud& cloud_in_lidar, 
   const Scan scan{cloud_in_lidar, times_s};
   if (map_.empty()) return start(scan, stamp_ns, progress);
   const OdometryPose before = waiting_ ? waiting_->pose : final_.back();
-  if (stamp_ns <= before.stamp_ns)
-    throw Error(ErrorCode::Contract, "LiDAR odometry", "the stamps of scans must ascend");
+  if (stamp_ns <= before.stamp_ns) throw Error(ErrorCode::Contract, "LiDAR odometry", say::odometry_stamps_descend());
   const double step_s = seconds(stamp_ns - before.stamp_ns);
   OdometryPose pose;
   pose.stamp_ns = stamp_ns;

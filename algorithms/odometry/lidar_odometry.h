@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/messages/message.h"
 #include "algorithms/odometry/lidar_odometry_options.h"
 #include "algorithms/odometry/local_map.h"
 #include "algorithms/odometry/sweep_motion.h"
@@ -26,9 +27,9 @@ struct OdometryPose {
   RigidTransform odometry_from_lidar = RigidTransform::Identity();
   /// Of the pose within the map, [m; rad] in LiDAR axes; large along what the surfaces do not determine.
   Matrix6d covariance = Matrix6d::Zero();
-  bool aligned = true;       ///< false: the pose is a prediction; `problem` says why
-  std::string problem;       ///< empty, or why there is no alignment
-  std::string undetermined;  ///< directions that the surfaces leave to the prediction, in words; empty: none
+  bool aligned = true;   ///< false: the pose is a prediction; `problem` says why
+  Message problem;       ///< empty, or why there is no alignment
+  Message undetermined;  ///< directions that the surfaces leave to the prediction; empty: none
   double rmse_m = 0.0, overlap = 0.0;
   /// Counts the maps that were begun anew where the surroundings were lost. Poses of different maps differ by the error
   /// of the pose at which the later one began as well: the first that carries its number.

@@ -5,21 +5,17 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
+#include "messages/parameters.h"
 
 namespace remount {
 
 namespace {
 
 void check(const ObstacleOptions& options) {
-  std::vector<std::string> problems = option_problems(options);
-  if (!(options.outline_x_min_m < options.outline_x_max_m))
-    problems.push_back("the outline's rear end is not behind its front end");
-  if (!(options.outline_y_min_m < options.outline_y_max_m))
-    problems.push_back("the outline's right side is not right of its left side");
-  if (problems.empty()) return;
-  std::string text;
-  for (const std::string& problem : problems) text += (text.empty() ? "" : "; ") + problem;
-  throw Error(ErrorCode::Contract, "obstacle check", text);
+  std::vector<Message> problems = option_problems(options);
+  if (!(options.outline_x_min_m < options.outline_x_max_m)) problems.push_back(say::outline_rear_front());
+  if (!(options.outline_y_min_m < options.outline_y_max_m)) problems.push_back(say::outline_right_left());
+  if (!problems.empty()) throw Error(ErrorCode::Contract, "obstacle check", in_one(std::move(problems)));
 }
 
 /// Distance in the plane from the outline; 0 within it.

@@ -1,8 +1,9 @@
 #include "algorithms/registration/registration.h"
 
-#include <cstdio>
+#include <algorithm>
 
 #include "algorithms/registration/search_around.h"
+#include "messages/pairs.h"
 
 namespace remount {
 namespace {
@@ -10,19 +11,13 @@ namespace {
 // No LiDAR sees so far, and coordinates in single precision would not tell its points apart.
 constexpr double kFarthestStart_m = 1e4;
 
-std::string percent_below(const char* what, double value, double limit, const char* unit) {
-  char text[120];
-  std::snprintf(text, sizeof text, "%s %.3g%s, limit %.3g%s", what, value, unit, limit, unit);
-  return text;
-}
-
-std::string judge(const RegistrationQuality& quality, const RegistrationOptions& options) {
-  if (!quality.converged) return "registration did not converge";
+Message judge(const RegistrationQuality& quality, const RegistrationOptions& options) {
+  if (!quality.converged) return say::registration_not_converged();
   if (quality.overlap < options.min_overlap)
-    return percent_below("overlap too small:", quality.overlap, options.min_overlap, "");
+    return say::registration_small_overlap(quality.overlap, options.min_overlap);
   if (quality.rmse_m > options.max_rmse_m)
-    return percent_below("residual too large:", quality.rmse_m, options.max_rmse_m, " m");
-  if (quality.information.isZero(0.0)) return "the surfaces in common determine nothing";
+    return say::registration_large_residual({quality.rmse_m}, {options.max_rmse_m});
+  if (quality.information.isZero(0.0)) return say::registration_determines_nothing();
   return {};
 }
 
@@ -44,7 +39,7 @@ JudgedAlignment align_from(const PreparedCloud& source, const PreparedCloud& tar
   result.quality.overlap = equations.overlap;
   result.quality.information = equations.information;
   result.quality.undetermined = equations.undetermined.words();
-  result.quality.failure = progress.cancelled() ? kRegistrationCancelled : judge(result.quality, options);
+  result.quality.failure = progress.cancelled() ? say::registration_cancelled() : judge(result.quality, options);
   return out;
 }
 
@@ -67,19 +62,19 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
   if (progress.cancelled()) {
     RegistrationResult result;  // scans whose preparation was cancelled are empty: no verdict on them
     result.quality.attempted = true;
-    result.quality.failure = kRegistrationCancelled;
+    result.quality.failure = say::registration_cancelled();
     return result;
   }
   if (source.size() < kMinPoints || target.size() < kMinPoints) {
     RegistrationResult result;
     result.quality.attempted = true;
-    result.quality.failure = "too few points with a surface: " + std::to_string(std::min(source.size(), target.size()));
+    result.quality.failure = say::registration_few_points(std::min(source.size(), target.size()));
     return result;
   }
   if (!(target_from_source_start.translation().norm() < kFarthestStart_m)) {  // also where it is not a number
     RegistrationResult result;
     result.quality.attempted = true;
-    result.quality.failure = "the two scans are expected to lie farther apart than any LiDAR sees";
+    result.quality.failure = say::registration_too_far();
     return result;
   }
   JudgedAlignment alignment = align_from(source, target, target_from_source_start, options, progress);
@@ -97,7 +92,7 @@ RegistrationResult align_scans(const PreparedCloud& source, const PreparedCloud&
     alignment = align_from(source, target, around.target_from_source, patient, progress);
   }
   if (progress.cancelled())
-    alignment.result.quality.failure = kRegistrationCancelled;
+    alignment.result.quality.failure = say::registration_cancelled();
   else if (alignment.result.quality.failure.empty())
     alignment.result.quality.failure = around.ambiguity;
   return alignment.result;

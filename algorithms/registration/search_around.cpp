@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "algorithms/registration/coarse_alignment.h"
+#include "messages/pairs.h"
 
 namespace remount {
 namespace {
@@ -46,12 +47,10 @@ RigidTransform refined(const PreparedCloud& source, const PreparedCloud& target,
   return align_plane_to_plane(source, target, near, options, progress).target_from_source;
 }
 
-std::string ambiguity_text(const Place& best, const Place& other) {
+Message ambiguity_of(const Place& best, const Place& other) {
   const Vector6d apart = difference(best.target_from_source, other.target_from_source);
-  char text[160];
-  std::snprintf(text, sizeof text, "ambiguous: another alignment %.1f m, %.1f deg away fits as well (%.2f and %.2f)",
-                apart.head<3>().norm(), radians_to_degrees(apart.tail<3>().norm()), other.agreement, best.agreement);
-  return text;
+  return say::registration_ambiguous({apart.head<3>().norm()}, {apart.tail<3>().norm()}, other.agreement,
+                                     best.agreement);
 }
 
 }  // namespace
@@ -86,8 +85,7 @@ AroundSearch search_around(const PreparedCloud& source, const PreparedCloud& tar
   AroundSearch out{first.target_from_source, false, {}};
   // Of two that fit alike, the one that a near start led to is the answer.
   if (!moved_far(start, first.target_from_source) && first.agreement >= kAlike * best.agreement) return out;
-  if (places.size() > 1 && places[1].agreement > kAlike * best.agreement)
-    out.ambiguity = ambiguity_text(best, places[1]);
+  if (places.size() > 1 && places[1].agreement > kAlike * best.agreement) out.ambiguity = ambiguity_of(best, places[1]);
   out.target_from_source = best.target_from_source;
   out.better = best.agreement > first.agreement;
   return out;

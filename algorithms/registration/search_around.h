@@ -23,7 +23,7 @@ bool moved_far(const RigidTransform& from, const RigidTransform& to);
 struct AroundSearch {
   RigidTransform target_from_source = RigidTransform::Identity();  ///< where surfaces agree best
   bool better = false;                                             ///< than the alignment that was doubtful
-  std::string ambiguity;  ///< empty, or that another transform fits as well, in words
+  Message ambiguity;                                               ///< empty, or that another transform fits as well
 };
 AroundSearch search_around(const PreparedCloud& source, const PreparedCloud& target,
                            const RigidTransform& target_from_source_start, const JudgedAlignment& doubtful,

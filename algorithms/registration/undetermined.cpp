@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <iterator>
+#include <utility>
 
 #include "algorithms/core/decompositions.h"
 #include "algorithms/core/symmetric_eigen.h"
+#include "messages/pairs.h"
 
 namespace remount {
 namespace {
@@ -54,44 +56,42 @@ Eigen::MatrixXd marginal(const Matrix6d& information, const Eigen::MatrixXd& ope
   return rest.transpose() * information * rest - coupling * inverse.asDiagonal() * coupling.transpose();
 }
 
-std::string join(std::string list, const std::string& word) { return list + (list.empty() ? "" : ", ") + word; }
-
 // Names of the axes that a subspace of R^3 (as a projector) holds, or its directions where they lie between axes.
-std::string axes_of(const Eigen::Matrix3d& projector, const std::array<const char*, 3>& names, const char* between) {
-  std::string list;
-  int named = 0;
+std::vector<Message> axes_of(const Eigen::Matrix3d& projector, const std::array<Message (*)(), 3>& names,
+                             Message (*between)(double, double, double)) {
+  std::vector<Message> list;
   for (int axis = 0; axis < 3; ++axis)
-    if (projector(axis, axis) > kAligned * kAligned) {
-      list = join(list, names[static_cast<std::size_t>(axis)]);
-      ++named;
-    }
+    if (projector(axis, axis) > kAligned * kAligned) list.push_back(names[static_cast<std::size_t>(axis)]());
   const auto eigen = symmetric_eigen(projector);
   const auto dimensions = static_cast<int>((eigen.eigenvalues().array() > 0.5).count());
-  if (named == dimensions) return list;
+  if (std::ssize(list) == dimensions) return list;
   list.clear();
   for (int i = 3 - dimensions; i < 3; ++i) {
     Eigen::Vector3d v = eigen.eigenvectors().col(i);
     Eigen::Index largest = 0;
     v.cwiseAbs().maxCoeff(&largest);
     if (v[largest] < 0.0) v = -v;
-    char text[80];
-    std::snprintf(text, sizeof text, "%s [%.2f, %.2f, %.2f]", between, v.x(), v.y(), v.z());
-    list = join(list, text);
+    list.push_back(between(v.x(), v.y(), v.z()));
   }
   return list;
 }
 
 }  // namespace
 
-std::string UndeterminedDirections::words() const {
+std::vector<Message> UndeterminedDirections::directions() const {
   if (empty()) return {};
   const Matrix6d projector = basis * basis.transpose();
-  const std::string shifts = axes_of(projector.topLeftCorner<3, 3>(), {"x", "y", "z"}, "the shift along"),
-                    turns = axes_of(projector.bottomRightCorner<3, 3>(), {"roll", "pitch", "yaw"}, "the turn about");
-  const std::string both = shifts.empty() ? turns : turns.empty() ? shifts : shifts + ", " + turns;
+  std::vector<Message> list = axes_of(projector.topLeftCorner<3, 3>(),
+                                      {say::open_shift_x, say::open_shift_y, say::open_shift_z}, say::open_shift_along);
+  for (Message& turn : axes_of(projector.bottomRightCorner<3, 3>(),
+                               {say::open_turn_x, say::open_turn_y, say::open_turn_z}, say::open_turn_about))
+    list.push_back(std::move(turn));
   // A turn about an axis beside the sensor is half shift and half turn.
-  return (both.empty() ? "a turn about an axis beside the sensor" : both) + " (axes of the lidar)";
+  if (list.empty()) list.push_back(say::open_turn_beside());
+  return list;
 }
+
+Message UndeterminedDirections::words() const { return empty() ? Message() : say::open_of_lidar(directions()); }
 
 Matrix6d UndeterminedDirections::removed_from(const Matrix6d& information) const {
   if (empty()) return information;

@@ -1,10 +1,10 @@
 // Directions that the surfaces two scans have in common do not determine: a corridor's length, an open field's plane.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "algorithms/geometry/rigid_transform.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 
@@ -22,9 +22,10 @@ struct UndeterminedDirections {
 
   bool empty() const { return basis.cols() == 0; }
   bool all() const { return basis.cols() == 6; }
-  /// "x, y, yaw of the lidar"; "the shift along [0.71, 0.70, 0.02]" for a direction between axes; empty for none. Axes
-  /// of the target's lidar.
-  std::string words() const;
+  /// A message each, in axes of the target: "x", "yaw", or "the shift along [0.71, 0.70, 0.02]" between axes.
+  std::vector<Message> directions() const;
+  /// "x, y, yaw (axes of the lidar)"; empty for none. For elements in the axes of a target's lidar.
+  Message words() const;
   /// What the information says of the other directions where nothing is known of these; exactly zero for all().
   Matrix6d removed_from(const Matrix6d& information) const;
 };

@@ -9,6 +9,7 @@
 #include "algorithms/core/symmetric_eigen.h"
 #include "algorithms/search/boxed_form.h"
 #include "algorithms/search/relaxation.h"
+#include "messages/search.h"
 
 namespace remount {
 namespace {
@@ -249,14 +250,11 @@ class Search {
     out.allowed_gap = allowed_gap();
     out.unique = unique();
     out.regions = regions_;
-    char text[200];
-    const char* what = outcome == SearchOutcome::Certified ? "Nothing in the search range scores better than this"
-                       : outcome == SearchOutcome::GapOpen ? "Not proved to be the best of the search range: too many "
-                                                             "regions"
-                                                           : "Cancelled before the search range was covered";
-    std::snprintf(text, sizeof text, "%s (gap %.1e of %.6g, %d regions)%s", what, out.gap(), value_, regions_,
-                  out.unique ? "." : "; others score the same.");
-    out.message = text;
+    Message what = outcome == SearchOutcome::Certified ? say::search_certified()
+                   : outcome == SearchOutcome::GapOpen ? say::search_gap_open()
+                                                       : say::search_cut_short();
+    out.message =
+        (out.unique ? say::search_unique : say::search_not_unique)(std::move(what), out.gap(), value_, regions_);
     return out;
   }
 
@@ -282,18 +280,18 @@ SearchResult certified_search(const QuadraticForm& form, const SearchRange& rang
                               const SearchOptions& options, const Progress& progress) {
   SearchResult out;
   if (!form.matrix().allFinite() || !finite(range) || !near.matrix().allFinite()) {
-    out.message = "The pairs or the search range hold numbers that are not finite.";
+    out.message = say::search_not_finite();
     return out;
   }
   const bool t_empty = range.x_min_m > range.x_max_m || range.y_min_m > range.y_max_m || range.z_min_m > range.z_max_m;
   if (t_empty || angle_box(range, false).empty()) {
     out.outcome = SearchOutcome::EmptyRange;
-    out.message = "The search range is empty: a lower limit lies above its upper limit.";
+    out.message = say::search_empty_range();
     return out;
   }
   if (progress.cancelled()) {
     out.outcome = SearchOutcome::Cancelled;
-    out.message = "Cancelled.";
+    out.message = say::search_cancelled();
     return out;
   }
   return Search(form, range, near, options, progress).run(progress);

@@ -24,7 +24,7 @@ struct SearchOptions {
 
 struct SearchResult {
   SearchOutcome outcome = SearchOutcome::NotFinite;
-  std::string message;  ///< one sentence: what was proved, or why nothing
+  Message message;  ///< one sentence: what was proved, or why nothing
   RigidTransform ins_from_lidar = RigidTransform::Identity();
   double value = 0.0;        ///< E2 there
   double lower_bound = 0.0;  ///< of E2 in the whole range, at least 0

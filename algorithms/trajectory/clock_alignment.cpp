@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "algorithms/core/stamps.h"
+#include "messages/motion.h"
 
 namespace remount {
 
@@ -208,17 +209,17 @@ ClockAlignment align_clocks(const RotationStream& reference, const RotationStrea
       static_cast<double>(std::min(coarse_reference.rate_rad_s.size(), coarse_other.rate_rad_s.size())) * kCoarseStep_s;
   const double overlap_s = std::max(options.min_overlap_s, 0.5 * shorter_s);
   if (shorter_s < options.min_overlap_s) {
-    result.why = "a stream is shorter than " + std::to_string(options.min_overlap_s) + " s";
+    result.why = say::clock_stream_short({options.min_overlap_s});
     return result;
   }
   if (spread(coarse_reference.rate_rad_s) < kMinSpread_rad_s || spread(coarse_other.rate_rad_s) < kMinSpread_rad_s) {
-    result.why = "a stream hardly turns, so its rate of rotation says nothing about time";
+    result.why = say::clock_stream_hardly_turns();
     return result;
   }
   const Peak peak = coarse_peak(coarse_reference, coarse_other, static_cast<std::size_t>(overlap_s / kCoarseStep_s),
                                 options.max_offset_s);
   if (peak.correlation <= 0.0) {
-    result.why = "the rates of rotation do not resemble each other under any offset";
+    result.why = say::clock_rates_unlike();
     return result;
   }
   const RateGrid fine_reference = rates(reference, options.step_s, options),
@@ -233,9 +234,9 @@ ClockAlignment align_clocks(const RotationStream& reference, const RotationStrea
   result.ambiguous = result.correlation < kMinCorrelation || (1.0 - peak.runner_up) / misfit < kMinMisfitRatio ||
                      peak.correlation - peak.runner_up < kMinLead;
   if (result.correlation < kMinCorrelation)
-    result.why = "the rates of rotation hardly resemble each other";
+    result.why = say::clock_rates_hardly_alike();
   else if (result.ambiguous)
-    result.why = "another offset fits nearly as well";
+    result.why = say::clock_another_offset();
   return result;
 }
 

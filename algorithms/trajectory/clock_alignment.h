@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/messages/message.h"
 #include "algorithms/trajectory/ins_sample.h"
 
 namespace remount {
@@ -48,7 +49,7 @@ struct ClockAlignment {
   double correlation = 0.0;  ///< normalised, at the offset
   double runner_up = 0.0;    ///< best correlation farther than a second from it
   double overlap_s = 0.0;
-  std::string why;  ///< in words, where there is no clear answer
+  Message why;  ///< where there is no clear answer
 };
 
 /// Two sensors on one rigid body turn at the same rate |omega| whatever their mounting. Correlates the two rates over

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "algorithms/geometry/rigid_transform.h"
@@ -18,12 +17,6 @@ struct Keyframe {
   double travelled_m = 0.0;   ///< along the trajectory since the session's start
 };
 
-/// The failure of a registration that was stopped.
-inline constexpr const char* kRegistrationCancelled = "cancelled";
-
-/// Why a pair is rejected that a cancelled calibration never came to: it says nothing, for or against.
-inline constexpr const char* kPairNotReached = "not aligned: the calibration was cancelled";
-
 /// How a registration went.
 struct RegistrationQuality {
   bool attempted = false;
@@ -33,9 +26,9 @@ struct RegistrationQuality {
   double overlap = 0.0;  ///< share of source points with an inlier neighbour, 0..1
   /// Information (inverse covariance) of lidar_b_from_lidar_a under `perturbed` (translation first, axes of lidar b).
   Matrix6d information = Matrix6d::Zero();
-  std::string failure;  ///< empty, or why there is no usable transform, in words
-  /// Directions that the surfaces in common do not determine ("along lidar x, ..."), in words; empty: all are.
-  std::string undetermined;
+  Message failure;  ///< empty, or why there is no usable transform
+  /// Directions that the surfaces in common do not determine (UndeterminedDirections::words); empty: all are.
+  Message undetermined;
 };
 
 /// Screw invariants of P X = X Q that hold for every X.
@@ -74,5 +67,11 @@ struct Pair {
 /// Why no solution can use the pair, in words; empty where it can. A registration may converge and still have failed:
 /// what it found is then no motion to rely on, so that such a pair is never accepted.
 Message unusable_reason(const Pair& pair);
+
+/// Whether a registration was stopped.
+bool is_cancelled(const RegistrationQuality& quality);
+
+/// Whether a pair is rejected because a cancelled calibration never came to it: it says nothing, for or against.
+bool is_not_reached(const Pair& pair);
 
 }  // namespace remount

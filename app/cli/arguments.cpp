@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
+#include "messages/command_line.h"
 #include "model/exporters/exporter.h"
 #include "model/io/atomic_save.h"
 #include "model/io/document.h"
@@ -31,9 +31,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 }
 
 [[noreturn]] void wrong_range(const std::string& text) {
-  throw Error(
-      ErrorCode::Contract, "--range " + text,
-      "expected six pairs min:max for x,y,z (m), yaw,pitch,roll (degrees), or some by name as in x=-1:1,yaw=-10:10");
+  throw Error(ErrorCode::Contract, "--range " + text, say::cli_expected_range());
 }
 
 /// The bounds of SearchRange's members in its own order: minimum and maximum of x, y, z, yaw, pitch, roll.
@@ -51,11 +49,12 @@ void check_typed(SearchRange& range, std::size_t parameter, double minimum, doub
                   typed(bounds[2 * parameter].second)};
   for (const double value : {minimum, maximum})
     if (value < info.minimum || value > info.maximum)
-      throw Error(ErrorCode::Contract, where, std::string(info.name) + " " + outside_bounds(info, value));
+      throw Error(ErrorCode::Contract, where, say::cli_outside(std::string(info.name), outside_bounds(info, value)));
   if (minimum > maximum)
     throw Error(ErrorCode::Contract, where,
-                std::string(info.name) + ": the minimum " + shortest(minimum) + " exceeds the maximum " +
-                    shortest(maximum) + " " + std::string(info.unit));
+                parameter < 3 ? say::cli_lengths_reversed(std::string(info.name), Length{minimum}, Length{maximum})
+                              : say::cli_angles_reversed(std::string(info.name), Angle{degrees_to_radians(minimum)},
+                                                         Angle{degrees_to_radians(maximum)}));
 }
 
 void set_range(SearchRange& range, std::size_t parameter, const std::string& pair, const std::string& whole) {
@@ -80,8 +79,7 @@ RigidTransform parse_six(const std::string& text) {
   std::vector<double> six;
   for (const std::string& part : split(text, ','))
     if (const auto value = parse_number(trimmed(part))) six.push_back(*value);
-  if (six.size() != 6 || split(text, ',').size() != 6)
-    throw Error(ErrorCode::Contract, text, "expected six numbers x,y,z,yaw,pitch,roll in m and degrees");
+  if (six.size() != 6 || split(text, ',').size() != 6) throw Error(ErrorCode::Contract, text, say::cli_expected_six());
   return rigid_from_typed({six[0], six[1], six[2], six[3], six[4], six[5]}, text, ErrorCode::Contract);
 }
 
@@ -98,14 +96,13 @@ ReadMounting parse_nominal(const std::string& text, std::vector<Message>& doubts
       const std::string contents = read_text_file(file, kMaxNominalBytes);
       return {format->read(contents, file), format->axes(contents), frames_told_in(contents)};
     }
-  if (text.find(',') == std::string::npos)
-    throw Error(ErrorCode::Io, text, "is neither a file nor six numbers x,y,z,yaw,pitch,roll in m and degrees");
+  if (text.find(',') == std::string::npos) throw Error(ErrorCode::Io, text, say::cli_neither_file_nor_six());
   return {parse_six(text), {}, {}};
 }
 
 ReadMounting parse_ins_nominal(const std::string& text, std::vector<Message>& doubts) {
   ReadMounting mounting = parse_nominal(text, doubts);
-  if (const std::string problem = not_in_ins_frame(mounting.frames); !problem.empty())
+  if (const Message problem = not_in_ins_frame(mounting.frames); !problem.empty())
     throw Error(ErrorCode::Contract, text, problem);
   return mounting;
 }
@@ -141,9 +138,7 @@ void apply_measured(MeasuredOptions& options, const std::string& text) {
   const auto member = std::find_if(members.begin(), members.end(),
                                    [&](const auto& named) { return std::get<0>(named) == trimmed(sides.front()); });
   if (sides.size() != 2 || numbers.size() != 2 || !value || !sigma || !(*sigma > 0.0) || member == members.end())
-    throw Error(ErrorCode::Contract, "--measured " + text,
-                "expected NAME=VALUE,SIGMA with a sigma above 0, NAME one of x, y, z, ins-height (m), yaw, pitch, roll "
-                "(degrees)");
+    throw Error(ErrorCode::Contract, "--measured " + text, say::cli_expected_measured());
   *std::get<1>(*member) = *value;
   *std::get<2>(*member) = *sigma;
 }
@@ -197,7 +192,7 @@ Settings SolveArguments::settings(const Settings& base) const {
   for (const std::string& text : measured) {
     apply_measured(settings.measured, text);
     const std::string name(trimmed(split(text, '=').front()));
-    if (!names.insert(name).second) throw Error(ErrorCode::Contract, "--measured " + text, name + " is given twice");
+    if (!names.insert(name).second) throw Error(ErrorCode::Contract, "--measured " + text, say::cli_given_twice(name));
   }
   require_valid(settings);
   return settings;
@@ -207,7 +202,7 @@ std::optional<ReadMounting> SolveArguments::nominal_mounting(Console& console) c
   if (nominal.empty() || nominal == "none") return std::nullopt;
   std::vector<Message> doubts;
   const ReadMounting mounting = parse_nominal(nominal, doubts);
-  for (const Message& doubt : doubts) console.complain("warning: " + english(doubt));
+  for (const Message& doubt : doubts) console.warn(doubt);
   return mounting;
 }
 
@@ -216,7 +211,7 @@ void SolveArguments::check_output() const {
   const std::filesystem::path path(output);
   const auto ending = path.extension();
   if (ending != ".yaml" && ending != ".yml" && ending != ".json")
-    throw Error(ErrorCode::Contract, "--output " + output, "expected a name that ends in .yaml, .yml or .json");
+    throw Error(ErrorCode::Contract, "--output " + output, say::cli_expected_result_name());
   check_replaces_its_like(path, "remount-result/");
   check_can_save(path);
 }

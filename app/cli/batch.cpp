@@ -5,10 +5,10 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
 #include "app/cli/batch_job.h"
 #include "app/cli/batch_run.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
 #include "model/batch/fleet_table.h"
 #include "model/io/atomic_save.h"
 #include "model/io/output_file.h"
@@ -37,19 +37,20 @@ void write_table(const Fleet& fleet, const std::vector<FleetRow>& rows, const Ba
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   save_atomically(csv, fleet_csv(fleet, rows));
   save_atomically(html,
-                  fleet_html(fleet, rows, utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count())));
-  console.print("table: " + csv.string() + ", " + html.string());
+                  fleet_html(fleet, rows, utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()),
+                             console.options().language));
+  console.print(say::batch_table(csv.string(), html.string()));
 }
 
 /// Prints and writes the table. Says aloud which mountings have drifted; true where any has.
 bool collect(const Fleet& fleet, const BatchArguments& arguments, Console& console, const std::vector<FleetRow>& rows) {
-  console.print(fleet_text(fleet, rows));
+  console.print(fleet_text(fleet, rows, console.options().language));
   write_table(fleet, rows, arguments, console);
   bool drift = false;
   for (const FleetRow& row : rows) {
-    const Message drift_of_row = row.drift();
-    if (drift_of_row.empty()) continue;
-    console.complain("alarm: " + title_of(fleet, fleet.jobs[row.job]) + ": " + english(drift_of_row));
+    const Message words = row.drift();
+    if (words.empty()) continue;
+    console.complain(say::batch_alarm(title_of(fleet, fleet.jobs[row.job]), words));
     drift = true;
   }
   return drift;
@@ -78,7 +79,7 @@ int run_all(const Fleet& fleet, const BatchArguments& arguments, Console& consol
   make_directories(fleet.results);
   const BatchEnd end = run_jobs(fleet, at_once, threads, console);
   if (end.cancelled) {
-    console.complain("stopped: the same command goes on where this one was");
+    console.complain(say::batch_stopped());
     return kNoResult;
   }
   // Each job has looked at its own files just now.
@@ -95,7 +96,7 @@ int batch(const BatchArguments& arguments, Console& console) {
   }
   if (arguments.job > fleet.jobs.size())
     throw Error(ErrorCode::Contract, "--job " + std::to_string(arguments.job),
-                "expected 1 to " + std::to_string(fleet.jobs.size()) + ", for so many jobs are in " + arguments.fleet);
+                say::cli_no_such_job(fleet.jobs.size(), arguments.fleet));
   if (arguments.job > 0) return run_job(fleet, fleet.jobs[arguments.job - 1], console);
   return arguments.table ? show_table(fleet, arguments, console) : run_all(fleet, arguments, console);
 }

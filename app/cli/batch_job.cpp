@@ -7,10 +7,11 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/sessions.h"
+#include "messages/command_line.h"
+#include "messages/general.h"
 #include "model/batch/failed_job.h"
 #include "model/batch/job_state.h"
 #include "model/io/atomic_save.h"
@@ -27,7 +28,7 @@ std::optional<FileLock> wait_for_lock(const FleetJob& job, Console& console) {
   bool told = false;
   while (!console.cancelled()) {
     if (std::optional<FileLock> lock = FileLock::take(job.lock, this_process())) return lock;
-    if (!told) console.print("waiting for " + lock_holder(job.lock) + ", which is at this job");
+    if (!told) console.print(say::batch_waiting(lock_holder(job.lock)));
     told = true;
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
@@ -64,7 +65,7 @@ PipelineInput input_of(const FleetVehicle& vehicle, const FleetJob& job, Console
 }
 
 int cancelled(const FleetJob& job, Console& console) {
-  console.complain("cancelled: " + job.name + " is to be run again");
+  console.complain(say::batch_cancelled(job.name));
   return kNoResult;
 }
 
@@ -81,8 +82,7 @@ int calibrate_job(const FleetJob& job, const PipelineInput& input, std::int64_t 
   if (output.result.status == Status::Cancelled) return cancelled(job, console);
   // Otherwise the hashes might be of other bytes than the result.
   if (const std::string file = file_written_since(input.sessions, started_ns); !file.empty())
-    throw Error(ErrorCode::Io, file,
-                "was written or removed while it was calibrated: run the job again when the recording is complete");
+    throw Error(ErrorCode::Io, file, say::batch_written_meanwhile());
   console.report(output.findings);
   const int code = finish(make_result_file(input, output, std::move(inputs)), job.result.string(), console);
   forget_failure(job);
@@ -92,7 +92,7 @@ int calibrate_job(const FleetJob& job, const PipelineInput& input, std::int64_t 
 int stored_answer(const FleetJob& job, Console& console) {
   forget_failure(job);  // of a run before this result
   const CalibrationResult result = load_result(job.result).result;
-  console.print(job.name + ": done already, " + std::string(to_string(result.status)) + ", " + job.result.string());
+  console.print(say::batch_done_already(job.name, std::string(to_string(result.status)), job.result.string()));
   return is_usable(result) ? kSolved : kNoResult;
 }
 
@@ -134,13 +134,13 @@ int run_job(const Fleet& fleet, const FleetJob& job, Console& console) {
     const Message reason = why_not_done(job, input, console.progress());
     if (console.cancelled()) return cancelled(job, console);
     if (reason.empty()) return stored_answer(job, console);
-    console.print(title_of(fleet, job) + ": " + english(reason));
+    console.print(say::of_file(title_of(fleet, job), reason));
     return calibrate_job(job, input, lock->taken_ns(), console);
   } catch (const Error& error) {
     note_failure(fleet, job, error.what());
     throw;
   } catch (const std::bad_alloc&) {
-    note_failure(fleet, job, "there is not enough memory");
+    note_failure(fleet, job, english(say::cli_no_memory()));
     throw;
   }
 }

@@ -9,13 +9,14 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <map>
 #include <optional>
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "messages/command_line.h"
+#include "messages/general.h"
 #include "model/batch/failed_job.h"
 
 namespace remount {
@@ -24,10 +25,20 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using FileTime = std::filesystem::file_time_type;
 
-std::vector<std::string> command_of(const Fleet& fleet, std::size_t job, int threads) {
-  return {"remount-cli", "batch",     fleet.path.string(),     "--job", std::to_string(job + 1),
-          "--quiet",     "--threads", std::to_string(threads), "--log", fleet.jobs[job].log.string(),
-          "--append-log"};  // of a job that is done already, its calibration's log stays
+std::vector<std::string> command_of(const Fleet& fleet, std::size_t job, int threads, Language language) {
+  return {"remount-cli",
+          "batch",
+          fleet.path.string(),
+          "--job",
+          std::to_string(job + 1),
+          "--quiet",
+          "--threads",
+          std::to_string(threads),
+          "--log",
+          fleet.jobs[job].log.string(),
+          "--append-log",  // of a job that is done already, its calibration's log stays
+          "--language",
+          std::string(kLanguageTags[static_cast<std::size_t>(language)])};
 }
 
 /// In the child, between fork and exec: system calls alone.
@@ -49,8 +60,7 @@ pid_t start(const std::vector<std::string>& command) {
   arguments.push_back(nullptr);
   const pid_t parent = ::getpid(), child = ::fork();
   if (child == 0) become(arguments.data(), parent);
-  if (child < 0)
-    throw Error(ErrorCode::Io, command.front(), std::string("no process can be started: ") + std::strerror(errno));
+  if (child < 0) throw Error(ErrorCode::Io, command.front(), say::batch_no_process(std::strerror(errno)));
   return child;
 }
 
@@ -72,9 +82,9 @@ class Jobs {
     try {
       make_job_folder(fleet_.jobs[job]);
       const std::optional<FileTime> before = written(fleet_.jobs[job].result);
-      running_[start(command_of(fleet_, job, threads_))] = {job, Clock::now(), before};
+      running_[start(command_of(fleet_, job, threads_, console_.options().language))] = {job, Clock::now(), before};
     } catch (const Error& error) {
-      console_.complain(title_of(fleet_, fleet_.jobs[job]) + ": " + error.what());
+      console_.complain(say::of_file(title_of(fleet_, fleet_.jobs[job]), error.message()));
       ++told_;
       ++end_.unreadable;
     }
@@ -113,31 +123,28 @@ class Jobs {
     const FleetJob& job = fleet_.jobs[running.job];
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     if (code < 0) {
-      const std::string died =
-          "its process died of signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
-      if (!stopped_) note_failure(fleet_, job, died);  // a process that dies cannot say so itself
+      const Message died = say::batch_process_died(WTERMSIG(status), ::strsignal(WTERMSIG(status)));
+      if (!stopped_) note_failure(fleet_, job, english(died));  // a process that dies cannot say so itself
     }
     ++told_;
-    char line[64];
-    std::snprintf(line, sizeof line, "[%zu/%zu] %zu  ", told_, fleet_.jobs.size(), running.job + 1);
-    char took[32];
-    std::snprintf(took, sizeof took, " (%.1f s)", std::chrono::duration<double>(Clock::now() - running.since).count());
-    const std::string text = line + title_of(fleet_, job) + ": " + outcome(running, code) + took;
+    const Duration took{std::chrono::duration<double>(Clock::now() - running.since).count()};
+    const Message text = say::batch_job_ended(told_, fleet_.jobs.size(), running.job + 1, title_of(fleet_, job),
+                                              outcome(running, code), took);
     code == kSolved ? console_.print(text) : console_.complain(text);
     if (stopped_) return;
     if (code == kNoResult) ++end_.no_result;
     if (code != kSolved && code != kNoResult) ++end_.unreadable;
   }
 
-  std::string outcome(const Running& running, int code) const {
+  Message outcome(const Running& running, int code) const {
     const FleetJob& job = fleet_.jobs[running.job];
     const bool kept = running.result_before && running.result_before == written(job.result);
-    if (code == kSolved) return kept ? "solved before, nothing has changed since" : "solved";
-    if (stopped_) return "stopped";
+    if (code == kSolved) return kept ? say::batch_solved_before() : say::batch_solved();
+    if (stopped_) return say::batch_job_stopped();
     if (code == kNoResult)
-      return std::string(kept ? "nothing has changed since: " : "") + "no usable result, see " + job.result.string();
-    if (const std::string why = failure_message(job); !why.empty()) return "failed: " + why;
-    return "failed with exit code " + std::to_string(code) + ", see " + job.log.string();
+      return kept ? say::batch_no_result_before(job.result.string()) : say::batch_no_result(job.result.string());
+    if (const Message why = failure_message(job); !why.empty()) return say::batch_failed(why);
+    return say::batch_failed_with_code(code, job.log.string());
   }
 
   const Fleet& fleet_;

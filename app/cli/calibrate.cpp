@@ -7,10 +7,12 @@
 #include <thread>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/sessions.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
 #include "model/io/atomic_save.h"
 #include "model/io/holder_lock.h"
 #include "model/methods/calibration_method.h"
@@ -36,37 +38,37 @@ MethodChoice method_named(const std::string& id) {
   return static_cast<MethodChoice>(found - kMethodIds.begin());
 }
 
-/// One answer on the way, on a line: "12.0 s: x 0.912 +-0.020, y -0.250 +-0.021, yaw 1.71 +-0.05; z, pitch not
-/// observed".
-std::string line_of(const TrajectorySnapshot& snapshot) {
-  char text[96];
-  std::snprintf(text, sizeof text, "%.1f s: ", snapshot.time_s);
-  std::string line = text;
-  if (!snapshot.known) return line + "too little data yet";
+/// One answer on the way, on a line: "12.0 s: x 0.912 +-0.020, y -0.250 +-0.021, yaw 1.71 +-0.05; not observed: z,
+/// pitch".
+Message line_of(const TrajectorySnapshot& snapshot) {
+  const Duration time{snapshot.time_s};
+  if (!snapshot.known) return say::cli_too_little_data(time);
   const SixParameters six = six_from_rigid(snapshot.ins_from_lidar);
   const double values[] = {six.x_m, six.y_m, six.z_m, six.yaw_rad, six.pitch_rad, six.roll_rad};
-  std::string seen, open;
+  std::vector<std::string> seen, open;
+  char text[96];
   for (std::size_t i = 0; i < 6; ++i) {
     const std::string name(kParameterNames[i]);
     const double unit = i < 3 ? 1.0 : 180.0 / kPi;
     std::snprintf(text, sizeof text, "%s %.4f +-%.4f %s", name.c_str(), unit * values[i], unit * snapshot.sigma[i],
                   i < 3 ? "m" : "deg");
     if (snapshot.observed[i])
-      seen += (seen.empty() ? "" : ", ") + std::string(text);
+      seen.emplace_back(text);
     else if (!snapshot.of_antenna || i < 3)
-      open += (open.empty() ? "" : ", ") + name;
+      open.push_back(name);
   }
-  line += (snapshot.of_antenna ? "antenna: " : "") + seen;
-  if (!open.empty()) line += (seen.empty() ? "not observed: " : "; not observed: ") + open;
-  return line + (snapshot.converged ? "; converged" : "");
+  Message parts = open.empty()   ? say::cli_seen(seen)
+                  : seen.empty() ? say::cli_not_observed(open)
+                                 : say::cli_seen_but_for(seen, open);
+  if (snapshot.converged) parts = say::cli_converged(parts);
+  return snapshot.of_antenna ? say::cli_so_far_antenna(time, parts) : say::cli_so_far(time, parts);
 }
 
 /// Follows a session that grows, and ends as `calibrate` does.
 int follow(const CalibrateArguments& arguments, Console& console) {
-  if (arguments.method != "trajectory")
-    throw Error(ErrorCode::Contract, "--follow", "goes with --method trajectory alone");
+  if (arguments.method != "trajectory") throw Error(ErrorCode::Contract, "--follow", say::cli_follow_method());
   if (arguments.sessions.size() != 1 || !arguments.project.empty() || !arguments.save_project.empty())
-    throw Error(ErrorCode::Contract, "--follow", "takes one session and no project");
+    throw Error(ErrorCode::Contract, "--follow", say::cli_follow_one_session());
   arguments.solve.check_output();
   PipelineInput input;
   input.settings = arguments.solve.settings({});
@@ -103,13 +105,14 @@ class ProjectFile {
     check_replaces_its_like(path, "remount-project/");
     check_can_save(path);
     const HolderLock::Attempt attempt = HolderLock::take(lock_path_of(path));
-    if (attempt.holder) refuse("is open in another window: ", *attempt.holder);
+    if (attempt.holder) refuse(say::cli_project_open(holder_words(*attempt.holder)));
     lock_ = attempt.lock;
     if (lock_) beats_ = std::jthread([lock = lock_](const std::stop_token& stop) { show_life(*lock, stop); });
   }
 
   void save(const Project& project) const {
-    if (const auto other = lock_ ? lock_->beat() : std::nullopt) refuse("was taken over by another window: ", *other);
+    if (const auto other = lock_ ? lock_->beat() : std::nullopt)
+      refuse(say::cli_project_taken_over(holder_words(*other)));
     save_project(project, path_);
   }
 
@@ -125,10 +128,7 @@ class ProjectFile {
       lock.beat();
     }
   }
-  [[noreturn]] void refuse(const char* why, const LockHolder& holder) const {
-    throw Error(ErrorCode::Io, path_,
-                why + english(holder_words(holder)) + "; close it there, or save under another name");
-  }
+  [[noreturn]] void refuse(const Message& why) const { throw Error(ErrorCode::Io, path_, why); }
 
   std::string path_;
   std::shared_ptr<const HolderLock> lock_;
@@ -144,8 +144,7 @@ int calibrate(const CalibrateArguments& arguments, Console& console) {
     project.sessions.emplace_back(path);
     project.topics.push_back(arguments.topics.choice());
   }
-  if (project.sessions.empty())
-    throw Error(ErrorCode::Contract, "calibrate", "no session is given; name one, or a --project that holds some");
+  if (project.sessions.empty()) throw Error(ErrorCode::Contract, "calibrate", say::cli_no_session());
   arguments.solve.check_output();
   const ProjectFile project_file(arguments.save_project);
 
@@ -198,7 +197,7 @@ void add_calibrate(CLI::App& app, Console& console, Run& run) {
   std::string explained = "How:";
   for (const CalibrationMethod& method : calibration_methods()) {
     methods.emplace_back(method.id);
-    explained += (methods.size() > 1 ? "; " : " ") + std::string(method.id) + " needs " + std::string(method.needs);
+    explained += (methods.size() > 1 ? "; " : " ") + std::string(method.id) + " needs " + english(method.needs);
   }
   verb->add_option("--method", arguments->method, explained)->check(CLI::IsMember(methods))->type_name("NAME");
   verb->add_flag("--follow", arguments->follow,

@@ -3,10 +3,11 @@
 #include <filesystem>
 #include <memory>
 #include <set>
-#include <string_view>
 
-#include "algorithms/messages/render.h"
+#include "app/cli/columns.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
+#include "messages/report.h"
 #include "model/display_units.h"
 #include "model/report/comparison.h"
 
@@ -15,29 +16,23 @@ namespace {
 
 constexpr std::size_t kColumn = 22;
 
-std::string padded(std::string_view text) {
-  std::string cell(text);
-  cell.resize(std::max(cell.size(), kColumn), ' ');
-  return cell;
-}
-
-std::string value_of(const CalibrationResult& result, std::size_t i) {
+std::string value_of(const CalibrationResult& result, std::size_t i, const Console& console) {
   const auto sigma = result.sigma(i);
-  if (!is_usable(result) || !sigma) return padded("not observed");
+  if (!is_usable(result) || !sigma) return padded(console.words(say::report_not_observed()), kColumn);
   char text[64];
   const double shown = on_screen(i, *sigma);
   const int decimals = justified_decimals(shown);
   std::snprintf(text, sizeof(text), "%.*f +- %.*f", decimals, six_on_screen(result.ins_from_lidar)[i], decimals, shown);
-  return padded(text);
+  return padded(text, kColumn);
 }
 
-std::string table(const std::vector<NamedResult>& results) {
-  std::string text = padded("");
-  for (const NamedResult& result : results) text += padded(result.name);
+std::string table(const std::vector<NamedResult>& results, const Console& console) {
+  std::string text = padded("", kColumn);
+  for (const NamedResult& result : results) text += padded(result.name, kColumn);
   text += "\n";
   for (std::size_t i = 0; i < kParameterNames.size(); ++i) {
-    text += padded(std::string(kParameterNames[i]) + (is_angle(i) ? " [deg]" : " [m]"));
-    for (const NamedResult& result : results) text += value_of(result.file.result, i);
+    text += padded(std::string(kParameterNames[i]) + (is_angle(i) ? " [deg]" : " [m]"), kColumn);
+    for (const NamedResult& result : results) text += value_of(result.file.result, i, console);
     text += "\n";
   }
   return text;
@@ -56,22 +51,17 @@ std::vector<NamedResult> load_all(const std::vector<std::string>& paths) {
 
 int compare(const std::vector<std::string>& paths, Console& console) {
   const std::vector<NamedResult> results = load_all(paths);
-  console.print(table(results));
+  console.print(table(results, console));
   bool agree = true;
   for (const ComparedResults& pair : compare_results(results)) {
     const bool compared = largest_difference(pair.difference).has_value();
     if (pair.contradict || !compared)
-      console.complain("warning: " + english(pair.words));
+      console.warn(pair.words);
     else
-      console.print(english(pair.words));
+      console.print(pair.words);
     agree = agree && compared && !pair.contradict;
   }
-  char limit[128];
-  std::snprintf(
-      limit, sizeof(limit),
-      "(to contradict each other, they would have to differ by more than %.1f times the sigma of both together)",
-      kDiffer_sigma);
-  console.print(limit);
+  console.print(say::compare_limit(kDiffer_sigma));
   return agree ? kSolved : kNoResult;
 }
 

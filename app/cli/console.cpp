@@ -9,7 +9,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "algorithms/messages/render.h"
+#include "messages/command_line.h"
+#include "messages/general.h"
 #include "model/checks/data_check.h"
 #include "model/io/atomic_save.h"
 #include "model/io/regular_file.h"
@@ -24,14 +25,10 @@ using Clock = std::chrono::steady_clock;
 double seconds(Clock::duration duration) { return std::chrono::duration<double>(duration).count(); }
 
 /// Fine enough to be seen to count down.
-std::string duration_text(double duration_s) {
-  char text[64];
+Message duration_left(double duration_s) {
   const int tens = static_cast<int>(duration_s / 10.0);
-  if (duration_s < 90.0)
-    std::snprintf(text, sizeof(text), "%.0f s", duration_s);
-  else
-    std::snprintf(text, sizeof(text), "%d min %d s", tens / 6, 10 * (tens % 6));
-  return text;
+  return duration_s < 90.0 ? say::cli_seconds(Duration{duration_s})
+                           : say::cli_minutes_seconds(Duration{60.0 * (tens / 6)}, Duration{10.0 * (tens % 6)});
 }
 
 sigset_t stop_signals() {
@@ -66,8 +63,7 @@ FileDescriptor look_for_reader(const std::filesystem::path& path) {
   std::error_code missing;  // which opening tells of
   if (!std::filesystem::is_fifo(path, missing)) return {};
   FileDescriptor reader(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
-  if (reader.get() < 0)
-    throw Error(ErrorCode::Io, path.string(), "the log cannot be written: it is a FIFO that nobody reads");
+  if (reader.get() < 0) throw Error(ErrorCode::Io, path.string(), say::cli_log_fifo());
   return reader;
 }
 
@@ -92,8 +88,7 @@ void Console::start(const std::string& command_line) {
   const FileDescriptor reader = look_for_reader(options_.log_file);
   check_replaces_its_like(options_.log_file, "remount-cli ");
   log_.open(options_.log_file, options_.append_log ? std::ios::app : std::ios::trunc);
-  if (!log_)
-    throw Error(ErrorCode::Io, options_.log_file, std::string("the log cannot be written: ") + std::strerror(errno));
+  if (!log_) throw Error(ErrorCode::Io, options_.log_file, say::cli_log_not_written(std::strerror(errno)));
   log("remount-cli " + std::string(kVersion) + "\n" + command_line);
 }
 
@@ -108,17 +103,17 @@ void Console::log(std::string_view text) {
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   if (log_.flush()) return;
-  lose(log_lost_, options_.log_file + ": the log cannot be written any further");
+  lose(log_lost_, say::cli_log_lost(options_.log_file));
   log_.close();
 }
 
-void Console::lose(bool& lost, const std::string& what) {
+void Console::lose(bool& lost, const Message& what) {
   const int reason = errno;
   if (lost) return;
   lost = true;
   clear_line();
-  std::fprintf(stderr, "remount-cli: %s%s%s\n", printable(what).c_str(), reason != 0 ? ": " : "",
-               reason != 0 ? std::strerror(reason) : "");
+  const Message told = reason != 0 ? say::cli_because(what, std::strerror(reason)) : what;
+  std::fprintf(stderr, "remount-cli: %s\n", printable(words(told)).c_str());
 }
 
 int Console::end(int code) const { return (output_lost_ || log_lost_) && code == kSolved ? kUnreadable : code; }
@@ -148,7 +143,7 @@ void Console::show(const ProgressUpdate& update) {
     line.append(" ").append(std::to_string(update.done)).append("/").append(std::to_string(update.total));
     const auto left_s = remaining_.left_s(seconds(now - stage_started_), static_cast<double>(update.done),
                                           static_cast<double>(update.total));
-    if (left_s) line += ", about " + duration_text(*left_s) + " left";
+    if (left_s) line = words(say::cli_left(line, duration_left(*left_s)));
   }
   clear_line();
   std::fputs(line.c_str(), stderr);
@@ -158,7 +153,8 @@ void Console::show(const ProgressUpdate& update) {
 
 int exit_code_of(const Error& error) { return error.code() == ErrorCode::Contract ? kUsage : kUnreadable; }
 
-void Console::print(std::string_view text) {
+void Console::print(const Message& message) {
+  const std::string text = words(message);
   const std::scoped_lock lock(mutex_);
   clear_line();
   log(text);
@@ -177,10 +173,11 @@ void Console::write(std::string_view text) {
   const std::string shown = printable(text);
   errno = 0;
   std::fwrite(shown.data(), 1, shown.size(), stdout);
-  if (std::fflush(stdout) != 0 || std::ferror(stdout)) lose(output_lost_, "the output cannot be written");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) lose(output_lost_, say::cli_output_lost());
 }
 
-void Console::complain(std::string_view text) {
+void Console::complain(const Message& message) {
+  const std::string text = words(message);
   const std::scoped_lock lock(mutex_);
   clear_line();
   log(text);
@@ -189,19 +186,23 @@ void Console::complain(std::string_view text) {
 
 void Console::complain(const Error& error) {
   const std::string where = printable(error.where(), LineBreaks::Escaped);
-  complain((where.empty() ? where : where + ": ") + english(error.what_happened()));
+  complain(where.empty() ? error.what_happened() : say::of_file(where, error.what_happened()));
 }
+
+void Console::warn(const Message& message) { complain(say::cli_warning(message)); }
 
 void Console::report(const std::vector<Finding>& findings) {
   for (const Finding& finding : findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    const std::string text = printable(finding.where, LineBreaks::Escaped) + ": " + english(finding.explanation) +
-                             " [" + finding.code + "]" + (kind ? "\n  do: " + std::string(kind->remedy) : "");
+    const std::string where = printable(finding.where, LineBreaks::Escaped);
+    const Message told = kind ? say::cli_finding_with_remedy(where, finding.explanation, finding.code, kind->remedy())
+                              : say::cli_finding(where, finding.explanation, finding.code);
+    const bool note = finding.severity == Severity::Note;
+    const std::string text = words(note ? say::cli_note(told) : say::cli_warning(told));
     const std::scoped_lock lock(mutex_);
     clear_line();
-    const bool note = finding.severity == Severity::Note;
-    log((note ? "note: " : "warning: ") + text);
-    if (!note && !options_.quiet) std::fprintf(stderr, "warning: %s\n", printable(text).c_str());
+    log(text);
+    if (!note && !options_.quiet) std::fprintf(stderr, "%s\n", printable(text).c_str());
   }
 }
 

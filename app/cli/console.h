@@ -29,11 +29,13 @@ struct ConsoleOptions {
   std::string log_file;
   bool append_log = false;
   int threads = 0;  ///< 0: one per core
+  Language language = Language::English;
 };
 
 /// Shows progress on one line of a terminal that is rewritten, keeps the log, and turns Ctrl-C into a stop request:
 /// the first is obeyed at the next opportunity, the second ends the program at once. What files and their names hold
-/// reaches terminal and log in a printable form (model/printable_text.h).
+/// reaches terminal and log in a printable form (model/printable_text.h). Messages are said in the language of the
+/// options; stages of progress are not yet messages.
 class Console {
  public:
   /// Must be made before any other thread, so that only its own receives the signals.
@@ -50,12 +52,17 @@ class Console {
   Progress& progress() { return progress_; }
   bool cancelled() const { return stop_.stop_requested(); }
 
+  /// A message in the language of the options.
+  std::string words(const Message& message) const { return render(message, options_.language); }
+
   /// To stdout unless --quiet, and to the log.
-  void print(std::string_view text);
+  void print(const Message& message);
   /// What was asked for, to stdout even with --quiet, and not to the log.
   void deliver(std::string_view text);
   /// To stderr always, and to the log.
-  void complain(std::string_view text);
+  void complain(const Message& message);
+  /// The same, as a warning.
+  void warn(const Message& message);
   /// The place of an error is one line, whatever the names of its files.
   void complain(const Error& error);
   /// What a verb ends with that would end with `code`: kUnreadable instead of kSolved where something that was printed
@@ -69,7 +76,7 @@ class Console {
   void clear_line();
   void log(std::string_view text);
   /// Says so with the reason that errno holds, once for each kind of output.
-  void lose(bool& lost, const std::string& what);
+  void lose(bool& lost, const Message& what);
   void write(std::string_view text);
   double elapsed_s() const;
 

@@ -4,6 +4,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/messages/render.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
 #include "model/exporters/exporter.h"
 #include "model/io/atomic_save.h"
 
@@ -19,14 +20,13 @@ int export_result(const ExportArguments& arguments, Console& console) {
   const Exporter& format = exporter(arguments.format);
   const ResultFile result = load_result(arguments.result);
   if (!is_usable(result.result)) {
-    console.complain(arguments.result + ": holds no usable result, nothing is exported; " +
-                     english(result.result.message));
+    console.complain(say::cli_nothing_exported(arguments.result, result.result.message));
     return kNoResult;
   }
-  for (const Message& warning : export_warnings(result.result)) console.complain("warning: " + english(warning));
+  for (const Message& warning : export_warnings(result.result)) console.warn(warning);
   std::error_code none;
   if (!arguments.output.empty() && std::filesystem::equivalent(arguments.result, arguments.output, none))
-    throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which an export must not replace");
+    throw Error(ErrorCode::Contract, arguments.output, say::cli_export_replaces_result());
   if (!arguments.output.empty()) check_replaces_export(arguments.output, format);
   const std::string text = format.write(result, arguments.names);
   if (arguments.output.empty()) {
@@ -34,7 +34,7 @@ int export_result(const ExportArguments& arguments, Console& console) {
     return kSolved;
   }
   save_atomically(arguments.output, text);
-  console.print(arguments.output + ": " + english(format.direction()));
+  console.print(say::cli_exported(arguments.output, format.direction()));
   return kSolved;
 }
 

@@ -6,6 +6,7 @@
 
 #include "algorithms/core/error.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
 #include "model/printable_text.h"
 #include "remount_version.h"
 
@@ -25,17 +26,24 @@ void add_common_options(CLI::App& app, Console& console) {
                  "Threads; 0: one per core. The result does not depend on it")
       ->check(CLI::Range(0, 1024))
       ->type_name("N");
+  const std::vector<std::string> languages(kLanguageTags.begin(), kLanguageTags.end());
+  app.add_option_function<std::string>(
+         "--language", [&console](const std::string& tag) { console.options().language = language_of(tag); },
+         "What is said of data and results is said in this language")
+      ->check(CLI::IsMember(languages).description(""))
+      ->default_str(languages.front())
+      ->type_name("zh_CN|en");
 }
 
 /// What CLI11 calls "a subcommand is required" says neither what was typed nor what would have been right.
-std::string no_verb(const CLI::App& app) {
-  std::string typed, verbs;
+Message no_verb(const CLI::App& app) {
+  std::string typed;
+  std::vector<std::string> verbs;
   for (const std::string& word : app.remaining())
     if (typed.empty() && !word.starts_with('-')) typed = word;
-  for (const CLI::App* verb : app.get_subcommands({})) verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
-  return (typed.empty() ? "no verb is given"
-                        : "there is no verb \"" + printable(typed.substr(0, 60), LineBreaks::Escaped) + "\"") +
-         "; the verbs are " + verbs + ". remount-cli --help explains them.";
+  for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+  return typed.empty() ? say::cli_no_verb(verbs)
+                       : say::cli_unknown_verb(printable(typed.substr(0, 60), LineBreaks::Escaped), verbs);
 }
 
 int run_main(int argc, char** argv) {
@@ -61,8 +69,7 @@ int run_main(int argc, char** argv) {
     if (app.get_subcommands().empty())
       console.complain(no_verb(app));
     else
-      console.complain(std::string(problem.what()) + "; remount-cli " + app.get_subcommands().front()->get_name() +
-                       " --help explains it");
+      console.complain(say::cli_wrong_usage(problem.what(), app.get_subcommands().front()->get_name()));
     return kUsage;
   }
   try {
@@ -74,10 +81,10 @@ int run_main(int argc, char** argv) {
     console.complain(error);
     return exit_code_of(error);
   } catch (const std::bad_alloc&) {
-    console.complain("there is not enough memory");
+    console.complain(say::cli_no_memory());
     return kUnreadable;
   } catch (const std::exception& error) {
-    console.complain(std::string("unexpected: ") + error.what());
+    console.complain(say::cli_unexpected(error.what()));
     return kUnreadable;
   }
 }

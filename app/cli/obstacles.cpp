@@ -4,10 +4,11 @@
 #include <optional>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
+#include "app/cli/columns.h"
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
 #include "model/exporters/exporter.h"
 #include "model/io/session_reader.h"
 #include "model/obstacle_report.h"
@@ -31,41 +32,43 @@ std::string metres(double distance_m) {
 }
 
 /// Without a nominal there is nothing to compare with: one column.
-std::string table(const ObstacleComparison& comparison, const ObstacleOptions& options, bool with_nominal) {
-  std::string text =
-      with_nominal ? "object  shape           nominal     calibrated\n" : "object  shape        calibrated\n";
+std::string table(const ObstacleComparison& comparison, const ObstacleOptions& options, bool with_nominal,
+                  const Console& console) {
+  const auto title = [&](const Message& message, std::size_t columns) {
+    return padded(console.words(message), columns);
+  };
+  std::string text = title(say::obstacles_object(), 8) + title(say::obstacles_shape(), with_nominal ? 16 : 13) +
+                     (with_nominal ? title(say::obstacles_nominal(), 12) : "") +
+                     console.words(say::obstacles_calibrated()) + "\n";
   for (const ObstacleDifference& row : comparison.rows) {
     char line[64];
     std::snprintf(line, sizeof(line), "%6d  %-14s", row.object, std::string(to_string(row.shape)).c_str());
     text += line + (with_nominal ? metres(row.nominal_distance_m) + "   " : std::string()) +
             metres(row.calibrated_distance_m) + "\n";
   }
-  const auto decision = [&](const char* name, const ObstacleCheck& check) {
-    return std::string(name) + ": nearest " + metres(check.nearest_m) + " from the outline, decision at " +
-           shortest(options.stop_distance_m) + " m: " + std::string(to_string(check.decision)) + "\n";
+  const auto decision = [&](const Message& of, const ObstacleCheck& check) {
+    return title(of, 10) + ": " +
+           console.words(say::obstacles_decision(metres(check.nearest_m), Length{options.stop_distance_m},
+                                                 std::string(to_string(check.decision)))) +
+           "\n";
   };
-  if (with_nominal) text += decision("nominal   ", comparison.nominal);
-  text += decision("calibrated", comparison.calibrated);
-  if (!with_nominal)
-    text += "Neither the result nor the session knows a nominal mounting: give --nominal to compare with it.\n";
-  return text + (comparison.decision_differs() ? "The two mountings lead to different decisions.\n" : "");
+  if (with_nominal) text += decision(say::obstacles_nominal(), comparison.nominal);
+  text += decision(say::obstacles_calibrated(), comparison.calibrated);
+  if (!with_nominal) text += console.words(say::obstacles_no_nominal()) + "\n";
+  return text + (comparison.decision_differs() ? console.words(say::obstacles_decisions_differ()) + "\n" : "");
 }
 
 int obstacles(const ObstacleArguments& arguments, Console& console) {
   if (arguments.scan < 0)
-    throw Error(ErrorCode::Contract, "--scan " + std::to_string(arguments.scan), "scans are numbered from 0");
+    throw Error(ErrorCode::Contract, "--scan " + std::to_string(arguments.scan), say::cli_scans_from_zero());
   const ResultFile result = load_result(arguments.result);
   if (!is_usable(result.result)) {
-    console.complain(arguments.result + ": holds no usable result (" + std::string(to_string(result.result.status)) +
-                     ")");
+    console.complain(say::cli_holds_no_result(arguments.result, std::string(to_string(result.result.status))));
     return kNoResult;
   }
-  if (const std::string problem = not_in_ins_frame(frames_of(result.result)); !problem.empty())
-    throw Error(ErrorCode::Contract, arguments.result,
-                problem +
-                    " The outline of the vehicle is given about the INS: use a result of the method pairwise, "
-                    "trajectory or fusion-odometry");
-  for (const Message& warning : export_warnings(result.result)) console.complain("warning: " + english(warning));
+  if (const Message problem = not_in_ins_frame(frames_of(result.result)); !problem.empty())
+    throw Error(ErrorCode::Contract, arguments.result, Message::sequence({problem, say::cli_outline_about_ins()}));
+  for (const Message& warning : export_warnings(result.result)) console.warn(warning);
   const auto session =
       std::make_shared<const Session>(open_session(arguments.session, arguments.topics.choice(), console.progress()));
   std::vector<Message> doubts;
@@ -76,11 +79,11 @@ int obstacles(const ObstacleArguments& arguments, Console& console) {
     nominal = in_session(parse_ins_nominal(arguments.nominal, doubts));
   else if (result.nominal_ins_from_lidar)
     nominal = in_session({*result.nominal_ins_from_lidar, result.ins_axes, {}});
-  for (const Message& doubt : doubts) console.complain("warning: " + english(doubt));
+  for (const Message& doubt : doubts) console.warn(doubt);
   const ObstacleComparison comparison =
       compare_obstacles_of_scan(session, static_cast<std::size_t>(arguments.scan), nominal.value_or(calibrated),
                                 calibrated, result.settings, arguments.options);
-  console.print(table(comparison, arguments.options, nominal.has_value()));
+  console.print(table(comparison, arguments.options, nominal.has_value(), console));
   return kSolved;
 }
 

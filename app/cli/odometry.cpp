@@ -1,10 +1,10 @@
-#include <cstdio>
 #include <memory>
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
+#include "messages/general.h"
 #include "model/io/atomic_save.h"
 #include "model/io/session_reader.h"
 #include "model/methods/fusion_run.h"
@@ -26,19 +26,17 @@ std::optional<RigidTransform> nominal_of(const OdometryArguments& arguments, con
   if (arguments.nominal.empty()) return session.nominal_ins_from_lidar;
   std::vector<Message> doubts;
   const RigidTransform nominal = in_axes_of(parse_ins_nominal(arguments.nominal, doubts), session.ins_axes, doubts);
-  for (const Message& doubt : doubts) console.complain("warning: " + arguments.nominal + ": " + english(doubt));
+  for (const Message& doubt : doubts) console.warn(say::of_file(arguments.nominal, doubt));
   return nominal;
 }
 
-std::string summary(const FusionRun& run) {
+Message summary(const FusionRun& run) {
   double driven_m = 0.0;
   const std::vector<FusedScan>& scans = run.odometry.scans;
   for (std::size_t i = 1; i < scans.size(); ++i)
     driven_m +=
         (scans[i].odometry_from_vehicle.translation() - scans[i - 1].odometry_from_vehicle.translation()).norm();
-  char text[160];
-  std::snprintf(text, sizeof text, "%zu poses over %.1f m", scans.size(), driven_m);
-  return text;
+  return say::cli_poses(scans.size(), Length{driven_m});
 }
 
 int odometry(const OdometryArguments& arguments, Console& console) {
@@ -59,11 +57,11 @@ int odometry(const OdometryArguments& arguments, Console& console) {
   console.report(session.findings);
   console.report(run.findings);
   if (run.odometry.cancelled) {
-    console.complain("cancelled after " + summary(run) + "; nothing is written");
+    console.complain(say::cli_poses_cancelled(summary(run)));
     return kNoResult;
   }
   save_atomically(arguments.output, odometry_text(run.odometry_from_lidar));
-  console.print(arguments.output + ": " + summary(run));
+  console.print(say::cli_poses_written(arguments.output, summary(run)));
   return kSolved;
 }
 

@@ -9,6 +9,8 @@
 #include "algorithms/core/error.h"
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
+#include "messages/report.h"
 #include "model/io/atomic_save.h"
 #include "model/io/session_reader.h"
 #include "model/session_report.h"
@@ -35,8 +37,7 @@ class MadeOf {
     for (const InputFile& file : list_inputs({session}))
       if (!files_.contains({file.session, file.file, file.bytes}))
         throw Error(ErrorCode::Contract, path_or_name(*session),
-                    "is not what the result was made of: there is no " + file.session + "/" + file.file + " of " +
-                        std::to_string(file.bytes) + " bytes among its inputs; leave it out, or calibrate again");
+                    say::cli_not_made_of(file.session, file.file, Bytes{file.bytes}));
   }
 
  private:
@@ -46,17 +47,15 @@ class MadeOf {
 int write_report(const ReportArguments& arguments, Console& console) {
   const std::string ending = std::filesystem::path(arguments.output).extension().string();
   if (ending != ".html" && ending != ".htm")
-    throw Error(ErrorCode::Contract, arguments.output,
-                "a report is a page: its name must end in .html (PDF: the window)");
+    throw Error(ErrorCode::Contract, arguments.output, say::cli_report_is_a_page());
   Report report;
   report.file = load_result(arguments.result);
   std::error_code none;
   if (std::filesystem::equivalent(arguments.result, arguments.output, none))
-    throw Error(ErrorCode::Contract, arguments.output, "is the result itself, which a report must not replace");
+    throw Error(ErrorCode::Contract, arguments.output, say::cli_report_replaces_result());
   check_replaces_its_like(arguments.output, "<!DOCTYPE html>");
   const MadeOf made_of(report.file);
-  if (!made_of.known() && !arguments.sessions.empty())
-    console.complain("warning: the result does not list its inputs: that these sessions are those cannot be checked");
+  if (!made_of.known() && !arguments.sessions.empty()) console.warn(say::cli_inputs_not_known());
   for (const std::string& path : arguments.sessions) {
     const auto session =
         std::make_shared<const Session>(open_session(path, arguments.topics.choice(), console.progress()));
@@ -66,9 +65,11 @@ int write_report(const ReportArguments& arguments, Console& console) {
   report.created =
       utc_text(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::system_clock::now().time_since_epoch())
                    .count());
-  report.no_pictures = "Pictures of pairs are made by the window (File, Report).";
-  save_atomically(arguments.output, report_html(report));
-  console.print(arguments.output + ": report of " + arguments.result);
+  report.no_pictures = say::report_pictures_by_window();
+  ReportStyle style;
+  style.language = console.options().language;
+  save_atomically(arguments.output, report_html(report, style));
+  console.print(say::cli_report_written(arguments.output, arguments.result));
   return kSolved;
 }
 

@@ -1,7 +1,8 @@
 #include "app/cli/sessions.h"
 
 #include "algorithms/core/error.h"
-#include "algorithms/messages/render.h"
+#include "messages/command_line.h"
+#include "messages/general.h"
 #include "model/io/session_reader.h"
 #include "model/mounting_frames.h"
 #include "model/session_frames.h"
@@ -24,8 +25,7 @@ std::optional<RigidTransform> declared_nominal(const Sessions& sessions, MethodC
   for (const auto& session : sessions) {
     if (!session->nominal_ins_from_lidar) continue;
     if (declared && !declared->isApprox(*session->nominal_ins_from_lidar, 1e-9))
-      throw Error(ErrorCode::Contract, session->name,
-                  "declares another nominal mounting than the sessions before it; give --nominal");
+      throw Error(ErrorCode::Contract, session->name, say::cli_other_nominal());
     declared = session->nominal_ins_from_lidar;
   }
   return declared;
@@ -35,7 +35,7 @@ RigidTransform nominal_in_axes(const ReadMounting& mounting, const std::string& 
                                Console& console) {
   std::vector<Message> doubts;
   const RigidTransform nominal = in_axes_of(mounting, common_axes(sessions), doubts);
-  for (const Message& doubt : doubts) console.complain("warning: " + text + ": " + english(doubt));
+  for (const Message& doubt : doubts) console.warn(say::of_file(text, doubt));
   return nominal;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
 #include "model/io/atomic_save.h"
 #include "model/settings_file.h"
 
@@ -25,7 +26,7 @@ void add_settings(CLI::App& app, Console& console, Run& run) {
       }
       check_replaces_its_like(*output, "# Settings of Remount");
       save_atomically(*output, text);
-      console.print("settings: " + *output);
+      console.print(say::cli_settings_written(*output));
       return kSolved;
     };
   });

@@ -3,6 +3,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/option_adder.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
 #include "model/simulator/simulator.h"
 
 namespace remount {
@@ -22,10 +23,10 @@ int simulate(const SimulateArguments& arguments, Console& console) {
   const SimulatedDrive drive = simulate_drive(options);
   write_drive(drive, arguments.folder, arguments.format, console.options().threads, console.progress());
   if (console.cancelled()) {
-    console.complain(arguments.folder + ": cancelled, the drive is not complete");
+    console.complain(say::cli_drive_not_complete(arguments.folder));
     return kNoResult;
   }
-  console.print("simulated drive: " + arguments.folder + " (truth in truth.yaml)");
+  console.print(say::cli_drive_simulated(arguments.folder));
   return kSolved;
 }
 

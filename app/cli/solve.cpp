@@ -5,6 +5,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/finish.h"
 #include "app/cli/verbs.h"
+#include "messages/command_line.h"
 #include "model/io/motion_pairs_file.h"
 #include "model/pipeline.h"
 #include "model/project.h"
@@ -23,9 +24,9 @@ void keep_sets(MotionPairs& motions, const std::vector<std::string>& wanted) {
   if (wanted.empty()) return;
   for (const std::string& name : wanted) {
     if (std::find(motions.sets.begin(), motions.sets.end(), name) != motions.sets.end()) continue;
-    std::string known;
-    for (const std::string& set : motions.sets) known += (known.empty() ? "" : ", ") + ("\"" + set + "\"");
-    throw Error(ErrorCode::Contract, "--only-set " + name, "there is no such set; the file has " + known);
+    std::vector<std::string> known;
+    for (const std::string& set : motions.sets) known.push_back("\"" + set + "\"");
+    throw Error(ErrorCode::Contract, "--only-set " + name, say::cli_no_such_set(known));
   }
   std::erase_if(motions.pairs, [&](const Pair& pair) {
     const int set = motions.keyframes[static_cast<std::size_t>(pair.keyframe_a)].session;
@@ -38,7 +39,7 @@ int solve(const PairsArguments& arguments, Console& console) {
   PipelineInput input;
   input.settings = arguments.solve.settings();
   if (const auto nominal = arguments.solve.nominal_mounting(console)) {
-    if (const std::string problem = not_in_ins_frame(nominal->frames); !problem.empty())
+    if (const Message problem = not_in_ins_frame(nominal->frames); !problem.empty())
       throw Error(ErrorCode::Contract, arguments.solve.nominal, problem);
     input.nominal_ins_from_lidar = nominal->ins_from_lidar;
   }

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "algorithms/messages/render.h"
+#include "messages/command_line.h"
 #include "model/deciding_notes.h"
 #include "model/display_units.h"
 #include "model/pair_words.h"
@@ -21,8 +22,51 @@ std::string format(const char* pattern, auto... values) {
   return text;
 }
 
-std::string sigma_text(double sigma) {
-  return sigma < 1e-6 ? format("1-sigma %.1e", sigma) : format("1-sigma %.*f", justified_decimals(sigma), sigma);
+/// Lines of the summary: messages, and rows of a table.
+class Lines {
+ public:
+  explicit Lines(Language language) : language_(language) {}
+
+  void add(const Message& message) { text_ += words(message) + "\n"; }
+  void add_indented(const Message& message) { text_ += "  " + words(message) + "\n"; }
+  void add_row(const std::string& cells, const Message& message) { text_ += cells + words(message) + "\n"; }
+  /// No longer than is read at a glance; the result file has all.
+  void add_first(const std::vector<Message>& messages, std::size_t most, const std::string& indent = {}) {
+    for (std::size_t i = 0; i < std::min(messages.size(), most); ++i) text_ += indent + words(messages[i]) + "\n";
+    if (messages.size() > most) add_indented(say::summary_more(messages.size() - most));
+  }
+
+  Language language() const { return language_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string words(const Message& message) const { return render(message, language_); }
+
+  Language language_;
+  std::string text_;
+};
+
+void add_status(const CalibrationResult& result, Lines& lines) {
+  const std::string status(to_string(result.status));
+  lines.add(result.message.empty() ? say::summary_status(status) : say::summary_status_message(status, result.message));
+}
+
+/// What the six numbers are. Positions of an antenna give a lever arm and no attitude: no pose of anything.
+Message meaning(const CalibrationResult& result) {
+  const std::string &frame = result.reference_frame, name = frame + "_from_" + result.calibrated;
+  if (frame == "antenna") return say::summary_lever_arm_turned(name);
+  if (result.calibrated == "antenna") return say::summary_lever_arm(name, frame);
+  return say::summary_pose(name, result.calibrated, frame);
+}
+
+Message sigma_of(const CalibrationResult& result, std::size_t i) {
+  const auto sigma = result.sigma(i);
+  if (!sigma) return say::summary_not_observed();
+  const double shown = on_screen(i, *sigma);
+  const std::string text =
+      (shown < 1e-6 ? format("%.1e", shown) : format("%.*f", justified_decimals(shown), shown)) +
+      (is_angle(i) ? " deg" : " m");
+  return result.measured[i] ? say::summary_sigma_with_measured(text) : say::summary_sigma(text);
 }
 
 /// Decimal points stand below each other, whatever the digits behind them.
@@ -36,115 +80,97 @@ std::string aligned(double value, int decimals, const char* unit) {
   return text;
 }
 
-/// What the six numbers are. Positions of an antenna give a lever arm and no attitude: no pose of anything.
-std::string meaning(const CalibrationResult& result) {
-  const std::string& frame = result.reference_frame;
-  if (frame == "antenna")
-    return "place of the lidar from the antenna, in axes of the lidar: the lever arm turned round";
-  if (result.calibrated == "antenna") return "place of the antenna in the " + frame + " frame: its lever arm";
-  return "pose of the " + result.calibrated + " in the " + frame + " frame";
-}
-
-std::string parameters(const CalibrationResult& result) {
+void add_parameters(const CalibrationResult& result, Lines& lines) {
   const std::array<double, 6> values = six_on_screen(result.ins_from_lidar);
-  std::string text = result.reference_frame + "_from_" + result.calibrated + " (" + meaning(result) + ")\n";
+  lines.add(meaning(result));
   for (std::size_t i = 0; i < 6; ++i) {
-    const bool angle = is_angle(i);
     const auto sigma = result.sigma(i);
     constexpr int kUnknown = 4;  // what is not observed holds what was given
     const int decimals = sigma ? justified_decimals(on_screen(i, *sigma)) : kUnknown;
-    text +=
-        format("  %-5s", std::string(kParameterNames[i]).c_str()) + aligned(values[i], decimals, angle ? "deg" : "m");
-    if (!sigma)
-      text += "not observed: do not rely on this value\n";
-    else
-      text += sigma_text(on_screen(i, *sigma)) + (angle ? " deg" : " m") +
-              (result.measured[i] ? ", with the measured value\n" : "\n");
+    lines.add_row(format("  %-5s", std::string(kParameterNames[i]).c_str()) +
+                      aligned(values[i], decimals, is_angle(i) ? "deg" : "m"),
+                  sigma_of(result, i));
   }
-  return text;
 }
 
-std::string sharpness(const std::vector<NamedSharpness>& list) {
-  std::string text;
-  for (const NamedSharpness& one : list)
-    if ((one.source == "result" || one.source == "nominal") && std::isfinite(one.sharpness.plane_thickness_m))
-      text += format("%s %.1f mm thick under the %s (entropy %.3f)", text.empty() ? "" : ",",
-                     1e3 * one.sharpness.plane_thickness_m, one.source.c_str(), one.sharpness.mean_map_entropy);
-  return text.empty() ? text : "map check: surfaces are" + text + "\n";
+void add_sharpness(const std::vector<NamedSharpness>& list, Lines& lines) {
+  std::vector<Message> thickness;
+  for (const NamedSharpness& one : list) {
+    const Length thick{one.sharpness.plane_thickness_m};
+    if (!std::isfinite(thick.m)) continue;
+    if (one.source == "result")
+      thickness.push_back(say::summary_thick_under_result(thick, one.sharpness.mean_map_entropy));
+    if (one.source == "nominal")
+      thickness.push_back(say::summary_thick_under_nominal(thick, one.sharpness.mean_map_entropy));
+  }
+  if (!thickness.empty()) lines.add(say::summary_map_check(thickness));
 }
 
-std::string pairs(const ResultFile& file) {
+void add_pairs(const ResultFile& file, Lines& lines) {
   const CalibrationResult& result = file.result;
-  std::string text = format("pairs: %d proposed, %d accepted, %d rejected\n", result.pairs_proposed,
-                            result.pairs_accepted, result.pairs_rejected);
-  for (const std::string& line : pair_lines(file)) text += "  " + line + "\n";
-  return text;
+  lines.add(say::summary_pairs(result.pairs_proposed, result.pairs_accepted, result.pairs_rejected));
+  for (const Message& line : pair_lines(file)) lines.add_indented(line);
 }
 
 /// The offset of the clocks, of each session where there are several, and whether X is solved with it.
-std::string time_offset(const CalibrationResult& result) {
+void add_time_offset(const CalibrationResult& result, Lines& lines) {
   const TimeOffset& clock = result.time_offset;
-  std::string text = format("time offset%s: t_ins = t_lidar %+.2f ms (1-sigma %.2f ms), %s\n",
-                            result.session_time_offset_s.size() > 1 ? " (mean of the sessions)" : "",
-                            1e3 * clock.offset_s, 1e3 * clock.sigma_s, std::string(clock_use_words(clock)).c_str());
-  if (clock.applied) text.insert(text.size() - 1, ": X is solved with it (solve.apply_time_offset=no: without)");
+  const auto of = result.session_time_offset_s.size() > 1 ? say::summary_time_offset_mean : say::summary_time_offset;
+  const Message offset = of(Duration{clock.offset_s}, Duration{clock.sigma_s}, clock_use_words(clock));
+  lines.add(clock.applied ? say::summary_solved_with_offset(offset) : offset);
   const std::vector<double>&offsets_s = result.session_time_offset_s, &sigmas_s = result.session_time_offset_sigma_s;
   for (std::size_t s = 0; offsets_s.size() > 1 && s < offsets_s.size(); ++s)
-    text += format("  session %zu: %+.2f ms", s + 1, 1e3 * offsets_s[s]) +
-            (s < sigmas_s.size() ? format(" (1-sigma %.2f ms)\n", 1e3 * sigmas_s[s]) : "\n");
-  return text;
+    lines.add_indented(s < sigmas_s.size()
+                           ? say::summary_session_offset_sigma(s + 1, Duration{offsets_s[s]}, Duration{sigmas_s[s]})
+                           : say::summary_session_offset(s + 1, Duration{offsets_s[s]}));
 }
 
-/// No longer than is read at a glance; the result file has all.
-std::string first_of(const std::vector<std::string>& lines, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(lines.size(), most); ++i) text += lines[i] + "\n";
-  return lines.size() <= most ? text : text + format("  and %zu more in the result file\n", lines.size() - most);
-}
-
-std::string quantities(const std::vector<NamedQuantity>& list) {
+void add_quantities(const std::vector<NamedQuantity>& list, Lines& lines) {
   constexpr std::size_t kMost = 8;
-  const Phrases english = [](const char*, const char* text) { return std::string(text); };
-  std::vector<std::string> lines;
+  std::vector<Message> quantities;
   for (const NamedQuantity& quantity : list)
-    lines.push_back("  " + quantity.name + ": " + quantity_text(quantity, english));
-  return lines.empty() ? std::string() : "also determined:\n" + first_of(lines, kMost);
+    quantities.push_back(say::summary_quantity(quantity.name, quantity_text(quantity, lines.language())));
+  if (quantities.empty()) return;
+  lines.add(say::summary_also_determined());
+  lines.add_first(quantities, kMost, "  ");
 }
 
-std::string advice(const CalibrationResult& result) {
+void add_advice(const CalibrationResult& result, Lines& lines) {
   constexpr std::size_t kMost = 6;
-  std::vector<std::string> lines;
-  for (const Message& one : result.advice) lines.push_back("advice: " + english(one));
-  return first_of(lines, kMost);
+  std::vector<Message> advice;
+  for (const Message& one : result.advice) advice.push_back(say::summary_advice(one));
+  lines.add_first(advice, kMost);
 }
 
 /// What the program decided on its own; its warnings have been printed already.
-std::string deciding_notes(const std::vector<Finding>& findings) {
+void add_deciding_notes(const std::vector<Finding>& findings, Lines& lines) {
   constexpr std::size_t kMost = 6;
-  std::vector<std::string> lines;
+  std::vector<Message> notes;
   for (const Finding& finding : findings)
-    if (is_deciding(finding)) lines.push_back("note: " + finding.where + ": " + english(finding.explanation));
-  return first_of(lines, kMost);
+    if (is_deciding(finding)) notes.push_back(say::summary_note(finding.where, finding.explanation));
+  lines.add_first(notes, kMost);
 }
 
 }  // namespace
 
-std::string summary(const ResultFile& file) {
+std::string summary(const ResultFile& file, Language language) {
   const CalibrationResult& result = file.result;
   const bool usable = is_usable(result);
-  std::string text = "status: " + std::string(to_string(result.status)) +
-                     (result.message.empty() ? "" : " - " + english(result.message)) + "\n";
-  if (usable) text += parameters(result);
+  Lines lines(language);
+  add_status(result, lines);
+  if (usable) add_parameters(result, lines);
   // What to do comes before what it rests on.
-  text += advice(result) + deciding_notes(file.findings);
-  if (usable && std::isfinite(result.time_offset.offset_s)) text += time_offset(result);
-  if (const std::string words = disagreement_words(result); !words.empty()) text += words + "\n";
-  if (is_from_pairs(file)) text += pairs(file);
+  add_advice(result, lines);
+  add_deciding_notes(file.findings, lines);
+  if (usable && std::isfinite(result.time_offset.offset_s)) add_time_offset(result, lines);
+  if (const Message scatter = disagreement_words(result); !scatter.empty()) lines.add(scatter);
+  if (is_from_pairs(file)) add_pairs(file, lines);
   if (usable && is_from_pairs(file))
-    text += format("error: rotation %.4f deg rms, translation %.4f m rms, Frobenius sum %.4f\n",
-                   radians_to_degrees(result.rotation_rms_rad), result.translation_rms_m, result.frobenius_sum);
-  if (usable) text += sharpness(file.sharpness);
-  return text + quantities(file.quantities);
+    lines.add(
+        say::summary_error(Angle{result.rotation_rms_rad}, Length{result.translation_rms_m}, result.frobenius_sum));
+  if (usable) add_sharpness(file.sharpness, lines);
+  add_quantities(file.quantities, lines);
+  return lines.text();
 }
 
 }  // namespace remount

@@ -3,11 +3,13 @@
 
 #include <string>
 
+#include "algorithms/messages/catalogue.h"
 #include "model/result_file.h"
 
 namespace remount {
 
-/// X with sigma, pairs with the reasons of rejection, time offset, advice.
-std::string summary(const ResultFile& file);
+/// X with sigma, pairs with the reasons of rejection, time offset, advice. Names of parameters are as options have
+/// them.
+std::string summary(const ResultFile& file, Language language);
 
 }  // namespace remount

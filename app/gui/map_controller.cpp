@@ -164,9 +164,7 @@ QString MapController::caption() const {
   const std::size_t scans = made_.scans->scans.points_in_lidar.size();
   QStringList text{tr("%1: %2 scans under %3.").arg(names.value(made_.session)).arg(scans).arg(x)};
   if (made_.scans->unreadable > 0)
-    text << tr("%1 cannot be read (%2).")
-                .arg(made_.scans->unreadable)
-                .arg(QString::fromStdString(made_.scans->first_failure));
+    text << tr("%1 cannot be read (%2).").arg(made_.scans->unreadable).arg(model_text(made_.scans->first_failure));
   std::size_t kept = 0;
   for (const auto& points : made_.scans->scans.points_in_lidar) kept += points.size();
   if (kept < made_.scans->points_recorded)

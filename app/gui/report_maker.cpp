@@ -10,6 +10,7 @@
 #include <initializer_list>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "model/io/atomic_save.h"
 #include "model/project.h"
 #include "model/session_report.h"
@@ -61,9 +62,8 @@ QString pdf_beside(const QString& html_path) { return without_html(html_path) + 
 
 ReportStyle report_style() {
   ReportStyle style;
-  style.phrase = drawn_text;
-  style.sentence = [](const Message& text) { return model_text(text).toStdString(); };
-  style.language = QLocale().bcp47Name().toStdString();
+  style.language = language_of(QLocale().name().toStdString());
+  style.words = [](const std::string& written) { return drawn_text("plot", written.c_str()); };
   return style;
 }
 
@@ -104,7 +104,7 @@ void ReportMaker::begin() {
   pairs_.clear();
   drawn_.clear();
   if (const QString reason = missing_gl_reason(); !reason.isEmpty())
-    report_.no_pictures = tr("No pictures of pairs: %1.").arg(reason).toStdString();
+    report_.no_pictures = Message::verbatim(tr("No pictures of pairs: %1.").arg(reason).toStdString());
   else
     pairs_ = pairs_to_picture(report_.file.pairs, kWorstShown, kBestShown);
   next_pair();
@@ -130,13 +130,15 @@ void ReportMaker::next_pair() {
             if (transforms.current_known)
               sittings_.insert(sittings_.begin(), {pair, PairAlignment::CurrentX, data, transforms});
           } else
-            report_.no_pictures = tr("No pictures of pairs: they come from LiDAR poses, without scans.").toStdString();
+            report_.no_pictures =
+                Message::verbatim(tr("No pictures of pairs: they come from LiDAR poses, without scans.").toStdString());
           QTimer::singleShot(0, this, &ReportMaker::draw_next);
         };
       },
       [this, pair](const JobFailure& failure) {
-        if (!report_.no_pictures.empty()) report_.no_pictures += ' ';
-        report_.no_pictures += tr("Pair %1 cannot be pictured: %2").arg(pair).arg(failure.what).toStdString();
+        report_.no_pictures = Message::sequence(
+            {report_.no_pictures,
+             Message::verbatim(tr("Pair %1 cannot be pictured: %2").arg(pair).arg(failure.what).toStdString())});
         next_pair();
       });
 }

@@ -28,7 +28,7 @@ void save_text(const QString& path, const QString& contents) {
 RigidTransform nominal_from_file(const QString& path, const Workbench& workbench, QStringList& doubts) {
   std::vector<Message> texts;
   const ReadMounting mounting = read_any_mounting(path.toStdString(), &texts);
-  if (const std::string problem = not_in_ins_frame(mounting.frames); !problem.empty())
+  if (const Message problem = not_in_ins_frame(mounting.frames); !problem.empty())
     throw Error(ErrorCode::Contract, path.toStdString(), problem);
   const RigidTransform ins_from_lidar = in_axes_of(mounting, common_axes(workbench.sessions()), texts);
   for (const Message& doubt : texts) doubts << model_text(doubt);

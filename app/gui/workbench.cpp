@@ -66,7 +66,7 @@ QStringList Workbench::changes_since_output() const {
   CalibrationBasis shown = basis_of(solving() ? input_of_next_solve() : run_input_);
   changes << setting_changes(shown.settings, settings_);
   shown.settings = settings_;
-  for (const std::string& change : changes_since(shown, basis_of(input_of_next_run()))) changes << model_text(change);
+  for (const Message& change : changes_since(shown, basis_of(input_of_next_run()))) changes << model_text(change);
   if (data_changed_) changes << tr("other files in the sessions");
   if (incomplete()) changes << tr("decisions about pairs that the solution does not answer in full");
   return changes;
@@ -83,17 +83,17 @@ bool Workbench::may_calibrate() {
     return false;
   }
   const PipelineInput input = input_of_next_run();
-  std::string nominal = nominal_problem(input.nominal_ins_from_lidar, settings_.range);
+  Message nominal = nominal_problem(input.nominal_ins_from_lidar, settings_.range);
   if (input.nominal_ins_from_lidar && nominal.empty())
     nominal = frame_problem(input.nominal_frames, settings_.run.method, sessions_);
   if (!nominal.empty()) {
     emit message(Severity::Problem, tr("Nominal mounting"), model_text(nominal));
     return false;
   }
-  const std::vector<std::string> problems = settings_.check();
+  const std::vector<Message> problems = settings_.check();
   if (!problems.empty()) {
     QStringList lines;
-    for (const std::string& problem : problems) lines << model_text(problem);
+    for (const Message& problem : problems) lines << model_text(problem);
     emit message(Severity::Problem, tr("Options"), lines.join('\n'));
     return false;
   }
@@ -268,7 +268,7 @@ void Workbench::edit_nominal(const std::optional<RigidTransform>& ins_from_lidar
 
 void Workbench::use_result_as_nominal() {
   if (!output_ || !is_usable(output_->result)) return;
-  if (const std::string problem = not_in_ins_frame(frames_of(output_->result)); !problem.empty())
+  if (const Message problem = not_in_ins_frame(frames_of(output_->result)); !problem.empty())
     emit message(Severity::Problem, tr("Nominal mounting"), model_text(problem));
   else
     edit_nominal(output_->result.ins_from_lidar);

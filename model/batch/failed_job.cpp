@@ -56,7 +56,7 @@ Message other_wish(const DocumentView& then, const FleetVehicle& now) {
     return topic;
   const auto changes =
       changes_since({0, settings_from_document(then.at("settings")), std::nullopt}, {0, now.settings, std::nullopt});
-  return changes.empty() ? Message() : Message(changes.front());
+  return changes.empty() ? Message() : changes.front();
 }
 
 std::string whole_text(const FleetJob& job) {

@@ -113,7 +113,7 @@ Message why_other_job(const ResultFile& stored, const Settings& settings,
   if (stored.version != kVersion) return say::fleet_other_version(stored.version, std::string(kVersion));
   const auto changes =
       changes_since({0, stored.settings, stored.nominal_ins_from_lidar}, {0, settings, nominal_ins_from_lidar});
-  if (!changes.empty()) return Message(changes.front());
+  if (!changes.empty()) return changes.front();
   if (stored.topics.empty() && !topics.empty()) return say::fleet_topics_unknown();
   for (const UsedTopics& used : stored.topics)
     if (Message other = other_topic(used.topics, topics); !other.empty()) return say::fleet_topics(std::move(other));

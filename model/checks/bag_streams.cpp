@@ -1,25 +1,17 @@
 // What the messages of a bag do not say: its reader takes note of it as it reads.
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
 
 namespace remount {
 
 DataCheck bag_stream_check() {
-  return {
-      .kinds = {
-          {"no-orientation", "Where the INS has no orientation there is no motion to be compared with.",
-           "Nothing, where they are at the beginning: the INS was aligning; otherwise see what the driver reports."},
-          {"rates-denied", "The rates are used, though the driver says that there are none.",
-           "Compare them with the turns of the drive; where they mean nothing leave them out: --topic imu=none."},
-          {"no-rates", "Methods that need turn rates have none there.",
-           "See whether the driver of the IMU stalled, or say with --topic which topic is the IMU."},
-          {"antenna-position",
-           "X is of the antenna then, turned as the IMU is: off by the lever arm between the two, and no sigma says "
-           "so.",
-           "Take the positions of the INS itself (--topic ins-position=TOPIC), or let the driver subtract the lever "
-           "arm."},
-          {"no-fix", "The receiver has no position there.", "Record under open sky; wait for a fix before you drive."},
-          {"gnss-covariance-unknown", "Good fixes count as little as bad ones.",
-           "Have the driver state the covariance of its fixes."}}};
+  return {.kinds = {
+              {"no-orientation", say::no_orientation_meaning, say::no_orientation_remedy},
+              {"rates-denied", say::rates_denied_meaning, say::rates_denied_remedy},
+              {"no-rates", say::no_rates_meaning, say::no_rates_remedy},
+              {"antenna-position", say::antenna_position_meaning, say::antenna_position_remedy},
+              {"no-fix", say::no_fix_meaning, say::no_fix_remedy},
+              {"gnss-covariance-unknown", say::gnss_covariance_unknown_meaning, say::gnss_covariance_unknown_remedy}}};
 }
 
 }  // namespace remount

@@ -1,18 +1,15 @@
 // What a calibration itself suspects, with its result before it.
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
 
 namespace remount {
 
 DataCheck calibration_check() {
   return {.kinds = {
-              {"nominal-far", "Either the LiDAR sits otherwise than assumed, or the nominal is given in other terms.",
-               "Look at the vehicle; check axes, signs, order of angles and direction of the nominal."},
-              {"map-less-sharp", "The accumulated scans contradict the result, whatever its residuals say.",
-               "Look at the pairs that were accepted and at the clock offset; do not use the result before that."},
-              {"measured-unused", "The result does not contain the value that was measured by hand.",
-               "Give its sigma, or leave it out."},
-              {"measured-without-ins", "The result does not contain the value that was measured by hand.",
-               "Leave it out, or record an INS with attitude."},
+              {"nominal-far", say::nominal_far_meaning, say::nominal_far_remedy},
+              {"map-less-sharp", say::map_less_sharp_meaning, say::map_less_sharp_remedy},
+              {"measured-unused", say::measured_unused_meaning, say::measured_unused_remedy},
+              {"measured-without-ins", say::measured_unused_meaning, say::measured_without_ins_remedy},
           }};
 }
 

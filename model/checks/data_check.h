@@ -12,9 +12,9 @@ namespace remount {
 
 /// What findings of one code have in common.
 struct FindingKind {
-  std::string_view code;     ///< "ins-gaps"; with '*' at one end where streams have their own: "*-reversed-stamps"
-  std::string_view meaning;  ///< what it does to a calibration
-  std::string_view remedy;   ///< what to do about it
+  std::string_view code;  ///< "ins-gaps"; with '*' at one end where streams have their own: "*-reversed-stamps"
+  Message (*meaning)() = nullptr;  ///< what it does to a calibration
+  Message (*remedy)() = nullptr;   ///< what to do about it
 };
 
 /// A session, and what most checks need of it.

@@ -2,19 +2,19 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "messages/checks.h"
 #include "model/assumed_tilt.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
 
 namespace remount {
 namespace {
 
-constexpr double kLittleTurning_deg = 20.0;
-constexpr double kLittleTilt_deg = 1.0;
+constexpr double kLittleTurning_rad = degrees_to_radians(20.0);
+constexpr double kLittleTilt_rad = degrees_to_radians(1.0);
 
 struct Variety {
-  double turned_deg = 0.0;      ///< sum of the turns about any axis
-  double tilt_range_deg = 0.0;  ///< of the direction of the INS's z axis: what makes height observable
+  double turned_rad = 0.0;      ///< sum of the turns about any axis
+  double tilt_range_rad = 0.0;  ///< of the direction of the INS's z axis: what makes height observable
 };
 
 /// A pose at most every 0.2 s: noise of the single sample must not pass for motion.
@@ -36,10 +36,9 @@ Variety variety_of(const std::vector<StampedPose>& world_from_ins) {
     highest = highest.cwiseMax(up);
     if (i == 0) continue;
     const Eigen::Vector3d turn = so3_log(poses[i].pose.linear() * poses[i - 1].pose.linear().transpose());
-    variety.turned_deg += radians_to_degrees(turn.norm());
+    variety.turned_rad += turn.norm();
   }
-  if (!poses.empty())
-    variety.tilt_range_deg = radians_to_degrees(std::asin(std::min(1.0, (highest - lowest).maxCoeff())));
+  if (!poses.empty()) variety.tilt_range_rad = std::asin(std::min(1.0, (highest - lowest).maxCoeff()));
   return variety;
 }
 
@@ -64,30 +63,20 @@ void look_at_variety(const CheckedSession& checked, std::vector<Finding>& findin
   const std::vector<StampedPose> shared = during_lidar(checked);
   if (shared.size() < 2) return;
   const Variety variety = variety_of(shared);
-  if (variety.turned_deg < kLittleTurning_deg)
+  if (variety.turned_rad < kLittleTurning_rad)
     findings.push_back(
-        {Severity::Warning, "little-turning", checked.session.name,
-         check_text("The vehicle turns by %.1f degrees in all: the position of the LiDAR will hardly be observable "
-                    "from this drive alone. Drive a figure of eight.",
-                    variety.turned_deg)});
+        {Severity::Warning, "little-turning", checked.session.name, say::little_turning(Angle{variety.turned_rad})});
   // No ramp tilts an INS that is taken to be level.
-  else if (variety.tilt_range_deg < kLittleTilt_deg && !(assumed_tilt_sigma_rad(checked.session.ins) > 0.0))
-    findings.push_back({Severity::Note, "flat-driving", checked.session.name,
-                        check_text("The vehicle tilts by %.2f degrees only: the height of the LiDAR will hardly be "
-                                   "observable. Drive over a ramp.",
-                                   variety.tilt_range_deg)});
+  else if (variety.tilt_range_rad < kLittleTilt_rad && !(assumed_tilt_sigma_rad(checked.session.ins) > 0.0))
+    findings.push_back(
+        {Severity::Note, "flat-driving", checked.session.name, say::little_tilting(Angle{variety.tilt_range_rad})});
 }
 
 }  // namespace
 
 DataCheck drive_variety_check() {
-  return {.kinds = {{"little-turning",
-                     "Only turns tell where the LiDAR sits: straight driving tells how it is turned, no more.",
-                     "Turn fully to each side at least once: in a figure of eight with a vehicle, on the spot with a "
-                     "machine that slews."},
-                    {"flat-driving", "Only tilting tells the height: on level ground it keeps the nominal value.",
-                     "Drive over a ramp, a kerb with one wheel or a bumpy road while turning; where it matters, "
-                     "measure it by tape and give it with --measured."}},
+  return {.kinds = {{"little-turning", say::little_turning_meaning, say::little_turning_remedy},
+                    {"flat-driving", say::flat_driving_meaning, say::flat_driving_remedy}},
           .look = look_at_variety,
           .of_the_drive = true};
 }

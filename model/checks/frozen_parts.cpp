@@ -5,8 +5,9 @@
 
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
+#include "model/checks/check_times.h"
 
 namespace remount {
 namespace {
@@ -112,28 +113,16 @@ class FrozenParts {
 void look_for_frozen_parts(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
   const FrozenParts frozen(checked);
   if (const double frozen_s = frozen.longest_attitude_s(); frozen_s > 0.0)
-    findings.push_back(
-        {Severity::Warning, "ins-attitude-frozen", "INS",
-         check_text("The INS repeats one attitude for %.1f s, while its positions run through a turn.", frozen_s)});
+    findings.push_back({Severity::Warning, "ins-attitude-frozen", "INS", say::ins_attitude_frozen(Duration{frozen_s})});
   if (const double frozen_s = frozen.longest_position_s(); frozen_s > 0.0)
-    findings.push_back(
-        {Severity::Warning, "ins-position-frozen", "INS",
-         check_text("The INS repeats one position for %.1f s, while its attitude changes and the vehicle "
-                    "drives on.",
-                    frozen_s)});
+    findings.push_back({Severity::Warning, "ins-position-frozen", "INS", say::ins_position_frozen(Duration{frozen_s})});
 }
 
 }  // namespace
 
 DataCheck frozen_part_check() {
-  return {.kinds = {{"ins-attitude-frozen",
-                     "Pairs take the vehicle to have moved without turning; those in turns contradict all others.",
-                     "See whether the attitude had aligned and whether its log or driver stalled; leave that part of "
-                     "the drive out, or record it again."},
-                    {"ins-position-frozen",
-                     "Pairs take the vehicle to have turned in its place, and what is found for its position is wrong.",
-                     "See whether GNSS or its driver stalled; leave that part of the drive out, or use a log that was "
-                     "processed afterwards (PPK)."}},
+  return {.kinds = {{"ins-attitude-frozen", say::ins_attitude_frozen_meaning, say::ins_attitude_frozen_remedy},
+                    {"ins-position-frozen", say::ins_position_frozen_meaning, say::ins_position_frozen_remedy}},
           .look = look_for_frozen_parts};
 }
 

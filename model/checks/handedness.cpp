@@ -8,9 +8,9 @@
 #include "algorithms/geometry/rotation.h"
 #include "algorithms/registration/registration.h"
 #include "algorithms/trajectory/motion_track.h"
+#include "messages/checks.h"
 #include "model/attitude_check.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
 #include "model/session_frames.h"
 
 namespace remount {
@@ -96,23 +96,15 @@ void look_at_handedness(const CheckedSession& checked, std::vector<Finding>& fin
     if (upright >= kEnoughUpright) return;
   }
   if (mirrored < kEnoughMirrored || upright > 0 || attitude_is_to_blame(checked)) return;
-  findings.push_back(
-      {Severity::Problem, "cloud-left-handed", "scans",
-       check_text("In all %zu pairs that were looked at, the scans turn the other way round than the INS, "
-                  "with the ground below: the points are mirrored, one of their axes has the wrong sign.",
-                  mirrored)});
+  findings.push_back({Severity::Problem, "cloud-left-handed", "scans", say::cloud_left_handed(mirrored)});
 }
 
 }  // namespace
 
 DataCheck handedness_check() {
-  return {
-      .kinds =
-          {{"cloud-left-handed", "No mounting turns a mirrored cloud into the world: no result can be right.",
-            "Give x forward, y left, z up or any other right-handed axes: turn the sign of y where the driver has y to "
-            "the right."}},
-      .look = look_at_handedness,
-      .reads_scans = true};
+  return {.kinds = {{"cloud-left-handed", say::cloud_left_handed_meaning, say::cloud_left_handed_remedy}},
+          .look = look_at_handedness,
+          .reads_scans = true};
 }
 
 }  // namespace remount

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "algorithms/geometry/rotation.h"
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
 #include "model/held_positions.h"
 #include "model/held_values.h"
 
 namespace remount {
 namespace {
 
-void add(std::vector<Finding>& findings, const char* code, std::string explanation) {
+void add(std::vector<Finding>& findings, const char* code, Message explanation) {
   findings.push_back({Severity::Warning, code, "INS", std::move(explanation)});
 }
 
@@ -28,9 +28,7 @@ void look_at_attitude(const CheckedSession& checked, std::vector<Finding>& findi
         return checked.logged_attitude(a).angularDistance(checked.logged_attitude(b));
       })) {
     add(findings, "ins-attitude-held",
-        check_text("The attitude stands still for %.3f s at a time (%.0f samples) and then jumps, by %.2f degrees "
-                   "where the vehicle turns: it is logged more often than it is computed.",
-                   all->hold_s, all->samples, radians_to_degrees(all->jump)));
+        say::ins_attitude_held(Duration{all->hold_s}, all->samples, Angle{all->jump}));
     return;
   }
   // Headings may come from another receiver, of two antennas, than pitch and roll.
@@ -40,9 +38,7 @@ void look_at_attitude(const CheckedSession& checked, std::vector<Finding>& findi
       });
       heading && !heading->rounded)
     add(findings, "ins-attitude-held",
-        check_text("The heading alone stands still for %.3f s at a time (%.0f samples) and then jumps, by %.2f degrees "
-                   "where the vehicle turns: it is logged more often than it is computed.",
-                   heading->hold_s, heading->samples, radians_to_degrees(heading->jump)));
+        say::ins_heading_held(Duration{heading->hold_s}, heading->samples, Angle{heading->jump}));
 }
 
 void look_at_position(const CheckedSession& checked, std::vector<Finding>& findings) {
@@ -54,23 +50,19 @@ void look_at_position(const CheckedSession& checked, std::vector<Finding>& findi
   };
   if (const auto all = held_positions(checked.session, poses)) {
     add(findings, "ins-position-held",
-        check_text("The position stands still for %.3f s at a time (%.0f samples) and then jumps, by %.2f m where the "
-                   "vehicle drives: it is logged more often than it is computed.",
-                   all->hold_s, all->samples, all->jump));
+        say::ins_position_held(Duration{all->hold_s}, all->samples, Length{all->jump}));
     return;
   }
-  const auto look_at_number = [&](int axis, const char* name, double InsSample::*angle_rad) {
+  const auto look_at_number = [&](int axis, const Message& name, double InsSample::*angle_rad) {
     const auto along = [&](std::size_t a, std::size_t b) {
       return geodetic && ins[a].*angle_rad == ins[b].*angle_rad ? 0.0 : std::abs(step(a, b)[axis]);
     };
     if (const auto one = held_steps(poses, 0.0, kDriving_m, kLeastStep_m, along); one && !one->rounded)
       add(findings, "ins-position-held",
-          check_text("One number of the position, %s, stands still for %.3f s at a time (%.0f samples) and then jumps, "
-                     "by %.2f m where the vehicle drives: it is logged more often than it is computed.",
-                     name, one->hold_s, one->samples, one->jump));
+          say::ins_number_held(name, Duration{one->hold_s}, one->samples, Length{one->jump}));
   };
-  look_at_number(1, geodetic ? "latitude" : "y", &InsSample::latitude_rad);
-  look_at_number(0, geodetic ? "longitude" : "x", &InsSample::longitude_rad);
+  look_at_number(1, geodetic ? say::check_latitude() : Message::verbatim("y"), &InsSample::latitude_rad);
+  look_at_number(0, geodetic ? say::check_longitude() : Message::verbatim("x"), &InsSample::longitude_rad);
 }
 
 void look_for_held_parts(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
@@ -81,22 +73,10 @@ void look_for_held_parts(const CheckedSession& checked, std::vector<Finding>& fi
 }  // namespace
 
 DataCheck held_part_check() {
-  return {.kinds =
-              {{"ins-attitude-held",
-                "Attitudes are late by half such a step on average, and jump: X is off by as much where the vehicle "
-                "turns, and no sigma says so.",
-                "Log the attitude as it is computed, with all digits; or keep only the first sample of each that "
-                "repeats: between those the motion is interpolated."},
-               {"ins-position-held",
-                "Positions are late by half such a step on average, and jump: X is off by the way that is driven "
-                "meanwhile, and no sigma says so.",
-                "Log the position as it is computed, with all digits; or keep only the first sample of each that "
-                "repeats: between those the motion is interpolated."},
-               {kPositionsInterpolated,
-                "Repeats of a position are no measurements. Between those that were measured the way is interpolated, "
-                "which is right where each is logged as soon as it is computed.",
-                "Log the position as it is computed, with all digits. Where each comes later than its stamp says, take "
-                "the delay out of the stamps."}},
+  return {.kinds = {{"ins-attitude-held", say::ins_attitude_held_meaning, say::ins_attitude_held_remedy},
+                    {"ins-position-held", say::ins_position_held_meaning, say::ins_position_held_remedy},
+                    {kPositionsInterpolated, say::ins_positions_interpolated_meaning,
+                     say::ins_positions_interpolated_remedy}},
           .look = look_for_held_parts};
 }
 

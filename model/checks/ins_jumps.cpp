@@ -5,8 +5,9 @@
 
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
+#include "model/checks/check_times.h"
 #include "model/session_report.h"
 
 namespace remount {
@@ -144,43 +145,29 @@ void look_for_jumps(const CheckedSession& checked, std::vector<Finding>& finding
   const Jumps turns = turns_of(checked, held("ins-attitude-held"));
   if (turns.count > 0) {
     const std::string when = utc_text(turns.largest_ns);
-    const double largest_deg = radians_to_degrees(turns.largest);
     findings.push_back({Severity::Warning, "ins-attitude-jump", "INS",
-                        turns.count == 1
-                            ? check_text("The attitude jumps once, by %.1f degrees at %s.", largest_deg, when.c_str())
-                            : check_text("The attitude jumps %zu times, the farthest by %.1f degrees at %s.",
-                                         turns.count, largest_deg, when.c_str())});
+                        turns.count == 1 ? say::ins_attitude_jump(Angle{turns.largest}, when)
+                                         : say::ins_attitude_jumps(turns.count, Angle{turns.largest}, when)});
   }
   const Jumps jumps = steps_of(checked.poses, held("ins-position-held"));
   if (jumps.count > 0) {
     const std::string when = utc_text(jumps.largest_ns);
     findings.push_back({Severity::Warning, "ins-jump", "INS",
-                        jumps.count == 1
-                            ? check_text("The position jumps once, by %.2f m at %s.", jumps.largest, when.c_str())
-                            : check_text("The position jumps %zu times, the farthest by %.2f m at %s.", jumps.count,
-                                         jumps.largest, when.c_str())});
+                        jumps.count == 1 ? say::ins_jump(Length{jumps.largest}, when)
+                                         : say::ins_jumps(jumps.count, Length{jumps.largest}, when)});
     return;
   }
   const double fastest = fastest_mps(checked.poses);
   if (fastest > kFastestVehicle_mps)
-    findings.push_back(
-        {Severity::Warning, "ins-jump", "INS",
-         check_text("The INS moves at up to %.0f m/s: its position jumps, or its stamps are wrong.", fastest)});
+    findings.push_back({Severity::Warning, "ins-jump", "INS", say::ins_too_fast(Speed{fastest})});
 }
 
 }  // namespace
 
 DataCheck ins_jump_check() {
-  return {
-      .kinds =
-          {{"ins-jump", "A pair across a jump tells of a motion that never was; it is rejected where that shows.",
-            "See whether RTK was lost there or the filter was reset; reject the pairs across it, or use a log that was "
-            "processed afterwards (PPK)."},
-           {"ins-attitude-jump",
-            "A pair across a jump tells of a turn that never was; it is rejected where that shows.",
-            "See whether the heading was aligned anew there or a sample is damaged; reject the pairs across it, or use "
-            "a log that was processed afterwards (PPK)."}},
-      .look = look_for_jumps};
+  return {.kinds = {{"ins-jump", say::ins_jump_meaning, say::ins_jump_remedy},
+                    {"ins-attitude-jump", say::ins_attitude_jump_meaning, say::ins_attitude_jump_remedy}},
+          .look = look_for_jumps};
 }
 
 }  // namespace remount

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "algorithms/core/median.h"
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
-#include "model/count_words.h"
+#include "model/checks/check_times.h"
 
 namespace remount {
 namespace {
@@ -48,10 +48,7 @@ void report_status(const std::vector<InsSample>& ins, std::vector<Finding>& find
   if (found.degraded + found.invalid == 0) return;
   findings.push_back(
       {found.invalid > 0 ? Severity::Warning : Severity::Note, "ins-status", "INS",
-       check_text("%zu of %zu samples are degraded and %zu invalid by the INS's own status, in %s, the longest "
-                  "of %.1f s.",
-                  found.degraded, ins.size(), found.invalid, number_of(found.stretches, "stretch", "stretches").c_str(),
-                  found.longest_s)});
+       say::ins_status(found.degraded, ins.size(), found.invalid, found.stretches, Duration{found.longest_s})});
 }
 
 void report_gaps(const MetricPoses& poses, std::vector<Finding>& findings) {
@@ -64,9 +61,7 @@ void report_gaps(const MetricPoses& poses, std::vector<Finding>& findings) {
   const auto gaps = std::count_if(steps.begin(), steps.end(), [&](double step) { return step > longest_allowed; });
   if (gaps == 0) return;
   findings.push_back({Severity::Warning, "ins-gaps", "INS",
-                      check_text("%s, the longest %.3f s; nothing is interpolated across them.",
-                                 number_of(static_cast<std::size_t>(gaps), "gap", "gaps").c_str(),
-                                 *std::max_element(steps.begin(), steps.end()))});
+                      say::ins_gaps(gaps, Duration{*std::max_element(steps.begin(), steps.end())})});
 }
 
 void look_at_solution(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
@@ -74,25 +69,16 @@ void look_at_solution(const CheckedSession& checked, std::vector<Finding>& findi
   report_gaps(checked.poses, findings);
   const double frozen_s = longest_frozen_s(checked.poses);
   if (frozen_s > kFrozen_s)
-    findings.push_back(
-        {Severity::Warning, "ins-frozen", "INS",
-         check_text("The INS repeats one solution for %.1f s; was it still aligning, or did the log stall?",
-                    frozen_s)});
+    findings.push_back({Severity::Warning, "ins-frozen", "INS", say::ins_frozen(Duration{frozen_s})});
 }
 
 }  // namespace
 
 DataCheck ins_solution_check() {
-  return {
-      .kinds =
-          {{"ins-gaps", "Scans that fall into a gap of the INS have no motion to be compared with, and are not used.",
-            "Look for messages that the recorder drops (disk, network, buffers); record again where much is missing."},
-           {"ins-status", "The INS doubts its own solution there: it may be off by more than it claims.",
-            "Record under open sky after the INS has finished aligning, or leave that part of the drive out."},
-           {"ins-frozen",
-            "A solution that stands still while the vehicle moves makes pairs that contradict all others.",
-            "Wait until the INS has aligned before you drive, and see whether the log or its driver stalled."}},
-      .look = look_at_solution};
+  return {.kinds = {{"ins-gaps", say::ins_gaps_meaning, say::ins_gaps_remedy},
+                    {"ins-status", say::ins_status_meaning, say::ins_status_remedy},
+                    {"ins-frozen", say::ins_frozen_meaning, say::ins_frozen_remedy}},
+          .look = look_at_solution};
 }
 
 }  // namespace remount

@@ -1,44 +1,25 @@
 // What methods find out about data while they run.
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
 
 namespace remount {
 
 DataCheck method_run_check() {
-  return {
-      .kinds = {
-          {"odometry-lost", "Poses that are predicted come from no scan: what the LiDAR did there is not known.",
-           "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."},
-          {"odometry-scans", "A scan that is not aligned has no pose, and takes no part.",
-           "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."},
-          {"turn-scans", "A scan that is not aligned has no pose, and takes no part.",
-           "Drive more slowly, or where there is more to see; see whether the scans are whole and in order."},
-          {"odometry-unsettled", "The odometry was made with another mounting than the one it leads to.",
-           "Give a better nominal, or drive where there is more to see."},
-          {"odometry-restarted", "What spans such a place rests on a prediction.",
-           "Look for gaps of the scans there; drive more slowly, or where there is more to see."},
-          {"odometry-point-times",
-           "Scans that are taken while the vehicle moves stay bent, and align the worse for it.",
-           "Have the driver write the times of points from the stamp of the scan, in one unit."},
-          {"odometry-without-ins", "There is nothing to compare its odometry with.",
-           "Record an INS with attitude, or leave the session out."},
-          {"trajectory-outliers", "Either these positions and attitudes are wrong, or their clock is.",
-           "Look for lost corrections and reflected signals there; where they are many, look at clocks and "
-           "conventions."},
-          {"nominal-unused", "A place on the vehicle is another number in another frame.",
-           "Give the nominal mounting in the frame in which the method finds the sensor, or none."},
-          {"registration-sigma",
-           "Points that are matched with points, or with cells, are off by more than their number says, the same way "
-           "in every pair.",
-           "Choose plane-to-plane or pcl-gicp where the sigma is to hold."},
-          {"wheel-scale", "A tyre differs by a per cent or two: one of the two is not in metres.",
-           "Look at the wheel radius or the units of the wheel speeds, and at the units of the sensor's poses."},
-          {"drive-gap", "Dead reckoning does not reach across a gap.",
-           "Look for messages that the recorder drops (disk, network, buffers); record again where much is missing."},
-          {"first-session-only", "The other sessions take no part.", "Give one session, or poses of a sensor."},
-          {"ground-tilted", "The machine stood on a slope, or what was taken for the ground is none.",
-           "Record the ground where it is level and free around the machine."},
-          {"ground-not-seen", "z, pitch and roll rest on the motion of the drive alone.",
-           "Drive where the road around the vehicle is free, or measure z by hand."}}};
+  return {.kinds = {{"odometry-lost", say::odometry_lost_meaning, say::odometry_lost_remedy},
+                    {"odometry-scans", say::odometry_scans_meaning, say::odometry_lost_remedy},
+                    {"turn-scans", say::odometry_scans_meaning, say::odometry_lost_remedy},
+                    {"odometry-unsettled", say::odometry_unsettled_meaning, say::odometry_unsettled_remedy},
+                    {"odometry-restarted", say::odometry_restarted_meaning, say::odometry_restarted_remedy},
+                    {"odometry-point-times", say::odometry_point_times_meaning, say::odometry_point_times_remedy},
+                    {"odometry-without-ins", say::odometry_without_ins_meaning, say::odometry_without_ins_remedy},
+                    {"trajectory-outliers", say::trajectory_outliers_meaning, say::trajectory_outliers_remedy},
+                    {"nominal-unused", say::nominal_unused_meaning, say::nominal_unused_remedy},
+                    {"registration-sigma", say::registration_sigma_meaning, say::registration_sigma_remedy},
+                    {"wheel-scale", say::wheel_scale_meaning, say::wheel_scale_remedy},
+                    {"drive-gap", say::drive_gap_meaning, say::ins_gaps_remedy},
+                    {"first-session-only", say::first_session_only_meaning, say::first_session_only_remedy},
+                    {"ground-tilted", say::ground_tilted_meaning, say::ground_tilted_remedy},
+                    {"ground-not-seen", say::ground_not_seen_meaning, say::ground_not_seen_remedy}}};
 }
 
 }  // namespace remount

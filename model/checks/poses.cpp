@@ -1,24 +1,17 @@
 // What was found out of positions, poses and frames on the earth while a session was opened.
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
 
 namespace remount {
 
 DataCheck pose_check() {
-  return {.kinds = {
-              {"utm-true-north", "Without that, yaw of X would be off by the grid's convergence without a sign of it.",
-               "Give latitude and longitude where you have them, as a NavSatFix or in a session.yaml."},
-              {"utm-grid-north", "Distances of the grid are up to a thousandth too long or too short.",
-               "Give latitude and longitude where you have them."},
-              {"north-unknown", "Positions and attitudes that count from different norths turn X about the vertical.",
-               "Record the fixes of the same drive, too, or give latitude and longitude with attitudes to true north."},
-              {"ins-axes-by-travel", "Exports that turn axes, and the obstacle check, go by what looks forward.",
-               "Nothing; where a robot moves sideways at will, mind that its axes are called otherwise."},
-              {"ins-axes-down", "Exports that turn axes cannot know what the axes of the INS are.",
-               "Nothing, where the INS has z down; otherwise check the convention of the attitude (ENU or NED)."},
-              {"off-earth", "Glitches of a filter or of its log; what lies between them is used.",
-               "Look at the source of the stream where they are many."},
-              {"stamps-unit", "Stamps in another unit would be none at all.",
-               "Name the unit in the first line, as in \"# timestamp [ns] tx ty tz qx qy qz qw\"."}}};
+  return {.kinds = {{"utm-true-north", say::utm_true_north_meaning, say::utm_true_north_remedy},
+                    {"utm-grid-north", say::utm_grid_north_meaning, say::utm_grid_north_remedy},
+                    {"north-unknown", say::north_unknown_meaning, say::north_unknown_remedy},
+                    {"ins-axes-by-travel", say::ins_axes_by_travel_meaning, say::ins_axes_by_travel_remedy},
+                    {"ins-axes-down", say::ins_axes_down_meaning, say::ins_axes_down_remedy},
+                    {"off-earth", say::off_earth_meaning, say::off_earth_remedy},
+                    {"stamps-unit", say::stamps_unit_meaning, say::stamps_unit_remedy}}};
 }
 
 }  // namespace remount

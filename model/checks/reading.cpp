@@ -1,71 +1,38 @@
 // What could not be used of a recording, and why.
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
 
 namespace remount {
 
 DataCheck reading_check() {
-  return {
-      .kinds = {
-          {"missing-scans", "Scans that are listed are not there, and take no part.",
-           "Copy the recording again, whole."},
-          {"scans-without-stamp", "Scans without a time cannot be used.",
-           "Copy the file of stamps again, as it was recorded."},
-          {"ins-far-away", "Positions far from all others are glitches of the receiver, and left out.",
-           "Nothing, where they are few; otherwise the log holds more than one drive."},
-          {"bad-scan-names", "Files whose names are no stamps are left out.",
-           "Name scans by their time, or give a table of stamps."},
-          {"heading-alone", "Roll and pitch are guesses: of the mounting only yaw, and x and y, can be relied on.",
-           "Log PASHR as well, or use an INS; or give what you measured, or the height of the INS above ground."},
-          {"log-cut", "The recording was stopped, or copied, before it was complete.",
-           "Copy the log again, whole. What lies before the cut is used."},
-          {"heading-order", "In turns, headings may be those of the next position.",
-           "Begin the log with a heading (HDT) and end it with a position, or log PASHR, which has a time."},
-          {"attitude-sparse", "Between attitudes that are far apart in time the motion is not known.",
-           "Log attitude (PASHR or HDT) at the rate of the positions, at 5 Hz or more."},
-          {"bag-cut-end", "Nothing is missing but the index; yet a file that lacks its end was not copied whole.",
-           "Copy the bag again, whole; close the recorder before copying. mcap recover writes a new index."},
-          {"bag-*", "What lies in the damaged part of the bag takes no part.",
-           "Copy the bag again, whole; close the recorder before copying. rosbag reindex (.bag) or mcap recover "
-           "(.mcap) restore an index, sqlite3's .recover what is whole of a .db3."},
-          {"ins-incomplete", "Messages without a fix or an orientation are no poses of the INS.",
-           "Let the INS get its fix and align before you drive; record position and orientation at one rate."},
-          {"ins-slow", "Where the vehicle turns, an interpolated motion is not the one that was driven.",
-           "Log the INS at 50 Hz or faster, or drive slowly and steadily."},
-          {"no-point-times",
-           "Scans of a moving sensor are bent by the motion within a sweep, unless somebody has compensated them.",
-           "Record points with their times: set the driver to write them (in a field called time, t or timestamp). A "
-           "calibration tries sweeps in both directions and takes what the scans prove; without proof the sigmas "
-           "include the others, and no clock offset is estimated."},
-          {"point-times-misfit",
-           "Times that are of another unit, or shares of a turn, bend the scans instead of mending them; they count as "
-           "scans whose times are not known.",
-           "Have the driver write the times of points in seconds, or name the unit in the column (time_ms, time_us, "
-           "time_ns)."},
-          {"point-times-backwards", "Taken forwards, such times bend the scans twice.",
-           "Have the driver write the times of points from the stamp on."},
-          {"sweep-open", "How the scans are bent by motion is a guess.",
-           "Record points with their times, or declare in a native session how the sensor turns (timing: sweep)."},
-          {"sweep-reversed", "The sensor turns the other way than those that the format was made for.",
-           "Nothing, where the LiDAR is another one; otherwise check that axes of the points are right-handed."},
-          {"stamps-not-by-number", "Scans and INS samples were taken out or renumbered apart from each other.",
-           "Nothing, where the stamps of both are right; otherwise copy the drive again, whole."},
-          {"no-stamps", "What the recorder is late by is a clock offset: X is off by it where the vehicle turns.",
-           "Have the driver stamp its messages; look at the clock offset of the result."},
-          {"height-missing", "A height that falls to zero is taken for motion.",
-           "Export the track with its heights, or take out the points that have none."},
-          {"nominal-unreadable", "The search begins without the mounting that lies beside the drive.",
-           "Mend the file, or give the nominal mounting yourself."},
-          {"rotation-not-orthonormal", "Digits were lost, or the numbers are in another order than was taken.",
-           "Export the poses again with all digits, and check their layout."},
-          {"scan-without-ins", "Scans without a motion of the INS cannot be compared with anything.",
-           "Record the INS from before the first scan until after the last, on one clock."},
-          {"no-readable-scan", "There is nothing that could be registered.", "Copy the recording again, whole."},
-          {"too-few-scans", "A motion lies between two scans.",
-           "Record a drive, and see whether the folder holds all of its scans."},
-          {"no-motion", "Only motion tells where the LiDAR sits.",
-           "Turn fully to each side at least once: in a figure of eight with a vehicle, on the spot with a machine "
-           "that slews."},
-          {"bad-*", "Lines that are damaged are left out.", "Export the log again where they are many."}}};
+  return {.kinds = {
+              {"missing-scans", say::missing_scans_meaning, say::missing_scans_remedy},
+              {"scans-without-stamp", say::bad_stamps_meaning, say::bad_stamps_remedy},
+              {"ins-far-away", say::ins_far_away_meaning, say::gnss_far_away_remedy},
+              {"bad-scan-names", say::bad_scan_names_meaning, say::bad_scan_names_remedy},
+              {"heading-alone", say::heading_alone_meaning, say::heading_alone_remedy},
+              {"log-cut", say::log_cut_meaning, say::log_cut_remedy},
+              {"heading-order", say::heading_order_meaning, say::heading_order_remedy},
+              {"attitude-sparse", say::attitude_sparse_meaning, say::attitude_sparse_remedy},
+              {"bag-cut-end", say::bag_cut_end_meaning, say::bag_cut_end_remedy},
+              {"bag-*", say::bag_any_meaning, say::bag_any_remedy},
+              {"ins-incomplete", say::ins_incomplete_meaning, say::ins_incomplete_remedy},
+              {"ins-slow", say::ins_slow_meaning, say::ins_slow_remedy},
+              {"no-point-times", say::no_point_times_meaning, say::no_point_times_remedy},
+              {"point-times-misfit", say::point_times_misfit_meaning, say::point_times_misfit_remedy},
+              {"point-times-backwards", say::point_times_backwards_meaning, say::point_times_backwards_remedy},
+              {"sweep-open", say::sweep_open_meaning, say::sweep_open_remedy},
+              {"sweep-reversed", say::sweep_reversed_meaning, say::sweep_reversed_remedy},
+              {"stamps-not-by-number", say::stamps_not_by_number_meaning, say::stamps_not_by_number_remedy},
+              {"no-stamps", say::no_stamps_meaning, say::no_stamps_remedy},
+              {"height-missing", say::height_missing_meaning, say::height_missing_remedy},
+              {"nominal-unreadable", say::nominal_unreadable_meaning, say::nominal_unreadable_remedy},
+              {"rotation-not-orthonormal", say::rotation_not_orthonormal_meaning, say::rotation_not_orthonormal_remedy},
+              {"scan-without-ins", say::scan_without_ins_meaning, say::scan_without_ins_remedy},
+              {"no-readable-scan", say::no_readable_scan_meaning, say::missing_scans_remedy},
+              {"too-few-scans", say::too_few_scans_meaning, say::too_few_scans_remedy},
+              {"no-motion", say::no_motion_meaning, say::little_turning_remedy},
+              {"bad-*", say::bad_any_meaning, say::bad_any_remedy}}};
 }
 
 }  // namespace remount

@@ -2,9 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
-#include "model/count_words.h"
 
 namespace remount {
 namespace {
@@ -40,12 +39,9 @@ void report(const std::vector<float>& stated, const char* where, std::vector<Fin
     worst_m = std::max(worst_m, sigma_m);
   }
   if (lost == 0) return;
-  findings.push_back(
-      {Severity::Warning, "rtk-lost", where,
-       check_text("The stated error of the position grows from %.3f m to %.2f m in %s, %.0f %% of the drive: "
-                  "corrections (RTK) were lost.",
-                  best_m, worst_m, number_of(stretches, "stretch", "stretches").c_str(),
-                  100.0 * static_cast<double>(lost) / static_cast<double>(stated.size()))});
+  findings.push_back({Severity::Warning, "rtk-lost", where,
+                      say::rtk_lost(Length{best_m}, Length{worst_m}, stretches,
+                                    Share{static_cast<double>(lost) / static_cast<double>(stated.size())})});
 }
 
 void look_for_lost_rtk(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
@@ -63,9 +59,7 @@ void look_for_lost_rtk(const CheckedSession& checked, std::vector<Finding>& find
 }  // namespace
 
 DataCheck rtk_check() {
-  return {.kinds = {{"rtk-lost", "Positions drift while corrections are missing, and jump when they come back.",
-                     "Check the link to the corrections; record under open sky, or process the log afterwards (PPK)."}},
-          .look = look_for_lost_rtk};
+  return {.kinds = {{"rtk-lost", say::rtk_lost_meaning, say::rtk_lost_remedy}}, .look = look_for_lost_rtk};
 }
 
 }  // namespace remount

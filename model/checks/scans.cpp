@@ -3,8 +3,8 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/median.h"
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
 
 namespace remount {
 namespace {
@@ -40,8 +40,7 @@ void report_few(const std::vector<Sample>& samples, std::vector<Finding>& findin
   for (const Sample& sample : samples)
     if (static_cast<double>(sample.points) < least) {
       findings.push_back(
-          {Severity::Warning, "scan-few-points", sample.name,
-           check_text("The scan has %zu points only; the usual one has %.0f.", sample.points, median_of(sizes))});
+          {Severity::Warning, "scan-few-points", sample.name, say::scan_few_points(sample.points, median_of(sizes))});
       return;  // one stands for all
     }
 }
@@ -52,8 +51,7 @@ void report_dropped(const std::vector<Sample>& samples, std::vector<Finding>& fi
   if (dropped == 0) return;
   const double share = static_cast<double>(dropped) / static_cast<double>(points);
   findings.push_back(
-      {share > kMostDropped ? Severity::Warning : Severity::Note, "scan-nan", "scans",
-       check_text("%.1f %% of the points have no place (NaN, or no range) and are left out.", 100.0 * share)});
+      {share > kMostDropped ? Severity::Warning : Severity::Note, "scan-nan", "scans", say::scan_nan(Share{share})});
 }
 
 void look_at_scans(const CheckedSession& checked, std::vector<Finding>& findings, const Progress& progress) {
@@ -67,12 +65,10 @@ void look_at_scans(const CheckedSession& checked, std::vector<Finding>& findings
 }  // namespace
 
 DataCheck scan_check() {
-  return {.kinds = {{"scan-few-points", "Few points do not hold a scan in place: its pairs are rejected or loose.",
-                     "See whether the sensor was blocked, or packets were lost; record sweeps whole."},
-                    {"scan-nan", "Points without a place are left out, nothing else is.",
-                     "Nothing, where they are beams without a return; otherwise check the driver of the sensor."},
-                    {"bad-scan", "A scan that cannot be read takes no part.", "Copy or export the scan again."},
-                    {"scan-unreadable", "A scan that cannot be read takes no part.", "Copy or export the scan again."}},
+  return {.kinds = {{"scan-few-points", say::scan_few_points_meaning, say::scan_few_points_remedy},
+                    {"scan-nan", say::scan_nan_meaning, say::scan_nan_remedy},
+                    {"bad-scan", say::bad_scan_meaning, say::bad_scan_remedy},
+                    {"scan-unreadable", say::bad_scan_meaning, say::bad_scan_remedy}},
           .look = look_at_scans,
           .reads_scans = true};
 }

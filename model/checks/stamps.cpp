@@ -1,21 +1,14 @@
 // Stamps that repeat, run backwards or are no time: readers take them out as they read.
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
 
 namespace remount {
 
 DataCheck stamp_check() {
-  return {
-      .kinds = {
-          {"*-duplicate-stamps",
-           "Of entries with one stamp only one is used: the best where they say how good they are, otherwise the "
-           "first.",
-           "See whether two recorders write into one log, or whether stamps are rounded."},
-          {"*-reversed-stamps", "Entries that go back in time are left out; where they belong is not known.",
-           "Check the clock of the recorder: it was set while it recorded, or messages were put in order of arrival."},
-          {"*-impossible-stamps", "Entries without a possible time are left out.",
-           "Declare the unit of the stamps (s, ms, us, ns) as the log has it."},
-          {"bad-stamps", "Scans without a time cannot be used.",
-           "Copy the file of stamps again, as it was recorded."}}};
+  return {.kinds = {{"*-duplicate-stamps", say::any_duplicate_stamps_meaning, say::any_duplicate_stamps_remedy},
+                    {"*-reversed-stamps", say::any_reversed_stamps_meaning, say::any_reversed_stamps_remedy},
+                    {"*-impossible-stamps", say::any_impossible_stamps_meaning, say::any_impossible_stamps_remedy},
+                    {"bad-stamps", say::bad_stamps_meaning, say::bad_stamps_remedy}}};
 }
 
 }  // namespace remount

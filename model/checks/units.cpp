@@ -3,8 +3,9 @@
 
 #include "algorithms/core/median.h"
 #include "algorithms/geometry/rotation.h"
+#include "messages/checks.h"
 #include "model/checks/builtin.h"
-#include "model/checks/check_text.h"
+#include "model/checks/check_times.h"
 
 namespace remount {
 namespace {
@@ -21,9 +22,7 @@ void check_positions(const std::vector<InsSample>& ins, std::vector<Finding>& fi
   if (std::abs(latitude_deg) > 0.5 * kPi || std::abs(longitude_deg) > kPi) return;
   if (latitude_deg == 0.0 && longitude_deg == 0.0) return;  // a local frame that was given a place
   findings.push_back({Severity::Problem, "position-unit", "INS",
-                      check_text("The drive would lie in the sea at latitude %.4f, longitude %.4f degrees: these are "
-                                 "radians that are taken for degrees.",
-                                 latitude_deg, longitude_deg)});
+                      say::position_unit(Angle{ins.front().latitude_rad}, Angle{ins.front().longitude_rad})});
 }
 
 /// How much the rate of rotation varies about its mean, rad/s; NaN where there is none.
@@ -59,17 +58,12 @@ void check_imu(const CheckedSession& checked, std::vector<Finding>& findings) {
   const double imu_rate = std::sqrt(rates), ins_rate = varying_rate(checked.poses);
   const double ratio = ins_rate > 0.05 ? imu_rate / ins_rate : 1.0;
   if (ratio > 0.4 * kDegreesPerRadian || ratio < 2.5 / kDegreesPerRadian)
-    findings.push_back(
-        {Severity::Problem, "imu-rate-unit", "IMU",
-         check_text("The IMU turns %.3g times as fast as the INS: degrees and radians are mixed up.", ratio)});
+    findings.push_back({Severity::Problem, "imu-rate-unit", "IMU", say::imu_rate_unit(ratio)});
   if (forces.empty()) return;
   const double force = median_of(forces);
   if (force < 0.15 * kGravity_mps2)
-    findings.push_back(
-        {Severity::Problem, "imu-force-unit", "IMU",
-         check_text("The IMU reads a specific force of %.2f, where gravity alone is 9.8 m/s^2: these are "
-                    "units of g, or gravity was taken out.",
-                    force)});
+    findings.push_back({Severity::Problem, "imu-force-unit", "IMU",
+                        say::imu_force_unit(Acceleration{force}, Acceleration{kGravity_mps2})});
 }
 
 void look_at_units(const CheckedSession& checked, std::vector<Finding>& findings, const Progress&) {
@@ -80,15 +74,10 @@ void look_at_units(const CheckedSession& checked, std::vector<Finding>& findings
 }  // namespace
 
 DataCheck unit_check() {
-  return {.kinds = {{"angle-unit", "Angles in the wrong unit make every attitude wrong.",
-                     "Declare attitude: {unit: deg} or {unit: rad} as the log has it."},
-                    {"position-unit", "The whole drive shrinks to centimetres, and nothing agrees with the LiDAR.",
-                     "Declare the unit of latitude and longitude as the log has it."},
-                    {"imu-rate-unit", "Odometry that lives on the IMU turns dozens of times too far, or hardly.",
-                     "Declare the unit of the angular rate as the log has it."},
-                    {"imu-force-unit",
-                     "The direction of gravity is found, but forces are taken for a tenth of what they are.",
-                     "Declare the unit of the specific force; record raw values, with gravity in them."}},
+  return {.kinds = {{"angle-unit", say::angle_unit_meaning, say::angle_unit_remedy},
+                    {"position-unit", say::position_unit_meaning, say::position_unit_remedy},
+                    {"imu-rate-unit", say::imu_rate_unit_meaning, say::imu_rate_unit_remedy},
+                    {"imu-force-unit", say::imu_force_unit_meaning, say::imu_force_unit_remedy}},
           .look = look_at_units};
 }
 

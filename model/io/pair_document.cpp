@@ -46,8 +46,8 @@ DocumentNode registration_document(const RegistrationQuality& quality) {
   node.add("rmse_m", DocumentNode::number(quality.rmse_m));
   node.add("overlap", DocumentNode::number(quality.overlap));
   node.add("information", triangle(quality.information));
-  node.add("failure", DocumentNode::string(quality.failure));
-  if (!quality.undetermined.empty()) node.add("undetermined", DocumentNode::string(quality.undetermined));
+  node.add("failure", DocumentNode::string(english(quality.failure)));
+  if (!quality.undetermined.empty()) node.add("undetermined", DocumentNode::string(english(quality.undetermined)));
   return node;
 }
 

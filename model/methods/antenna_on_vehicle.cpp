@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <limits>
 
 #include "algorithms/calibration/antenna_fit.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/geometry/geodesy.h"
+#include "messages/methods.h"
 
 namespace remount {
 namespace {
@@ -47,28 +48,19 @@ void fill(const AntennaFit& fit, const PipelineInput& input, CalibrationResult& 
   }
   result.ins_from_lidar = vehicle_from_antenna;
   result.status = Status::Degenerate;
-  const std::string place = result.observed[0] && result.observed[1] ? "x and y are"
-                            : result.observed[0]                     ? "x is"
-                            : any                                    ? "y is"
-                                                                     : "nothing is";
-  char text[240];
-  std::snprintf(text, sizeof text,
-                "Positions of an antenna show no attitude; of its place %s observed. End error of wheels and yaw rate: "
-                "%.1f m in %.0f m (%.2f%%).",
-                place.c_str(), fit.end_error_m, fit.integrated_m,
-                100.0 * fit.end_error_m / std::max(1.0, fit.integrated_m));
-  result.message = text;
-  result.advice.push_back("Give poses of a sensor (odometry of a LiDAR or a camera) to calibrate all six parameters.");
-  if (!any) result.advice.push_back("x and y of the antenna need turns: drive tight turns in both directions.");
+  const auto words = result.observed[0] && result.observed[1] ? say::antenna_both_observed
+                     : result.observed[0]                     ? say::antenna_x_observed
+                     : any                                    ? say::antenna_y_observed
+                                                              : say::antenna_not_observed;
+  result.message = words(Length{fit.end_error_m}, Length{fit.integrated_m},
+                         Share{fit.end_error_m / std::max(1.0, fit.integrated_m)});
+  result.advice.push_back(say::antenna_give_poses());
+  if (!any) result.advice.push_back(say::antenna_needs_turns());
 }
 
 Finding gap_of(const AntennaFit& fit, const std::string& session) {
-  char text[240];
-  std::snprintf(text, sizeof text,
-                "Wheel speeds or yaw rates have a gap after %.0f s: the end error is that of the %.0f m before it, of "
-                "%.0f m driven.",
-                *fit.first_gap_s, fit.integrated_m, fit.distance_m);
-  return {Severity::Warning, "drive-gap", session, text};
+  return {Severity::Warning, "drive-gap", session,
+          say::antenna_drive_gap(Duration{*fit.first_gap_s}, Length{fit.integrated_m}, Length{fit.distance_m})};
 }
 
 Curve curve(const char* name, const std::vector<StampedPosition>& positions, bool dots) {
@@ -94,8 +86,8 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   for (const auto& each : input.sessions)
     output.findings.insert(output.findings.end(), each->findings.begin(), each->findings.end());
   if (input.sessions.size() > 1)
-    output.findings.push_back({Severity::Warning, "first-session-only", session.name,
-                               "Without poses of a sensor only the first session is used."});
+    output.findings.push_back(
+        {Severity::Warning, "first-session-only", session.name, say::antenna_first_session_only()});
   progress.report("integrating wheels and yaw rate", 0, 0);
   const std::vector<StampedPosition> positions = positions_of(session);
   const VehicleFrameOptions& options = input.settings.vehicle_frame;
@@ -107,7 +99,7 @@ PipelineOutput run_antenna_on_vehicle(const PipelineInput& input, Progress& prog
   output.session_uses_sweep.assign(input.sessions.size(), false);
   if (!fit.found) {
     result.status = progress.cancelled() ? Status::Cancelled : Status::TooFewPairs;
-    result.message = progress.cancelled() ? "Cancelled." : "The drive cannot be integrated: " + fit.why + ".";
+    result.message = progress.cancelled() ? say::method_cancelled() : say::antenna_not_integrated(fit.why);
     return output;
   }
   fill(fit, input, result);

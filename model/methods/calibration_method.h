@@ -12,8 +12,8 @@ namespace remount {
 /// report, export, project and window need not know them; a method without pairs leaves those empty.
 struct CalibrationMethod {
   std::string_view id;                ///< as on the command line and in files: "pairwise"
-  std::string_view title;             ///< for people: "Pairs of keyframes"
-  std::string_view needs;             ///< the streams a session must have, in words: those of model/method_needs.h
+  Message title;                      ///< for people: "Pairs of keyframes"
+  Message needs;                      ///< the streams a session must have, in words: those of model/method_needs.h
   std::string_view settings_section;  ///< of Settings::visit_sections; empty where it has none of its own
   bool from_pairs = false;            ///< of keyframes, which are there to be reviewed
   /// Throws Error(Unsupported) where the sessions lack a stream, Error(Contract) for settings out of range. What the
@@ -34,7 +34,7 @@ bool is_from_pairs(std::string_view id);
 /// Whether any value is given that was measured by hand.
 bool is_measured(const MeasuredOptions& measured);
 /// Throws Error(Contract) where one is, for a method whose result is in the frame of something else than the INS.
-void refuse_measured(const MeasuredOptions& measured, std::string_view method, std::string_view frame);
+void refuse_measured(const MeasuredOptions& measured, std::string_view method, const Message& frame);
 
 /// Throws Error(Contract) for a nominal in another frame than that in which the method of the settings finds the LiDAR,
 /// or outside the search range.

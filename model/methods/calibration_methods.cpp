@@ -2,7 +2,7 @@
 
 #include "algorithms/calibration/out_of_range.h"
 #include "algorithms/core/error.h"
-#include "model/io/document.h"
+#include "messages/methods.h"
 #include "model/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/methods/settled_sweeps.h"
@@ -37,29 +37,30 @@ RigidTransform unobserved_in_range(const CalibrationResult& result, const Search
   return moved ? rigid_from_six(six) : result.ins_from_lidar;
 }
 
-std::string_view words(MethodChoice method) { return needs_of(method).words; }
+Message words(MethodChoice method) { return needs_of(method).words; }
 }  // namespace
 
 const std::vector<CalibrationMethod>& calibration_methods() {
   static const std::vector<CalibrationMethod> methods{
-      {kPairwise, "Pairs of keyframes", words(MethodChoice::Pairwise), "", true, run_pipeline},
-      {"trajectory", "Trajectory alignment", words(MethodChoice::Trajectory), "trajectory", false,
+      {kPairwise, say::method_title_pairwise(), words(MethodChoice::Pairwise), "", true, run_pipeline},
+      {"trajectory", say::method_title_trajectory(), words(MethodChoice::Trajectory), "trajectory", false,
        run_trajectory_method},
-      {"vehicle-frame", "Vehicle frame", words(MethodChoice::VehicleFrame), "vehicle_frame", false, run_vehicle_frame},
-      {"fusion-odometry", "Multi-sensor odometry", words(MethodChoice::FusionOdometry), "fusion", true,
+      {"vehicle-frame", say::method_title_vehicle_frame(), words(MethodChoice::VehicleFrame), "vehicle_frame", false,
+       run_vehicle_frame},
+      {"fusion-odometry", say::method_title_fusion_odometry(), words(MethodChoice::FusionOdometry), "fusion", true,
        run_fusion_method},
-      {"slew", "Slewing machine", words(MethodChoice::Slew), "slew", false, run_slew},
+      {"slew", say::method_title_slew(), words(MethodChoice::Slew), "slew", false, run_slew},
   };
   return methods;
 }
 
 const CalibrationMethod& calibration_method(std::string_view id) {
-  std::string known;
+  std::vector<std::string> known;
   for (const CalibrationMethod& method : calibration_methods()) {
     if (method.id == id) return method;
-    known += (known.empty() ? "" : ", ") + std::string(method.id);
+    known.emplace_back(method.id);
   }
-  throw Error(ErrorCode::Contract, "method " + std::string(id), "is not one of: " + known);
+  throw Error(ErrorCode::Contract, "method " + std::string(id), say::method_unknown(known));
 }
 
 bool is_from_pairs(std::string_view id) {
@@ -73,36 +74,40 @@ bool is_measured(const MeasuredOptions& measured) {
          std::any_of(parameters.begin(), parameters.end(), [](bool given) { return given; });
 }
 
-void refuse_measured(const MeasuredOptions& measured, std::string_view method, std::string_view frame) {
+void refuse_measured(const MeasuredOptions& measured, std::string_view method, const Message& frame) {
   if (!is_measured(measured)) return;
-  throw Error(ErrorCode::Contract, "measured",
-              "values measured by hand are of the LiDAR in the INS frame, and the method '" + std::string(method) +
-                  "' finds it in that of the " + std::string(frame) + "; leave them out");
+  throw Error(ErrorCode::Contract, "measured", say::measured_in_other_frame(std::string(method), frame));
 }
 
 // A value is given by its sigma: 0 is where one begins to fill the form in.
 void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins_height,
                                  std::vector<Finding>& findings) {
-  const auto report = [&findings](const char* name, double value, double sigma, const char* unit, const char* why) {
+  using Why = Message (*)(Message, Message);
+  const auto report = [&findings](const Message& name, double value, double sigma, const Message& shown, Why why) {
     if (value != 0.0 && !(sigma > 0.0))
-      findings.push_back({Severity::Warning, "measured-unused", "measured",
-                          std::string(name) + " was given as measured, " + shortest(value) + " " + unit + why});
+      findings.push_back({Severity::Warning, "measured-unused", "measured", why(name, shown)});
   };
-  const char* const lacks_sigma = ", without a sigma and is not used: give its sigma, too.";
-  report("x", measured.x_m, measured.x_sigma_m, "m", lacks_sigma);
-  report("y", measured.y_m, measured.y_sigma_m, "m", lacks_sigma);
-  report("z", measured.z_m, measured.z_sigma_m, "m", lacks_sigma);
-  report("yaw", measured.yaw_deg, measured.yaw_sigma_deg, "deg", lacks_sigma);
-  report("pitch", measured.pitch_deg, measured.pitch_sigma_deg, "deg", lacks_sigma);
-  report("roll", measured.roll_deg, measured.roll_sigma_deg, "deg", lacks_sigma);
-  report("INS height", measured.ins_height_m, measured.ins_height_sigma_m, "m",
-         takes_ins_height ? lacks_sigma : ", and is not used: this method takes no height of the INS. Leave it out.");
+  const auto length = [&](const Message& name, double length_m, double sigma_m, Why why) {
+    report(name, length_m, sigma_m, say::measured_length(Length{length_m}), why);
+  };
+  const auto angle = [&](const Message& name, double angle_deg, double sigma_deg) {
+    report(name, angle_deg, sigma_deg, say::measured_angle(Angle{degrees_to_radians(angle_deg)}),
+           say::measured_without_sigma);
+  };
+  length(parameter_word(0), measured.x_m, measured.x_sigma_m, say::measured_without_sigma);
+  length(parameter_word(1), measured.y_m, measured.y_sigma_m, say::measured_without_sigma);
+  length(parameter_word(2), measured.z_m, measured.z_sigma_m, say::measured_without_sigma);
+  angle(parameter_word(3), measured.yaw_deg, measured.yaw_sigma_deg);
+  angle(parameter_word(4), measured.pitch_deg, measured.pitch_sigma_deg);
+  angle(parameter_word(5), measured.roll_deg, measured.roll_sigma_deg);
+  length(say::measured_ins_height(), measured.ins_height_m, measured.ins_height_sigma_m,
+         takes_ins_height ? say::measured_without_sigma : say::measured_height_not_taken);
 }
 
 void check_nominal(const PipelineInput& input) {
   if (!input.nominal_ins_from_lidar) return;
-  for (const std::string& problem : {frame_problem(input.nominal_frames, input.settings.run.method, input.sessions),
-                                     nominal_problem(input.nominal_ins_from_lidar, input.settings.range)})
+  for (const Message& problem : {frame_problem(input.nominal_frames, input.settings.run.method, input.sessions),
+                                 nominal_problem(input.nominal_ins_from_lidar, input.settings.range)})
     if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
 }
 
@@ -110,7 +115,7 @@ void keep_in_range(const SearchRange& whole, bool nominal_known, CalibrationResu
   if (!is_usable(result)) return;
   const SearchRange range = range_of(result, whole);
   if (!nominal_known) result.ins_from_lidar = unobserved_in_range(result, range);
-  const std::string outside = outside_range(result.ins_from_lidar, range);
+  const auto outside = outside_range(result.ins_from_lidar, range);
   if (!outside.empty()) refuse_out_of_range(outside, result);
 }
 
@@ -118,7 +123,7 @@ namespace {
 
 // What a session declares is of the LiDAR in the INS frame.
 void tell_unused_nominal(const PipelineInput& input, std::vector<Finding>& findings) {
-  const std::string unused = unused_declaration(input.settings.run.method, input.sessions);
+  const Message unused = unused_declaration(input.settings.run.method, input.sessions);
   if (unused.empty() || input.nominal_ins_from_lidar) return;
   for (const auto& session : input.sessions)
     if (session->nominal_ins_from_lidar) findings.push_back({Severity::Note, "nominal-unused", session->name, unused});
@@ -129,8 +134,7 @@ void tell_of_registration(RegistrationAlgorithm algorithm, std::vector<Finding>&
   if (algorithm != RegistrationAlgorithm::PclIcp && algorithm != RegistrationAlgorithm::PclNdt) return;
   const bool icp = algorithm == RegistrationAlgorithm::PclIcp;
   findings.push_back({Severity::Warning, "registration-sigma", "registration",
-                      std::string(icp ? "pcl-icp" : "pcl-ndt") +
-                          " is for comparison: errors may be several times the sigma that is stated."});
+                      say::method_registration_for_comparison(icp ? "pcl-icp" : "pcl-ndt")});
 }
 
 const CalibrationMethod& chosen_method(const Settings& settings) {

@@ -3,6 +3,7 @@
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/error.h"
+#include "messages/methods.h"
 #include "model/method_needs.h"
 #include "model/methods/builtin.h"
 #include "model/methods/fusion_run.h"
@@ -28,16 +29,14 @@ void add_quantities(const FusionRun& run, const std::string& session, std::vecto
 void tell_breaks(const std::string& session, const FusionRun& run, std::vector<Finding>& findings) {
   if (!run.breaks_ns.empty())
     findings.push_back({Severity::Warning, "odometry-breaks", session,
-                        std::to_string(run.breaks_ns.size()) + " of " + std::to_string(run.odometry.scans.size()) +
-                            " scans do not tell of every direction of the motion, nor does another sensor carry the "
-                            "odometry on; no pair spans them. Drive where there is more to see."});
+                        say::odometry_breaks(run.breaks_ns.size(), run.odometry.scans.size())});
 }
 
 CalibrationResult without_ins() {
   CalibrationResult result;
   result.status = Status::TooFewPairs;
-  result.message = "The odometry is complete, but no session has an INS with attitude to calibrate against.";
-  result.advice = {"Write the poses with \"remount-cli odometry\", or add a session with an INS."};
+  result.message = say::odometry_without_ins();
+  result.advice = {say::odometry_write_poses()};
   return result;
 }
 
@@ -53,8 +52,8 @@ struct FusionPass {
 
 void add_session(const std::shared_ptr<const Session>& session, FusionRun run, FusionPass& pass) {
   if (!has_ins(*session)) {
-    pass.findings.push_back({Severity::Warning, "odometry-without-ins", session->name,
-                             "The session has no INS with attitude: its odometry takes no part in the calibration."});
+    pass.findings.push_back(
+        {Severity::Warning, "odometry-without-ins", session->name, say::odometry_session_without_ins()});
     return;
   }
   pass.scans += run.odometry.scans.size();
@@ -94,20 +93,15 @@ bool can_help(const Session& session) {
 // What the pipeline says of pairs is of no use where there was no odometry to make them of.
 void blame_scans(const FusionPass& pass, bool with_sensors, CalibrationResult& result) {
   if (result.status != Status::TooFewPairs || 2 * pass.breaks < pass.scans) return;
-  result.message = std::to_string(pass.breaks) + " of " + std::to_string(pass.scans) +
-                   " scans do not tell of every direction of the motion: hardly any pair is left to compare with the "
-                   "INS.";
-  result.advice = {with_sensors ? "Nor do wheel speeds and gyroscope cover these scans: look at their stamps, or drive "
-                                  "where there is more to see."
-                                : "Give a nominal mounting and record wheel speeds and an IMU, which carry the "
-                                  "odometry through such places; or drive where there is more to see."};
+  result.message = say::odometry_hardly_any_pair(pass.breaks, pass.scans);
+  result.advice = {with_sensors ? say::odometry_sensors_do_not_cover() : say::odometry_record_sensors()};
 }
 
 PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensors, Progress& progress) {
   PipelineOutput output;
   if (pass.cancelled) {
     output.result.status = Status::Cancelled;
-    output.result.message = "Cancelled.";
+    output.result.message = say::method_cancelled();
   } else if (pass.by_odometry.sessions.empty()) {
     output.result = without_ins();
   } else {
@@ -135,8 +129,8 @@ bool worth_another(const Vector6d& change) {
 // What the mounting still moves by when it is put in feeds back into it: the next round would move it by less again,
 // and all that are left out by no more than this one did.
 void add_feedback(const Vector6d& change, const SolveOptions& options, CalibrationResult& result) {
-  add_doubt(change, "it still changes when the odometry is repeated with it", options, result);
-  judge_again("Nothing is known: the mounting changes whenever the odometry is repeated with it.", result);
+  add_doubt(change, say::odometry_still_changes(), options, result);
+  judge_again(say::odometry_never_settles(), result);
 }
 
 bool knows_rotation(const CalibrationResult& result) {
@@ -156,9 +150,8 @@ PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mount
     if (settled || round == kMostRounds) {
       add_feedback(change, input.settings.solve, output.result);
       if (!settled)
-        output.findings.push_back({Severity::Warning, "odometry-unsettled", "multi-sensor odometry",
-                                   "The mounting still changed when the odometry was repeated with it; its sigmas "
-                                   "contain the last change."});
+        output.findings.push_back(
+            {Severity::Warning, "odometry-unsettled", "multi-sensor odometry", say::odometry_unsettled()});
       return output;
     }
     mounting_ins_from_lidar = output.result.ins_from_lidar;
@@ -169,7 +162,7 @@ PipelineOutput iterate_mounting(const PipelineInput& input, RigidTransform mount
 
 PipelineOutput run_fusion_method(const PipelineInput& given, Progress& progress) {
   const PipelineInput input = with_possible_motion(given);
-  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
   require_valid(input.settings);
   // Without an INS the odometry is shown all the same.
   for (const auto& session : input.sessions)

@@ -8,6 +8,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/odometry/fused_poses.h"
+#include "messages/methods.h"
 #include "model/deciding_notes.h"
 #include "model/io/native_session_writer.h"
 #include "model/scan_times.h"
@@ -21,9 +22,7 @@ bool compensates(const Session& session, const Settings& settings, std::vector<F
   if (session.scan_timing == ScanTiming::PerPoint) return true;
   if (session.scan_timing != ScanTiming::SweepAzimuth) return false;
   if (session.sweep.certain || settings.run.deskew == DeskewMode::On) return true;
-  findings.push_back({Severity::Note, "odometry-deskew-off", session.name,
-                      "The format does not say whether its scans are compensated for motion: the odometry uses them as "
-                      "they are. Set run.deskew=on to compensate them."});
+  findings.push_back({Severity::Note, "odometry-deskew-off", session.name, say::odometry_scans_as_they_are()});
   return false;
 }
 
@@ -52,8 +51,8 @@ class ScanAhead {
     try {
       scan = next_.get();
     } catch (const Error& error) {
-      findings_.push_back({Severity::Warning, "scan-unreadable", session_.name,
-                           std::string(error.what()) + " Its pose is the prediction of the odometry."});
+      findings_.push_back(
+          {Severity::Warning, "scan-unreadable", session_.name, say::odometry_scan_unreadable(error.message())});
       scan.stamp_ns = session_.scans->stamp_ns(index);
     }
     if (!sensible(scan.time_from_stamp_s)) {  // not finite, or seconds away
@@ -67,9 +66,7 @@ class ScanAhead {
   void tell_without_times() const {
     if (without_times_ > 0)
       findings_.push_back({Severity::Warning, "odometry-point-times", session_.name,
-                           std::to_string(without_times_) + " of " + std::to_string(session_.scans->size()) +
-                               " scans have points whose times are not finite or more than 5 s from the stamp: they "
-                               "are used without compensation of motion."});
+                           say::odometry_point_times(without_times_, session_.scans->size())});
   }
 
  private:
@@ -84,16 +81,15 @@ class ScanAhead {
 };
 
 void tell_missing(const Session& session, const FusionOptions& options, std::vector<Finding>& findings) {
-  std::string missing;
-  const auto add = [&missing](const char* what) { missing += (missing.empty() ? "" : ", ") + std::string(what); };
+  std::vector<Message> missing;
   const auto has_force = [](const ImuSample& sample) { return sample.specific_force_mps2.allFinite(); };
-  if (options.ackermann && session.wheels.empty()) add("wheel speeds");
-  if (options.ackermann && session.imu.empty()) add("angular rates");
-  if (options.accelerometer && std::none_of(session.imu.begin(), session.imu.end(), has_force)) add("accelerations");
-  if (options.barometer && session.barometer.empty()) add("a barometer");
+  if (options.ackermann && session.wheels.empty()) missing.push_back(say::odometry_wheel_speeds());
+  if (options.ackermann && session.imu.empty()) missing.push_back(say::odometry_angular_rates());
+  if (options.accelerometer && std::none_of(session.imu.begin(), session.imu.end(), has_force))
+    missing.push_back(say::odometry_accelerations());
+  if (options.barometer && session.barometer.empty()) missing.push_back(say::odometry_a_barometer());
   if (!missing.empty())
-    findings.push_back({Severity::Note, "odometry-without", session.name,
-                        "The session has no " + missing + ": the odometry does without."});
+    findings.push_back({Severity::Note, "odometry-without", session.name, say::odometry_without(missing)});
 }
 
 /// Streams that exist, and yet no scan could use.
@@ -103,38 +99,30 @@ void tell_unused(const Session& session, const FusionOptions& options, const std
     return std::none_of(scans.begin(), scans.end(), [part](const FusedScan& scan) { return scan.*part; });
   };
   const auto has_force = [](const ImuSample& sample) { return sample.specific_force_mps2.allFinite(); };
-  std::string unused;
-  const auto add = [&unused](const char* what) { unused += (unused.empty() ? "" : ", ") + std::string(what); };
-  if (options.ackermann && !session.wheels.empty() && never(&FusedScan::dead_reckoned)) add("wheel speeds");
+  std::vector<Message> unused;
+  if (options.ackermann && !session.wheels.empty() && never(&FusedScan::dead_reckoned))
+    unused.push_back(say::odometry_wheel_speeds());
   if (options.accelerometer && std::any_of(session.imu.begin(), session.imu.end(), has_force) &&
       never(&FusedScan::levelled))
-    add("accelerations");
-  if (options.barometer && !session.barometer.empty() && never(&FusedScan::height_measured)) add("a barometer");
+    unused.push_back(say::odometry_accelerations());
+  if (options.barometer && !session.barometer.empty() && never(&FusedScan::height_measured))
+    unused.push_back(say::odometry_a_barometer());
   if (!unused.empty() && scans.size() > 1)
-    findings.push_back({Severity::Warning, "odometry-unused", session.name,
-                        "The session has " + unused +
-                            ", but no scan could use them. Check that their stamps are on the scans' clock and "
-                            "their samples less than 0.25 s apart."});
+    findings.push_back({Severity::Warning, "odometry-unused", session.name, say::odometry_unused(unused)});
 }
 
 void tell_mounting(const Session& session, const FusionOptions& options, std::vector<Finding>& findings) {
   const FusionOptions unset;
   const bool all_zero = difference(options.vehicle_from_ins(), unset.vehicle_from_ins()).norm() == 0.0;
   if (all_zero && options.ackermann && !session.wheels.empty())
-    findings.push_back({Severity::Warning, "odometry-mounting-unset", session.name,
-                        "fusion.ins_x_m to fusion.ins_roll_deg are all zero: the INS is taken to sit on the ground "
-                        "under the rear axle. Set where it sits, or the wheels pull the odometry the wrong way in "
-                        "turns."});
+    findings.push_back({Severity::Warning, "odometry-mounting-unset", session.name, say::odometry_mounting_unset()});
 }
 
 void tell_restarts(const Session& session, const std::vector<FusedScan>& scans, std::vector<Finding>& findings) {
   const auto restarts =
       std::count_if(scans.begin(), scans.end(), [](const FusedScan& scan) { return scan.map_restarted; });
   if (restarts > 0)
-    findings.push_back({Severity::Warning, "odometry-restarted", session.name,
-                        "The scans did not fit the map any more, as after a gap: " + std::to_string(restarts) +
-                            " times it was begun anew at the predicted pose, and poses before and after do not fit "
-                            "together."});
+    findings.push_back({Severity::Warning, "odometry-restarted", session.name, say::odometry_restarted(restarts)});
 }
 
 std::vector<std::int64_t> breaks_of(const std::vector<FusedScan>& scans, FusionUse use) {
@@ -153,17 +141,11 @@ void tell_blind(const Session& session, const std::vector<FusedScan>& scans, Fus
   std::size_t blind = 0, guessed = 0;
   for (std::size_t i = 1; i < scans.size(); ++i)
     if (!scans[i].undetermined.empty()) ++(scans[i].dead_reckoned ? blind : guessed);
-  const std::string of = " of " + std::to_string(scans.size()) + " scans do not tell of every direction of the motion";
-  if (blind > 0)
-    findings.push_back({Severity::Note, kOdometryByWheels, session.name,
-                        std::to_string(blind) + of + "; there it rests on wheels and gyroscope" +
-                            (use == FusionUse::Calibration ? ", and says nothing of the mounting." : ".")});
+  const auto by_wheels = use == FusionUse::Calibration ? say::odometry_by_wheels_untold : say::odometry_by_wheels;
+  if (blind > 0) findings.push_back({Severity::Note, kOdometryByWheels, session.name, by_wheels(blind, scans.size())});
   if (guessed > 0)
     findings.push_back(
-        {Severity::Warning, "odometry-guessed", session.name,
-         std::to_string(guessed) + of +
-             ", nor do wheels: there a steady motion was assumed, and poses may be far off. Record wheel "
-             "speeds, or drive where there is more to see."});
+        {Severity::Warning, "odometry-guessed", session.name, say::odometry_guessed(guessed, scans.size())});
 }
 
 }  // namespace
@@ -171,7 +153,7 @@ void tell_blind(const Session& session, const std::vector<FusedScan>& scans, Fus
 FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidTransform>& mounting_ins_from_lidar,
                               const Settings& settings, int threads, Progress& progress, FusionUse use) {
   if (!session.scans || session.scans->size() == 0)
-    throw Error(ErrorCode::Unsupported, session.name, "has no scans; the multi-sensor odometry needs them");
+    throw Error(ErrorCode::Unsupported, session.name, say::odometry_needs_scans());
   FusionRun run;
   FusionOptions options = settings.fusion;
   FusionMounting mounting;
@@ -188,9 +170,7 @@ FusionRun run_fusion_odometry(const Session& session, const std::optional<RigidT
     tell_mounting(session, options, run.findings);
   } else {
     options.ackermann = options.accelerometer = options.barometer = false;
-    run.findings.push_back({Severity::Warning, "odometry-scans-only", session.name,
-                            "Without a nominal mounting the odometry uses the scans alone. Give --nominal to use "
-                            "wheels, IMU and barometer as well."});
+    run.findings.push_back({Severity::Warning, "odometry-scans-only", session.name, say::odometry_scans_only()});
   }
   ScanAhead scans(session, compensates(session, settings, run.findings), run.findings);
   run.odometry = solve_fusion_odometry(

@@ -1,10 +1,10 @@
 #include "model/methods/settled_sweeps.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <optional>
 
+#include "messages/methods.h"
 #include "model/methods/sweep_trial.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/scan_times.h"
@@ -12,45 +12,31 @@
 namespace remount {
 namespace {
 
-std::string sweep_words(const SweepGuess& guess) {
-  if (!guess) return "used as they are";
+Message sweep_words(const SweepGuess& guess) {
+  if (!guess) return say::sweep_none();
   if (guess->by_times)
-    return guess->by_times == TimesCount::Backwards ? "compensated by the times of their points, counted backwards"
-                                                    : "compensated by the times of their points as they are";
-  char text[120];
-  if (guess->by_order)
-    std::snprintf(text, sizeof text, "compensated by the order of their points, over %.3f s", guess->period_s);
-  else
-    std::snprintf(text, sizeof text, "compensated as turns of %.3f s, %s", guess->period_s,
-                  guess->clockwise ? "clockwise" : "counter-clockwise");
-  return text;
+    return guess->by_times == TimesCount::Backwards ? say::sweep_times_backwards() : say::sweep_times_forwards();
+  const Duration period{guess->period_s};
+  if (guess->by_order) return say::sweep_by_order(period);
+  return guess->clockwise ? say::sweep_clockwise(period) : say::sweep_counter_clockwise(period);
 }
 
 Finding proved_finding(const Session& session, const SweepTrial& trial) {
-  char gain[80];
-  std::snprintf(gain, sizeof gain, " That leaves %.0f %% less between scans than the next of what was tried.",
-                100.0 * trial.gain);
+  const Share gain{trial.gain};
   if (trial.best && trial.best->by_times)
-    return {Severity::Warning, "point-times-backwards", session.name,
-            "The times of the points count backwards, as the time since a point was measured does; told by the scans "
-            "themselves. They are taken so." +
-                std::string(gain)};
+    return {Severity::Warning, "point-times-backwards", session.name, say::sweep_proved_backwards(gain)};
   const bool turned =
       session.scan_timing == ScanTiming::SweepAzimuth && trial.best && trial.best->clockwise != session.sweep.clockwise;
   if (turned)
     return {Severity::Warning, "sweep-reversed", session.name,
-            std::string("The sensor turns ") + (trial.best->clockwise ? "clockwise" : "counter-clockwise") +
-                ", not as is usual in this format: the scans are " + sweep_words(trial.best) + "." + gain};
+            trial.best->clockwise ? say::sweep_proved_clockwise(sweep_words(trial.best), gain)
+                                  : say::sweep_proved_counter_clockwise(sweep_words(trial.best), gain)};
   return {Severity::Note, trial.best ? "deskew-on" : "deskew-off", session.name,
-          "The format does not say how its scans are bent by motion; told by the scans themselves they are " +
-              sweep_words(trial.best) + "." + gain};
+          say::sweep_proved(sweep_words(trial.best), gain)};
 }
 
 Finding open_finding(const Session& session, const SweepTrial& trial) {
-  return {Severity::Warning, "sweep-open", session.name,
-          "How the scans are bent by motion is not known, and they do not tell clearly: they are " +
-              sweep_words(trial.best) +
-              ". The sigmas include what another way would make of the mounting; no clock offset is estimated."};
+  return {Severity::Warning, "sweep-open", session.name, say::sweep_open(sweep_words(trial.best))};
 }
 
 std::shared_ptr<Session> swept(const Session& session, const SweepGuess& guess) {
@@ -126,7 +112,7 @@ void add_sweep_doubts(const SettledSweeps& settled, PipelineOutput (*run)(const 
     const PipelineOutput answer = run(other, progress);
     if (progress.cancelled()) {
       result.status = Status::Cancelled;
-      result.message = "Cancelled.";
+      result.message = say::method_cancelled();
       return;
     }
     // What contradicts itself under another way is no other way.

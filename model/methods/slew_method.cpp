@@ -8,6 +8,7 @@
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
 #include "algorithms/trajectory/motion_track.h"
+#include "messages/methods.h"
 #include "model/deciding_notes.h"
 #include "model/methods/builtin.h"
 #include "model/pipeline/input_checks.h"
@@ -17,7 +18,8 @@ namespace remount {
 namespace {
 
 enum Role { kGround, kArm, kTurn, kRoles };
-constexpr const char* kRoleNames[] = {"ground", "arm", "turn"};
+constexpr const char* kRoleNames[] = {"ground", "arm", "turn"};  // in settings, and in names of sessions
+constexpr Message (*kRoleWords[])() = {say::slew_ground, say::slew_arm, say::slew_turn};
 using Recordings = std::array<const Session*, kRoles>;
 
 // Whole words, as in "full turn", "turn_2" and "FullTurn": an "alarm" is no arm.
@@ -54,7 +56,7 @@ Recordings recordings_of(const PipelineInput& input) {
     if (chosen[role] == 0) continue;
     if (chosen[role] > count)
       throw Error(ErrorCode::Contract, std::string("slew.") + kRoleNames[role] + "_session",
-                  "is " + std::to_string(chosen[role]) + ", but there are " + std::to_string(count) + " sessions");
+                  say::slew_no_such_session(chosen[role], count));
     take(role, input.sessions[static_cast<std::size_t>(chosen[role] - 1)].get());
   }
   for (int role = 0; role < kRoles; ++role) {
@@ -78,7 +80,7 @@ std::vector<PointCloud> load_some(const Session& session, std::size_t most, std:
     try {
       clouds.push_back(session.scans->load(i));
     } catch (const Error& error) {
-      findings.push_back({Severity::Warning, "scan-unreadable", session.name, std::string(error.what()) + "."});
+      findings.push_back({Severity::Warning, "scan-unreadable", session.name, error.message()});
     }
   }
   return clouds;
@@ -153,8 +155,7 @@ std::vector<RigidTransform> turn_poses(const Session& session, const Settings& s
   }
   if (turn.failed > 0)
     findings.push_back({Severity::Warning, "turn-scans", session.name,
-                        std::to_string(turn.failed) + " of " + std::to_string(stamps_ns.size()) +
-                            " scans of the turn could not be aligned: " + turn.first_failure + "."});
+                        say::slew_scans_not_aligned(turn.failed, stamps_ns.size(), turn.first_failure)});
   for (const StampedPose& pose : turn.first_from_lidar) poses.push_back(pose.pose);
   return poses;
 }
@@ -170,13 +171,12 @@ std::string known_name(const Session& session, const std::vector<std::shared_ptr
 
 PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
   const PipelineInput input = with_possible_motion(given);
-  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
   require_valid(input.settings);
-  refuse_measured(input.settings.measured, "slew", "machine");
+  refuse_measured(input.settings.measured, "slew", say::method_frame_machine());
   const Recordings recordings = recordings_of(input);
   if (!recordings[kTurn] || (!recordings[kTurn]->scans && recordings[kTurn]->odometry_from_lidar.empty()))
-    throw Error(ErrorCode::Unsupported, recordings[kTurn] ? recordings[kTurn]->name : "slew",
-                "there is no recording of the turn with scans or LiDAR poses");
+    throw Error(ErrorCode::Unsupported, recordings[kTurn] ? recordings[kTurn]->name : "slew", say::slew_no_turn());
   PipelineOutput output;
   output.method = "slew";
   output.nominal_known = output.initial_known = input.nominal_ins_from_lidar.has_value();
@@ -184,8 +184,8 @@ PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
     output.findings.insert(output.findings.end(), session->findings.begin(), session->findings.end());
   for (int role = 0; role < kRoles; ++role)
     if (const Session* session = recordings[static_cast<std::size_t>(role)])
-      output.findings.push_back({Severity::Note, kRecording, known_name(*session, input.sessions),
-                                 std::string("Taken for the recording: ") + kRoleNames[role] + "."});
+      output.findings.push_back(
+          {Severity::Note, kRecording, known_name(*session, input.sessions), say::slew_recording(kRoleWords[role]())});
 
   SlewData data;
   if (input.nominal_ins_from_lidar)
@@ -206,8 +206,7 @@ PipelineOutput run_slew(const PipelineInput& given, Progress& progress) {
   output.session_uses_sweep.assign(input.sessions.size(), false);
   if (result.ground.found && input.settings.slew.first_plane == FirstPlane::Turn &&
       result.ground_to_turn_rad > degrees_to_radians(input.settings.slew.max_plane_angle_deg))
-    output.findings.push_back({Severity::Warning, "ground-tilted", "ground",
-                               "The ground is not square to the slew axis; the plane of the turn was used instead."});
+    output.findings.push_back({Severity::Warning, "ground-tilted", "ground", say::slew_ground_not_square()});
   return output;
 }
 

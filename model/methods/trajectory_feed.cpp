@@ -6,6 +6,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
+#include "messages/methods.h"
 #include "model/method_needs.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/solve_stage.h"
@@ -64,10 +65,7 @@ TrajectoryFeed::TrajectoryFeed(const Settings& settings, std::optional<RigidTran
       aligner_(settings.trajectory, settings.solve, nominal_ins_from_lidar,
                settings.solve.apply_time_offset == ClockOffsetUse::Yes) {
   if (settings.measured.ins_height_sigma_m > 0.0)
-    throw Error(
-        ErrorCode::Contract, "measured.ins_height_m",
-        "is used with the ground in the scans, which the method 'trajectory' does not look for; measure z, pitch "
-        "and roll, or choose the method 'pairwise'");
+    throw Error(ErrorCode::Contract, "measured.ins_height_m", say::measured_height_needs_ground());
   aligner_.set_measured(Measured(settings.measured, std::nullopt));
 }
 
@@ -101,7 +99,7 @@ void TrajectoryFeed::keep_poses(const Session& session, const std::vector<Odomet
   SessionOdometry& odometry = odometry_.back();
   for (const OdometryPose& pose : poses) {
     if (!pose.aligned && odometry.unaligned++ == 0)
-      odometry.first_unaligned = scan_name_at(*session.scans, pose.stamp_ns) + ": " + pose.problem;
+      odometry.first_unaligned = say::of_file(scan_name_at(*session.scans, pose.stamp_ns), pose.problem);
     odometry.undetermined += pose.undetermined.empty() ? 0 : 1;
     odometry.poses.push_back(pose);
   }
@@ -114,12 +112,12 @@ void TrajectoryFeed::run_odometry(const Session& session, std::size_t scans, con
   while (odometry.scans_used < scans && !progress.cancelled()) {
     const std::size_t first = odometry.scans_used, count = std::min(at_once, scans - first);
     std::vector<PointCloud> clouds(count);
-    std::vector<std::string> failures(count);
+    std::vector<Message> failures(count);
     parallel_for(count, threads_, [&](std::size_t i) {
       try {
         clouds[i] = session.scans->load(first + i);
       } catch (const Error& error) {
-        failures[i] = error.what();
+        failures[i] = error.message();
       }
     });
     for (std::size_t i = 0; i < count && !progress.cancelled(); ++i) {
@@ -169,7 +167,7 @@ void TrajectoryFeed::push_epochs(const Session& session, std::int64_t until_ns, 
 void TrajectoryFeed::offer(const Session& session, bool complete, double least_update_s, const Tell& tell,
                            Progress& progress) {
   if (from_scans_ && !session.scans)
-    throw Error(ErrorCode::Unsupported, path_or_name(session), "the session began with scans and has none any more");
+    throw Error(ErrorCode::Unsupported, path_or_name(session), say::trajectory_scans_gone());
   SessionOdometry& odometry = odometry_.back();
   const auto push = [&] {
     push_epochs(session,

@@ -19,10 +19,10 @@ struct SessionOdometry {
   std::vector<OdometryPose> poses;  ///< of the scans that could be read, or as the session gives them
   std::size_t scans_used = 0;       ///< of the session's, readable or not
   std::size_t unreadable = 0;       ///< scans
-  std::string first_unreadable;     ///< message
-  std::size_t unaligned = 0;        ///< scans that kept their prediction
-  std::string first_unaligned;      ///< message
-  std::size_t undetermined = 0;     ///< scans whose surroundings do not show every direction
+  Message first_unreadable;
+  std::size_t unaligned = 0;  ///< scans that kept their prediction
+  Message first_unaligned;
+  std::size_t undetermined = 0;  ///< scans whose surroundings do not show every direction
 };
 
 /// How far the streams of a session reach that take part, none later than the LiDAR. A stream that has fallen silent

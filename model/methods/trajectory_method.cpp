@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
+#include "messages/methods.h"
 #include "model/attitude_check.h"
 #include "model/method_needs.h"
 #include "model/methods/builtin.h"
@@ -16,63 +16,45 @@ namespace remount {
 namespace {
 
 void check(const PipelineInput& input) {
-  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
   require_valid(input.settings);
   check_companions(input.sessions);
 }
 
-std::string count_of(std::size_t count, std::size_t total, const std::string& what) {
-  return std::to_string(count) + " of " + std::to_string(total) + " " + what;
-}
-
 void add_odometry_findings(const Session& session, const SessionOdometry& odometry, std::vector<Finding>& findings) {
   if (odometry.unreadable > 0)
-    findings.push_back({Severity::Warning, "scan-unreadable", session.name,
-                        count_of(odometry.unreadable, odometry.scans_used, "scans cannot be read and are left out. ") +
-                            "First: " + sentence(odometry.first_unreadable)});
+    findings.push_back(
+        {Severity::Warning, "scan-unreadable", session.name,
+         say::trajectory_scans_unreadable(odometry.unreadable, odometry.scans_used, odometry.first_unreadable)});
   if (odometry.unaligned > 0)
-    findings.push_back(
-        {Severity::Warning, "odometry-lost", session.name,
-         count_of(odometry.unaligned, odometry.scans_used, "scans could not be aligned with the local map; ") +
-             "their poses are predicted from the motion before. First: " + sentence(odometry.first_unaligned)});
+    findings.push_back({Severity::Warning, "odometry-lost", session.name,
+                        say::trajectory_scans_lost(odometry.unaligned, odometry.scans_used, odometry.first_unaligned)});
   if (odometry.undetermined > 0)
-    findings.push_back(
-        {Severity::Note, "odometry-undetermined", session.name,
-         count_of(odometry.undetermined, odometry.scans_used, "scans do not determine every direction of motion; ") +
-             "what they leave open counts as hardly known."});
+    findings.push_back({Severity::Note, "odometry-undetermined", session.name,
+                        say::trajectory_scans_undetermined(odometry.undetermined, odometry.scans_used)});
 }
 
 void add_coverage_finding(const Session& session, const SessionOdometry& odometry, const TrajectorySession& aligned,
                           std::vector<Finding>& findings) {
   if (!aligned.epochs.empty() || odometry.poses.empty()) return;
-  findings.push_back({Severity::Problem, "trajectory-not-covered", session.name,
-                      "No pose of the LiDAR lies within the data of the INS or between GNSS fixes. Give data of the "
-                      "same time, on one clock."});
+  findings.push_back({Severity::Problem, "trajectory-not-covered", session.name, say::trajectory_not_covered()});
 }
 
 // Positions of an antenna have no axes in which a value could have been measured.
 void add_measured_finding(const Settings& settings, const CalibrationResult& result, std::vector<Finding>& findings) {
   if (result.reference_frame != "antenna" || !is_measured(settings.measured)) return;
-  findings.push_back(
-      {Severity::Warning, "measured-without-ins", "measured",
-       "The values measured by hand are of the LiDAR in the INS frame; there is no INS, and they are not "
-       "used."});
+  findings.push_back({Severity::Warning, "measured-without-ins", "measured", say::measured_without_ins()});
 }
 
 void add_outcome_findings(const TrajectoryOutcome& outcome, std::vector<Finding>& findings) {
   if (outcome.outliers > 0)
     findings.push_back({20 * outcome.outliers > outcome.measurements ? Severity::Warning : Severity::Note,
                         "trajectory-outliers", "INS and GNSS",
-                        count_of(outcome.outliers, outcome.measurements,
-                                 "positions and attitudes contradict the motion of the LiDAR and have no weight.")});
-  char text[160];
-  if (std::isfinite(outcome.converged_after_s))
-    std::snprintf(text, sizeof text, "X had converged after %.0f s of data.", outcome.converged_after_s);
-  else
-    std::snprintf(text, sizeof text,
-                  "X has not converged to the sigmas that trajectory.converged_translation_m and "
-                  "trajectory.converged_rotation_deg ask for.");
-  findings.push_back({Severity::Note, "trajectory-convergence", "trajectory", text});
+                        say::trajectory_outliers(outcome.outliers, outcome.measurements)});
+  findings.push_back({Severity::Note, "trajectory-convergence", "trajectory",
+                      std::isfinite(outcome.converged_after_s)
+                          ? say::trajectory_converged(Duration{outcome.converged_after_s})
+                          : say::trajectory_not_converged()});
 }
 
 }  // namespace
@@ -122,7 +104,7 @@ PipelineOutput run_trajectory_method(const PipelineInput& given, Progress& progr
   TrajectoryOutcome outcome;
   if (progress.cancelled()) {
     outcome.answer.result.status = Status::Cancelled;
-    outcome.answer.result.message = "Cancelled.";
+    outcome.answer.result.message = say::method_cancelled();
     PipelineOutput output;
     output.method = "trajectory";
     output.result = outcome.answer.result;

@@ -7,6 +7,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/clock_alignment.h"
+#include "messages/methods.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/result_file.h"
 #include "model/scan_times.h"
@@ -102,7 +103,7 @@ VehicleFrameResult solve_vehicle_frame_with_clocks(const PipelineInput& input, s
       return solve_drives(input, moved, progress).calibration;
     };
     add_doubt(moved_by_clock(left_s, calibration.ins_from_lidar, input.settings.solve, solved_with),
-              "the clocks are apart", input.settings.solve, calibration);
+              say::vehicle_clocks_apart(), input.settings.solve, calibration);
   }
   state_vehicle_frame(result.intervals, calibration);
   calibration.time_offset = found.time_offset;

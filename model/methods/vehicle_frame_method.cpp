@@ -2,7 +2,6 @@
 // docs/maths/vehicle-frame.md
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/plot_curves.h"
 #include "algorithms/calibration/vehicle_frame.h"
@@ -10,6 +9,7 @@
 #include "algorithms/core/stamps.h"
 #include "algorithms/odometry/lidar_odometry.h"
 #include "algorithms/trajectory/motion_track.h"
+#include "messages/methods.h"
 #include "model/attitude_check.h"
 #include "model/method_needs.h"
 #include "model/methods/antenna_on_vehicle.h"
@@ -56,8 +56,8 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
   LidarOdometry odometry(settings.lidar_odometry, settings.registration);
   std::vector<StampedPose> poses;
   std::size_t failed = 0;
-  std::string first_failure;
-  const auto fail = [&](const std::string& what) {
+  Message first_failure;
+  const auto fail = [&](const Message& what) {
     if (failed++ == 0) first_failure = what;
   };
   const auto take = [&](const std::vector<OdometryPose>& final_poses) {
@@ -65,7 +65,7 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
       if (pose.aligned)
         poses.push_back({pose.stamp_ns, pose.odometry_from_lidar});
       else
-        fail(scan_name_at(*session.scans, pose.stamp_ns) + ": " + pose.problem);
+        fail(say::of_file(scan_name_at(*session.scans, pose.stamp_ns), pose.problem));
   };
   for (std::size_t i = 0; i < session.scans->size() && !progress.cancelled(); ++i) {
     progress.report("LiDAR odometry", i, session.scans->size());
@@ -73,14 +73,13 @@ std::vector<StampedPose> sensor_poses(const Session& session, const Settings& se
       const PointCloud cloud = session.scans->load(i);
       take(odometry.push(cloud, scan_times(session, cloud, settings.run.deskew), session.scans->stamp_ns(i), progress));
     } catch (const Error& error) {
-      fail(session.scans->name(i) + ": " + error.what());
+      fail(say::of_file(session.scans->name(i), error.message()));
     }
   }
   if (!progress.cancelled()) take(odometry.finish(progress));
   if (failed > 0)
     findings.push_back({Severity::Warning, "odometry-scans", session.name,
-                        std::to_string(failed) + " of " + std::to_string(session.scans->size()) +
-                            " scans could not be aligned: " + first_failure + "."});
+                        say::vehicle_scans_not_aligned(failed, session.scans->size(), first_failure)});
   return poses;
 }
 
@@ -91,8 +90,7 @@ VehicleDrive drive_of(const Session& session, const Settings& settings, std::vec
   std::vector<ImuSample> imu = session.imu;
   if (imu.size() < 2) {
     imu = rates_of(reference);
-    findings.push_back({Severity::Note, "imu-from-ins", session.name,
-                        "There is no IMU: turns are taken from the attitude of the INS."});
+    findings.push_back({Severity::Note, "imu-from-ins", session.name, say::vehicle_imu_from_ins()});
   }
   return {WheelImuSignals(imu, session.wheels), sensor_poses(session, settings, findings, progress),
           std::move(reference)};
@@ -182,25 +180,20 @@ void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vecto
     findings.push_back({Severity::Note, "imu-to-sensor", "IMU and sensor", result.imu_to_sensor.words});
   constexpr double kTyres = 0.06;  // four times what tyres are expected to differ by
   if (is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres && !wheel_scale_asked) {
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "The way of the wheels and that of the sensor differ by %.1f%%; the sensor's is taken for metres.",
-                  100.0 * std::abs(1.0 - 1.0 / result.wheel_scale));
-    findings.push_back({Severity::Warning, "wheel-scale", "wheels", text});
+    const Share part{std::abs(1.0 - 1.0 / result.wheel_scale)};
+    findings.push_back({Severity::Warning, "wheel-scale", "wheels", say::vehicle_wheel_scale(part)});
   }
   if (result.calibration.status == Status::Degenerate && !result.calibration.observed[2])
-    findings.push_back({Severity::Warning, "height-unobserved", "vehicle frame",
-                        "The height of the sensor is not observed: the ground was too flat. Drive over ramps or "
-                        "slopes, or measure it."});
+    findings.push_back({Severity::Warning, "height-unobserved", "vehicle frame", say::vehicle_height_unobserved()});
 }
 
 }  // namespace
 
 PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress) {
   const PipelineInput input = with_possible_motion(given);
-  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
   require_valid(input.settings);
-  refuse_measured(input.settings.measured, "vehicle-frame", "vehicle");
+  refuse_measured(input.settings.measured, "vehicle-frame", say::method_frame_vehicle());
   require_served(MethodChoice::VehicleFrame, input.sessions);
   if (has_antenna_only(*input.sessions.front())) return run_antenna_on_vehicle(input, progress);
   PipelineOutput output;

@@ -8,6 +8,7 @@
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"
 #include "algorithms/trajectory/pairing.h"
+#include "messages/pipeline.h"
 #include "model/pipeline/first_ground.h"
 #include "model/pipeline/stages.h"
 #include "model/pipeline/step_finder.h"
@@ -81,7 +82,7 @@ std::vector<Chain> chain_session(const DriveMotion& motion, ScanStore& scans, in
       current = scans.prepared(first_key + static_cast<int>(i - begin), keyframe_of(i), {}, progress);
       ++out.readable;
     } catch (const Error& error) {
-      if (out.unreadable++ == 0) out.first_unreadable = error.what();
+      if (out.unreadable++ == 0) out.first_unreadable = error.message();
       ++out.failures;
       previous.reset();
       continue;
@@ -178,8 +179,7 @@ CoarseStart find_coarse_start(const DriveMotion& motion, const Settings& setting
     }
   }
   if (pairs.size() < 3) {
-    out.problem = "neighbouring scans could not be registered (" + std::to_string(out.failures) + " of " +
-                  std::to_string(out.registrations + out.failures) + " failed), or the vehicle hardly moved";
+    out.problem = say::pipeline_neighbours_not_registered(out.failures, out.registrations + out.failures);
     return out;
   }
   std::vector<int> usable(pairs.size());

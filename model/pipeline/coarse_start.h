@@ -18,8 +18,8 @@ struct CoarseStart {
   int registrations = 0;
   int failures = 0;
   std::size_t readable = 0, unreadable = 0;  ///< scans that were tried
-  std::string first_unreadable;
-  std::string problem;               ///< why there is none, in words
+  Message first_unreadable;
+  Message problem;                   ///< why there is none
   std::vector<FarClock> far_clocks;  ///< as the chained scans have it
 };
 

@@ -8,6 +8,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/geometry/geodesy.h"
+#include "messages/pipeline.h"
 #include "model/assumed_tilt.h"
 #include "model/impossible_motion.h"
 
@@ -19,8 +20,7 @@ DriveMotion::DriveMotion(std::vector<std::shared_ptr<const Session>> sessions)
     tracks_.emplace_back(session->ins.empty() ? session->world_from_ins : remount::local_from_ins(session->ins), 0.0,
                          session->ins_fix_stamps_ns);
     if (tracks_.back().empty())
-      throw Error(ErrorCode::Unsupported, session->path.string(),
-                  "the session has no INS poses: X needs the motion of the INS");
+      throw Error(ErrorCode::Unsupported, session->path.string(), say::pipeline_no_ins_poses());
     offsets_s_.push_back(0.0);
   }
 }

@@ -8,6 +8,7 @@
 #include "algorithms/core/median.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/geometry/shortest_rotation.h"
+#include "messages/pipeline.h"
 
 namespace remount {
 namespace {
@@ -72,8 +73,7 @@ void report_unseen_ground(PipelineOutput& output) {
   const bool told = std::any_of(output.findings.begin(), output.findings.end(),
                                 [](const Finding& finding) { return finding.code == "ground-not-seen"; });
   if (!told)
-    output.findings.push_back({Severity::Warning, "ground-not-seen", "scans",
-                               "Too few scans show the ground near the vehicle; the height of the INS is not used."});
+    output.findings.push_back({Severity::Warning, "ground-not-seen", "scans", say::pipeline_ground_not_seen()});
 }
 
 }  // namespace remount

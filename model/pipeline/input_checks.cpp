@@ -8,10 +8,11 @@
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/earth_radius.h"
 #include "algorithms/messages/render.h"
+#include "messages/general.h"
+#include "messages/pipeline.h"
 #include "model/clock_hint.h"
 #include "model/deciding_notes.h"
 #include "model/impossible_motion.h"
-#include "model/io/document.h"
 #include "model/io/system_call.h"
 #include "model/method_needs.h"
 
@@ -102,27 +103,22 @@ bool same_times_of_one_drive(const Session& a, const Session& b) {
   return two_scans_share_stamps && (same_motion(a.ins, b.ins) || same_motion(a.world_from_ins, b.world_from_ins));
 }
 
-std::string value_of(const char* name, double value, const char* unit) {
-  return std::string(name) + " = " + shortest(value) + " " + unit;
-}
-
 void check_same_axes(const Session& first, const Session& other) {
   if (!first.ins_axes || !other.ins_axes || *first.ins_axes == *other.ins_axes) return;
   if (first.ins_axes_by_travel != other.ins_axes_by_travel) return;  // a drive too short to tell is of the same INS
   throw Error(ErrorCode::Contract, path_or_name(other),
-              "has INS axes " + std::string(to_string(*other.ins_axes)) + ", but " + path_or_name(first) + " has " +
-                  std::string(to_string(*first.ins_axes)) +
-                  ": they have no common X. Calibrate them one by one, or declare the same attitude convention.");
+              say::pipeline_other_axes(std::string(to_string(*other.ins_axes)), path_or_name(first),
+                                       std::string(to_string(*first.ins_axes))));
 }
 
-/// Which of the settings of pairs a pair must meet.
-std::string pairing_limits(const PairingOptions& options) {
-  std::string near;
-  if (options.limit != PairLimit::Distance) near = value_of("pairing.max_gap_s", options.max_gap_s, "s");
-  if (options.limit != PairLimit::Time)
-    near += (near.empty() ? "" : " or ") + value_of("pairing.max_distance_m", options.max_distance_m, "m");
-  return "within " + near + " and has moved by " + value_of("pairing.min_distance_m", options.min_distance_m, "m") +
-         " or turned by " + value_of("pairing.min_rotation_deg", options.min_rotation_deg, "deg");
+/// With those of the settings of pairs that a pair must meet.
+Message no_pair(std::size_t keyframes, const PairingOptions& options) {
+  const Duration gap{options.max_gap_s};
+  const Length apart{options.max_distance_m}, moved{options.min_distance_m};
+  const Angle turned{degrees_to_radians(options.min_rotation_deg)};
+  if (options.limit == PairLimit::Time) return say::pipeline_no_pair_in_time(keyframes, gap, moved, turned);
+  if (options.limit == PairLimit::Distance) return say::pipeline_no_pair_in_distance(keyframes, apart, moved, turned);
+  return say::pipeline_no_pair_in_either(keyframes, gap, apart, moved, turned);
 }
 
 }  // namespace
@@ -131,12 +127,6 @@ bool same_recording(const Session& a, const Session& b) {
   if (same_place(a, b)) return true;
   if (a.scans && b.scans) return same_scans(*a.scans, *b.scans) || same_times_of_one_drive(a, b);
   return same_motion(a.odometry_from_lidar, b.odometry_from_lidar);
-}
-
-std::string sentence(std::string text) {
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.pop_back();
-  if (!text.empty() && text.back() != '.' && text.back() != '!' && text.back() != '?') text += '.';
-  return text;
 }
 
 PipelineInput with_possible_motion(PipelineInput input) {
@@ -156,16 +146,15 @@ void check_companions(const std::vector<std::shared_ptr<const Session>>& session
     for (std::size_t k = 0; k < i; ++k)
       if (same_recording(*sessions[k], *sessions[i]))
         throw Error(ErrorCode::Contract, path_or_name(*sessions[i]),
-                    "is the same recording as " + path_or_name(*sessions[k]) +
-                        ": its pairs would count as evidence twice. Give it once.");
+                    say::pipeline_same_recording(path_or_name(*sessions[k])));
 }
 
-std::string why_not_covered(const DriveMotion& motion, int session) {
+Message why_not_covered(const DriveMotion& motion, int session) {
   const std::vector<std::int64_t> stamps = motion.lidar_stamps_ns(session);
   const auto& samples = motion.track(session).samples();
   const TimeSpan lidar{stamps.front(), stamps.back()}, ins{samples.front().stamp_ns, samples.back().stamp_ns};
   if (lidar.last_ns < ins.first_ns || lidar.first_ns > ins.last_ns) return time_spans_apart(lidar, ins);
-  return "they lie in gaps of the INS data.";
+  return say::pipeline_in_gaps();
 }
 
 // The default spacing is nobody's wish; one that was set larger is not given up without a word.
@@ -176,66 +165,58 @@ void report_closer_keyframes(const Session& session, const KeyframeOptions& opti
   const bool set = by_time ? options.interval_s > usual.interval_s
                            : options.distance_m > usual.distance_m || options.rotation_deg > usual.rotation_deg;
   if (!set || chosen <= asked_for) return;
-  const std::string spacing = by_time
-                                  ? shortest(options.interval_s) + " s"
-                                  : shortest(options.distance_m) + " m or " + shortest(options.rotation_deg) + " deg";
-  findings.push_back({Severity::Note, kCloserKeyframes, session.name,
-                      "At the spacing that is set, " + spacing + ", the drive has " + std::to_string(asked_for) +
-                          " keyframes, fewer than keyframes.minimum: they were taken closer together, " +
-                          std::to_string(chosen) + " in all. Lower keyframes.minimum to keep the spacing."});
+  const Message spacing = by_time ? say::pipeline_spacing_time(Duration{options.interval_s})
+                                  : say::pipeline_spacing_distance(Length{options.distance_m},
+                                                                   Angle{degrees_to_radians(options.rotation_deg)});
+  findings.push_back(
+      {Severity::Note, kCloserKeyframes, session.name, say::pipeline_closer_keyframes(spacing, asked_for, chosen)});
 }
 
 CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vector<Keyframe>& keyframes,
                                        const Settings& settings) {
   CalibrationResult result;
   result.status = Status::TooFewPairs;
-  for (int s = 0; s < motion.session_count() && keyframes.empty(); ++s)
-    result.message = english(result.message) + (s == 0 ? "No scan lies within the INS data: " : " ") +
-                     motion.session(s).name + ": " + why_not_covered(motion, s);
   if (keyframes.empty()) {
-    result.advice.push_back("Give scans and INS data of the same time, on one clock.");
+    std::vector<Message> causes;
+    for (int s = 0; s < motion.session_count(); ++s)
+      causes.push_back(say::of_file(motion.session(s).name, why_not_covered(motion, s)));
+    result.message = say::pipeline_no_scan_covered(causes);
+    result.advice.push_back(say::pipeline_give_same_time());
     return result;
   }
-  result.message =
-      "Of " + std::to_string(keyframes.size()) + " keyframes no pair is " + pairing_limits(settings.pairing) + ".";
+  result.message = no_pair(keyframes.size(), settings.pairing);
   double travelled_m = 0.0;  // the farthest of all sessions
   for (const Keyframe& keyframe : keyframes) travelled_m = std::max(travelled_m, keyframe.travelled_m);
   if (keyframes.size() == 1)
-    result.advice.push_back("One keyframe only: lower keyframes." +
-                            std::string(settings.keyframes.mode == KeyframeMode::Time
-                                            ? "interval_s"
-                                            : "distance_m and keyframes.rotation_deg") +
-                            ", or give a longer drive.");
+    result.advice.push_back(settings.keyframes.mode == KeyframeMode::Time ? say::pipeline_one_keyframe_by_time()
+                                                                          : say::pipeline_one_keyframe_by_distance());
   else if (travelled_m < settings.pairing.min_distance_m)
-    result.advice.push_back(
-        "The vehicle stands still while the LiDAR records: drive turns within sight of buildings and poles.");
+    result.advice.push_back(say::pipeline_stands_still());
   else
-    result.advice.push_back("Widen these settings of pairing, or take keyframes closer together.");
+    result.advice.push_back(say::pipeline_widen_pairing());
   return result;
 }
 
-CalibrationResult result_without_scans(std::size_t scans, const std::string& first) {
+CalibrationResult result_without_scans(std::size_t scans, const Message& first) {
   CalibrationResult result;
   result.status = Status::TooFewPairs;
-  result.message =
-      "None of the " + std::to_string(scans) + " scans that are needed can be read. First: " + sentence(first);
-  result.advice.push_back("Copy or export the scans again: they are incomplete, or of another type than declared.");
+  result.message = say::pipeline_no_scan_readable(scans, first);
+  result.advice.push_back(say::pipeline_copy_scans_again());
   return result;
 }
 
 void refuse_vanished(const std::vector<std::shared_ptr<const Session>>& sessions) {
   for (const auto& session : sessions)
     if (!session->files.empty() && !status_of(session->files.front()))
-      throw Error(ErrorCode::Io, session->path.string(),
-                  "was there when it was opened and is gone now: nothing is made of the part that could be read");
+      throw Error(ErrorCode::Io, session->path.string(), say::pipeline_vanished());
 }
 
-std::string all_scans_unreadable(const std::vector<KeyframeObjects>& objects, const std::vector<Keyframe>& keyframes,
-                                 const std::vector<Pair>& pairs, const DriveMotion& motion, std::size_t& scans) {
+Message all_scans_unreadable(const std::vector<KeyframeObjects>& objects, const std::vector<Keyframe>& keyframes,
+                             const std::vector<Pair>& pairs, const DriveMotion& motion, std::size_t& scans) {
   std::vector<bool> used(objects.size(), false);
   for (const Pair& pair : pairs)
     used[static_cast<std::size_t>(pair.keyframe_a)] = used[static_cast<std::size_t>(pair.keyframe_b)] = true;
-  std::string first;
+  Message first;
   scans = 0;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     if (!used[k] || !motion.session(keyframes[k].session).scans) continue;

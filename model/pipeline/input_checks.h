@@ -36,7 +36,7 @@ bool same_recording(const Session& a, const Session& b);
 void refuse_vanished(const std::vector<std::shared_ptr<const Session>>& sessions);
 
 /// Why the LiDAR's stamps of a session all lie outside its INS data; for a session where none lies within.
-std::string why_not_covered(const DriveMotion& motion, int session);
+Message why_not_covered(const DriveMotion& motion, int session);
 
 /// Notes that keyframes were taken closer together than a spacing that was set larger than the default, since there
 /// were fewer than the minimum. Says nothing where they were not.
@@ -49,13 +49,10 @@ CalibrationResult result_without_pairs(const DriveMotion& motion, const std::vec
                                        const Settings& settings);
 
 /// The result where no scan that is needed can be read; `first` is the first message.
-CalibrationResult result_without_scans(std::size_t scans, const std::string& first);
+CalibrationResult result_without_scans(std::size_t scans, const Message& first);
 
 /// Where all scans that `pairs` need are unreadable: the first message. Empty otherwise.
-std::string all_scans_unreadable(const std::vector<KeyframeObjects>& objects, const std::vector<Keyframe>& keyframes,
-                                 const std::vector<Pair>& pairs, const DriveMotion& motion, std::size_t& scans);
-
-/// With a full stop at the end.
-std::string sentence(std::string text);
+Message all_scans_unreadable(const std::vector<KeyframeObjects>& objects, const std::vector<Keyframe>& keyframes,
+                             const std::vector<Pair>& pairs, const DriveMotion& motion, std::size_t& scans);
 
 }  // namespace remount

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "algorithms/trajectory/pair.h"
+#include "messages/pairs.h"
+#include "messages/pipeline.h"
 #include "model/preliminary.h"
 #include "model/result_file.h"
 
@@ -14,14 +16,13 @@ constexpr const char* kCancelled = "cancelled";  // code of the finding
 bool aligned(const Pair& pair) { return pair.registration.attempted && unusable_reason(pair).empty(); }
 
 // A registration that was interrupted, or never begun.
-bool not_reached(const Pair& pair) {
-  return !pair.registration.attempted || pair.registration.failure == kRegistrationCancelled;
-}
+bool not_reached(const Pair& pair) { return !pair.registration.attempted || is_cancelled(pair.registration); }
 
 // What a whole calibration would have done besides.
-std::string missing_steps(const PipelineInput& input, const PipelineOutput& output) {
-  std::string steps = "aligning all clouds";
-  if (input.settings.measured.ins_height_sigma_m > 0.0 && !output.ground) steps += ", the given height of the INS";
+std::vector<Message> missing_steps(const PipelineInput& input, const PipelineOutput& output) {
+  std::vector<Message> steps{say::pipeline_aligning_all_clouds()};
+  if (input.settings.measured.ins_height_sigma_m > 0.0 && !output.ground)
+    steps.push_back(say::pipeline_given_ins_height());
   return steps;
 }
 
@@ -39,15 +40,12 @@ std::size_t keep_finished(const PipelineInput& input, PipelineOutput& output) {
     } else if (not_reached(pair) && (pair.state != PairState::Rejected || pair.registration.attempted)) {
       pair.state = PairState::Rejected;
       pair.decided_by = DecidedBy::Program;
-      pair.reason = kPairNotReached;
-      if (pair.registration.attempted) pair.registration.failure = kPairNotReached;
+      pair.reason = say::pair_not_reached();
+      if (pair.registration.attempted) pair.registration.failure = pair.reason;
     }
   }
   output.findings.push_back({Severity::Warning, kCancelled, "calibration",
-                             "was cancelled when " + std::to_string(finished) + " of " +
-                                 std::to_string(output.pairs.size()) +
-                                 " pairs were aligned: the result is from these, without the last steps (" +
-                                 missing_steps(input, output) + "). Calibrate again for the rest."});
+                             say::pipeline_cut_short(finished, output.pairs.size(), missing_steps(input, output))});
   return finished;
 }
 

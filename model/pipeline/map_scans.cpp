@@ -4,7 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
-#include "algorithms/messages/render.h"
+#include "messages/pipeline.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/solve_stage.h"
 
@@ -59,7 +59,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
   const std::size_t share = std::max<std::size_t>(1, most_points / stops.size());
   std::vector<std::vector<Eigen::Vector3f>> points(stops.size());
   std::vector<std::size_t> recorded(stops.size(), 0);
-  std::vector<std::string> failures(stops.size());
+  std::vector<Message> failures(stops.size());
   std::atomic<std::size_t> done{0};
   parallel_for(stops.size(), input.threads, [&](std::size_t i) {
     if (progress.cancelled()) return;
@@ -68,7 +68,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
       recorded[i] = cloud.size();
       points[i] = thinned(cloud.points, share);
     } catch (const Error& error) {
-      failures[i] = error.where() + ": " + english(error.what_happened());
+      failures[i] = error.message();
     }
     progress.report("reading scans for the map", ++done, stops.size());
   });
@@ -82,7 +82,7 @@ SessionScans load_map_scans(const PipelineInput& input, const PipelineOutput& ou
     // Near the origin floats are fine enough; the axes stay level.
     out.scans.local_from_ins.back().translation() -= stops.front().local_from_ins.translation();
   }
-  if (out.unreadable == stops.size()) throw Error(ErrorCode::Io, {}, "no scan can be read: " + out.first_failure);
+  if (out.unreadable == stops.size()) throw Error(ErrorCode::Io, {}, say::pipeline_map_not_readable(out.first_failure));
   return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/core/error.h"
+#include "messages/pipeline.h"
 #include "model/impossible_motion.h"
 #include "model/pipeline.h"
 
@@ -124,18 +125,17 @@ PairwiseInput motions_input(const std::vector<Keyframe>& keyframes, std::vector<
 CalibrationResult solve_motion_pairs(const std::vector<Keyframe>& keyframes, std::vector<Pair>& pairs,
                                      const Settings& settings,
                                      const std::optional<RigidTransform>& nominal_ins_from_lidar, Progress& progress) {
-  const std::string problem = nominal_problem(nominal_ins_from_lidar, settings.range);
+  const Message problem = nominal_problem(nominal_ins_from_lidar, settings.range);
   if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
   if (settings.measured.ins_height_sigma_m > 0.0)
-    throw Error(ErrorCode::Contract, "measured.ins_height_m",
-                "motion pairs have no scans that show the ground; give z instead");
+    throw Error(ErrorCode::Contract, "measured.ins_height_m", say::pipeline_pairs_show_no_ground());
   for (Pair& pair : pairs) {
     pair.rotation_rad = so3_log(pair.ins_b_from_ins_a.linear()).norm();
     pair.baseline_m = pair.ins_b_from_ins_a.translation().norm();
     pair.registration.attempted = pair.registration.converged = true;
     if (pair.registration.information.isZero(0.0)) pair.registration.information = Matrix6d::Identity() * 1e8;
     if (!is_possible_motion(pair.ins_b_from_ins_a) || !is_possible_motion(pair.lidar_b_from_lidar_a))
-      pair.registration.failure = "no vehicle moves so far";
+      pair.registration.failure = say::pipeline_impossible_motion();
   }
   // The solver's nodes are not the caller's keyframes; squares of what is impossible would not be finite.
   std::vector<Pair> solved = pairs;

@@ -8,6 +8,8 @@
 #include "algorithms/calibration/pairwise.h"
 #include "algorithms/core/error.h"
 #include "algorithms/search/candidates.h"
+#include "messages/methods.h"
+#include "messages/pipeline.h"
 #include "model/nominal_check.h"
 #include "model/pipeline/as_solved_scans.h"
 #include "model/pipeline/coarse_start.h"
@@ -27,12 +29,12 @@ namespace remount {
 namespace {
 
 void check_nominal(const std::optional<RigidTransform>& nominal_ins_from_lidar, const SearchRange& range) {
-  const std::string problem = nominal_problem(nominal_ins_from_lidar, range);
+  const Message problem = nominal_problem(nominal_ins_from_lidar, range);
   if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
 }
 
 void check_input(const PipelineInput& input) {
-  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", "there is no session to calibrate");
+  if (input.sessions.empty()) throw Error(ErrorCode::Contract, "", say::method_no_session());
   require_valid(input.settings);
   check_sessions(input.sessions);
   check_nominal(input.nominal_ins_from_lidar, input.settings.range);
@@ -48,9 +50,9 @@ std::vector<Keyframe> all_keyframes(const DriveMotion& motion, const KeyframeOpt
     if (outside > 0)
       findings.push_back({outside == stamps.size() ? Severity::Problem : Severity::Warning, "scan-without-ins",
                           motion.session(s).name,
-                          std::to_string(outside) + " of " + std::to_string(stamps.size()) +
-                              " scans lie outside the INS data or in a gap of it and are not used" +
-                              (outside == stamps.size() ? ": " + why_not_covered(motion, s) : ".")});
+                          outside == stamps.size()
+                              ? say::pipeline_all_scans_outside(outside, stamps.size(), why_not_covered(motion, s))
+                              : say::pipeline_scans_outside(outside, stamps.size())});
     const std::vector<Keyframe> chosen = select_keyframes(s, stamps, motion.track(s), motion.offset_s(s), options);
     KeyframeOptions as_set = options;
     as_set.minimum = 0;
@@ -182,7 +184,7 @@ bool match_objects_of_pairs(const StageContext& context, const ScanStore& scans,
   objects = find_keyframe_objects(context, scans, output.pairs, progress);
   report_bad_scans(output.keyframes, objects, context.motion, output.findings);
   std::size_t needed = 0;
-  const std::string unreadable = all_scans_unreadable(objects, output.keyframes, output.pairs, context.motion, needed);
+  const Message unreadable = all_scans_unreadable(objects, output.keyframes, output.pairs, context.motion, needed);
   if (!unreadable.empty()) {
     output.result = result_without_scans(needed, unreadable);
     return false;
@@ -232,8 +234,8 @@ CalibrationResult without_start(const CoarseStart& coarse) {
     return result_without_scans(coarse.unreadable, coarse.first_unreadable);
   CalibrationResult result;
   result.status = Status::TooFewPairs;
-  result.message = "No first estimate of the mounting: " + coarse.problem + ".";
-  result.advice.push_back("Drive turns within sight of buildings and poles, or give a nominal mounting.");
+  result.message = say::pipeline_no_first_estimate(coarse.problem);
+  result.advice.push_back(say::pipeline_give_nominal());
   return result;
 }
 
@@ -241,7 +243,7 @@ CalibrationResult without_start(const CoarseStart& coarse) {
 CalibrationResult cancelled_result(const std::vector<Pair>& pairs) {
   CalibrationResult result;
   result.status = Status::Cancelled;
-  result.message = "Cancelled.";
+  result.message = say::method_cancelled();
   result.pairs_proposed = static_cast<int>(pairs.size());
   for (const Pair& pair : pairs) {
     result.pairs_accepted += pair.state == PairState::Accepted;

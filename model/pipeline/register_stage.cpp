@@ -8,6 +8,7 @@
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/registration.h"
+#include "messages/pipeline.h"
 #include "model/pipeline/stages.h"
 
 namespace remount {
@@ -29,7 +30,7 @@ std::vector<LidarBox> moving_boxes(const KeyframeObjects& scan) {
   return boxes;
 }
 
-void reject(Pair& pair, const std::string& reason) {
+void reject(Pair& pair, const Message& reason) {
   if (pair.decided_by == DecidedBy::User) return;
   pair.state = PairState::Rejected;
   pair.decided_by = DecidedBy::Program;
@@ -82,7 +83,7 @@ std::vector<KeyframeObjects> find_keyframe_objects(const StageContext& context, 
         out[k].objects = find_objects(scans.load(context.keyframes[k]), up_in_lidar(context, context.keyframes[k]),
                                       context.settings.objects);
       } catch (const Error& error) {
-        out[k].failure = error.what();
+        out[k].failure = error.message();
       }
       for (SceneObject& object : out[k].objects) std::vector<int>().swap(object.points);
       out[k].moving.assign(out[k].objects.size(), false);
@@ -117,10 +118,10 @@ void match_pairs(const StageContext& context, std::vector<KeyframeObjects>& obje
       b.moving[static_cast<std::size_t>(match.object_b)] = true;
     }
     if (!a.failure.empty() || !b.failure.empty())
-      reject(pair, "scan cannot be read: " + (a.failure.empty() ? b.failure : a.failure));
+      reject(pair, say::pipeline_pair_not_readable(a.failure.empty() ? b.failure : a.failure));
     else if (pair.shared_objects < context.settings.pairing.min_shared_objects)
-      reject(pair, "only " + std::to_string(pair.shared_objects) + " shared static objects, " +
-                       std::to_string(context.settings.pairing.min_shared_objects) + " needed");
+      reject(pair,
+             say::pipeline_too_few_shared_objects(pair.shared_objects, context.settings.pairing.min_shared_objects));
   }
 }
 
@@ -139,7 +140,7 @@ void register_pairs(const StageContext& context, ScanStore& scans, const std::ve
         pair.registration = result.quality;
       } catch (const Error& error) {
         pair.registration.attempted = true;
-        pair.registration.failure = error.what();
+        pair.registration.failure = error.message();
       }
       if (!pair.registration.failure.empty()) reject(pair, pair.registration.failure);
     }

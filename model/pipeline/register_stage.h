@@ -13,7 +13,7 @@ namespace remount {
 struct KeyframeObjects {
   std::vector<SceneObject> objects;
   std::vector<bool> moving;  ///< seen to move in some pair
-  std::string failure;       ///< why the scan could not be read; empty where it could
+  Message failure;           ///< why the scan could not be read; empty where it could
 };
 
 struct StageContext {

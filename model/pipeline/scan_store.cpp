@@ -5,6 +5,7 @@
 
 #include "algorithms/cloud/deskew.h"
 #include "algorithms/core/error.h"
+#include "messages/pipeline.h"
 #include "model/scan_times.h"
 
 namespace remount {
@@ -25,7 +26,7 @@ void ScanStore::compensate_motion(const RigidTransform& ins_from_lidar, const st
 
 PointCloud ScanStore::load(const Keyframe& keyframe, const Progress& progress) const {
   const Session& session = motion_.session(keyframe.session);
-  if (!session.scans) throw Error(ErrorCode::Contract, session.name, "the session has lidar poses and no scans");
+  if (!session.scans) throw Error(ErrorCode::Contract, session.name, say::pipeline_no_scans());
   PointCloud cloud = session.scans->load(static_cast<std::size_t>(keyframe.scan));
   if (!compensation_ || cloud.points.empty() || progress.cancelled()) return cloud;
   const std::vector<float> times = told_times(session, cloud, sweeps_[static_cast<std::size_t>(keyframe.session)]);

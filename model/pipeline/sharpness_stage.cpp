@@ -1,11 +1,11 @@
 #include "model/pipeline/sharpness_stage.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "algorithms/core/error.h"
 #include "algorithms/core/parallel.h"
 #include "algorithms/registration/voxel_grid.h"
+#include "messages/pipeline.h"
 #include "model/pipeline/stages.h"
 
 namespace remount {
@@ -123,13 +123,8 @@ void report_sharpness(const std::vector<NamedSharpness>& sharpness, std::vector<
   if (compared(sharpness[0].sharpness, sharpness[1].sharpness) != SharperUnder::Second) return;
   const double result_m = sharpness[0].sharpness.plane_thickness_m,
                nominal_m = sharpness[1].sharpness.plane_thickness_m;
-  char text[240];
-  std::snprintf(
-      text, sizeof text,
-      "Surfaces in the accumulated scans are %.1f mm thick under the result and %.1f mm under the nominal: the "
-      "map contradicts the result. Look at the pairs and at the clock offset before using it.",
-      result_m * 1e3, nominal_m * 1e3);
-  findings.push_back({Severity::Warning, kMapLessSharp, "map check", text});
+  findings.push_back({Severity::Warning, kMapLessSharp, "map check",
+                      say::pipeline_map_less_sharp(Length{result_m}, Length{nominal_m})});
 }
 
 }  // namespace remount

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/observability.h"
+#include "messages/pipeline.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -140,15 +140,12 @@ void drop_clock(CalibrationResult& result) {
 
 void doubt_sweeps(const std::vector<Vector6d>& doubts, const SolveOptions& options, CalibrationResult& result) {
   if (doubts.empty() || !is_usable(result)) return;
-  for (const Vector6d& doubt : doubts)
-    add_doubt(doubt, "how the scans are bent by motion is not known", options, result);
-  result.advice.emplace_back(
-      "How the scans are bent by motion is not known, which biases X; the sigmas include it. Record scans with the "
-      "times of their points, or declare how they were swept.");
-  judge_again("Nothing is known: how the scans are bent by motion makes more of a difference than X can bear.", result);
+  for (const Vector6d& doubt : doubts) add_doubt(doubt, say::pipeline_sweeps_not_known(), options, result);
+  result.advice.push_back(say::pipeline_sweeps_bias_x());
+  judge_again(say::pipeline_nothing_known_sweeps(), result);
 }
 
-void judge_again(const std::string& nothing_known, CalibrationResult& result) {
+void judge_again(const Message& nothing_known, CalibrationResult& result) {
   if (!std::ranges::all_of(result.observed, [](bool observed) { return observed; })) result.status = Status::Degenerate;
   result.message = is_usable(result) ? solved_message(result) : nothing_known;
 }
@@ -273,14 +270,11 @@ void report_clock(const PipelineInput& input, const CalibrationResult& result, s
   for (std::size_t s = 0; s < std::min(result.session_time_offset_s.size(), input.sessions.size()); ++s) {
     const double offset_s = result.session_time_offset_s[s], sigma_s = session_sigma_s(result, s);
     if (!stands_out(offset_s, sigma_s)) continue;
-    char text[280];
-    std::snprintf(text, sizeof text, "The lidar's stamps are %s by %.1f ms (sigma %.2f ms) against the INS. %s",
-                  offset_s > 0.0 ? "early" : "late", std::abs(offset_s) * 1e3, sigma_s * 1e3,
-                  clock.applied ? "X is solved with that taken out."
-                                : "X is biased by it while the vehicle turns: set solve.apply_time_offset to auto or "
-                                  "yes to correct it.");
+    const auto stamps = offset_s > 0.0 ? say::pipeline_stamps_early : say::pipeline_stamps_late;
     findings.push_back(
-        {clock.applied ? Severity::Note : Severity::Warning, kClockOffset, input.sessions[s]->name, text});
+        {clock.applied ? Severity::Note : Severity::Warning, kClockOffset, input.sessions[s]->name,
+         Message::sequence({stamps(Duration{std::abs(offset_s)}, Duration{sigma_s}),
+                            clock.applied ? say::pipeline_offset_applied() : say::pipeline_offset_not_applied()})});
   }
 }
 

@@ -33,7 +33,7 @@ bool clock_differs(const CalibrationResult& result);
 bool clock_is_determined(const CalibrationResult& result);
 
 /// Status and message of a solved result after a doubt, which may have left less of it, or nothing.
-void judge_again(const std::string& nothing_known, CalibrationResult& result);
+void judge_again(const Message& nothing_known, CalibrationResult& result);
 
 inline constexpr const char* kClockOffset = "clock-offset";
 /// A finding for each session whose offset stands out: a note where X is solved with it, a warning where it is not.

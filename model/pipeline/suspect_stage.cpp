@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/median.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/trajectory/clock_alignment.h"
+#include "messages/pipeline.h"
 #include "model/attitude_check.h"
 #include "model/attitude_columns.h"
 #include "model/clock_hint.h"
@@ -85,6 +85,11 @@ std::optional<double> offset_of_time_scales(const DriveMotion& motion, const Pip
   return best_s;
 }
 
+/// What is said, and leap seconds where they explain the offset.
+Message with_leap_seconds(const Message& said, double offset_s) {
+  return Message::sequence({said, leap_second_hint(offset_s, 0.5)});
+}
+
 }  // namespace
 
 std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
@@ -105,17 +110,11 @@ std::optional<FarClock> find_far_clock(const DriveMotion& motion, int session,
   if (!clock.found || clock.ambiguous || clock.correlation < kAlike || apart_s < std::max(kFar_s, 5.0 * clock.sigma_s))
     return {};
   // Scans that are bent by their motion are of no one instant: to a part of their sweep it is not known better.
-  char text[240];
-  std::snprintf(text, sizeof text,
-                "The scans turn as the INS did about %.2f s %s (correlation %.3f): the LiDAR's stamps are %s by as "
-                "much.",
-                apart_s, clock.offset_s > 0.0 ? "later" : "earlier", clock.correlation,
-                clock.offset_s > 0.0 ? "early" : "late");
-  const std::string leap = leap_second_hint(clock.offset_s, 0.5);
+  const auto turn = clock.offset_s > 0.0 ? say::pipeline_scans_turn_later : say::pipeline_scans_turn_earlier;
   return FarClock{session,
                   clock.offset_s,
                   {apart_s < kTooFar_s ? Severity::Warning : Severity::Problem, kFarClock, name,
-                   text + (leap.empty() ? "" : " " + leap)}};
+                   with_leap_seconds(turn(Duration{apart_s}, clock.correlation), clock.offset_s)}};
 }
 
 void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& found, PipelineOutput& output) {
@@ -135,11 +134,9 @@ void report_far_clocks(const DriveMotion& motion, const std::vector<FarClock>& f
     if (!named("clock-leap-seconds") || named(kFarClock)) continue;
     const std::optional<double> offset_s = offset_of_time_scales(motion, output, s);
     if (!offset_s) continue;
-    char text[200];
-    std::snprintf(text, sizeof text,
-                  "Between the pairs of scans that were registered the LiDAR turned as the INS did %.0f s %s. ",
-                  std::abs(*offset_s), *offset_s > 0.0 ? "later" : "earlier");
-    take(*offset_s, {Severity::Problem, kFarClock, name, text + leap_second_hint(*offset_s, 0.5)});
+    const auto turned = *offset_s > 0.0 ? say::pipeline_pairs_turn_later : say::pipeline_pairs_turn_earlier;
+    take(*offset_s,
+         {Severity::Problem, kFarClock, name, with_leap_seconds(turned(Duration{std::abs(*offset_s)}), *offset_s)});
   }
 }
 
@@ -153,20 +150,16 @@ void blame_recording(const std::vector<Finding>& findings, CalibrationResult& re
   if (named && result.status != Status::Cancelled) {
     if (!is_usable(result) || (too_far && !bridged(result, farthest_clock_s))) {
       result.status = Status::Inconsistent;
-      result.message = "The clocks of LiDAR and INS are apart: scans were compared with the motion of another instant.";
-      claim_nothing("the clocks are apart", result);
+      result.message = say::pipeline_compared_other_instant();
+      claim_nothing(say::pipeline_clocks_apart(), result);
       result.advice.clear();
     }
-    result.advice.insert(result.advice.begin(),
-                         "Before anything else bring the clocks of LiDAR and INS together: their rates of rotation "
-                         "meet at another offset (see the findings).");
+    result.advice.insert(result.advice.begin(), say::pipeline_bring_clocks_together());
   }
   blame_attitude(findings, result);
   const bool of_antenna = std::any_of(findings.begin(), findings.end(),
                                       [](const Finding& finding) { return finding.code == "antenna-position"; });
-  if (of_antenna && is_usable(result))
-    result.advice.emplace_back(
-        "x, y and z count from where the positions are: that may be an antenna, and not the INS (see the findings).");
+  if (of_antenna && is_usable(result)) result.advice.push_back(say::pipeline_of_antenna());
 }
 
 void report_columns(const DriveMotion& motion, PipelineOutput& output) {

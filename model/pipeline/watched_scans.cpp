@@ -22,13 +22,13 @@ class WatchedSource : public ScanSource {
       return scans_->load(scan);
     } catch (const Error& error) {
       const std::scoped_lock lock(mutex_);
-      failures_.try_emplace(scan, error.what());
+      failures_.try_emplace(scan, error.message());
       throw;
     }
   }
 
   /// By the number of the scan, so that they come in the same order for any number of threads.
-  std::map<std::size_t, std::string> failures() const {
+  std::map<std::size_t, Message> failures() const {
     const std::scoped_lock lock(mutex_);
     return failures_;
   }
@@ -36,11 +36,11 @@ class WatchedSource : public ScanSource {
  private:
   std::shared_ptr<const ScanSource> scans_;
   mutable std::mutex mutex_;
-  mutable std::map<std::size_t, std::string> failures_;
+  mutable std::map<std::size_t, Message> failures_;
 };
 
-Finding skipped_scan(const Session& session, const std::string& failure) {
-  return {Severity::Warning, "scan-unreadable", session.name, sentence(failure) + " The scan is skipped."};
+Finding skipped_scan(const Session& session, const Message& failure) {
+  return {Severity::Warning, "scan-unreadable", session.name, say::pipeline_scan_skipped(failure)};
 }
 
 WatchedScans::WatchedScans(const std::vector<std::shared_ptr<const Session>>& sessions) : sessions_(sessions) {

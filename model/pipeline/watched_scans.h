@@ -11,7 +11,7 @@ namespace remount {
 class WatchedSource;
 
 /// A scan that cannot be read and is left out.
-Finding skipped_scan(const Session& session, const std::string& failure);
+Finding skipped_scan(const Session& session, const Message& failure);
 
 /// Sessions whose scans remember which of them could not be read. Stages that only sample the scans (the first estimate
 /// of the mounting, the ground, how scans were swept) pass over those without a word: they are named once, here.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "algorithms/messages/render.h"
+#include "algorithms/messages/message.h"
 
 namespace remount {
 namespace {
@@ -80,17 +80,42 @@ void take_out_clock(int session, CalibrationResult& result) {
         std::sqrt(std::inner_product(sigmas_s.begin(), sigmas_s.end(), sigmas_s.begin(), 0.0)) / count;
 }
 
-/// Advice counts sessions as users do: "Session 2 (tuesday) was left out".
-void take_out_advice(const std::vector<std::shared_ptr<const Session>>& sessions, int session,
-                     std::vector<Message>& advice) {
-  const auto title = [&](int number, int of) {
-    return "Session " + std::to_string(number + 1) + " (" + sessions[static_cast<std::size_t>(of)]->name + ")";
-  };
-  std::erase_if(advice, [&](const Message& line) { return english(line).starts_with(title(session, session)); });
-  for (int later = session + 1; later < std::ssize(sessions); ++later)
-    for (Message& line : advice)
-      if (const std::string old = title(later, later), words = english(line); words.starts_with(old))
-        line = title(later - 1, later) + words.substr(old.size());
+/// Sessions as advice names them, counted as users do: "2 (tuesday)". Codes of the catalogue, and their place.
+constexpr std::string_view kSessionNumber = "session-number", kSessionNamed = "session-named", kNumber = "number";
+
+bool names_a_session(const Message& message) {
+  return message.code() == kSessionNumber || message.code() == kSessionNamed;
+}
+
+bool names_session(const Message& message, std::int64_t number) {
+  return std::ranges::any_of(message.arguments(), [&](const Argument& argument) {
+    if (const auto* part = std::get_if<Message>(&argument.value)) return names_session(*part, number);
+    if (const auto* parts = std::get_if<std::vector<Message>>(&argument.value))
+      return std::ranges::any_of(*parts, [&](const Message& one) { return names_session(one, number); });
+    const auto* count = std::get_if<std::int64_t>(&argument.value);
+    return names_a_session(message) && argument.name == kNumber && count != nullptr && *count == number;
+  });
+}
+
+/// The same with the sessions after `number` counted one lower.
+Message without_number(const Message& message, std::int64_t number) {
+  std::vector<Argument> arguments = message.arguments();
+  for (Argument& argument : arguments) {
+    if (auto* part = std::get_if<Message>(&argument.value))
+      *part = without_number(*part, number);
+    else if (auto* parts = std::get_if<std::vector<Message>>(&argument.value))
+      std::ranges::transform(*parts, parts->begin(), [&](const Message& one) { return without_number(one, number); });
+    else if (auto* count = std::get_if<std::int64_t>(&argument.value);
+             count != nullptr && names_a_session(message) && argument.name == kNumber && *count > number)
+      --*count;
+  }
+  return {message.code(), std::move(arguments)};
+}
+
+void take_out_advice(int session, std::vector<Message>& advice) {
+  const std::int64_t number = session + 1;
+  std::erase_if(advice, [&](const Message& line) { return names_session(line, number); });
+  for (Message& line : advice) line = without_number(line, number);
 }
 
 void take_out_findings(const std::vector<std::shared_ptr<const Session>>& sessions, int session,
@@ -122,7 +147,7 @@ std::optional<PipelineOutput> without_session(const PipelineInput& input, const 
   PipelineOutput left = output;
   take_out_pairs(session, left);
   take_out_clock(session, left.result);
-  take_out_advice(input.sessions, session, left.result.advice);
+  take_out_advice(session, left.result.advice);
   take_out_findings(input.sessions, session, left.findings);
   if (static_cast<std::size_t>(session) < left.session_uses_sweep.size())
     left.session_uses_sweep.erase(left.session_uses_sweep.begin() + session);

@@ -6,6 +6,8 @@
 #include <cstdio>
 
 #include "algorithms/geometry/geodesy.h"
+#include "algorithms/messages/render.h"
+#include "messages/report.h"
 
 namespace remount {
 namespace {
@@ -57,14 +59,13 @@ ReportTrack track_of(const Session& session) {
   return track;
 }
 
-Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kind, const Phrases& phrase) {
+Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kind, Language language) {
   Drawing drawing;
   drawing.width = kBarWidth;
   drawing.height = 170.0;
-  const std::string title = kind == ChartedResidual::Translation
-                                ? phrase("report", "Residual of translation per pair (cm)")
-                                : phrase("report", "Residual of rotation per pair (degrees)");
-  drawing.description = title;
+  const Message title =
+      kind == ChartedResidual::Translation ? say::chart_residual_translation() : say::chart_residual_rotation();
+  drawing.description = render(title, language);
   const double most = highest(pairs, kind, false), kept = highest(pairs, kind, true);
   // A few wild ones would make all that are used flat; what is higher is cut.
   const double top = round_number(kept > 0.0 ? std::min(most, 2.0 * kept) : most),
@@ -86,12 +87,10 @@ Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kin
                                       {std::max(0.5, step * (step > 3.0 ? 0.8 : 1.0)), base - y},
                                       color_of(pairs[i].state)});
   }
-  const std::string cut = most > top ? "; " + phrase("report", "higher bars are cut") : "";
-  drawing.shapes.push_back(DrawnText{{kBarLeft, 13.0}, title + cut, TextAnchor::Start, 11.0});
-  drawing.shapes.push_back(DrawnText{{kBarWidth - kBarRight, 13.0},
-                                     phrase("report", "green: accepted, grey: rejected, amber: undecided"),
-                                     TextAnchor::End,
-                                     10.0});
+  const Message head = most > top ? say::chart_bars_are_cut(title) : title;
+  drawing.shapes.push_back(DrawnText{{kBarLeft, 13.0}, render(head, language), TextAnchor::Start, 11.0});
+  drawing.shapes.push_back(
+      DrawnText{{kBarWidth - kBarRight, 13.0}, render(say::chart_colours(), language), TextAnchor::End, 10.0});
   drawing.shapes.push_back(DrawnText{{kBarLeft, base + 15.0}, "0", TextAnchor::Start, 10.0});
   if (!pairs.empty())
     drawing.shapes.push_back(
@@ -99,11 +98,10 @@ Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kin
   return drawing;
 }
 
-Drawing track_chart(const ReportTrack& track, const Phrases& phrase) {
+Drawing track_chart(const ReportTrack& track, Language language) {
   constexpr double kMargin = 24.0, kHead = 44.0, kTallest = 270.0;
-  const std::string axes = track.geographic
-                               ? phrase("report", "Track of the INS from above: east to the right, north up (UTM grid)")
-                               : phrase("report", "Track of the INS as its poses state it: x to the right, y up");
+  const std::string axes =
+      render(track.geographic ? say::chart_track_geographic() : say::chart_track_posed(), language);
   Drawing drawing;
   drawing.width = kBarWidth;
   drawing.height = kHead;
@@ -115,7 +113,7 @@ Drawing track_chart(const ReportTrack& track, const Phrases& phrase) {
     if (point.allFinite()) bounds.extend(point);
   if (bounds.isEmpty()) {
     drawing.shapes.push_back(
-        DrawnText{{kMargin, 41.0}, phrase("report", "No positions are known."), TextAnchor::Start, 10.0});
+        DrawnText{{kMargin, 41.0}, render(say::chart_no_positions(), language), TextAnchor::Start, 10.0});
     return drawing;
   }
   const Eigen::Vector2d span = bounds.sizes().cwiseMax(1.0);
@@ -131,10 +129,8 @@ Drawing track_chart(const ReportTrack& track, const Phrases& phrase) {
                y = kHead + scale * span.y() + kBarBottom;
   drawing.height = y + 12.0;
   drawing.shapes.push_back(DrawnLine{{{kMargin, y}, {kMargin + bar, y}}, "#333333", 2.0});
-  drawing.shapes.push_back(DrawnText{{kMargin + bar + 6.0, y + 4.0},
-                                     formatted("%g m", bar_m) + "; " + phrase("report", "dot: start"),
-                                     TextAnchor::Start,
-                                     10.0});
+  drawing.shapes.push_back(DrawnText{
+      {kMargin + bar + 6.0, y + 4.0}, render(say::chart_scale_bar(Length{bar_m}), language), TextAnchor::Start, 10.0});
   return drawing;
 }
 

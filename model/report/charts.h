@@ -1,15 +1,11 @@
 // Charts of a report.
 #pragma once
 
-#include <functional>
-
+#include "algorithms/messages/catalogue.h"
 #include "model/report/drawing.h"
 #include "model/result_file.h"
 
 namespace remount {
-
-/// phrase(context, English): the words of a report in the reader's language.
-using Phrases = std::function<std::string(const char* context, const char* english)>;
 
 /// Where a session's INS drove, in the session's own local frame, thinned to what a page can show.
 struct ReportTrack {
@@ -22,9 +18,9 @@ ReportTrack track_of(const Session& session);
 
 enum class ChartedResidual { Translation, Rotation };
 /// One bar a pair, in the order of the list; rejected ones grey.
-Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kind, const Phrases& phrase);
+Drawing residual_chart(const std::vector<PairRecord>& pairs, ChartedResidual kind, Language language);
 
 /// One session, with a scale bar: where sessions lie to each other is not known, so each has a chart of its own.
-Drawing track_chart(const ReportTrack& track, const Phrases& phrase);
+Drawing track_chart(const ReportTrack& track, Language language);
 
 }  // namespace remount

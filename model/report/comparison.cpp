@@ -2,25 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "algorithms/messages/render.h"
+#include "messages/report.h"
 #include "model/display_units.h"
 
 namespace remount {
 namespace {
 
+Message sensor_word(const std::string& calibrated) {
+  return calibrated == "antenna" ? say::compared_antenna() : say::compared_lidar();
+}
+
 /// Why the two cannot be set against each other; empty where they can.
-std::string not_comparable(const NamedResult& a, const NamedResult& b) {
+Message not_comparable(const NamedResult& a, const NamedResult& b) {
   for (const NamedResult* result : {&a, &b})
-    if (!is_usable(result->file.result)) return result->name + " has nothing to use";
+    if (!is_usable(result->file.result)) return say::compared_not_usable(result->name);
   const std::string &frame_a = a.file.result.reference_frame, &frame_b = b.file.result.reference_frame;
-  if (frame_a != frame_b)
-    return a.name + " is in the frame \"" + frame_a + "\" and " + b.name + " in \"" + frame_b + "\"";
+  if (frame_a != frame_b) return say::compared_other_frames(a.name, frame_a, b.name, frame_b);
   const std::string &sensor_a = a.file.result.calibrated, &sensor_b = b.file.result.calibrated;
-  if (sensor_a != sensor_b) return a.name + " places the " + sensor_a + " and " + b.name + " the " + sensor_b;
+  if (sensor_a != sensor_b)
+    return say::compared_other_sensors(a.name, sensor_word(sensor_a), b.name, sensor_word(sensor_b));
   if (a.file.ins_axes && b.file.ins_axes && *a.file.ins_axes != *b.file.ins_axes)
-    return a.name + " and " + b.name + " have other INS axes";
+    return say::compared_other_axes(a.name, b.name);
   return {};
 }
 
@@ -32,20 +35,15 @@ bool of_one_recording(const ResultFile& a, const ResultFile& b) {
                                          });
 }
 
-std::string in_words(const NamedResult& a, const NamedResult& b, const ResultDifference& difference,
-                     const LargestDifference& largest) {
+Message in_words(const NamedResult& a, const NamedResult& b, const ResultDifference& difference,
+                 const LargestDifference& largest) {
   const std::size_t i = largest.parameter;
-  char text[160];
-  std::snprintf(text, sizeof(text), "%s differs by %.*f %s, %.1f times the sigma of both together",
-                std::string(kParameterNames[i]).c_str(), justified_decimals(on_screen(i, difference.sigma[i])),
-                std::abs(on_screen(i, difference.difference[i])), is_angle(i) ? "deg" : "m", largest.sigmas);
-  if (largest.sigmas > kDiffer_sigma)
-    return a.name + " and " + b.name + " contradict each other: " + text +
-           (of_one_recording(a.file, b.file)
-                ? ". At least one of them claims too much; look at its residuals, its clock and its nominal mounting."
-                : ". Either the LiDAR was moved in between, or one of them claims too much: look at its residuals, its "
-                  "clock and its nominal mounting.");
-  return a.name + " and " + b.name + " agree within what they claim: at most, " + text + ".";
+  const double apart = std::abs(difference.difference[i]);
+  const Message most = is_angle(i) ? say::compared_angle(parameter_word(i), Angle{apart}, largest.sigmas)
+                                   : say::compared_length(parameter_word(i), Length{apart}, largest.sigmas);
+  if (!(largest.sigmas > kDiffer_sigma)) return say::compared_agree(a.name, b.name, most);
+  return of_one_recording(a.file, b.file) ? say::compared_contradict_on_one_recording(a.name, b.name, most)
+                                          : say::compared_contradict(a.name, b.name, most);
 }
 
 }  // namespace
@@ -62,9 +60,9 @@ std::vector<ComparedResults> compare_results(const std::vector<NamedResult>& res
         const auto largest = largest_difference(pair.difference);
         pair.contradict = largest && largest->sigmas > kDiffer_sigma;
         pair.words = largest ? in_words(results[a], results[b], pair.difference, *largest)
-                             : results[a].name + " and " + results[b].name + " observe no component in common.";
+                             : say::compared_nothing_in_common(results[a].name, results[b].name);
       } else {
-        pair.words = "Not compared: " + english(pair.words) + ".";
+        pair.words = say::compared_not(pair.words);
       }
       compared.push_back(std::move(pair));
     }

@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "algorithms/geometry/rotation.h"
+#include "algorithms/messages/render.h"
+#include "messages/report.h"
 
 namespace remount {
 namespace {
@@ -69,7 +71,7 @@ Frame frame_of(const Plot& plot) {
   return frame;
 }
 
-void draw_axes(const Plot& plot, const Frame& frame, const Phrases& phrase, Drawing& drawing) {
+void draw_axes(const Plot& plot, const Frame& frame, const PlotWords& words, Drawing& drawing) {
   const Eigen::Vector2d low = frame.values.min(), high = frame.values.max();
   const double bottom = kTop + frame.size.y();
   const double step_x = tick_step(high.x() - low.x(), 7.0), step_y = tick_step(high.y() - low.y(), 5.0);
@@ -85,9 +87,8 @@ void draw_axes(const Plot& plot, const Frame& frame, const Phrases& phrase, Draw
   }
   drawing.shapes.push_back(
       DrawnLine{{{kLeft, kTop}, {kLeft, bottom}, {kLeft + frame.size.x(), bottom}}, "#8a8f98", 1.0});
-  drawing.shapes.push_back(
-      DrawnText{{kWidth - kRight, bottom + 28.0}, phrase("plot", plot.x_label.c_str()), TextAnchor::End, 10.0});
-  drawing.shapes.push_back(DrawnText{{6.0, kTop - 8.0}, phrase("plot", plot.y_label.c_str()), TextAnchor::Start, 10.0});
+  drawing.shapes.push_back(DrawnText{{kWidth - kRight, bottom + 28.0}, words(plot.x_label), TextAnchor::End, 10.0});
+  drawing.shapes.push_back(DrawnText{{6.0, kTop - 8.0}, words(plot.y_label), TextAnchor::Start, 10.0});
 }
 
 /// The runs of finite points of y(x).
@@ -137,10 +138,10 @@ double width_of(std::string_view text) {
   return width;
 }
 
-void draw_names(const Plot& plot, const Phrases& phrase, Drawing& drawing) {
+void draw_names(const Plot& plot, const PlotWords& words, Drawing& drawing) {
   double at = kWidth - kRight;
   for (std::size_t i = plot.curves.size(); i-- > 0;) {
-    const std::string name = phrase("plot", plot.curves[i].name.c_str());
+    const std::string name = words(plot.curves[i].name);
     drawing.shapes.push_back(DrawnText{{at, 27.0}, name, TextAnchor::End, 10.0, curve_color(i)});
     at -= width_of(name) + 14.0;
   }
@@ -150,30 +151,31 @@ void draw_names(const Plot& plot, const Phrases& phrase, Drawing& drawing) {
 
 const char* curve_color(std::size_t curve) { return kColors[curve % kColors.size()]; }
 
-Drawing plot_chart(const Plot& plot, const Phrases& phrase) {
+Drawing plot_chart(const Plot& plot, Language language, const PlotWords& in_words) {
+  const PlotWords words = in_words ? in_words : [](const std::string& written) { return written; };
   Drawing drawing;
   drawing.width = kWidth;
   drawing.height = kHeight;
-  const std::string title = phrase("plot", plot.title.c_str());
+  const std::string title = words(plot.title);
   drawing.description = title;
   drawing.shapes.push_back(DrawnText{{6.0, 13.0}, title, TextAnchor::Start, 12.0});
   if (bounds_of(plot).isEmpty()) {
     drawing.height = 44.0;
-    drawing.shapes.push_back(DrawnText{{6.0, 32.0}, phrase("plot", "No values."), TextAnchor::Start, 10.0});
+    drawing.shapes.push_back(DrawnText{{6.0, 32.0}, render(say::chart_no_values(), language), TextAnchor::Start, 10.0});
     return drawing;
   }
   const Frame frame = frame_of(plot);
   drawing.height = kTop + frame.size.y() + kBottom;
-  draw_axes(plot, frame, phrase, drawing);
+  draw_axes(plot, frame, words, drawing);
   for (std::size_t i = 0; i < plot.curves.size(); ++i)
     draw_band(plot.curves[i], frame, kBands[i % kBands.size()], drawing);
   for (std::size_t i = 0; i < plot.curves.size(); ++i) draw_curve(plot.curves[i], frame, curve_color(i), drawing);
-  draw_names(plot, phrase, drawing);
+  draw_names(plot, words, drawing);
   return drawing;
 }
 
-std::string quantity_text(const NamedQuantity& quantity, const Phrases& phrase) {
-  if (!quantity.observed || !std::isfinite(quantity.value)) return phrase("report", "not observed");
+std::string quantity_text(const NamedQuantity& quantity, Language language) {
+  if (!quantity.observed || !std::isfinite(quantity.value)) return render(say::report_not_observed(), language);
   const bool angle = quantity.unit == "rad";
   const auto shown = [&](double value) { return angle ? radians_to_degrees(value) : value; };
   const std::string unit = angle ? " °" : quantity.unit.empty() ? "" : " " + quantity.unit;

@@ -9,6 +9,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/core/stamps.h"
 #include "algorithms/messages/render.h"
+#include "messages/report.h"
 #include "model/checks/data_check.h"
 #include "model/display_units.h"
 #include "model/io/base64.h"
@@ -35,6 +36,12 @@ std::string number(const char* pattern, double value, const char* instead = "–
   return text;
 }
 
+Message state_word(PairState state) {
+  return state == PairState::Accepted   ? say::report_accepted()
+         : state == PairState::Rejected ? say::report_rejected()
+                                        : say::report_proposed();
+}
+
 /// Writes the page part by part, each a function that fits on a screen.
 class Page {
  public:
@@ -44,13 +51,10 @@ class Page {
   std::string write();
 
  private:
-  std::string phrase(const char* context, const char* english) const {
-    return html_escaped(style_.phrase ? style_.phrase(context, english) : english);
-  }
-  std::string sentence(const Message& text) const {
-    return html_escaped(style_.sentence ? style_.sentence(text) : english(text));
-  }
-  std::string parameter(std::size_t i) const { return sentence(std::string(kParameterNames[i])); }
+  std::string words(const Message& message) const { return html_escaped(render(message, style_.language)); }
+  std::string written(const std::string& name) const { return html_escaped(style_.words ? style_.words(name) : name); }
+  std::string parameter(std::size_t i) const { return words(parameter_word(i)); }
+  void weak(const std::string& text) { html_ += "<p class=\"weak\">" + text + "</p>\n"; }
   void heading(const std::string& text) { html_ += "<h2>" + text + "</h2>\n"; }
   enum class Texts { First, FirstAndLast, All };  // which columns are words, set to the left
   /// Repeated on each page of paper.
@@ -82,11 +86,6 @@ class Page {
   void chart(const Drawing& drawing) {
     html_ += "<p>" + (style_.chart ? style_.chart(drawing) : to_svg(drawing)) + "</p>\n";
   }
-  Phrases words() const {
-    return [this](const char* context, const char* english) {
-      return style_.phrase ? style_.phrase(context, english) : std::string(english);
-    };
-  }
   void write_verdict();
   void write_parameters();
   void write_transform();
@@ -110,27 +109,26 @@ class Page {
 };
 
 void Page::write_verdict() {
-  html_ += "<h1>" + phrase("report", "Calibration of a LiDAR: report") + "</h1>\n<p class=\"weak\">";
+  html_ += "<h1>" + words(say::report_title()) + "</h1>\n<p class=\"weak\">";
   if (!report_.created.empty()) html_ += html_escaped(report_.created) + " · ";
   html_ += "Remount " + html_escaped(file_.version) + "</p>\n";
-  html_ += "<p><b>" + phrase("report", "Status") + ": " + sentence(std::string(to_string(result_.status))) + ".</b> " +
-           sentence(result_.message) + "</p>\n";
+  html_ += "<p><b>" + words(say::report_status()) + ": " + std::string(to_string(result_.status)) + ".</b> " +
+           words(result_.message) + "</p>\n";
   std::vector<std::string> advice;
-  for (const Message& line : result_.advice) advice.push_back(sentence(line));
+  for (const Message& line : result_.advice) advice.push_back(words(line));
   list(advice);
 }
 
 void Page::write_parameters() {
   const bool of_ins = result_.reference_frame == "ins", of_antenna = result_.calibrated == "antenna";
-  const std::string name = html_escaped(result_.reference_frame + "_from_" + result_.calibrated);
-  heading(of_ins ? phrase("report", "LiDAR in the INS frame (ins_from_lidar)")
-                 : (of_antenna                             ? phrase("report", "Antenna in the reference frame")
-                    : result_.reference_frame == "antenna" ? phrase("report", "LiDAR from the antenna, in its own axes")
-                                                           : phrase("report", "LiDAR in the reference frame")) +
-                       ": " + name);
+  const std::string name = result_.reference_frame + "_from_" + result_.calibrated;
+  heading(words(of_ins                                 ? say::report_lidar_in_ins()
+                : of_antenna                           ? say::report_antenna_in_frame(name)
+                : result_.reference_frame == "antenna" ? say::report_lidar_from_antenna(name)
+                                                       : say::report_lidar_in_frame(name)));
   begin_table();
-  header({"", phrase("report", "value"), phrase("report", "1 sigma"), phrase("report", "by resampling"),
-          phrase("report", "nominal"), phrase("report", "new − nominal")});
+  header({"", words(say::report_value()), words(say::report_one_sigma()), words(say::report_by_resampling()),
+          words(say::report_nominal()), words(say::report_new_minus_nominal())});
   const std::array<double, 6> values = six_on_screen(result_.ins_from_lidar);
   for (std::size_t i = 0; i < 6; ++i) {
     const char* unit = is_angle(i) ? " °" : " m";
@@ -145,20 +143,18 @@ void Page::write_parameters() {
     }
     row({parameter(i) + (result_.measured[i] ? " *" : ""),
          has_mounting(result_) ? number("%.4f", values[i]) + unit : "–",
-         sigma ? "± " + number("%.4f", on_screen(i, *sigma)) + unit : phrase("report", "not observed"),
+         sigma ? "± " + number("%.4f", on_screen(i, *sigma)) + unit : words(say::report_not_observed()),
          sigma && result_.bootstrap_sigma[i] > 0.0
              ? "± " + number("%.4f", on_screen(i, result_.bootstrap_sigma[i])) + unit
              : "–",
          nominal, change});
   }
   end_table();
-  html_ +=
-      "<p class=\"weak\">" +
-      (of_ins ? phrase("report", "R = Rz(yaw) Ry(pitch) Rx(roll); point_in_ins = ins_from_lidar * point_in_lidar.")
-       : of_antenna || result_.reference_frame == "antenna"
-           ? phrase("report", "Positions of an antenna give its lever arm, m, and no attitude.")
-           : phrase("report", "R = Rz(yaw) Ry(pitch) Rx(roll); X takes points of the LiDAR to the reference frame."));
-  if (is_any_measured(result_)) html_ += " " + phrase("report", "* with a value measured by hand.");
+  html_ += "<p class=\"weak\">" + words(of_ins ? say::report_convention_ins()
+                                        : of_antenna || result_.reference_frame == "antenna"
+                                            ? say::report_convention_antenna()
+                                            : say::report_convention_frame());
+  if (is_any_measured(result_)) html_ += " " + words(say::report_with_measured());
   html_ += "</p>\n";
 }
 
@@ -172,20 +168,20 @@ void Page::write_transform() {
   }
   end_table();
   const Eigen::Quaterniond q(result_.ins_from_lidar.linear());
-  html_ += "<p class=\"weak\">" + phrase("report", "quaternion x, y, z, w") + ": " + number("%.9f", q.x()) + ", " +
-           number("%.9f", q.y()) + ", " + number("%.9f", q.z()) + ", " + number("%.9f", q.w()) + "</p>\n";
+  weak(words(say::report_quaternion(
+      {number("%.9f", q.x()), number("%.9f", q.y()), number("%.9f", q.z()), number("%.9f", q.w())})));
 }
 
 void Page::write_method() {
   if (file_.method == kPairwise && file_.quantities.empty() && file_.plots.empty()) return;
-  heading(phrase("report", "Method") + ": " + html_escaped(file_.method));
+  heading(words(say::report_method(file_.method)));
   if (!file_.quantities.empty()) {
     begin_table();
     for (const NamedQuantity& quantity : file_.quantities)
-      row({sentence(quantity.name), html_escaped(quantity_text(quantity, words()))});
+      row({written(quantity.name), html_escaped(quantity_text(quantity, style_.language))});
     end_table();
   }
-  for (const Plot& plot : file_.plots) chart(plot_chart(plot, words()));
+  for (const Plot& plot : file_.plots) chart(plot_chart(plot, style_.language, style_.words));
 }
 
 /// As the window has it: blue for negative, orange for positive, stronger with size.
@@ -201,7 +197,7 @@ std::string correlation_color(double value) {
 }
 
 void Page::write_correlation() {
-  heading(phrase("report", "Correlation of the parameters"));
+  heading(words(say::report_correlation()));
   begin_table();
   std::vector<std::string> titles{""};
   for (std::size_t i = 0; i < 6; ++i) titles.push_back(parameter(i));
@@ -218,44 +214,44 @@ void Page::write_correlation() {
 }
 
 void Page::write_observability() {
-  heading(phrase("report", "What the drive can tell"));
+  heading(words(say::report_what_drive_tells()));
   std::vector<std::string> lines;
   for (const ObservabilityDirection& direction : result_.directions)
     if (!direction.words.empty()) {
       // Two directions of the same parameters have the same words.
-      const std::string line = (direction.observed ? "" : "<span class=\"warn\">▲</span> ") + sentence(direction.words);
+      const std::string line = (direction.observed ? "" : "<span class=\"warn\">▲</span> ") + words(direction.words);
       if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(line);
     }
-  std::string blind;
+  std::vector<Message> blind;
   for (std::size_t i = 0; i < 6; ++i)
-    if (!result_.observed[i]) blind += (blind.empty() ? "" : ", ") + parameter(i);
-  lines.push_back(!blind.empty()             ? phrase("report", "Not observed") + ": " + blind
-                  : is_any_measured(result_) ? phrase("report", "All six parameters are known, with what was measured.")
-                                             : phrase("report", "All six parameters are observed."));
-  if (const std::string words = disagreement_words(result_); !words.empty()) lines.push_back(sentence(words));
-  for (const std::string& words : clock_words(result_)) lines.push_back(sentence(words));
+    if (!result_.observed[i]) blind.push_back(parameter_word(i));
+  lines.push_back(words(!blind.empty()             ? say::report_parameters_not_observed(blind)
+                        : is_any_measured(result_) ? say::report_all_known()
+                                                   : say::report_all_observed()));
+  if (const Message scatter = disagreement_words(result_); !scatter.empty()) lines.push_back(words(scatter));
+  for (const auto& clock : clock_words(result_)) lines.push_back(words(clock));
   list(lines);
 }
 
 void Page::write_sharpness() {
-  heading(phrase("report", "Check by the accumulated map"));
+  heading(words(say::report_map_check()));
   if (file_.sharpness.empty()) {
-    html_ += "<p class=\"weak\">" + phrase("report", "No map check was made.") + "</p>\n";
+    weak(words(say::report_no_map_check()));
     return;
   }
-  html_ += "<p>" + phrase("report", "Lower is sharper. This check does not use the residual.") + "</p>\n";
+  html_ += "<p>" + words(say::report_lower_is_sharper()) + "</p>\n";
   begin_table();
-  header({phrase("report", "under"), phrase("report", "mean map entropy"), phrase("report", "thickness of planes"),
-          phrase("report", "neighbourhoods")});
+  header({words(say::report_under()), words(say::report_entropy()), words(say::report_thickness()),
+          words(say::report_neighbourhoods())});
   for (const NamedSharpness& entry : file_.sharpness)
-    row({sentence(entry.source), number("%.4f", entry.sharpness.mean_map_entropy),
+    row({written(entry.source), number("%.4f", entry.sharpness.mean_map_entropy),
          number("%.1f mm", 1e3 * entry.sharpness.plane_thickness_m), std::to_string(entry.sharpness.points)});
   end_table();
 }
 
 void Page::write_pictures() {
-  html_ += "<h2 style=\"page-break-before:always\">" + phrase("report", "Worst and best pairs") + "</h2>\n";
-  if (!report_.no_pictures.empty()) html_ += "<p class=\"weak\">" + html_escaped(report_.no_pictures) + "</p>\n";
+  html_ += "<h2 style=\"page-break-before:always\">" + words(say::report_worst_and_best_pairs()) + "</h2>\n";
+  if (!report_.no_pictures.empty()) weak(words(report_.no_pictures));
   for (std::size_t i = 0; i < report_.pictures.size(); ++i) {
     const ReportPicture& picture = report_.pictures[i];
     // Two fill a page: on paper a picture and its caption stay together.
@@ -270,28 +266,26 @@ void Page::write_pictures() {
 
 void Page::write_charts() {
   if (is_from_pairs(file_)) {
-    heading(phrase("report", "Residuals of the pairs"));
-    chart(residual_chart(file_.pairs, ChartedResidual::Translation, words()));
-    chart(residual_chart(file_.pairs, ChartedResidual::Rotation, words()));
+    heading(words(say::report_residuals()));
+    chart(residual_chart(file_.pairs, ChartedResidual::Translation, style_.language));
+    chart(residual_chart(file_.pairs, ChartedResidual::Rotation, style_.language));
   }
-  heading(phrase("report", "Drive"));
-  if (report_.tracks.empty())
-    html_ += "<p class=\"weak\">" + phrase("report", "The sessions were not opened for this report.") + "</p>\n";
-  for (const ReportTrack& track : report_.tracks) chart(track_chart(track, words()));
+  heading(words(say::report_drive()));
+  if (report_.tracks.empty()) weak(words(say::report_sessions_not_opened()));
+  for (const ReportTrack& track : report_.tracks) chart(track_chart(track, style_.language));
 }
 
 void Page::write_pairs() {
-  heading(phrase("report", "Pairs"));
-  html_ += "<p>" + phrase("report", "proposed") + ": " + std::to_string(result_.pairs_proposed) + ", " +
-           phrase("report", "accepted") + ": " + std::to_string(result_.pairs_accepted) + ", " +
-           phrase("report", "rejected") + ": " + std::to_string(result_.pairs_rejected) + "; " +
-           phrase("report", "rms of residuals") + ": " + number("%.2f cm", 100.0 * result_.translation_rms_m) + ", " +
-           number("%.3f °", radians_to_degrees(result_.rotation_rms_rad)) + "</p>\n";
+  heading(words(say::report_pairs()));
+  html_ += "<p>" +
+           words(say::report_counts(result_.pairs_proposed, result_.pairs_accepted, result_.pairs_rejected,
+                                    Length{result_.translation_rms_m}, Angle{result_.rotation_rms_rad})) +
+           "</p>\n";
   begin_table(Texts::FirstAndLast);
-  header({phrase("report", "pair"), phrase("report", "session"), phrase("report", "scan a (UTC)"),
-          phrase("report", "gap"), phrase("report", "baseline"), phrase("report", "turn"), phrase("report", "RMSE"),
-          phrase("report", "overlap"), phrase("report", "screw test"), phrase("report", "residual"),
-          phrase("report", "state"), phrase("report", "reason")});
+  header({words(say::report_pair()), words(say::report_session()), words(say::report_scan_a()),
+          words(say::report_gap()), words(say::report_baseline()), words(say::report_turn()), words(say::report_rmse()),
+          words(say::report_overlap()), words(say::report_screw_test()), words(say::report_residual()),
+          words(say::report_state()), words(say::report_reason())});
   for (std::size_t i = 0; i < file_.pairs.size(); ++i) {
     const PairRecord& pair = file_.pairs[i];
     row({std::to_string(i), std::to_string(pair.session + 1), html_escaped(utc_text(pair.stamp_a_ns).substr(11, 12)),
@@ -300,33 +294,33 @@ void Page::write_pairs() {
          number("%.2f", pair.overlap), number("%.1f σ", pair.screw_score),
          number("%.1f cm", 100.0 * pair.residual_translation_m) + " " +
              number("%.2f °", radians_to_degrees(pair.residual_rotation_rad)),
-         phrase("report", std::string(to_string(pair.state)).c_str()), sentence(pair.reason)});
+         words(state_word(pair.state)), words(pair.reason)});
   }
   end_table();
 }
 
 void Page::write_findings() {
   if (file_.findings.empty()) return;
-  heading(phrase("report", "Warnings"));
+  heading(words(say::report_warnings()));
   begin_table(Texts::All);
-  header({phrase("report", "code"), phrase("report", "where"), phrase("report", "what was found"),
-          phrase("report", "what it means, and what to do")});
+  header({words(say::report_code()), words(say::report_where()), words(say::report_what_was_found()),
+          words(say::report_what_it_means())});
   for (const Finding& finding : file_.findings) {
     const FindingKind* kind = finding_kind(finding.code);
-    row({html_escaped(finding.code), html_escaped(finding.where), sentence(finding.explanation),
-         kind ? sentence(std::string(kind->meaning)) + " " + sentence(std::string(kind->remedy)) : "–"});
+    row({html_escaped(finding.code), html_escaped(finding.where), words(finding.explanation),
+         kind ? words(Message::sequence({kind->meaning(), kind->remedy()})) : "–"});
   }
   end_table();
 }
 
 void Page::write_data() {
-  heading(phrase("report", "Data"));
+  heading(words(say::report_data()));
   if (file_.inputs.empty()) {
-    html_ += "<p class=\"weak\">" + phrase("report", "The files' hashes are not known.") + "</p>\n";
+    weak(words(say::report_hashes_not_known()));
     return;
   }
   begin_table(Texts::All);
-  header({phrase("report", "session"), phrase("report", "file"), phrase("report", "bytes"), "SHA-256"});
+  header({words(say::report_session()), words(say::report_file()), words(say::report_bytes()), "SHA-256"});
   for (const InputFile& input : file_.inputs)
     row({html_escaped(input.session), html_escaped(input.file), std::to_string(input.bytes),
          input.sha256.empty() ? "–" : input.sha256});
@@ -334,7 +328,7 @@ void Page::write_data() {
 }
 
 void Page::write_settings() {
-  heading(phrase("report", "Settings"));
+  heading(words(say::report_settings()));
   const DocumentNode now = settings_document(file_.settings), usual = settings_document(Settings{});
   std::vector<std::string> changed;
   for (std::size_t s = 0; s < now.items.size(); ++s)
@@ -342,18 +336,16 @@ void Page::write_settings() {
       if (now.items[s].items[i].text != usual.items[s].items[i].text)
         changed.push_back(html_escaped(now.keys[s] + "." + now.items[s].keys[i] + " = " + now.items[s].items[i].text +
                                        "   (" + usual.items[s].items[i].text + ")"));
-  html_ += "<p>" +
-           (changed.empty() ? phrase("report", "All settings have their defaults.")
-                            : phrase("report", "Changed from the defaults (in brackets):")) +
+  html_ += "<p>" + (changed.empty() ? words(say::report_settings_usual()) : words(say::report_settings_changed())) +
            "</p>\n";
   list(changed);
   html_ += "<pre>" + html_escaped(settings_text(file_.settings, false)) + "</pre>\n";
 }
 
 std::string Page::write() {
-  html_ = "<!DOCTYPE html>\n<html lang=\"" + html_escaped(style_.language) +
-          "\"><head><meta charset=\"utf-8\"><title>" + phrase("report", "Calibration of a LiDAR: report") +
-          "</title><style>" + kCss + "</style></head>\n<body>\n";
+  html_ = "<!DOCTYPE html>\n<html lang=\"" + std::string(style_.language == Language::Chinese ? "zh-CN" : "en") +
+          "\"><head><meta charset=\"utf-8\"><title>" + words(say::report_title()) + "</title><style>" + kCss +
+          "</style></head>\n<body>\n";
   write_verdict();
   write_parameters();
   write_transform();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/report/charts.h"
+#include "model/report/plot_chart.h"
 #include "model/result_file.h"
 
 namespace remount {
@@ -20,16 +21,15 @@ struct Report {
   std::string created;                  ///< "2026-11-22 05:00:00 UTC"; empty: not said
   std::vector<ReportTrack> tracks;      ///< of the sessions; none where only a result is known
   std::vector<ReportPicture> pictures;  ///< of pairs
-  std::string no_pictures;              ///< why there are none; empty where there are
+  Message no_pictures;                  ///< why there are none; empty where there are
 };
 
-/// How the parts that are no text come into the page.
+/// The reader's language, and how the parts that are no text come into the page.
 struct ReportStyle {
-  Phrases phrase;                                            ///< unset: English
-  std::function<std::string(const Message&)> sentence;       ///< of the program's own messages; unset: as they are
+  Language language = Language::English;
+  PlotWords words;                                           ///< of plots and quantities; unset: as they are written
   std::function<std::string(const Drawing&)> chart;          ///< HTML of a chart; unset: inline SVG
   std::function<std::string(const ReportPicture&)> picture;  ///< HTML of a picture; unset: an image within the page
-  std::string language = "en";
 };
 
 /// One page that needs no other file, simple enough for the window's text engine to print.

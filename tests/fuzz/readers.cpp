@@ -52,7 +52,7 @@ std::string read_project(const fs::path& path) {
   if (project.nominal_ins_from_lidar) text += matrix_text(*project.nominal_ins_from_lidar);
   if (project.output) text += matrix_text(project.output->result.ins_from_lidar);
   for (const PairVerdict& verdict : project.verdicts) text += english(verdict.reason);
-  for (const std::string& change : project.changes_since_calibration()) text += change;
+  for (const Message& change : project.changes_since_calibration()) text += english(change);
   return text;
 }
 

@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
+#include "messages/drives.h"
 #include "model/methods/calibration_method.h"
 
 namespace remount {
@@ -88,12 +90,12 @@ TEST(method_needs, a_method_refuses_a_session_exactly_where_it_lacks_something) 
       const std::string id(kMethodIds.at(static_cast<std::size_t>(fit.method)));
       const std::string said = refusal(fit.method, {session});
       // Where there is no INS the odometry is shown, and the result says that there is none.
-      const bool odometry_alone = fit.method == MethodChoice::FusionOdometry && contains(fit.lack, "attitude");
+      const bool odometry_alone = fit.method == MethodChoice::FusionOdometry && contains(english(fit.lack), "attitude");
       EXPECT_EQ(said.empty(), fit.serves() || odometry_alone)
           << id << " of streams " << bits << ": \"" << said << "\", foreseen: \"" << fit.lack << "\"";
       // The turn of a machine is looked for among its recordings: that one is refused in words of its own.
       if (!said.empty() && fit.method != MethodChoice::Slew) {
-        EXPECT_TRUE(contains(said, fit.lack)) << said << "\n" << fit.lack;
+        EXPECT_TRUE(contains(said, english(fit.lack))) << said << "\n" << fit.lack;
       }
       ++(fit.serves() ? served : refused);
     }
@@ -143,7 +145,7 @@ TEST(method_needs, the_odometry_names_the_session_without_scans) {
 TEST(method_needs, every_method_has_needs_and_a_word_for_what_it_leaves_out) {
   for (const CalibrationMethod& method : calibration_methods()) EXPECT_FALSE(method.needs.empty()) << method.id;
   const auto fits = method_fits(*session_with({.gnss = true, .wheels = true, .imu = true}));
-  EXPECT_EQ(fits[static_cast<std::size_t>(MethodChoice::VehicleFrame)].limit, "the antenna's place alone");
+  EXPECT_EQ(fits[static_cast<std::size_t>(MethodChoice::VehicleFrame)].limit, say::antenna_place_alone());
   EXPECT_FALSE(fits[static_cast<std::size_t>(MethodChoice::Trajectory)].serves());
   EXPECT_FALSE(fits[static_cast<std::size_t>(MethodChoice::Slew)].proviso.empty());
 }

@@ -137,7 +137,7 @@ TEST_F(project, knows_that_a_calibration_was_made_with_other_settings) {
   const Project back = load_project(path);
   EXPECT_EQ(back.settings.pairing.max_gap_s, 1.25);
   EXPECT_EQ(back.basis.settings.pairing.max_gap_s, 2.5);
-  EXPECT_EQ(back.changes_since_calibration(),
+  EXPECT_EQ(english(back.changes_since_calibration()),
             (std::vector<std::string>{"2 sessions, now 3", "nominal mounting given, now unknown",
                                       "pairing.max_gap_s 2.5, now 1.25"}));
 }

@@ -165,7 +165,7 @@ TEST(session_list_model, a_finding_tells_its_code_what_it_means_and_what_to_do) 
   const QString told = model.index(0, 0, model.index(0, 0)).data(Qt::ToolTipRole).toString();
   const FindingKind& kind = *finding_kind("ins-jump");
   for (const QString& part : {QStringLiteral("[ins-jump]"), QStringLiteral("The position jumps 2 times."),
-                              QString::fromUtf8(kind.meaning.data()), QString::fromUtf8(kind.remedy.data())})
+                              model_text(kind.meaning()), model_text(kind.remedy())})
     EXPECT_TRUE(told.contains(part)) << part.toStdString() << "\n" << told.toStdString();
 }
 
@@ -179,10 +179,8 @@ TEST(session_list_model, every_code_is_explained) {
       SessionListModel model;
       model.show_sessions({std::make_shared<const Session>(session)});
       const QString told = model.index(0, 0, model.index(0, 0)).data(Qt::ToolTipRole).toString();
-      for (const std::string_view part : {std::string_view(code), kind.meaning, kind.remedy})
-        EXPECT_TRUE(told.contains(in_words_of_window(QString::fromUtf8(part.data(), std::ssize(part)))))
-            << code << ": " << part << "\n"
-            << told.toStdString();
+      for (const QString& part : {QString::fromStdString(code), model_text(kind.meaning()), model_text(kind.remedy())})
+        EXPECT_TRUE(told.contains(part)) << code << ": " << part.toStdString() << "\n" << told.toStdString();
     }
 }
 

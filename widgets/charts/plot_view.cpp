@@ -1,9 +1,11 @@
 #include "widgets/charts/plot_view.h"
 
+#include <QLocale>
 #include <QPaintEvent>
 #include <QPainter>
 #include <algorithm>
 
+#include "algorithms/messages/render.h"
 #include "model/report/plot_chart.h"
 #include "widgets/charts/paint_drawing.h"
 #include "widgets/model_text.h"
@@ -25,8 +27,10 @@ PlotView::PlotView(QWidget* parent) : QWidget(parent) {
 void PlotView::show_plots(const std::vector<Plot>& plots) {
   drawings_.clear();
   QStringList titles;
+  const Language language = language_of(QLocale().name().toStdString());
+  const auto words = [](const std::string& written) { return drawn_text("plot", written.c_str()); };
   for (const Plot& plot : plots) {
-    drawings_.push_back(plot_chart(plot, drawn_text));
+    drawings_.push_back(plot_chart(plot, language, words));
     titles << QString::fromStdString(drawings_.back().description);
   }
   setAccessibleDescription(titles.join('\n'));

@@ -30,8 +30,8 @@ Severity worst(const std::vector<Finding>& findings) {
 QString told_in_full(const Finding& finding) {
   QString text = QString::fromStdString(finding.where) + '\n' + model_text(finding.explanation);
   if (const FindingKind* kind = finding_kind(finding.code))
-    text += "\n\n" + model_text(kind->meaning) + '\n' +
-            SessionListModel::tr("What to do: %1").arg(model_text(kind->remedy));
+    text += "\n\n" + model_text(kind->meaning()) + '\n' +
+            SessionListModel::tr("What to do: %1").arg(model_text(kind->remedy()));
   return text + "\n[" + QString::fromStdString(finding.code) + ']';
 }
 

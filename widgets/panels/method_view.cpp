@@ -1,9 +1,11 @@
 #include "widgets/panels/method_view.h"
 
 #include <QLabel>
+#include <QLocale>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "algorithms/messages/render.h"
 #include "model/report/plot_chart.h"
 #include "widgets/charts/plot_view.h"
 #include "widgets/model_text.h"
@@ -40,10 +42,11 @@ void MethodView::show_message(const QString& text) {
 void MethodView::show_method(const QString& title, const std::vector<NamedQuantity>& quantities,
                              const std::vector<Plot>& plots) {
   title_->setText(title);
+  const Language language = language_of(QLocale().name().toStdString());
   std::vector<std::vector<TableCell>> rows;
   for (const NamedQuantity& quantity : quantities)
     rows.push_back({{model_text(quantity.name), {}, Verdict::Neutral},
-                    {QString::fromStdString(quantity_text(quantity, drawn_text)), tr("± 1 sigma"),
+                    {QString::fromStdString(quantity_text(quantity, language)), tr("± 1 sigma"),
                      quantity.observed ? Verdict::Neutral : Verdict::Doubtful}});
   quantities_->show_rows({tr("Also determined"), tr("Value")}, rows);
   quantities_->setVisible(!rows.empty());

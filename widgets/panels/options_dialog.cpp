@@ -75,7 +75,7 @@ void OptionsDialog::show_settings(const Settings& settings) {
   for (OptionForm* form : forms_) form->show_settings(settings);
   defaults_->setEnabled(!all_default(settings));
   QStringList problems;
-  for (const std::string& problem : settings.check()) problems << model_text(problem);
+  for (const Message& problem : settings.check()) problems << model_text(problem);
   problems_->setVisible(!problems.isEmpty());
   set_style(*problems_, text_in(bad_color));
   problems_->setText(problems.join('\n'));

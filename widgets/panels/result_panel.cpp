@@ -312,9 +312,9 @@ void ResultPanel::show_words(const PipelineOutput& output) {
   bool starred = false;
   for (std::size_t i = 0; i < 6; ++i) starred = starred || (result.measured[i] && finite_sigma(result, i));
   if (has_mounting(result) && starred) figures << tr("* with a value measured by hand");
-  if (const std::string words = disagreement_words(result); !words.empty()) figures << model_text(words);
+  if (const Message words = disagreement_words(result); !words.empty()) figures << model_text(words);
   if (has_mounting(result))
-    for (const std::string& words : clock_words(result)) figures << model_text(words);
+    for (const Message& words : clock_words(result)) figures << model_text(words);
   if (has_mounting(result) && !output.pairs.empty())
     figures << (is_aligned_together(result)
                     ? tr("the clouds of all accepted pairs were aligned together as the last step")

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/wheel_drive.h"
 
 namespace remount {

@@ -10,6 +10,7 @@
 #include "algorithms/calibration/observability.h"
 #include "algorithms/calibration/uncertainty.h"
 #include "algorithms/messages/render.h"
+#include "messages/pairs.h"
 #include "tests/algorithms/support/simulated_drive.h"
 
 namespace remount {
@@ -290,8 +291,8 @@ TEST(pairwise, what_a_chance_few_of_many_pairs_say_is_not_claimed_without_a_nomi
   for (Pair& pair : pairs)
     if (!pair.registration.failure.empty()) {
       pair.decided_by = DecidedBy::Program;
-      pair.reason = kPairNotReached;
-      pair.registration.failure = kPairNotReached;
+      pair.reason = say::pair_not_reached();
+      pair.registration.failure = pair.reason;
     }
   EXPECT_NE(parameter_names(solve(drive, options, pairs, false).result.observed, true), "");
 }

@@ -4,6 +4,7 @@
 
 #include "algorithms/core/error.h"
 #include "algorithms/geometry/circle_fit.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/random_motion.h"
 #include "tests/algorithms/support/room.h"
 
@@ -66,7 +67,7 @@ TEST(slew_turn, a_scan_that_cannot_be_read_is_left_out) {
   Progress progress;
   const TurnTrajectory found = turn_trajectory(recording.stamps_ns, recording.load, {}, {}, progress);
   EXPECT_EQ(found.failed, 1u);
-  EXPECT_NE(found.first_failure.find("scan 3"), std::string::npos);
+  EXPECT_NE(english(found.first_failure).find("scan 3"), std::string::npos);
   EXPECT_EQ(found.scans, (std::vector<std::size_t>{0, 1, 2, 4, 5}));
 }
 

@@ -29,7 +29,7 @@ TEST(options, every_problem_is_named_not_only_the_first) {
   options.max_iterations = 0;
   options.min_overlap = std::numeric_limits<double>::quiet_NaN();
   options.algorithm = static_cast<RegistrationAlgorithm>(9);
-  const std::vector<std::string> problems = option_problems(options);
+  const std::vector<std::string> problems = english(option_problems(options));
   ASSERT_EQ(problems.size(), 4U);
   std::string all;
   for (const std::string& problem : problems) all += problem + "\n";

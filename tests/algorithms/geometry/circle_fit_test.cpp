@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount {

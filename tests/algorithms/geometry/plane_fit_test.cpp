@@ -4,6 +4,7 @@
 
 #include <stop_token>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount {

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/odometry/synthetic_drive.h"
 
 namespace remount {
@@ -115,7 +116,7 @@ TEST(fusion_odometry, runs_through_a_featureless_tunnel_where_the_lidar_alone_sl
     EXPECT_FALSE(fused.scans[i].undetermined.empty()) << i;
     EXPECT_FALSE(alone.scans[i].undetermined.empty()) << i;
   }
-  EXPECT_EQ(fused.scans.back().undetermined, "x (axes of the vehicle)");
+  EXPECT_EQ(english(fused.scans.back().undetermined), "x (axes of the vehicle)");
   // It is not sure of itself either.
   EXPECT_GT(std::sqrt(alone.scans.back().covariance(0, 0)), 0.1 * end_error(drive, alone).shift_m);
   EXPECT_LT(std::sqrt(fused.scans.back().covariance(0, 0)), 0.02 * length_m);
@@ -201,7 +202,7 @@ TEST(fusion_odometry, an_empty_scan_keeps_the_prediction) {
     return scan;
   };
   const FusionOdometryResult result = solve_fusion_odometry(10, load, drive.mounting, drive.streams(), {}, 1, progress);
-  EXPECT_EQ(result.scans[6].undetermined, "all");
+  EXPECT_EQ(english(result.scans[6].undetermined), "all");
   EXPECT_LT(end_error(drive, result).shift_m, 0.02);
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/random_motion.h"
 #include "tests/algorithms/support/room.h"
 
@@ -39,14 +40,14 @@ std::string describe(const RegistrationResult& result) {
   return "error " + std::to_string(1000.0 * error.head<3>().norm()) + " mm, " +
          std::to_string(radians_to_degrees(error.tail<3>().norm())) + " deg; overlap " +
          std::to_string(result.quality.overlap) + ", rmse " + std::to_string(result.quality.rmse_m) + " m, " +
-         std::to_string(result.quality.iterations) + " iterations; " + result.quality.failure;
+         std::to_string(result.quality.iterations) + " iterations; " + english(result.quality.failure);
 }
 
 TEST(registration, recovers_a_motion_in_a_room_to_millimetres) {
   const RegistrationResult result = align(room_scans());
   const Vector6d error = difference(kTargetFromSource, result.target_from_source);
   EXPECT_TRUE(result.quality.attempted && result.quality.converged) << describe(result);
-  EXPECT_EQ(result.quality.failure, "");
+  EXPECT_EQ(result.quality.failure, Message());
   EXPECT_LT(error.head<3>().norm(), 2e-3) << describe(result);
   EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.01)) << describe(result);
   EXPECT_GT(result.quality.overlap, 0.8) << describe(result);
@@ -96,7 +97,7 @@ TEST(registration, says_why_there_is_no_result) {
   const RegistrationResult few = align_scans(empty, scans.target, RigidTransform::Identity(), {}, {});
   EXPECT_TRUE(few.quality.attempted);
   EXPECT_FALSE(few.quality.converged);
-  EXPECT_EQ(few.quality.failure, "too few points with a surface: 0");
+  EXPECT_EQ(english(few.quality.failure), "too few points with a surface: 0");
   EXPECT_FALSE(align_scans(scans.source, empty, RigidTransform::Identity(), {}, {}).quality.failure.empty());
 
   const RigidTransform far = make_rigid(Eigen::Matrix3d::Identity(), {500, 0, 0});
@@ -110,12 +111,12 @@ TEST(registration, says_why_there_is_no_result) {
   }
   RegistrationOptions strict;
   strict.max_rmse_m = 0.001;
-  EXPECT_NE(align(scans, strict).quality.failure.find("residual too large"), std::string::npos);
+  EXPECT_NE(english(align(scans, strict).quality.failure).find("residual too large"), std::string::npos);
   strict.max_rmse_m = 1.0;
   strict.min_overlap = 1.0;
-  EXPECT_NE(align(scans, strict).quality.failure.find("overlap too small"), std::string::npos);
+  EXPECT_NE(english(align(scans, strict).quality.failure).find("overlap too small"), std::string::npos);
   strict.max_iterations = 1;
-  EXPECT_EQ(align(scans, strict).quality.failure, "registration did not converge");
+  EXPECT_EQ(english(align(scans, strict).quality.failure), "registration did not converge");
 }
 
 TEST(registration, every_algorithm_of_the_list_is_selectable_and_close) {
@@ -137,7 +138,7 @@ TEST(registration, cancelled_is_a_result) {
   std::stop_source stop;
   stop.request_stop();
   const RegistrationResult result = align(room_scans(), {}, Progress(stop.get_token()));
-  EXPECT_EQ(result.quality.failure, "cancelled");
+  EXPECT_EQ(english(result.quality.failure), "cancelled");
   EXPECT_FALSE(result.quality.converged);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/room.h"
 
 namespace remount {
@@ -57,7 +58,7 @@ RigidTransform start_off(const Eigen::Vector3d& shift_m, const Eigen::Vector3d& 
 std::string describe_search(const RegistrationResult& result) {
   const Vector6d error = difference(kTruth, result.target_from_source);
   return "error " + std::to_string(error.head<3>().norm()) + " m, " +
-         std::to_string(radians_to_degrees(error.tail<3>().norm())) + " deg; " + result.quality.failure;
+         std::to_string(radians_to_degrees(error.tail<3>().norm())) + " deg; " + english(result.quality.failure);
 }
 
 TEST(search_around, finds_a_pair_from_five_metres_and_thirty_degrees) {
@@ -69,7 +70,7 @@ TEST(search_around, finds_a_pair_from_five_metres_and_thirty_degrees) {
     const RigidTransform start = start_off(shifts[i], turns[i]);
     const RegistrationResult result = align_scans(scans.source, scans.target, start, {}, {});
     const Vector6d error = difference(kTruth, result.target_from_source);
-    EXPECT_EQ(result.quality.failure, "") << i << ": " << describe_search(result);
+    EXPECT_EQ(result.quality.failure, Message()) << i << ": " << describe_search(result);
     EXPECT_LT(error.head<3>().norm(), 0.02) << i << ": " << describe_search(result);
     EXPECT_LT(error.tail<3>().norm(), degrees_to_radians(0.1)) << i << ": " << describe_search(result);
     RegistrationOptions without;
@@ -97,7 +98,7 @@ TEST(search_around, says_that_repeating_surroundings_are_ambiguous) {
   const RegistrationResult result =
       align_scans(scans.source, scans.target, start_off({2.0, 0.0, 0.0}, {0, 0, 25}), {}, {});
   const double off_m = difference(kTruth, result.target_from_source).head<3>().norm();
-  EXPECT_NE(result.quality.failure.find("ambiguous: another alignment"), std::string::npos)
+  EXPECT_NE(english(result.quality.failure).find("ambiguous: another alignment"), std::string::npos)
       << describe_search(result) << ", off " << off_m << " m";
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 #include <random>
 
+#include "algorithms/messages/render.h"
 #include "algorithms/registration/registration.h"
 #include "tests/algorithms/support/room.h"
 
@@ -30,28 +31,28 @@ double information_along(const RegistrationResult& result, const Eigen::Vector3d
 
 TEST(undetermined_directions, of_a_room_are_none) {
   const RegistrationResult result = align_in(room(), Eigen::Matrix3d::Identity());
-  EXPECT_EQ(result.quality.undetermined, "");
-  EXPECT_EQ(result.quality.failure, "");
+  EXPECT_EQ(result.quality.undetermined, Message());
+  EXPECT_EQ(result.quality.failure, Message());
 }
 
 TEST(undetermined_directions, of_a_corridor_are_its_length) {
   const RegistrationResult result = align_in(corridor(), Eigen::Matrix3d::Identity());
-  EXPECT_EQ(result.quality.undetermined, "x (axes of the lidar)");
-  EXPECT_EQ(result.quality.failure, "");
+  EXPECT_EQ(english(result.quality.undetermined), "x (axes of the lidar)");
+  EXPECT_EQ(result.quality.failure, Message());
   EXPECT_LT(information_along(result, Eigen::Vector3d::UnitX()), 25.0) << "less than 0.2 m is said to be known";
   EXPECT_GT(information_along(result, Eigen::Vector3d::UnitY()), 1e4);
 }
 
 TEST(undetermined_directions, are_named_in_the_axes_of_a_turned_sensor) {
   const Eigen::Matrix3d quarter = so3_exp({0.0, 0.0, 0.5 * kPi}), eighth = so3_exp({0.0, 0.0, 0.25 * kPi});
-  EXPECT_EQ(align_in(corridor(), quarter).quality.undetermined, "y (axes of the lidar)");
-  const std::string between = align_in(corridor(), eighth).quality.undetermined;
+  EXPECT_EQ(english(align_in(corridor(), quarter).quality.undetermined), "y (axes of the lidar)");
+  const std::string between = english(align_in(corridor(), eighth).quality.undetermined);
   EXPECT_EQ(between.rfind("the shift along [0.7", 0), 0U) << between;
 }
 
 TEST(undetermined_directions, of_an_open_field_are_its_plane_and_yaw) {
   const RegistrationResult result = align_in(open_field(), Eigen::Matrix3d::Identity());
-  EXPECT_EQ(result.quality.undetermined, "x, y, yaw (axes of the lidar)");
+  EXPECT_EQ(english(result.quality.undetermined), "x, y, yaw (axes of the lidar)");
   EXPECT_LT(information_along(result, {0.6, 0.8, 0.0}), 1.0);
   EXPECT_GT(information_along(result, Eigen::Vector3d::UnitZ()), 1e4);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/messages/render.h"
 #include "tests/algorithms/support/random_motion.h"
 
 namespace remount {

@@ -108,7 +108,7 @@ void expect_certified(const QuadraticForm& form, const SearchRange& range, const
   EXPECT_LE(result.gap(), result.allowed_gap) << english(result.message);
   const double scale = form.matrix().topLeftCorner<9, 9>().trace() + form.matrix()(12, 12);
   EXPECT_LE(result.allowed_gap, std::max(1e-6 * result.value, 1e-12 * scale));
-  EXPECT_EQ(outside_range(result.ins_from_lidar, range), "");
+  EXPECT_EQ(outside_range(result.ins_from_lidar, range), Message());
   EXPECT_NEAR(form.value(result.ins_from_lidar), result.value, 1e-12 * scale);
   EXPECT_LT(timed.seconds, 1.0 * kSanitizerSlowdown);
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "algorithms/messages/render.h"
+
 namespace remount {
 namespace {
 

@@ -144,9 +144,10 @@ TEST_F(cli, errors_of_a_range_speak_the_units_that_were_typed) {
   const std::string verb = "calibrate " + path("drive");
   const std::vector<std::pair<std::string, std::string>> cases{
       {" --range yaw=-200:10", "--range yaw=-200:10: yaw -200 deg is outside -180 to 180 deg"},
-      {" --range pitch=20:10", "pitch: the minimum 20 exceeds the maximum 10 deg"},
+      {" --range pitch=20:10", "pitch: the minimum 20 deg exceeds the maximum 10 deg"},
       {" --range x=0:2000", "x 2000 m is outside -1000 to 1000 m"},
-      {" --set range.yaw_min_rad=-4", "-4 rad (-229.183 deg) is outside -3.14159 to 3.14159 rad (-180 to 180 deg)"},
+      {" --set range.yaw_min_rad=-4",
+       "-4 rad (-229.183 deg) is outside -3.14159 rad to 3.14159 rad (-180 deg to 180 deg)"},
       {" --set range.roll_max_rad=-3.14 --range roll=-10:10 --set range.yaw_max_rad=-3.1 --set range.yaw_min_rad=0",
        "range.yaw: the minimum 0 deg exceeds the maximum -177.617 deg"}};
   for (const auto& [arguments, said] : cases) {

@@ -21,8 +21,8 @@ TEST(data_checks, every_code_stands_once_with_what_it_means_and_what_to_do) {
   for (const DataCheck& check : data_checks())
     for (const FindingKind& kind : check.kinds) {
       EXPECT_TRUE(codes.insert(kind.code).second) << kind.code << " stands twice";
-      EXPECT_TRUE(kind.meaning.ends_with('.')) << kind.code;
-      EXPECT_TRUE(kind.remedy.ends_with('.')) << kind.code;
+      EXPECT_TRUE(english(kind.meaning()).ends_with('.')) << kind.code;
+      EXPECT_TRUE(english(kind.remedy()).ends_with('.')) << kind.code;
       EXPECT_EQ(finding_kind(kind.code), &kind) << kind.code << " is hidden by a pattern before it";
     }
   std::printf("%zu codes in %zu checks\n", codes.size(), data_checks().size());
@@ -47,8 +47,8 @@ TEST(data_checks, inspect_and_report_tell_code_meaning_and_remedy) {
   Report report;
   report.file.findings = session.findings;
   const std::string page = report_html(report);
-  for (const std::string_view part :
-       {std::string_view("ins-gaps"), std::string_view("1 gap, the longest 1.020 s"), kind.meaning, kind.remedy}) {
+  for (const std::string& part : {std::string("ins-gaps"), std::string("1 gap, the longest 1.020 s"),
+                                  english(kind.meaning()), english(kind.remedy())}) {
     EXPECT_TRUE(contains(inspected, part)) << part << "\n" << inspected;
     EXPECT_TRUE(contains(page, part)) << part << "\n" << page;
   }
@@ -67,7 +67,8 @@ TEST(data_checks, every_code_is_explained_in_inspect_and_report) {
       Report report;
       report.file.findings = session.findings;
       const std::string page = report_html(report);
-      for (const std::string_view part : {std::string_view("Something was found there."), kind.meaning, kind.remedy}) {
+      for (const std::string& part :
+           {std::string("Something was found there."), english(kind.meaning()), english(kind.remedy())}) {
         EXPECT_TRUE(contains(inspected, part)) << code << ": " << part << "\n" << inspected;
         EXPECT_TRUE(contains(page, html_escaped(part))) << code << ": " << part;
       }

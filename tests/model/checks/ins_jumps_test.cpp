@@ -136,7 +136,7 @@ TEST(ins_jump_check, an_attitude_that_jumps_is_named) {
   for (std::size_t i = 300; i < aligned.ins.size(); ++i)
     aligned.ins[i].enu_from_ins = turn * aligned.ins[i].enu_from_ins;
   EXPECT_EQ(said_of(found_by(ins_jump_check(), aligned), "ins-attitude-jump"),
-            "The attitude jumps once, by 11.5 degrees at 2020-09-13 12:26:46.000 UTC.");
+            "The attitude jumps once, by 11.5 deg at 2020-09-13 12:26:46.000 UTC.");
 }
 
 TEST(ins_jump_check, noise_braking_and_gaps_are_no_jumps) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "algorithms/core/error.h"
+#include "algorithms/messages/render.h"
 #include "algorithms/odometry/lidar_odometry.h"
 #include "model/simulator/simulator.h"
 

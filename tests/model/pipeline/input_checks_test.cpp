@@ -211,12 +211,6 @@ TEST(input_checks, scans_that_cannot_be_read_at_all_are_said_so) {
   }
 }
 
-TEST(input_checks, a_message_ends_with_one_full_stop) {
-  EXPECT_EQ(sentence("holds at most 2769"), "holds at most 2769.");
-  EXPECT_EQ(sentence("is done. "), "is done.");
-  EXPECT_EQ(sentence(""), "");
-}
-
 TEST(input_checks, a_spacing_that_was_set_larger_is_not_given_up_without_a_word) {
   Session session;
   session.name = "short";

@@ -6,6 +6,11 @@
 namespace remount {
 namespace {
 
+/// As advice says it: with the session's number, counted as users do, and its name.
+Message of_session(const char* code, std::int64_t number, const char* name) {
+  return {code, {{"session", Message("session-named", {{"number", number}, {"name", std::string(name)}})}}};
+}
+
 /// Three sessions of two keyframes and two pairs each; of the middle one no pair is accepted.
 struct ThreeSessions {
   PipelineInput input;
@@ -20,8 +25,8 @@ struct ThreeSessions {
     result.pairs_proposed = 6, result.pairs_accepted = 4, result.pairs_rejected = 2;
     result.session_time_offset_s = {0.010, 0.700, 0.030};
     result.time_offset = {0.2467, 0.001, true};
-    result.advice = {"Session 2 (tuesday) was left out: its INS motion and its registrations contradict each other.",
-                     "Session 3 (friday) is short.", "Drive a ramp."};
+    result.advice = {of_session("session-contradicts-itself", 2, "tuesday"), of_session("session-short", 3, "friday"),
+                     "Drive a ramp."};
     for (const char* source : {"refined", "pair 1", "pair 5", "pairs 0 + 4", "all pairs: Park-Martin"}) {
       result.candidates.emplace_back();
       result.candidates.back().source = source;
@@ -61,7 +66,7 @@ TEST(without_session, what_the_result_does_not_rest_on_goes_and_x_stays) {
   EXPECT_EQ(result.session_time_offset_s, (std::vector{0.010, 0.030}));
   EXPECT_NEAR(result.time_offset.offset_s, 0.020, 1e-12) << "the mean of those that are left";
   EXPECT_EQ(left->session_uses_sweep, (std::vector{true, true}));
-  EXPECT_EQ(english(result.advice), (std::vector<std::string>{"Session 2 (friday) is short.", "Drive a ramp."}));
+  EXPECT_EQ(result.advice, (std::vector<Message>{of_session("session-short", 2, "friday"), "Drive a ramp."}));
 }
 
 TEST(without_session, pairs_keyframes_and_sessions_are_numbered_anew) {

@@ -5,8 +5,6 @@
 namespace remount {
 namespace {
 
-std::string english(const char*, const char* text) { return text; }
-
 template <class Shape>
 std::vector<Shape> shapes_of(const Drawing& drawing) {
   std::vector<Shape> found;
@@ -52,14 +50,14 @@ TEST(report_charts, a_geographic_track_is_east_and_north_in_metres) {
   EXPECT_TRUE(track.geographic);
   ASSERT_EQ(track.points_m.size(), 3U);
   EXPECT_LT((track.points_m[2] - Eigen::Vector2d(10.0, 5.0)).norm(), 0.1) << track.points_m[2].transpose();
-  const std::string words = words_of(track_chart(track, english));
+  const std::string words = words_of(track_chart(track, Language::English));
   EXPECT_NE(words.find("east to the right, north up"), std::string::npos) << words;
 }
 
 TEST(report_charts, poses_alone_have_neither_east_nor_north) {
   const ReportTrack track = track_of(posed_drive());
   EXPECT_FALSE(track.geographic);
-  const std::string words = words_of(track_chart(track, english));
+  const std::string words = words_of(track_chart(track, Language::English));
   EXPECT_EQ(words.find("north"), std::string::npos) << words;
   EXPECT_EQ(words.find("east"), std::string::npos) << words;
   EXPECT_EQ(words.find("above"), std::string::npos) << "which way z points is not said: " << words;
@@ -67,7 +65,8 @@ TEST(report_charts, poses_alone_have_neither_east_nor_north) {
 }
 
 TEST(report_charts, a_track_is_drawn_to_scale_and_says_whose_it_is) {
-  const Drawing drawing = track_chart({"drive <1>", true, {{0, 0}, {40, 0}, {40, 10}, {std::nan(""), 0}}}, english);
+  const Drawing drawing =
+      track_chart({"drive <1>", true, {{0, 0}, {40, 0}, {40, 10}, {std::nan(""), 0}}}, Language::English);
   const auto lines = shapes_of<DrawnLine>(drawing);
   ASSERT_EQ(lines.size(), 2U) << "track and scale bar";
   ASSERT_EQ(lines[0].points.size(), 3U) << "what is no number is left out";
@@ -85,7 +84,7 @@ TEST(report_charts, a_track_is_drawn_to_scale_and_says_whose_it_is) {
 }
 
 TEST(report_charts, a_session_without_positions_says_so) {
-  const Drawing drawing = track_chart({"drive1", false, {}}, english);
+  const Drawing drawing = track_chart({"drive1", false, {}}, Language::English);
   EXPECT_TRUE(shapes_of<DrawnLine>(drawing).empty());
   EXPECT_NE(words_of(drawing).find("No positions"), std::string::npos);
 }
@@ -96,7 +95,7 @@ TEST(report_charts, bars_are_as_high_as_the_residuals) {
   pairs[1].residual_translation_m = 0.05;
   pairs[2].residual_translation_m = std::nan("");
   pairs[1].state = PairState::Rejected;
-  const auto bars = shapes_of<DrawnBox>(residual_chart(pairs, ChartedResidual::Translation, english));
+  const auto bars = shapes_of<DrawnBox>(residual_chart(pairs, ChartedResidual::Translation, Language::English));
   ASSERT_EQ(bars.size(), 2U);
   EXPECT_NEAR(bars[1].size.y() / bars[0].size.y(), 0.5, 1e-9);
   EXPECT_NE(bars[0].color, bars[1].color) << "rejected ones are told apart";
@@ -108,13 +107,14 @@ TEST(report_charts, a_wild_pair_that_was_rejected_leaves_the_others_their_height
   pairs[0].state = pairs[1].state = PairState::Accepted;
   pairs[2].residual_translation_m = 2.0;
   pairs[2].state = PairState::Rejected;
-  const Drawing drawing = residual_chart(pairs, ChartedResidual::Translation, english);
+  const Drawing drawing = residual_chart(pairs, ChartedResidual::Translation, Language::English);
   const auto bars = shapes_of<DrawnBox>(drawing);
   ASSERT_EQ(bars.size(), 3U);
   EXPECT_NEAR(bars[0].size.y() / bars[2].size.y(), 0.5, 1e-9) << "the axis ends at 2 cm";
   EXPECT_NE(words_of(drawing).find("higher bars are cut"), std::string::npos);
   pairs.pop_back();
-  EXPECT_EQ(words_of(residual_chart(pairs, ChartedResidual::Translation, english)).find("are cut"), std::string::npos);
+  EXPECT_EQ(words_of(residual_chart(pairs, ChartedResidual::Translation, Language::English)).find("are cut"),
+            std::string::npos);
 }
 
 }  // namespace

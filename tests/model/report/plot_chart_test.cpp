@@ -5,14 +5,12 @@
 namespace remount {
 namespace {
 
-std::string english_text(const char*, const char* text) { return text; }
-
 /// Where the names of the curves stand, from the first to the last.
 std::vector<double> places_of_names(const std::vector<std::string>& names) {
   Plot plot{"title", "x (m)", "y (m)", false, {}};
   for (const std::string& name : names) plot.curves.push_back({name, {0.0, 1.0}, {0.0, 1.0}, {}, false, {}});
   std::vector<double> places(names.size());
-  for (const auto& shape : plot_chart(plot, english_text).shapes)
+  for (const auto& shape : plot_chart(plot, Language::English).shapes)
     if (const auto* text = std::get_if<DrawnText>(&shape))
       for (std::size_t i = 0; i < names.size(); ++i)
         if (text->text == names[i]) places[i] = text->base.x();

@@ -94,7 +94,8 @@ TEST(report, pairs_are_listed_with_what_was_found) {
   EXPECT_EQ(rejected[9], "3.0 cm 0.00 °");
   EXPECT_EQ(rejected[10], "rejected");
   EXPECT_EQ(rejected[11], "overlap 0.21 is below 0.30");
-  EXPECT_NE(html.find("proposed: 8, accepted: 7, rejected: 1; rms of residuals: 1.23 cm, 0.057 °"), std::string::npos);
+  EXPECT_NE(html.find("proposed: 8, accepted: 7, rejected: 1; rms of residuals: 1.23 cm, 0.057 deg"),
+            std::string::npos);
 }
 
 TEST(report, says_what_it_is_made_from) {
@@ -154,9 +155,13 @@ TEST(report, pictures_the_worst_accepted_pairs_first) {
 
 TEST(report, every_word_can_be_in_another_language) {
   ReportStyle style;
-  style.phrase = [](const char*, const char*) { return std::string("W"); };
-  style.sentence = [](const Message&) { return std::string("S"); };
-  const std::string html = report_html(example_report(), style);
+  style.language = Language::Chinese;
+  style.words = [](const std::string&) { return std::string("W"); };
+  Report report = example_report();
+  report.file.result.directions.clear();  // of the example's own words
+  report.file.pairs.back().reason = {};
+  const std::string html = report_html(report, style);
+  EXPECT_NE(html.find("lang=\"zh-CN\""), std::string::npos);
   for (const char* english : {"Residual", "Pairs", "Correlation", "overlap", "nominal", "observable"})
     EXPECT_EQ(html.substr(0, html.find("<pre>")).find(english), std::string::npos) << english;
 }

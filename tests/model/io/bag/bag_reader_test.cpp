@@ -172,7 +172,7 @@ TEST_F(bag_reader, moves_an_ins_by_its_clock_and_not_by_the_sweep) {
     for (const std::int64_t clock_ns : {-1'800'000'000LL, 1'800'000'000LL, 12'345'000'000LL})
       EXPECT_NEAR(moved_to_s(clock_ns, period_ns, ""), static_cast<double>(clock_ns) * 1e-9, rounding_s) << period_ns;
   }
-  EXPECT_NEAR(moved_to_s(28'800'000'000'000, kStep_ns, "about 8 hours: likely a time zone"), 28800.0, 2e-3);
+  EXPECT_NEAR(moved_to_s(28'800'000'000'000, kStep_ns, "about 8 h: likely a time zone"), 28800.0, 2e-3);
   EXPECT_NEAR(moved_to_s(-kStart_ns + 3'000'000'000'000, kStep_ns, "counts from when it was switched on"),
               -static_cast<double>(kStart_ns) * 1e-9 + 3000.0, 2e-3);
 }
