@@ -101,7 +101,7 @@ void report_values_without_sigma(const MeasuredOptions& measured, bool takes_ins
 void check_nominal(const PipelineInput& input) {
   if (!input.nominal_ins_from_lidar) return;
   for (const Message& problem : {frame_problem(input.nominal_frames, input.settings.run.method, input.sessions),
-                                     nominal_problem(input.nominal_ins_from_lidar, input.settings.range)})
+                                 nominal_problem(input.nominal_ins_from_lidar, input.settings.range)})
     if (!problem.empty()) throw Error(ErrorCode::Contract, "nominal mounting", problem);
 }
 
