@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "algorithms/core/error.h"
-#include "model/pipeline/input_checks.h"
+#include "messages/pipeline.h"
 
 namespace remount {
 
