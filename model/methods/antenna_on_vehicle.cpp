@@ -7,6 +7,7 @@
 #include "algorithms/calibration/antenna_fit.h"
 #include "algorithms/calibration/observability.h"
 #include "algorithms/geometry/geodesy.h"
+#include "algorithms/messages/render.h"
 
 namespace remount {
 namespace {
