@@ -131,7 +131,9 @@ using CountedKinds = std::vector<CountedKind>;
 CountedKind& kind_of(CountedKinds& kinds, const Message& words, bool (*alike)(const Message&, const Message&)) {
   const auto found =
       std::find_if(kinds.begin(), kinds.end(), [&](const CountedKind& kind) { return alike(kind.words, words); });
-  return found != kinds.end() ? *found : kinds.emplace_back(CountedKind{.words = words});
+  if (found != kinds.end()) return *found;
+  kinds.emplace_back().words = words;
+  return kinds.back();
 }
 
 bool are_equal(const Message& a, const Message& b) { return a == b; }
