@@ -46,8 +46,8 @@ DocumentNode registration_document(const RegistrationQuality& quality) {
   node.add("rmse_m", DocumentNode::number(quality.rmse_m));
   node.add("overlap", DocumentNode::number(quality.overlap));
   node.add("information", triangle(quality.information));
-  node.add("failure", DocumentNode::string(english(quality.failure)));
-  if (!quality.undetermined.empty()) node.add("undetermined", DocumentNode::string(english(quality.undetermined)));
+  node.add("failure", message_document(quality.failure));
+  if (!quality.undetermined.empty()) node.add("undetermined", message_document(quality.undetermined));
   return node;
 }
 
@@ -59,8 +59,8 @@ RegistrationQuality registration_from(const DocumentView& view) {
   quality.rmse_m = view.at("rmse_m").number_or_nan();
   quality.overlap = view.at("overlap").number_or_nan();
   quality.information = from_triangle(view.at("information"));
-  quality.failure = view.at("failure").string();
-  if (view.has("undetermined")) quality.undetermined = view.at("undetermined").string();
+  quality.failure = message_from_document(view.at("failure"));
+  if (view.has("undetermined")) quality.undetermined = message_from_document(view.at("undetermined"));
   return quality;
 }
 
