@@ -141,6 +141,8 @@ QString model_text(const QString& text) {
 
 QString model_text(std::string_view text) { return model_text(QString::fromUtf8(text)); }
 
+QString model_text(const std::string& text) { return model_text(std::string_view(text)); }
+
 QString model_text(const Message& message) {
   if (message.code() == kVerbatim) return model_text(QString::fromStdString(english(message)));
   return in_words_of_window(QString::fromStdString(render(message, window_language())));

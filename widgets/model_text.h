@@ -14,6 +14,7 @@ namespace remount {
 /// put there. What is not recognised stays English: better understood than lost. Options and flags that it mentions are
 /// named as in the window.
 QString model_text(std::string_view text);
+QString model_text(const std::string& text);
 QString model_text(const QString& text);
 QString model_text(const Message& message);
 Language window_language();

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <random>
 
+#include "algorithms/messages/render.h"
 #include "model/checks/data_check.h"
 #include "model/io/native_session_writer.h"
 #include "model/io/session_reader.h"
@@ -83,7 +84,7 @@ TEST(held_positions, lie_on_the_way_where_they_were_not_measured) {
     EXPECT_LT(after_m, 0.005);
     EXPECT_NEAR(static_cast<double>(session.ins_fix_stamps_ns.size()), metric_poses(whole).size() / 10.0, 2.0);
     ASSERT_EQ(session.findings.size(), 1U);
-    EXPECT_NE(session.findings[0].explanation.find("stands still for 0.100 s at a time (10 samples)"),
+    EXPECT_NE(english(session.findings[0].explanation).find("stands still for 0.100 s at a time (10 samples)"),
               std::string::npos);
     Progress progress;
     for (const Finding& finding : data_findings(session, LookAt::Streams, progress))
@@ -145,7 +146,7 @@ TEST(held_positions, with_attitudes_that_are_held_alike_leave_the_measured_sampl
   EXPECT_TRUE(session.ins_fix_stamps_ns.empty()) << "all that are left were measured";
   EXPECT_LT(farthest_m(session, exact), 1e-4);
   ASSERT_EQ(session.findings.size(), 1U);
-  EXPECT_EQ(session.findings[0].explanation.find("Position and attitude stand still for 0.100 s"), 0U);
+  EXPECT_EQ(english(session.findings[0].explanation).find("Position and attitude stand still for 0.100 s"), 0U);
 }
 
 TEST(held_positions, of_a_session_that_is_opened_leave_x_within_its_sigma) {

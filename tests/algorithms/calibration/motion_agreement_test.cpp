@@ -77,10 +77,10 @@ TEST(motion_agreement, a_unit_that_is_not_the_metre_is_named_with_the_factor) {
     for (const std::vector<Pair>& pairs : {by_lidar, by_ins}) {
       const CalibrationResult result = solved_with(drive, options, pairs);
       const double factor = lidar_per_ins_way(pairs);
-      std::printf("  %.4g: %.4g, %s\n", scale, factor, result.message.c_str());
+      std::printf("  %.4g: %.4g, %s\n", scale, factor, english(result.message).c_str());
       EXPECT_NEAR(factor / scale, 1.0, 0.1);
       EXPECT_EQ(result.status, Status::Inconsistent) << scale;
-      EXPECT_NE(result.message.find(scale > 1.0 ? "The motions of the LiDAR are" : "The motions of the INS are"),
+      EXPECT_NE(english(result.message).find(scale > 1.0 ? "The motions of the LiDAR are" : "The motions of the INS are"),
                 std::string::npos)
           << result.message;
       EXPECT_EQ(parameter_names(result.observed, true), "") << result.message;
