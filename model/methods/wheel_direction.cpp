@@ -16,11 +16,22 @@ using Eigen::Vector3d;
 
 /// What two sources say of the same motion, about zero: 1 where they agree, -1 where one is the other backwards.
 struct Likeness {
-  double both = 0.0, first2 = 0.0, second2 = 0.0;
+  double both = 0.0, first2 = 0.0, second2 = 0.0, first_sum = 0.0, second_sum = 0.0, count = 0.0;
   void add(double first, double second) {
+    first_sum += first;
+    second_sum += second;
+    count += 1.0;
     both += first * second;
     first2 += first * first;
     second2 += second * second;
+  }
+  /// About the means, which a bias moves.
+  Likeness varying() const {
+    Likeness out = *this;
+    out.both -= first_sum * second_sum / count;
+    out.first2 -= first_sum * first_sum / count;
+    out.second2 -= second_sum * second_sum / count;
+    return out;
   }
   double value() const { return first2 > 0.0 && second2 > 0.0 ? both / std::sqrt(first2 * second2) : 0.0; }
 };
@@ -49,8 +60,9 @@ Likeness ways_by_ins(const VehicleDrive& drive) {
 /// Acceleration to the left: speed times rate of turn, and the force that the IMU feels. Nothing where turns are
 /// slight.
 Likeness forces_in_turns(const VehicleDrive& drive, const Matrix3d& vehicle_from_imu, const Vector3d& gyro_bias_radps) {
-  constexpr double kLeast_mps2 = 0.4;  // in rms: a road's crossfall presses as much
+  constexpr double kLeast_mps2 = 0.2;  // in rms
   constexpr std::size_t kFewest = 20;
+  constexpr double kMostOff = 0.4;
   const std::vector<ImuSample>& imu = drive.sensed.imu();
   Likeness likeness;
   Vector3d mean_force = Vector3d::Zero();
@@ -74,9 +86,18 @@ Likeness forces_in_turns(const VehicleDrive& drive, const Matrix3d& vehicle_from
     mean_force += force;
     ++count;
   }
-  if (count < kFewest || likeness.first2 < kLeast_mps2 * kLeast_mps2 * static_cast<double>(count)) return {};
-  // Some logs state the acceleration of a body that rests as downwards.
-  if (mean_force.z() < 0.0) likeness.both = -likeness.both;
+  if (count < kFewest) return {};
+  likeness = likeness.varying();
+  if (likeness.first2 < kLeast_mps2 * kLeast_mps2 * static_cast<double>(count)) return {};
+  // Some logs state the acceleration of a body that rests as downwards, and some in units of g.
+  constexpr double kGravity_mps2 = 9.81;
+  const double unit = mean_force.z() / static_cast<double>(count) / kGravity_mps2;
+  likeness.both /= unit;
+  likeness.second2 /= unit * unit;
+  // A road that is banked for its bends takes from the force, or outweighs it where the vehicle is slow, and by chance
+  // only makes just the opposite of it.
+  const double force_per_expected = likeness.both / likeness.first2;
+  if (std::abs(std::abs(force_per_expected) - 1.0) > kMostOff) return {};
   return likeness;
 }
 

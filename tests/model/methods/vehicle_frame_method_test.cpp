@@ -21,11 +21,12 @@ struct Drive {
 };
 
 /// A drive whose LiDAR's poses come from an odometry with errors of `way_m` and `turn_rad` a step, in units of `scale`.
-Drive simulated(ScenarioKind scenario, double scale = 1.0, double way_m = 0.003, double turn_rad = 2e-4) {
+Drive simulated(ScenarioKind scenario, double scale = 1.0, double way_m = 0.003, double turn_rad = 2e-4,
+                double speed_mps = 8.0) {
   SimulationOptions options;
   options.scenario = scenario;
   options.duration_s = 120.0;
-  options.speed_mps = 8.0;
+  options.speed_mps = speed_mps;
   SimulatedDrive drive = simulate_drive(options);
   Drive out;
   out.vehicle_from_lidar = vehicle_from_ins(scenario) * drive.ins_from_lidar;
@@ -99,6 +100,16 @@ TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_are_refused) {
       EXPECT_EQ(output.result.status, Status::Inconsistent) << output.result.message;
       for (const bool observed : output.result.observed) EXPECT_FALSE(observed);
     }
+}
+
+// At walking pace bends press little: they do all the same, and on the right side where the wheels are right.
+TEST(vehicle_frame_method, wheels_that_turn_the_wrong_way_slowly_are_refused_by_forces) {
+  const Drive drive = simulated(ScenarioKind::FigureEight, 1.0, 0.003, 2e-4, 2.0);
+  drop_ins(*drive.session);
+  EXPECT_NE(run(drive).result.status, Status::Inconsistent);
+  turn_wheels_around(*drive.session);
+  const PipelineOutput output = run(drive);
+  EXPECT_EQ(output.result.status, Status::Inconsistent) << output.result.message;
 }
 
 TEST(vehicle_frame_method, a_vehicle_that_reverses_all_along_is_not_refused) {
