@@ -144,21 +144,37 @@ bool arm_is_missing(const SlewData& data, const Vector3d& up, const SlewOptions&
   return true;
 }
 
-bool turn_is_unusable(const SlewOptions& options, SlewResult& result) {
-  const CircleFit& circle = result.circle;
-  const std::string advice = "Record one full turn of the machine at an even, slow rate, and stay clear of it.";
-  if (!circle.found) {
-    refuse(Status::TooFewPairs, "The turn gives no circle: " + circle.why + ".", advice, result);
-    return true;
-  }
-  const double arc_deg = radians_to_degrees(circle.arc_rad);
-  if (arc_deg < options.min_arc_deg) {
+void refuse_short_arc(const SlewData& data, const SlewOptions& options, const std::string& advice, SlewResult& result) {
+  const double arc_deg = radians_to_degrees(result.circle.arc_rad);
+  // Scans that are missing leave a hole in a turn that may well have been a whole one.
+  const bool scans_are_missing = 20 * data.turn_scans_failed > data.turn_scans;
+  if (!scans_are_missing) {
     refuse(
         Status::Degenerate,
         text_of("The turn covers an arc of %.0f deg and at least %.0f deg are needed: centre and plane of a short arc "
                 "hang on its noise.",
                 arc_deg, options.min_arc_deg),
         advice, result);
+    return;
+  }
+  refuse(Status::Degenerate,
+         text_of("%zu of %zu scans of the turn could not be aligned with the first one: what is left covers an arc of "
+                 "%.0f deg, and at least %.0f deg are needed.",
+                 data.turn_scans_failed, data.turn_scans, arc_deg, options.min_arc_deg),
+         "Turn more slowly, where the LiDAR sees walls or objects all around, so that every scan overlaps the first "
+         "one.",
+         result);
+}
+
+bool turn_is_unusable(const SlewData& data, const SlewOptions& options, SlewResult& result) {
+  const CircleFit& circle = result.circle;
+  const std::string advice = "Record one full turn of the machine at an even, slow rate, and stay clear of it.";
+  if (!circle.found) {
+    refuse(Status::TooFewPairs, "The turn gives no circle: " + circle.why + ".", advice, result);
+    return true;
+  }
+  if (radians_to_degrees(circle.arc_rad) < options.min_arc_deg) {
+    refuse_short_arc(data, options, advice, result);
     return true;
   }
   const double residual_m = std::hypot(circle.in_plane_rms_m, circle.off_plane_rms_m);
@@ -175,7 +191,26 @@ bool turn_is_unusable(const SlewOptions& options, SlewResult& result) {
   return false;
 }
 
-// Whether ground and turn contradict each other; with the ground as first plane that is a refusal.
+Matrix3d make_of_surfaces(const SlewOptions& options) {
+  return std::pow(degrees_to_radians(options.surface_sigma_deg), 2) * Matrix3d::Identity();
+}
+
+// The lean of the ground as far as its noise does not explain it: nothing up to two and a half sigma, all of it far
+// beyond. docs/maths/slew.md (M9)
+void doubt_ground(const Vector3d& lean_rad, const Matrix3d& spread_rad2, SlewResult& result) {
+  constexpr double kByChance = 6.0;  // squared sigmas
+  const Vector3d& normal = result.ground.normal;
+  Eigen::Matrix<double, 3, 2> across;
+  across.col(0) = normal.unitOrthogonal();
+  across.col(1) = normal.cross(across.col(0));
+  const Eigen::Vector2d lean = across.transpose() * lean_rad;
+  const Eigen::Matrix2d spread = across.transpose() * spread_rad2 * across;
+  const double squared_sigmas = lean.dot(spread.inverse() * lean);
+  if (!(squared_sigmas > kByChance)) return;
+  result.ground_lean_variance_rad2 = (1.0 - kByChance / squared_sigmas) * lean_rad * lean_rad.transpose();
+}
+
+// Whether ground and turn contradict each other; with the ground as first plane that is a refusal, or a doubt of it.
 bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
   Vector3d axis = result.axis.direction_in_lidar;
   if (axis.dot(result.ground.normal) < 0.0) axis = -axis;
@@ -183,6 +218,7 @@ bool ground_is_tilted(const SlewOptions& options, SlewResult& result) {
   result.ground_to_turn_rad = std::atan2(lean.norm(), result.ground.normal.dot(axis));
   const Matrix3d spread = result.ground.normal_covariance_rad2 + result.axis.covariance.bottomRightCorner<3, 3>();
   result.ground_to_turn_sigma_rad = std::sqrt(std::max(0.0, 0.5 * spread.trace()));
+  doubt_ground(lean, spread + 2.0 * make_of_surfaces(options), result);
   if (options.first_plane != FirstPlane::Ground) return false;
   // A turn that is too noisy would let any ground pass.
   if (result.ground_to_turn_sigma_rad > 0.5 * degrees_to_radians(options.max_plane_angle_deg)) {
@@ -268,7 +304,7 @@ bool are_usable(const SlewData& data, const SlewOptions& options, const Progress
   };
   const bool needs_ground = options.first_plane == FirstPlane::Ground || options.origin == MachineOrigin::Ground;
   const bool ground = fit_ground_plane(data, options, progress, result);
-  if (cancelled() || turn_is_unusable(options, result)) return false;
+  if (cancelled() || turn_is_unusable(data, options, result)) return false;
   if (needs_ground && !ground) {
     refuse(Status::Degenerate, "The plane of the ground is missing: " + result.ground.why + ".",
            "Record the ground around the machine, or take the plane of the turn (slew.first_plane = turn).", result);
@@ -299,7 +335,7 @@ Matrix6d as_turn(const Matrix3d& spread_rad2) {
 }
 
 Matrix6d covariance_of(const Pieces& pieces, const SlewOptions& options, const SlewResult& result) {
-  const Matrix3d make = std::pow(degrees_to_radians(options.surface_sigma_deg), 2) * Matrix3d::Identity();
+  const Matrix3d make = make_of_surfaces(options);
   const bool by_ground = options.first_plane == FirstPlane::Ground;
   const auto ground = [by_ground](Pieces& p, const Vector6d& error) {
     const Matrix3d turn = so3_exp(error.tail<3>());
@@ -312,7 +348,9 @@ Matrix6d covariance_of(const Pieces& pieces, const SlewOptions& options, const S
     if (!by_ground) p.up = so3_exp(error.tail<3>()) * p.up;
   };
   const auto arm = [](Pieces& p, const Vector6d& error) { p.across = so3_exp(error.tail<3>()) * p.across; };
-  Matrix6d of_ground = as_turn(result.ground.normal_covariance_rad2 + make);
+  // Where the turn gives the first plane, the lean of the ground is known and no error.
+  const Matrix3d lean = by_ground ? result.ground_lean_variance_rad2 : Matrix3d::Zero();
+  Matrix6d of_ground = as_turn(result.ground.normal_covariance_rad2 + make + lean);
   of_ground.diagonal().head<3>().setConstant(std::pow(result.ground.offset_sigma_m, 2));
   return propagate(pieces, {{ground, of_ground},
                             {axis, result.axis.covariance + as_turn(make)},

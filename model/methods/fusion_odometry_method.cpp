@@ -25,12 +25,23 @@ void add_quantities(const FusionRun& run, const std::string& session, std::vecto
   quantities.push_back({"distance driven" + (session.empty() ? "" : ", " + session), driven_m, unknown, "m", true});
 }
 
-void tell_breaks(const std::string& session, const FusionRun& run, std::vector<Finding>& findings) {
-  if (!run.breaks_ns.empty())
-    findings.push_back({Severity::Warning, "odometry-breaks", session,
-                        std::to_string(run.breaks_ns.size()) + " of " + std::to_string(run.odometry.scans.size()) +
-                            " scans do not tell of every direction of the motion, nor does another sensor carry the "
-                            "odometry on; no pair spans them. Drive where there is more to see."});
+// Whether there are wheels that were not asked, for want of a mounting.
+bool has_idle_wheels(const Session& session, FusionUse use) {
+  return use == FusionUse::ScansAlone && !session.wheels.empty();
+}
+
+void tell_breaks(const Session& session, FusionUse use, const FusionRun& run, std::vector<Finding>& findings) {
+  if (run.breaks_ns.empty()) return;
+  const std::string scans = std::to_string(run.breaks_ns.size()) + " of " + std::to_string(run.odometry.scans.size()) +
+                            " scans do not tell of every direction of the motion";
+  findings.push_back(
+      {Severity::Warning, "odometry-breaks", session.name,
+       scans + (has_idle_wheels(session, use)
+                    ? "; no pair spans them. Wheels and IMU could carry the odometry on, but reach the LiDAR "
+                      "through its mounting, of which no nominal is given. Give one, or drive where there is more to "
+                      "see."
+                    : ", nor does another sensor carry the odometry on; no pair spans them. Drive where there is more "
+                      "to see.")});
 }
 
 CalibrationResult without_ins() {
@@ -49,6 +60,7 @@ struct FusionPass {
   std::vector<Finding> findings;
   std::size_t scans = 0, breaks = 0;  ///< of the sessions that take part
   bool cancelled = false;
+  bool idle_wheels = false;  ///< wheels were recorded, and not used for want of a mounting
 };
 
 void add_session(const std::shared_ptr<const Session>& session, FusionRun run, FusionPass& pass) {
@@ -81,7 +93,8 @@ FusionPass drive_through(const PipelineInput& input, const std::optional<RigidTr
     const std::vector<Plot> of_session = fusion_plots(*session, run);
     pass.plots.insert(pass.plots.end(), of_session.begin(), of_session.end());
     pass.findings.insert(pass.findings.end(), run.findings.begin(), run.findings.end());
-    tell_breaks(session->name, run, pass.findings);
+    tell_breaks(*session, use, run, pass.findings);
+    pass.idle_wheels = pass.idle_wheels || has_idle_wheels(*session, use);
     add_session(session, std::move(run), pass);
   }
   return pass;
@@ -97,10 +110,14 @@ void blame_scans(const FusionPass& pass, bool with_sensors, CalibrationResult& r
   result.message = std::to_string(pass.breaks) + " of " + std::to_string(pass.scans) +
                    " scans do not tell of every direction of the motion: hardly any pair is left to compare with the "
                    "INS.";
-  result.advice = {with_sensors ? "Nor do wheel speeds and gyroscope cover these scans: look at their stamps, or drive "
-                                  "where there is more to see."
-                                : "Give a nominal mounting and record wheel speeds and an IMU, which carry the "
-                                  "odometry through such places; or drive where there is more to see."};
+  result.advice = {
+      with_sensors ? "Nor do wheel speeds and gyroscope cover these scans: look at their stamps, or drive "
+                     "where there is more to see."
+      : pass.idle_wheels
+          ? "Give a nominal mounting: wheel speeds and IMU carry the odometry through such places, but reach the "
+            "LiDAR through its mounting, and were not used; or drive where there is more to see."
+          : "Give a nominal mounting and record wheel speeds and an IMU, which carry the "
+            "odometry through such places; or drive where there is more to see."};
 }
 
 PipelineOutput calibrate_from(const FusionPass& pass, bool with_sensors, Progress& progress) {

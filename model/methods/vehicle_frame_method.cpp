@@ -15,6 +15,7 @@
 #include "model/methods/antenna_on_vehicle.h"
 #include "model/methods/builtin.h"
 #include "model/methods/vehicle_clock.h"
+#include "model/methods/wheel_direction.h"
 #include "model/pipeline/input_checks.h"
 #include "model/pipeline/solve_stage.h"
 #include "model/scan_times.h"
@@ -89,13 +90,14 @@ VehicleDrive drive_of(const Session& session, const Settings& settings, std::vec
   std::vector<StampedPose> reference;
   if (!session.ins.empty() || !session.world_from_ins.empty()) reference = reference_of(session);
   std::vector<ImuSample> imu = session.imu;
-  if (imu.size() < 2) {
+  const bool by_reference = imu.size() < 2;
+  if (by_reference) {
     imu = rates_of(reference);
     findings.push_back({Severity::Note, "imu-from-ins", session.name,
                         "There is no IMU: turns are taken from the attitude of the INS."});
   }
   return {WheelImuSignals(imu, session.wheels), sensor_poses(session, settings, findings, progress),
-          std::move(reference)};
+          std::move(reference), by_reference};
 }
 
 struct Integrated {
@@ -130,7 +132,10 @@ Integrated integrate(const VehicleDrive& drive, const VehicleFrameResult& result
     std::vector<MotionStep> scaled = *steps;
     double way_m = out.way_m.back();
     for (MotionStep& step : scaled) {
-      step.travel_m *= result.wheel_scale;
+      // The mean of both wheels with half of what the right one's way is longer by than the left's.
+      const double asymmetry = (result.right_over_left - 1.0) / (result.right_over_left + 1.0);
+      step.travel_m = result.wheel_scale * (step.travel_m + 0.5 * asymmetry * step.wheel_difference_m);
+      step.turn_in_imu_rad = result.gyro_scale.cwiseProduct(step.turn_in_imu_rad);
       way_m += std::abs(step.travel_m);
     }
     for (std::size_t k = 0; k < 3; ++k)
@@ -175,11 +180,45 @@ std::vector<Plot> plots_of(const Integrated& drive) {
   return plots;
 }
 
+std::string words_of(const char* pattern, auto... values) {
+  char text[300];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+// What sensors were found to be wrong by, where it is beyond doubt and would have been seen in the result.
+void report_scales(const VehicleFrameResult& result, std::vector<Finding>& findings) {
+  constexpr double kWorthSaying = 0.004, kBeyondDoubt = 5.0;
+  if (!is_usable(result.calibration)) return;
+  for (const NamedQuantity& quantity : result.quantities) {
+    const double off = quantity.value - 1.0;
+    if (!quantity.observed || std::abs(off) < std::max(kWorthSaying, kBeyondDoubt * quantity.sigma)) continue;
+    const double percent = 100.0 * std::abs(1.0 / quantity.value - 1.0), sigma_percent = 100.0 * quantity.sigma;
+    const char* const size = off < 0.0 ? "large" : "small";
+    if (quantity.name == "gyro scale")
+      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+                          words_of("The rates of the IMU are %.2f%% (sigma %.2f) too %s by the turns of the sensor's "
+                                   "poses. The result allows for it.",
+                                   percent, sigma_percent, size)});
+    else if (quantity.name.starts_with("gyro scale "))
+      findings.push_back({Severity::Note, "gyro-scale", "IMU",
+                          words_of("The rates of the IMU about its %c axis are %.2f%% (sigma %.2f) too %s by the turns "
+                                   "of the sensor's poses. The result allows for it.",
+                                   quantity.name.back(), percent, sigma_percent, size)});
+    else if (quantity.name == kRightOverLeft)
+      findings.push_back({Severity::Note, "wheel-sides", "wheels",
+                          words_of("The right rear wheel is %.2f%% (sigma %.3f) %s than the left one where the vehicle "
+                                   "goes straight. The result allows for it; check the tyres and their stated sizes.",
+                                   percent, sigma_percent, off < 0.0 ? "faster" : "slower")});
+  }
+}
+
 void report(const VehicleFrameResult& result, bool wheel_scale_asked, std::vector<Finding>& findings) {
   if (result.imu_to_reference)
     findings.push_back({Severity::Note, "imu-to-vehicle", "IMU", result.imu_to_reference->words});
   if (!result.imu_to_sensor.words.empty())
     findings.push_back({Severity::Note, "imu-to-sensor", "IMU and sensor", result.imu_to_sensor.words});
+  report_scales(result, findings);
   constexpr double kTyres = 0.06;  // four times what tyres are expected to differ by
   if (is_usable(result.calibration) && std::abs(std::log(result.wheel_scale)) > kTyres && !wheel_scale_asked) {
     char text[200];
@@ -213,7 +252,8 @@ PipelineOutput run_vehicle_frame(const PipelineInput& given, Progress& progress)
     drives.push_back(drive_of(*session, input.settings, output.findings, progress));
     if (session->imu.size() < 2) blamed.insert(blamed.end(), session->findings.begin(), session->findings.end());
   }
-  const VehicleFrameResult result = solve_vehicle_frame_with_clocks(input, drives, progress);
+  VehicleFrameResult result = solve_vehicle_frame_with_clocks(input, drives, progress);
+  refuse_backward_wheels(drives, input.settings.vehicle_frame, result);
   output.result = result.calibration;
   output.quantities = result.quantities;
   output.initial_ins_from_lidar =
